@@ -1,0 +1,88 @@
+"""Cues: from the descriptors of a frame to a distribution over places (thesis 3.3.1 and 3.3.2).
+
+One module a way of deciding: `one_against_all` (Figure 8, two-class classifiers), `knn` (Figure 8, modified
+nearest neighbours) and `joint_probability` (Figure 10). A cue's setting ``classifier.model`` names the
+module; there is no list to extend.
+"""
+
+import importlib
+import pkgutil
+from collections.abc import Mapping
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import settings
+from placecat.cues.codebook import Codebook
+from placecat.cues.descriptors import Descriptors
+from placecat.cues.model import CueModel
+from placecat.errors import PlacecatError
+
+__all__ = ["Codebook", "CueModel", "Descriptors", "fit", "model_names"]
+
+_SHARED = {"codebook", "descriptors", "model", "estimators"}
+
+
+def model_names() -> list[str]:
+    """Names of the ways of deciding, found by looking."""
+    return sorted(module.name for module in pkgutil.iter_modules(__path__) if module.name not in _SHARED)
+
+
+def fit(
+    train: Descriptors,
+    labels: NDArray[np.int16],
+    homes: NDArray[np.str_],
+    *,
+    classifier: Mapping[str, Any],
+    n_classes: int,
+    codebook: Codebook | None = None,
+) -> CueModel:
+    """Train one cue on the descriptors of training frames.
+
+    Parameters
+    ----------
+    train
+        Descriptors of n frames.
+    labels
+        (n,) class indices in [0, n_classes), every class present.
+    homes
+        (n,) the home of each frame: cross-validation keeps homes together, since neighbouring frames are
+        near-duplicates.
+    classifier
+        ``model`` names a module of this package, the rest are its settings.
+    codebook
+        Clusters of the same training homes, for the models that need them.
+
+    Raises
+    ------
+    PlacecatError
+        Unknown model, unknown or impossible settings, a class without training frames.
+    """
+    missing = sorted(set(range(n_classes)) - set(np.unique(labels).tolist()))
+    if missing:
+        raise PlacecatError(
+            f"training homes {', '.join(sorted(set(homes.tolist())))} have no training frame of class number "
+            f"{missing[0]} (from 0) of dataset.classes: take the class out or add homes that show it"
+        )
+    module = _load(str(settings.get(classifier, "model")))
+    options = {name: value for name, value in classifier.items() if name != "model"}
+    return settings.call(
+        module.fit,
+        train,
+        labels,
+        homes,
+        codebook,
+        n_classes,
+        settings=options,
+        where=f"classifier {classifier['model']}",
+    )
+
+
+def _load(name: str) -> ModuleType:
+    if name not in model_names():
+        raise PlacecatError(
+            f"classifier.model {name!r} does not exist: use one of {', '.join(model_names())}"
+        )
+    return importlib.import_module(f"{__name__}.{name}")

@@ -1,0 +1,94 @@
+"""Codewords of a frame: one tree for all salient regions, or one for each cell of a holistic descriptor."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import seeds
+from placecat.cues.descriptors import Descriptors
+from placecat.errors import PlacecatError
+from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
+
+
+class Codebook:
+    """Hierarchical k-means trees that serve every cluster number (thesis 3.3.1.1, 4.2).
+
+    Parameters
+    ----------
+    trees
+        One for salient regions; one a cell for a holistic descriptor whose cells lie one after the other.
+    """
+
+    def __init__(self, trees: list[HierarchicalKMeans], *, of_sets: bool) -> None:
+        self.trees = trees
+        self.of_sets = of_sets
+
+    @classmethod
+    def fit(cls, train: Descriptors, *, cells: int, seed: int, tree: Mapping[str, Any]) -> Codebook:
+        """Cluster the descriptors of training frames.
+
+        Parameters
+        ----------
+        train
+            Of n frames.
+        cells
+            Number of equal parts that a holistic descriptor is cut into (16 in the thesis); 1 for regions.
+        seed
+            The seed of each tree is derived from it and the cell.
+        tree
+            Settings of :class:`~placecat.learning.hierarchical_kmeans.HierarchicalKMeans`.
+        """
+        if train.is_set:
+            parts = [train.rows()]
+        else:
+            if train.x.shape[1] % cells:
+                raise PlacecatError(
+                    f"a descriptor of {train.x.shape[1]} values cannot be cut into {cells} cells"
+                )
+            parts = np.split(train.x, cells, axis=1)
+        trees = [
+            HierarchicalKMeans(**tree, seed=seeds.derive("cell", seed, number)).fit(
+                np.ascontiguousarray(part)
+            )
+            for number, part in enumerate(parts)
+        ]
+        return cls(trees, of_sets=train.is_set)
+
+    def words(self, frames: Descriptors, n_clusters: int) -> NDArray[np.int32]:
+        """Nearest cluster of each region or cell.
+
+        Returns
+        -------
+        (n, max_regions) with -1 as padding, or (n, cells); values in [0, n_clusters).
+        """
+        if self.of_sets:
+            words = np.full(frames.x.shape[:2], -1, dtype=np.int32)
+            words[frames.valid()] = self.trees[0].assign(frames.rows(), n_clusters)
+            return words
+        parts = np.split(frames.x, len(self.trees), axis=1)
+        columns = [
+            tree.assign(np.ascontiguousarray(part), n_clusters)
+            for tree, part in zip(self.trees, parts, strict=True)
+        ]
+        return np.stack(columns, axis=1).astype(np.int32)
+
+    def to_arrays(self) -> dict[str, np.ndarray]:
+        """Plain arrays to store without pickle."""
+        arrays = {"of_sets": np.array(self.of_sets), "n_trees": np.array(len(self.trees))}
+        for number, tree in enumerate(self.trees):
+            arrays |= {f"{number:02d}/{name}": array for name, array in tree.to_arrays().items()}
+        return arrays
+
+    @classmethod
+    def from_arrays(cls, arrays: Mapping[str, np.ndarray]) -> Codebook:
+        """Inverse of :meth:`to_arrays`."""
+        trees = []
+        for number in range(int(arrays["n_trees"])):
+            prefix = f"{number:02d}/"
+            own = {name[len(prefix) :]: array for name, array in arrays.items() if name.startswith(prefix)}
+            trees.append(HierarchicalKMeans.from_arrays(own))
+        return cls(trees, of_sets=bool(arrays["of_sets"]))

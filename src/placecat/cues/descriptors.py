@@ -1,0 +1,45 @@
+"""What a cue sees of some frames."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True)
+class Descriptors:
+    """Descriptors of n frames: one vector a frame (holistic) or a set of vectors a frame (salient regions).
+
+    Attributes
+    ----------
+    x
+        float32, (n, d) holistic or (n, max_regions, d) of regions.
+    counts
+        (n,) number of regions that each frame has, the rest of its rows is padding; None for holistic ones.
+    """
+
+    x: NDArray[np.float32]
+    counts: NDArray[np.int64] | None = None
+
+    def __len__(self) -> int:
+        return len(self.x)
+
+    @property
+    def is_set(self) -> bool:
+        """Whether a frame has a set of vectors."""
+        return self.counts is not None
+
+    def valid(self) -> NDArray[np.bool_]:
+        """(n, max_regions) mask of the rows that are no padding."""
+        assert self.counts is not None
+        return np.arange(self.x.shape[1])[None, :] < self.counts[:, None]
+
+    def rows(self) -> NDArray[np.float32]:
+        """All vectors below each other: (n, d), or (sum of counts, d) in the order of frames and regions."""
+        return self.x if self.counts is None else self.x[self.valid()]
+
+    def frame_of_row(self) -> NDArray[np.int64]:
+        """For each row of :meth:`rows` the frame that it comes from."""
+        if self.counts is None:
+            return np.arange(len(self.x))
+        return np.repeat(np.arange(len(self.x)), self.counts)

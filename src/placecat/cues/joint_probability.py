@@ -1,0 +1,66 @@
+"""Places as the joint probability of the codewords in a frame (thesis 3.3.2, Figure 10; 4.2 for cells)."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.cues import estimators
+from placecat.cues.codebook import Codebook
+from placecat.cues.descriptors import Descriptors
+from placecat.errors import PlacecatError
+from placecat.learning.activations import activations
+
+
+class JointProbabilityCue:
+    """A joint model over 16 cell codewords (holistic) or over N on-off activations (salient regions)."""
+
+    def __init__(self, codebook: Codebook, clusters: int, estimator: Any) -> None:
+        self.codebook = codebook
+        self.clusters = clusters
+        self.estimator = estimator
+        self.cross_validated: NDArray[np.float64] | None = None
+        self.facts: dict[str, Any] = {}
+
+    def codes(self, frames: Descriptors) -> NDArray[Any]:
+        """(n, variables) values of the random variables c_1 .. c_N of equation (10)."""
+        words = self.codebook.words(frames, self.clusters)
+        if frames.counts is None:
+            return words
+        return activations(words, self.clusters, counts=frames.counts)
+
+    def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
+        """(n, n_classes) distributions over places."""
+        return self.estimator.predict_proba(self.codes(frames))
+
+
+def fit(
+    train: Descriptors,
+    labels: NDArray[np.int16],
+    homes: NDArray[np.str_],
+    codebook: Codebook | None,
+    n_classes: int,
+    *,
+    base: Mapping[str, Any],
+    clusters: int,
+) -> JointProbabilityCue:
+    """Train a joint model.
+
+    Parameters
+    ----------
+    base
+        Estimator of `placecat.learning` over integer codes: `naive_bayes` (12) or `dependency_tree` (11).
+    clusters
+        Number of clusters of each codebook, (16-1) k + 1.
+    """
+    if codebook is None:
+        raise PlacecatError(
+            "classifier.model 'joint_probability' needs a codebook: set the cue's codebook and input"
+        )
+    n_values = 2 if train.is_set else clusters
+    cue = JointProbabilityCue(
+        codebook, clusters, estimators.build(base, "classifier.base", n_values=n_values)
+    )
+    cue.estimator.fit(cue.codes(train), labels)
+    return cue

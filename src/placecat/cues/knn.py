@@ -1,0 +1,49 @@
+"""The modified nearest-neighbour classifier on regions or on whole frames (thesis 3.3.1.1)."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.cues import estimators
+from placecat.cues.codebook import Codebook
+from placecat.cues.descriptors import Descriptors
+from placecat.errors import PlacecatError
+
+
+class NearestNeighboursCue:
+    """Class frequencies of the nearest clusters, multiplied over a frame's regions."""
+
+    def __init__(self, estimator: Any) -> None:
+        self.estimator = estimator
+        self.cross_validated: NDArray[np.float64] | None = None
+        self.facts: dict[str, Any] = {}
+
+    def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
+        """(n, n_classes) distributions over places."""
+        if frames.counts is None:
+            return self.estimator.predict_proba(frames.x)
+        return self.estimator.predict_proba_sets(frames.x, frames.counts)
+
+
+def fit(
+    train: Descriptors,
+    labels: NDArray[np.int16],
+    homes: NDArray[np.str_],
+    codebook: Codebook | None,
+    n_classes: int,
+    *,
+    base: Mapping[str, Any],
+    clusters: int,
+) -> NearestNeighboursCue:
+    """Train the modified nearest neighbours on every region (or frame) with its frame's label."""
+    if codebook is None:
+        raise PlacecatError("classifier.model 'knn' needs a codebook: set the cue's codebook and input")
+    if len(codebook.trees) != 1:
+        raise PlacecatError(
+            "classifier.model 'knn' needs a codebook of whole descriptors: set its cells to 1"
+        )
+    estimator = estimators.build(base, "classifier.base", codebook=codebook.trees[0], n_clusters=clusters)
+    estimator.fit(train.rows(), labels[train.frame_of_row()])
+    return NearestNeighboursCue(estimator)

@@ -1,0 +1,55 @@
+"""What every trained cue offers."""
+
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.cues.descriptors import Descriptors
+
+
+class CueModel(Protocol):
+    """A trained cue.
+
+    Attributes
+    ----------
+    cross_validated
+        (n, n_classes) distribution of each training frame by a model that saw neither the frame nor its home;
+        None where the classifier is not cross-validated.
+    facts
+        What is worth knowing about the training, e.g. the nu that was feasible; JSON types only.
+    """
+
+    cross_validated: NDArray[np.float64] | None
+    facts: dict[str, Any]
+
+    def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
+        """(n, n_classes) distributions over places; rows sum to 1."""
+        ...
+
+
+def product_of_rows(
+    log_proba: NDArray[np.float64], frame_of_row: NDArray[np.int64], n_frames: int
+) -> NDArray[np.float64]:
+    """Multiply the distributions of a frame's regions and normalise (thesis 3.3.1 and 4.4.1).
+
+    Parameters
+    ----------
+    log_proba
+        (rows, n_classes) logarithms of the regions' distributions.
+    frame_of_row
+        (rows,) frame index of each region.
+
+    Returns
+    -------
+    (n_frames, n_classes); uniform for a frame without regions.
+    """
+    total = np.zeros((n_frames, log_proba.shape[1]))
+    np.add.at(total, frame_of_row, log_proba)
+    return normalize_log(total)
+
+
+def normalize_log(log_proba: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Exponentiate and normalise rows of log-probabilities without underflow."""
+    proba = np.exp(log_proba - log_proba.max(axis=1, keepdims=True))
+    return proba / proba.sum(axis=1, keepdims=True)

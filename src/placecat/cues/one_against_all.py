@@ -1,0 +1,93 @@
+"""Two-class classifiers, one a place, combined to a distribution (thesis 3.3.1.2, Figure 8)."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.cues import estimators
+from placecat.cues.codebook import Codebook
+from placecat.cues.descriptors import Descriptors
+from placecat.cues.model import product_of_rows
+from placecat.learning.scaling import KernelScaling
+from placecat.learning.spatial_pca import SpatialPCA
+
+
+class OneAgainstAllCue:
+    """Reduction and scaling of the descriptor, then the multi-class scheme."""
+
+    def __init__(self, steps: list[Any], scheme: Any) -> None:
+        self.steps = steps
+        self.scheme = scheme
+        self.cross_validated: NDArray[np.float64] | None = None
+        self.facts: dict[str, Any] = {}
+
+    def transform(self, x: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Apply what was fitted before the classifier."""
+        for step in self.steps:
+            x = step.transform(x)
+        return x
+
+    def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
+        """(n, n_classes) distributions over places; for regions the product over a frame's regions."""
+        proba = self.scheme.predict_proba(self.transform(frames.rows()))
+        if not frames.is_set:
+            return proba
+        log_proba = np.log(np.maximum(proba, np.finfo(np.float64).tiny))
+        return product_of_rows(log_proba, frames.frame_of_row(), len(frames))
+
+
+def fit(
+    train: Descriptors,
+    labels: NDArray[np.int16],
+    homes: NDArray[np.str_],
+    codebook: Codebook | None,
+    n_classes: int,
+    *,
+    base: Mapping[str, Any],
+    scheme: Mapping[str, Any],
+    scaling: str,
+    reduction: Mapping[str, Any] | None = None,
+) -> OneAgainstAllCue:
+    """Train one two-class classifier a place and the scheme that combines them.
+
+    Parameters
+    ----------
+    base
+        Two-class estimator of `placecat.learning`: `nu_svm`, `rvm` or `gentle_adaboost`.
+    scheme
+        Multi-class estimator of `placecat.learning`: `one_against_all` (parallel) or `sequential`.
+    scaling
+        How descriptors are scaled before the kernel, a kind of
+        :class:`~placecat.learning.scaling.KernelScaling`.
+    reduction
+        Settings of :class:`~placecat.learning.spatial_pca.SpatialPCA`, e.g. 16 cells of 64 components for
+        spatial PACT; None for no reduction.
+    """
+    steps: list[Any] = []
+    x = train.rows()
+    if reduction is not None:
+        steps.append(SpatialPCA(**reduction).fit(x))
+        x = steps[-1].transform(x)
+    steps.append(KernelScaling(kind=scaling).fit(x))
+    x = steps[-1].transform(x)
+    binary = estimators.build(base, "classifier.base")
+    multi = estimators.build(scheme, "classifier.scheme", base=binary)
+    rows = train.frame_of_row()
+    multi.fit(x, labels[rows], groups=homes[rows])
+    cue = OneAgainstAllCue(steps, multi)
+    if not train.is_set:
+        cue.cross_validated = getattr(multi, "cv_proba_", None)
+    cue.facts = facts_of(multi)
+    return cue
+
+
+def facts_of(scheme: Any) -> dict[str, Any]:
+    """What a fitted multi-class scheme is asked to report: the feasible nu of each class, reliabilities."""
+    facts: dict[str, Any] = {}
+    if getattr(scheme, "nu_", None) is not None:
+        facts["nu"] = [round(float(nu), 6) for nu in np.ravel(scheme.nu_)]
+    if getattr(scheme, "reliability_", None) is not None:
+        facts["reliability"] = np.round(scheme.reliability_, 6).tolist()
+    return facts

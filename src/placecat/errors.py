@@ -1,0 +1,9 @@
+"""The one exception that means: the user can mend this."""
+
+
+class PlacecatError(ValueError):
+    """Bad input or an impossible setting.
+
+    Its message is one sentence or two that name the file, line or setting and what to do. The command line
+    prints the message without a traceback and exits with status 1.
+    """

@@ -1,0 +1,42 @@
+"""How well a home was categorized (thesis 4.2)."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+
+def confusion_matrix(truth: ArrayLike, decision: ArrayLike, n_classes: int) -> NDArray[np.int64]:
+    """Count scored frames by true and decided class.
+
+    Parameters
+    ----------
+    truth
+        (n,) integers, -1 for frames that are not scored.
+    decision
+        (n,) integers in [0, n_classes).
+
+    Returns
+    -------
+    (n_classes, n_classes) counts; rows are true classes.
+    """
+    truth = np.asarray(truth, dtype=np.int64)
+    decision = np.asarray(decision, dtype=np.int64)
+    scored = truth >= 0
+    pairs = truth[scored] * n_classes + decision[scored]
+    return np.bincount(pairs, minlength=n_classes * n_classes).reshape(n_classes, n_classes)
+
+
+def class_accuracies(confusion: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Percentage of each class's frames that were named correctly; NaN for a class without frames.
+
+    The thesis's measure: a home's accuracy is the mean of these over the classes present (see
+    :func:`home_accuracy`), so that big classes cannot shadow small ones.
+    """
+    totals = confusion.sum(axis=1)
+    with np.errstate(invalid="ignore"):
+        return 100.0 * np.diagonal(confusion) / np.where(totals > 0, totals, np.nan)
+
+
+def home_accuracy(confusion: NDArray[np.int64]) -> float:
+    """Mean of the class accuracies over the classes present, in percent; NaN if nothing is scored."""
+    accuracies = class_accuracies(confusion)
+    return float(np.nanmean(accuracies)) if np.isfinite(accuracies).any() else float("nan")

@@ -1,0 +1,110 @@
+"""Who trains on what: the 5-5-1 and 4-5-1 schemes of thesis 4.5, for any number of homes."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+
+SCHEMES = ("5-5-1", "4-5-1")
+
+
+@dataclass(frozen=True)
+class Fold:
+    """One test home and the homes that train for it.
+
+    Attributes
+    ----------
+    scheme
+        "5-5-1": cues and integration train on all other homes, on different frames. "4-5-1": one of the
+        other homes is kept from the cues and seen by the integration only.
+    test
+        The home that nothing fitted has seen.
+    cue_homes
+        Homes that codebooks, scalings and cue classifiers train on.
+    integration_homes
+        Homes that the integration and the smoothing train on.
+    """
+
+    scheme: str
+    test: str
+    cue_homes: tuple[str, ...]
+    integration_homes: tuple[str, ...]
+
+    @property
+    def training_set(self) -> str:
+        """Name of the cues' training set: what it leaves out. Seeds are derived from it."""
+        left_out = [self.test, *(home for home in self.integration_homes if home not in self.cue_homes)]
+        return "without-" + "-".join(left_out)
+
+
+def folds(homes: Sequence[str], scheme: str) -> list[Fold]:
+    """One fold per home.
+
+    In 4-5-1 the home kept from the cues is the one after the test home, cyclically: it rotates with the test
+    home, so that every home is kept once. The thesis does not say which it was.
+
+    Parameters
+    ----------
+    homes
+        Names in order; at least 2 for 5-5-1 and 3 for 4-5-1.
+    scheme
+        "5-5-1" or "4-5-1"; the names are the thesis's, whatever the number of homes.
+
+    Raises
+    ------
+    PlacecatError
+        An unknown scheme, or too few homes for it.
+    """
+    if scheme not in SCHEMES:
+        raise PlacecatError(f"scheme {scheme!r} is unknown: use one of {', '.join(SCHEMES)}")
+    # Statistics come from cross-validation by home, so that what trains the cues must be two homes at least.
+    needed = 3 if scheme == "5-5-1" else 4
+    if len(homes) < needed:
+        raise PlacecatError(
+            f"scheme {scheme} needs at least {needed} homes, but dataset.homes has {len(homes)}: "
+            "add homes or drop the scheme"
+        )
+    if len(set(homes)) != len(homes):
+        raise PlacecatError("dataset.homes names a home twice: every name must be unique")
+    result = []
+    for number, test in enumerate(homes):
+        others = tuple(home for home in homes if home != test)
+        kept = homes[(number + 1) % len(homes)] if scheme == "4-5-1" else None
+        cue_homes = tuple(home for home in others if home != kept)
+        result.append(Fold(scheme, test, cue_homes, others))
+    return result
+
+
+def select_frames(labels: NDArray[np.int16], *, offset: int, step: int) -> NDArray[np.int64]:
+    """Labelled frames of one home that a training uses: every `step`-th frame, starting at `offset`.
+
+    Counted over all frames of the home, then restricted to the labelled ones, so that two selections with
+    the same step and different offsets never share a frame (thesis 4.2 and 4.5).
+
+    Parameters
+    ----------
+    labels
+        (frames,) class indices, -1 for unlabelled.
+    offset, step
+        ``0 <= offset < step``.
+
+    Returns
+    -------
+    (n,) ascending frame indices.
+    """
+    if not 0 <= offset < step:
+        raise PlacecatError(
+            f"frame selection needs 0 <= offset < step, but offset is {offset} and step is {step}"
+        )
+    taken = np.arange(offset, len(labels), step)
+    return taken[labels[taken] >= 0]
+
+
+def select_training(
+    labels: Mapping[str, NDArray[np.int16]], *, offset: int, step: int
+) -> dict[str, NDArray[np.int64]]:
+    """:func:`select_frames` for every home of `labels`."""
+    return {home: select_frames(values, offset=offset, step=step) for home, values in labels.items()}

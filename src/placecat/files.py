@@ -1,0 +1,98 @@
+"""Writing results: under a temporary name first, then renamed, with the same bytes for the same content."""
+
+import json
+import shutil
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from placecat.errors import PlacecatError
+
+
+@contextmanager
+def replacing(target: Path) -> Iterator[Path]:
+    """Give a temporary path beside `target`; rename it if the block succeeds, remove it otherwise.
+
+    Works for a file or a folder: the block creates whichever it wants at the path it is given. What stood at
+    `target` before is replaced.
+    """
+    target = Path(target)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    # The suffix stays last, since numpy and pandas choose formats and append endings by it.
+    temporary = target.with_name(f".{target.stem}.partial{target.suffix}")
+    _remove(temporary)
+    try:
+        yield temporary
+        _remove(target)
+        temporary.rename(target)
+    except BaseException:
+        _remove(temporary)
+        raise
+
+
+def _remove(path: Path) -> None:
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path)
+    else:
+        path.unlink(missing_ok=True)
+
+
+def write_array(path: Path, array: np.ndarray) -> None:
+    """Write one array as ``.npy``, never with pickle."""
+    with replacing(path) as temporary:
+        np.save(temporary, np.ascontiguousarray(array), allow_pickle=False)
+
+
+def read_array(path: Path, *, memory_map: bool = True) -> np.ndarray:
+    """Read one ``.npy`` array, memory-mapped by default, never with pickle."""
+    return np.load(path, mmap_mode="r" if memory_map else None, allow_pickle=False)
+
+
+def write_arrays(path: Path, arrays: Mapping[str, np.ndarray]) -> None:
+    """Write named arrays as one ``.npz``, never with pickle."""
+    for name, array in arrays.items():
+        if np.asarray(array).dtype.hasobject:
+            raise TypeError(f"array {name!r} holds Python objects, which only pickle could write")
+    with replacing(path) as temporary:
+        np.savez(temporary, allow_pickle=False, **dict(arrays))
+
+
+def read_arrays(path: Path) -> dict[str, np.ndarray]:
+    """Read all arrays of one ``.npz``, never with pickle."""
+    with np.load(path, allow_pickle=False) as archive:
+        return {name: archive[name] for name in archive.files}
+
+
+def write_json(path: Path, content: Any) -> None:
+    """Write sorted, indented JSON with a final newline."""
+    with replacing(path) as temporary:
+        temporary.write_text(json.dumps(content, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+
+
+def read_json(path: Path) -> Any:
+    """Read a JSON file that this project wrote."""
+    return json.loads(Path(path).read_text(encoding="utf-8"))
+
+
+def write_csv(path: Path, table: pd.DataFrame) -> None:
+    """Write a table as CSV without an index, newline-terminated on every system."""
+    with replacing(path) as temporary:
+        table.to_csv(temporary, index=False, lineterminator="\n")
+
+
+def read_csv(path: Path) -> pd.DataFrame:
+    """Read a CSV that this project wrote; empty cells of text columns stay empty strings."""
+    try:
+        return pd.read_csv(path, keep_default_na=False)
+    except FileNotFoundError:
+        raise PlacecatError(f"{path} is missing: run `dvc repro` to make it") from None
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write UTF-8 text."""
+    with replacing(path) as temporary:
+        temporary.write_text(text, encoding="utf-8", newline="\n")

@@ -1,0 +1,1 @@
+"""From the cues' distributions to one decision: integration and smoothing."""

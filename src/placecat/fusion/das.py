@@ -1,0 +1,60 @@
+"""SVM-DAS, the discriminative accumulation scheme (thesis 3.3.3; Nilsback and Caputo, Pronobis et al.)."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.cues import Descriptors
+from placecat.cues.one_against_all import OneAgainstAllCue
+from placecat.cues.one_against_all import fit as fit_one_against_all
+
+
+def concatenate_cues(proba: NDArray[np.float64]) -> NDArray[np.float32]:
+    """Lay the cues' distributions side by side.
+
+    Parameters
+    ----------
+    proba
+        (frames, cues, n_classes).
+
+    Returns
+    -------
+    (frames, cues * n_classes), the descriptor of the integrating classifier.
+    """
+    return np.ascontiguousarray(proba.reshape(len(proba), -1), dtype=np.float32)
+
+
+def fit(
+    proba: NDArray[np.float64],
+    labels: NDArray[np.int16],
+    homes: NDArray[np.str_],
+    n_classes: int,
+    *,
+    classifier: Mapping[str, Any],
+) -> OneAgainstAllCue:
+    """Train the integrating multi-class SVM on the outputs of the cues.
+
+    Parameters
+    ----------
+    proba
+        (n, cues, n_classes) distributions of the cues for training frames.
+    labels, homes
+        (n,) class index and home of each frame.
+    classifier
+        Settings of :func:`placecat.cues.one_against_all.fit`.
+
+    Returns
+    -------
+    OneAgainstAllCue
+        Its ``cross_validated`` holds the statistics from which the smoothing takes its emission.
+    """
+    return fit_one_against_all(
+        Descriptors(concatenate_cues(proba)), labels, homes, None, n_classes, **classifier
+    )
+
+
+def predict_proba(model: OneAgainstAllCue, proba: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Integrate frames: (frames, cues, n_classes) distributions to (frames, n_classes)."""
+    return model.predict_proba(Descriptors(concatenate_cues(proba)))

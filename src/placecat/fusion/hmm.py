@@ -1,0 +1,127 @@
+"""The hidden Markov model that smooths a sequence of decisions (thesis 3.4, equation 13)."""
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+
+Float = NDArray[np.float64]
+
+
+def transition_matrix(
+    sequences: Iterable[NDArray[np.int16]], n_classes: int, *, smoothing: float = 1.0
+) -> Float:
+    """Count transitions between places in training sequences.
+
+    Successive labelled frames are counted; unlabelled frames (-1) between them are skipped, so that a walk
+    from the kitchen through a corridor to the bedroom counts once as kitchen to bedroom.
+
+    Parameters
+    ----------
+    sequences
+        Each (frames,) class indices in order of time, -1 for unlabelled.
+    smoothing
+        Added to every count (> 0); the thesis does not give it. Without it, a transition never seen in
+        training would be impossible for ever.
+
+    Returns
+    -------
+    (n_classes, n_classes), row q' column q is p(l_t = q | l_{t-1} = q'); rows sum to 1.
+    """
+    counts = np.full((n_classes, n_classes), float(smoothing))
+    for labels in sequences:
+        labelled = labels[labels >= 0].astype(np.int64)
+        np.add.at(counts, (labelled[:-1], labelled[1:]), 1.0)
+    return counts / counts.sum(axis=1, keepdims=True)
+
+
+def emission_matrix(
+    truth: NDArray[np.int16],
+    proba: Float,
+    n_classes: int,
+    *,
+    reliability: str = "hard",
+    smoothing: float = 1.0,
+) -> Float:
+    """Estimate p(o | l): how the integrator answers in each place, from its cross-validated outputs.
+
+    Parameters
+    ----------
+    truth
+        (n,) class indices of training frames.
+    proba
+        (n, n_classes) distributions of the integrator for them, each from a model that saw neither the frame
+        nor its home.
+    reliability
+        "hard" counts the decisions (arg-max), "soft" adds up the distributions.
+    smoothing
+        Added to every count (> 0). The thesis gives neither of the two.
+
+    Returns
+    -------
+    (n_classes, n_classes), row q column o is p(o | l = q); rows sum to 1.
+    """
+    if reliability == "hard":
+        answers = np.eye(n_classes)[np.argmax(proba, axis=1)]
+    elif reliability == "soft":
+        answers = np.asarray(proba, dtype=np.float64)
+    else:
+        raise PlacecatError(f"smoothing.reliability must be 'hard' or 'soft', not {reliability!r}")
+    counts = np.full((n_classes, n_classes), float(smoothing))
+    np.add.at(counts, truth.astype(np.int64), answers)
+    return counts / counts.sum(axis=1, keepdims=True)
+
+
+def likelihoods(proba: Float, emission: Float, *, evidence: str = "soft") -> Float:
+    """Likelihood of what was observed in each frame under each place, p(o_t | l_t = q).
+
+    Parameters
+    ----------
+    proba
+        (frames, n_classes) distributions of the integrator.
+    emission
+        (n_classes, n_classes) from :func:`emission_matrix`.
+    evidence
+        "hard": the observation is the decision, p(o_t | q) = emission[q, argmax]. "soft": it is uncertain
+        which decision it is, p(o_t | q) = sum_o emission[q, o] proba[o], as equation (6) treats the outputs
+        of the two-class classifiers. The thesis does not say which.
+
+    Returns
+    -------
+    (frames, n_classes), positive where the emission is.
+    """
+    if evidence == "hard":
+        return emission.T[np.argmax(proba, axis=1)]
+    if evidence == "soft":
+        return np.asarray(proba, dtype=np.float64) @ emission.T
+    raise PlacecatError(f"smoothing.evidence must be 'hard' or 'soft', not {evidence!r}")
+
+
+def forward_filter(likelihood: Float, transition: Float, *, initial: Float | None = None) -> Float:
+    """Filter one sequence forwards: equation (13). Frame t uses frames up to t only.
+
+    Parameters
+    ----------
+    likelihood
+        (frames, n_classes), p(o_t | l_t = q) up to a factor per frame; no row all zero.
+    transition
+        (n_classes, n_classes), rows sum to 1.
+    initial
+        (n_classes,) distribution of the first place; uniform if not given (the thesis does not give it).
+
+    Returns
+    -------
+    (frames, n_classes), p(l_t = q | o_1 .. o_t); rows sum to 1.
+    """
+    frames, n_classes = likelihood.shape
+    filtered = np.empty((frames, n_classes))
+    predicted = (
+        np.full(n_classes, 1.0 / n_classes) if initial is None else np.asarray(initial, dtype=np.float64)
+    )
+    for t in range(frames):
+        joint = likelihood[t] * predicted
+        filtered[t] = joint / joint.sum()
+        predicted = filtered[t] @ transition
+    return filtered

@@ -1,0 +1,37 @@
+"""The two plain votes of thesis 3.3.3, baselines for the SVM integration."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def vote_distribution(proba: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Every cue votes with its whole distribution.
+
+    Parameters
+    ----------
+    proba
+        (frames, cues, n_classes) distributions.
+
+    Returns
+    -------
+    (frames, n_classes), the mean over cues.
+    """
+    return np.asarray(proba, dtype=np.float64).mean(axis=1)
+
+
+def vote_decision(proba: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Every cue votes for its most probable class only, with that class's probability as weight.
+
+    Parameters
+    ----------
+    proba
+        (frames, cues, n_classes) distributions.
+
+    Returns
+    -------
+    (frames, n_classes), rows sum to 1.
+    """
+    proba = np.asarray(proba, dtype=np.float64)
+    decided = np.eye(proba.shape[2])[np.argmax(proba, axis=2)]
+    votes = (decided * proba.max(axis=2, keepdims=True)).sum(axis=1)
+    return votes / votes.sum(axis=1, keepdims=True)

@@ -1,0 +1,1 @@
+"""Codebooks and classifiers with scikit-learn's conventions. Knows nothing of files."""

@@ -1,0 +1,28 @@
+"""The frames and labels of a home, as the stage `sequences` listed them."""
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from placecat import files, paths
+
+
+def read_labels(home: str) -> NDArray[np.int16]:
+    """(frames,) class indices of a home in order of time, -1 for unlabelled."""
+    return files.read_csv(paths.SEQUENCES / home / "labels.csv")["class"].to_numpy(np.int16)
+
+
+def read_frames(home: str) -> pd.DataFrame:
+    """The frame table of a home (see `placecat.sequences.base.Home`), without labels."""
+    return pd.read_csv(
+        paths.SEQUENCES / home / "frames.csv", dtype={"sequence": str, "source": str}, keep_default_na=False
+    )
+
+
+def sequence_slices(home: str) -> list[slice]:
+    """The stretches of a home's frames that were filmed without a cut, e.g. one a floor."""
+    names = read_frames(home)["sequence"].to_numpy()
+    starts = np.flatnonzero(np.r_[True, names[1:] != names[:-1]]) if len(names) else np.array([], int)
+    return [
+        slice(int(start), int(end)) for start, end in zip(starts, np.r_[starts[1:], len(names)], strict=True)
+    ]

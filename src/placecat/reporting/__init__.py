@@ -1,0 +1,1 @@
+"""From measured numbers to tables, the page and MLflow."""

@@ -1,0 +1,51 @@
+"""Stage `codebooks`: one tree a training set serves every cluster number and classifier."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from placecat import files, listing, parallel, paths, seeds, settings, store
+from placecat.cues.codebook import Codebook
+from placecat.evaluation import protocol
+from placecat.stages import run
+
+
+def main(name: str) -> None:
+    """Cluster one kind of descriptor for every training set of the protocol."""
+    params = settings.load()
+    codebook = settings.get(params, f"codebooks.{name}")
+    homes = list(settings.get(params, "dataset.homes"))
+    labels = {home: listing.read_labels(home) for home in homes}
+    selection = protocol.select_training(labels, **settings.get(params, "protocol.cue_frames"))
+    training_sets = {
+        fold.training_set: fold.cue_homes
+        for scheme in settings.get(params, "protocol.schemes")
+        for fold in protocol.folds(homes, scheme)
+    }
+    dataset = settings.get(params, "dataset.name")
+    tasks = [
+        (
+            codebook,
+            train_homes,
+            selection,
+            seeds.derive("codebook", dataset, name, training_set, codebook["seed"]),
+        )
+        for training_set, train_homes in training_sets.items()
+    ]
+    with files.replacing(paths.CODEBOOKS / name) as folder:
+        folder.mkdir(parents=True)
+        results = parallel.in_parallel(cluster, tasks, f"codebook {name}")
+        for training_set, arrays in zip(training_sets, results, strict=True):
+            files.write_arrays(folder / f"{training_set}.npz", arrays)
+        files.write_json(folder / "descriptor.json", codebook["descriptor"])
+
+
+def cluster(
+    codebook: Mapping[str, Any], homes: tuple[str, ...], selection: Mapping[str, Any], seed: int
+) -> dict[str, Any]:
+    """Cluster the selected frames of one training set."""
+    train = store.read_training(homes, codebook["descriptor"], selection)
+    return Codebook.fit(train, cells=codebook["cells"], seed=seed, tree=codebook["tree"]).to_arrays()
+
+
+if __name__ == "__main__":
+    run(main, item="codebook")

@@ -1,0 +1,65 @@
+"""Stage `cues`: train one cue for every fold and apply it to the frames that later stages need."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from placecat import cues, files, listing, parallel, paths, settings, store
+from placecat.evaluation import protocol
+from placecat.stages import run
+
+
+def main(name: str) -> None:
+    """Train and apply one cue in every fold of every scheme that it is wanted for."""
+    params = settings.load()
+    cue = settings.get(params, f"cues.{name}")
+    homes = list(settings.get(params, "dataset.homes"))
+    classes = settings.get(params, "dataset.classes")
+    selections = settings.get(params, "protocol")
+    wanted = [fold for scheme in cue["schemes"] for fold in protocol.folds(homes, scheme)]
+    with files.replacing(paths.CUES / name) as folder:
+        folder.mkdir(parents=True)
+        tasks = [(cue, fold, selections, len(classes)) for fold in wanted]
+        for fold, result in zip(wanted, parallel.in_parallel(apply, tasks, f"cue {name}"), strict=True):
+            place = folder / fold.scheme / fold.test
+            files.write_json(place / "facts.json", result.pop("facts"))
+            for array_name, array in result.items():
+                files.write_array(place / f"{array_name}.npy", array)
+
+
+def apply(
+    cue: Mapping[str, Any], fold: protocol.Fold, selections: Mapping[str, Any], n_classes: int
+) -> dict[str, Any]:
+    """Train one cue on one fold's training homes; give its distributions for the frames of later stages."""
+    labels = {home: listing.read_labels(home) for home in fold.integration_homes}
+    cue_frames = protocol.select_training(labels, **selections["cue_frames"])
+    other_frames = protocol.select_training(labels, **selections["integration_frames"])
+    if cue["codebook"] is None:
+        codebook, descriptor = None, cue["descriptor"]
+    else:
+        folder = paths.CODEBOOKS / cue["codebook"]
+        codebook = cues.Codebook.from_arrays(files.read_arrays(folder / f"{fold.training_set}.npz"))
+        descriptor = files.read_json(folder / "descriptor.json")
+    truth = np.concatenate([labels[home][cue_frames[home]] for home in fold.cue_homes])
+    model = cues.fit(
+        store.read_training(fold.cue_homes, descriptor, cue_frames),
+        truth,
+        np.concatenate([np.full(len(cue_frames[home]), home) for home in fold.cue_homes]),
+        classifier=cue["classifier"],
+        n_classes=n_classes,
+        codebook=codebook,
+    )
+    result: dict[str, Any] = {"facts": model.facts}
+    result["test"] = model.predict_proba(store.read_descriptors(fold.test, descriptor))
+    for home in fold.integration_homes:
+        frames = store.read_descriptors(home, descriptor, other_frames[home])
+        result[f"integration_{home}"] = model.predict_proba(frames)
+    if model.cross_validated is not None:
+        result["cross_validated"] = model.cross_validated
+        result["cross_validated_truth"] = truth
+    return result
+
+
+if __name__ == "__main__":
+    run(main, item="cue")

@@ -1,0 +1,43 @@
+"""Stage `features`: one pass over the frames of a home computes every descriptor."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from placecat import files, listing, parallel, paths, settings
+from placecat.sequences.base import read_frames
+from placecat.stages import run
+from placecat.vision.frame import check, describe_frame
+
+
+def main(home: str) -> None:
+    """Describe all frames of one home."""
+    params = settings.load()
+    frames = listing.read_frames(home)
+    root = Path(settings.get(params, "dataset.root"))
+    options = {
+        "attention": settings.get(params, "attention"),
+        "regions": settings.get(params, "regions"),
+        **settings.get(params, "descriptors"),
+    }
+    check(options)
+    chunk = 32
+    tasks = [(root, frames.iloc[start : start + chunk], options) for start in range(0, len(frames), chunk)]
+    with files.replacing(paths.FEATURES / home) as folder:
+        folder.mkdir(parents=True)
+        parts = parallel.in_parallel(describe, tasks, f"features of {home}")
+        for name in parts[0]:
+            files.write_array(folder / f"{name}.npy", np.concatenate([part[name] for part in parts]))
+
+
+def describe(root: Path, frames: pd.DataFrame, options: Mapping[str, Any]) -> dict[str, np.ndarray]:
+    """Describe some frames of a home: each array's first axis is the frame."""
+    described = [describe_frame(image, options) for image in read_frames(root, frames)]
+    return {name: np.stack([one[name] for one in described]) for name in described[0]}
+
+
+if __name__ == "__main__":
+    run(main, item="home")

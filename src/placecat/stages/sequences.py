@@ -1,0 +1,61 @@
+"""Stage `sequences`: read the data set's layout and label files; check them."""
+
+import hashlib
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from placecat import files, paths, settings
+from placecat.errors import PlacecatError
+from placecat.sequences import open_home
+from placecat.sequences.base import Home, place_labels, require_classes
+from placecat.stages import run
+
+
+def main() -> None:
+    """Write frames.csv, labels.csv and home.json of every home."""
+    dataset = settings.get(settings.load(), "dataset")
+    root = Path(dataset["root"])
+    if not root.is_dir():
+        raise PlacecatError(
+            f"dataset.root is {root}, but there is no such folder: put the homes there, or choose other data "
+            "with `make repro SET='dataset=my_homes dataset.root=PATH'`"
+        )
+    if not dataset["homes"]:
+        raise PlacecatError("dataset.homes is empty: name the homes to use")
+    with files.replacing(paths.SEQUENCES) as folder:
+        for name in dataset["homes"]:
+            home = open_home(dataset["layout"], root, name, fps=dataset["fps"], camera=dataset["camera"])
+            _write(folder / name, home, dataset)
+
+
+def _write(folder: Path, home: Home, dataset: dict) -> None:
+    classes = list(dataset["classes"])
+    labels = place_labels(
+        home.frames["label"], classes, list(dataset["ignored"]), dict(dataset["aliases"]), home=home
+    )
+    if dataset["require_all_classes"]:
+        require_classes(labels, classes, home.name)
+    elif not (labels >= 0).any():
+        raise PlacecatError(f"{home.name} has no frame of any class: take it out of dataset.homes")
+    folder.mkdir(parents=True)
+    files.write_csv(folder / "frames.csv", home.frames.drop(columns="label"))
+    table = pd.DataFrame({"label": home.frames["label"], "class": labels.astype(np.int64)})
+    files.write_csv(folder / "labels.csv", table)
+    files.write_csv(folder / "sources.csv", _checksums(home))
+    facts = {"fps": home.fps, "camera": home.camera, "width": home.width, "height": home.height}
+    files.write_json(folder / "home.json", facts)
+
+
+def _checksums(home: Home) -> pd.DataFrame:
+    """SHA-256 of every source file of a home, in the order of frames."""
+    rows = []
+    for source in dict.fromkeys(home.frames["source"]):
+        with (home.root / source).open("rb") as file:
+            rows.append((source, hashlib.file_digest(file, "sha256").hexdigest()))
+    return pd.DataFrame(rows, columns=["source", "sha256"])
+
+
+if __name__ == "__main__":
+    run(main)

@@ -1,0 +1,69 @@
+"""Stage `smoothing`: the delayed hidden Markov model over the integrated decisions and over single cues."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from placecat import files, listing, parallel, paths, settings
+from placecat.errors import PlacecatError
+from placecat.evaluation import protocol
+from placecat.fusion.smoothing import smooth
+from placecat.stages import run
+
+
+def main() -> None:
+    """Smooth every system and every cue that is wanted smoothed."""
+    params = settings.load()
+    smoothing = settings.get(params, "smoothing")
+    homes = list(settings.get(params, "dataset.homes"))
+    n_classes = len(settings.get(params, "dataset.classes"))
+    sources = {
+        name: (paths.INTEGRATION / name, system["scheme"])
+        for name, system in settings.get(params, "systems").items()
+    }
+    for cue in smoothing["cues"]:
+        scheme = settings.get(params, f"cues.{cue}.schemes")[0]
+        sources[cue] = (paths.CUES / cue / scheme, scheme)
+    model = {name: value for name, value in smoothing.items() if name != "cues"}
+    tasks = [
+        (source / fold.test, fold, model, n_classes)
+        for source, scheme in sources.values()
+        for fold in protocol.folds(homes, scheme)
+    ]
+    with files.replacing(paths.SMOOTHING) as folder:
+        results = iter(parallel.in_parallel(smooth_home, tasks, "smoothing"))
+        for name, (_, scheme) in sources.items():
+            for fold in protocol.folds(homes, scheme):
+                for array_name, array in next(results).items():
+                    files.write_array(folder / name / fold.test / f"{array_name}.npy", array)
+
+
+def smooth_home(
+    source: Path, fold: protocol.Fold, model: Mapping[str, Any], n_classes: int
+) -> dict[str, np.ndarray]:
+    """Smooth the test home of one fold with statistics of its training homes."""
+    if not (source / "cross_validated.npy").exists():
+        raise PlacecatError(
+            f"smoothing.cues names {source.parent.parent.name}, whose classifier is not cross-validated: "
+            "its emission is unknown, take it out of the list"
+        )
+    training = [
+        listing.read_labels(home)[part]
+        for home in fold.integration_homes
+        for part in listing.sequence_slices(home)
+    ]
+    return smooth(
+        files.read_array(source / "test.npy", memory_map=False),
+        listing.sequence_slices(fold.test),
+        training_sequences=training,
+        training_proba=files.read_array(source / "cross_validated.npy", memory_map=False),
+        training_truth=files.read_array(source / "cross_validated_truth.npy", memory_map=False),
+        n_classes=n_classes,
+        **model,
+    )
+
+
+if __name__ == "__main__":
+    run(main)

@@ -1,0 +1,46 @@
+"""What one pass over a frame computes once and every descriptor shares."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float32]
+
+
+@dataclass(frozen=True)
+class FrameMaps:
+    """Pyramids and feature maps of one frame (thesis 3.1.1); all arrays float32.
+
+    Level ``s`` has size (ceil(height / 2**s), ceil(width / 2**s)).
+
+    Attributes
+    ----------
+    width, height
+        Size of the frame in pixels (level 0).
+    scales
+        Pyramid levels in use, ascending, (2, 3, 4, 5) in the thesis. The keys of every dict below.
+    grey
+        (h_s, w_s), the intensity pyramid, 0 to 255.
+    color
+        (4, h_s, w_s), the channels R, G, B, Y of intensity-normalised colour, dimensionless.
+    intensity_contrast
+        (2 radii, 2, h_s, w_s), centre-surround of the intensity for the 3x3 and the 7x7 neighbourhood;
+        sub-channels on (bright spot) and off (dark spot), both >= 0.
+    color_contrast
+        (2 radii, 4, h_s, w_s), centre-surround of R, G, B, Y, centre above surround, >= 0.
+    orientation
+        (4, h_s, w_s), Gabor magnitude at 0, 45, 90, 135 degrees on the Laplacian pyramid, >= 0.
+    residual
+        (h_s, w_s), spectral residual saliency of the intensity (3.1.1.2), >= 0.
+    """
+
+    width: int
+    height: int
+    scales: tuple[int, ...]
+    grey: dict[int, FloatArray]
+    color: dict[int, FloatArray]
+    intensity_contrast: dict[int, FloatArray]
+    color_contrast: dict[int, FloatArray]
+    orientation: dict[int, FloatArray]
+    residual: dict[int, FloatArray]

@@ -1,0 +1,72 @@
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from placecat.errors import PlacecatError
+from placecat.evaluation.protocol import folds, select_frames
+
+HOMES = ["A", "B", "C", "D", "E", "F"]
+
+
+def test_551_trains_cues_and_integration_on_the_same_five_homes():
+    fold = folds(HOMES, "5-5-1")[2]
+    assert fold.test == "C"
+    assert fold.cue_homes == fold.integration_homes == ("A", "B", "D", "E", "F")
+    assert fold.training_set == "without-C"
+
+
+def test_451_keeps_one_home_from_the_cues_and_rotates_it():
+    found = folds(HOMES, "4-5-1")
+    kept = [set(fold.integration_homes) - set(fold.cue_homes) for fold in found]
+    assert kept == [{"B"}, {"C"}, {"D"}, {"E"}, {"F"}, {"A"}]
+    assert found[5].training_set == "without-F-A"
+
+
+@given(st.integers(4, 9), st.sampled_from(["5-5-1", "4-5-1"]))
+def test_no_training_sees_the_test_home(count, scheme):
+    names = [f"h{number}" for number in range(count)]
+    found = folds(names, scheme)
+    assert [fold.test for fold in found] == names
+    for fold in found:
+        assert fold.test not in fold.cue_homes
+        assert fold.test not in fold.integration_homes
+    assert len({fold.training_set for fold in found}) == count
+
+
+def test_training_sets_of_both_schemes_differ_in_name():
+    names = {fold.training_set for scheme in ("5-5-1", "4-5-1") for fold in folds(HOMES, scheme)}
+    assert len(names) == 12
+
+
+@pytest.mark.parametrize(
+    ("homes", "scheme", "message"),
+    [
+        (["A", "B"], "5-5-1", "needs at least 3 homes, but dataset.homes has 2"),
+        (["A", "B", "C"], "4-5-1", "needs at least 4 homes"),
+        (HOMES, "6-6-6", "scheme '6-6-6' is unknown"),
+        (["A", "B", "B", "C"], "5-5-1", "names a home twice"),
+    ],
+)
+def test_impossible_protocols_are_refused(homes, scheme, message):
+    with pytest.raises(PlacecatError, match=message):
+        folds(homes, scheme)
+
+
+def test_every_third_frame_counts_all_frames_and_takes_labelled_ones():
+    labels = np.array([0, 1, 1, -1, 1, 1, 2, 2], dtype=np.int16)
+    assert select_frames(labels, offset=0, step=3).tolist() == [0, 6]
+    assert select_frames(labels, offset=1, step=3).tolist() == [1, 4, 7]
+
+
+@given(st.lists(st.integers(-1, 4), max_size=60), st.integers(2, 5))
+def test_selections_with_different_offsets_never_share_a_frame(labels, step):
+    array = np.array(labels, dtype=np.int16)
+    parts = [select_frames(array, offset=offset, step=step) for offset in range(step)]
+    together = np.concatenate(parts)
+    assert sorted(together.tolist()) == np.flatnonzero(array >= 0).tolist()
+
+
+def test_offset_must_be_below_step():
+    with pytest.raises(PlacecatError, match="offset is 3 and step is 3"):
+        select_frames(np.zeros(4, np.int16), offset=3, step=3)

@@ -1,0 +1,90 @@
+from itertools import product
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from placecat.errors import PlacecatError
+from placecat.fusion.hmm import emission_matrix, forward_filter, likelihoods, transition_matrix
+
+
+def random_rows(rng, shape):
+    rows = rng.random(shape) + 0.05
+    return rows / rows.sum(axis=-1, keepdims=True)
+
+
+def sum_over_paths(likelihood, transition, initial):
+    """p(l_t | o_1..t) by adding up every path of places, the definition of the forward filter."""
+    frames, n = likelihood.shape
+    result = np.zeros((frames, n))
+    for t in range(frames):
+        for path in product(range(n), repeat=t + 1):
+            p = initial[path[0]] * likelihood[0, path[0]]
+            for step in range(1, t + 1):
+                p *= transition[path[step - 1], path[step]] * likelihood[step, path[step]]
+            result[t, path[-1]] += p
+    return result / result.sum(axis=1, keepdims=True)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_filter_equals_the_sum_over_all_paths(seed):
+    rng = np.random.default_rng(seed)
+    likelihood, transition = rng.random((6, 3)) + 0.01, random_rows(rng, (3, 3))
+    initial = random_rows(rng, 3)
+    expected = sum_over_paths(likelihood, transition, initial)
+    np.testing.assert_allclose(forward_filter(likelihood, transition, initial=initial), expected, rtol=1e-12)
+    uniform = sum_over_paths(likelihood, transition, np.full(3, 1 / 3))
+    np.testing.assert_allclose(forward_filter(likelihood, transition), uniform, rtol=1e-12)
+
+
+@settings(max_examples=30)
+@given(st.integers(0, 10_000), st.integers(2, 30), st.integers(1, 29))
+def test_filter_is_causal_and_normalised(seed, frames, cut):
+    rng = np.random.default_rng(seed)
+    likelihood, transition = rng.random((frames, 4)) + 1e-3, random_rows(rng, (4, 4))
+    whole = forward_filter(likelihood, transition)
+    np.testing.assert_allclose(whole.sum(axis=1), 1.0)
+    np.testing.assert_array_equal(forward_filter(likelihood[:cut], transition), whole[:cut])
+
+
+def test_filter_overrules_a_single_odd_frame():
+    transition = np.array([[0.99, 0.01], [0.01, 0.99]])
+    likelihood = np.tile([0.7, 0.3], (9, 1))
+    likelihood[5] = [0.3, 0.7]
+    assert (forward_filter(likelihood, transition)[:, 0] > 0.5).all()
+
+
+def test_transitions_skip_unlabelled_frames():
+    walk = np.array([0, 0, -1, -1, 1, 1, 1, -1, 0], dtype=np.int16)
+    counts = np.array([[1, 1], [1, 2]]) + 1.0
+    expected = counts / counts.sum(axis=1, keepdims=True)
+    np.testing.assert_allclose(transition_matrix([walk], 2, smoothing=1.0), expected)
+
+
+def test_transitions_do_not_join_sequences():
+    parts = [np.array([0, 0], np.int16), np.array([1, 1], np.int16)]
+    matrix = transition_matrix(parts, 2, smoothing=1e-9)
+    assert matrix[0, 1] < 1e-6
+
+
+def test_emission_counts_decisions_or_distributions():
+    truth = np.array([0, 0, 1], np.int16)
+    proba = np.array([[0.8, 0.2], [0.4, 0.6], [0.1, 0.9]])
+    hard = emission_matrix(truth, proba, 2, reliability="hard", smoothing=1.0)
+    np.testing.assert_allclose(hard, [[2 / 4, 2 / 4], [1 / 3, 2 / 3]])
+    soft = emission_matrix(truth, proba, 2, reliability="soft", smoothing=1.0)
+    np.testing.assert_allclose(soft, [[2.2 / 4, 1.8 / 4], [1.1 / 3, 1.9 / 3]])
+
+
+def test_likelihoods_of_decision_and_of_distribution():
+    emission = np.array([[0.9, 0.1], [0.2, 0.8]])
+    proba = np.array([[0.7, 0.3]])
+    np.testing.assert_allclose(likelihoods(proba, emission, evidence="hard"), [[0.9, 0.2]])
+    np.testing.assert_allclose(likelihoods(proba, emission, evidence="soft"), [[0.66, 0.38]])
+
+
+@pytest.mark.parametrize("function", [lambda: likelihoods(np.eye(2), np.eye(2), evidence="x")])
+def test_unknown_evidence_is_refused(function):
+    with pytest.raises(PlacecatError, match="smoothing.evidence must be 'hard' or 'soft'"):
+        function()

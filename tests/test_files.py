@@ -1,0 +1,56 @@
+import numpy as np
+import pandas as pd
+import pytest
+
+from placecat import files
+
+
+def test_a_failing_block_leaves_what_was_there(tmp_path):
+    target = tmp_path / "result.txt"
+    target.write_text("old")
+    with pytest.raises(RuntimeError), files.replacing(target) as temporary:
+        temporary.write_text("half")
+        raise RuntimeError
+    assert target.read_text() == "old"
+    assert [path.name for path in tmp_path.iterdir()] == ["result.txt"]
+
+
+def test_a_failing_folder_leaves_nothing(tmp_path):
+    with pytest.raises(RuntimeError), files.replacing(tmp_path / "deep" / "folder") as temporary:
+        temporary.mkdir()
+        (temporary / "half").touch()
+        raise RuntimeError
+    assert list((tmp_path / "deep").iterdir()) == []
+
+
+def test_a_folder_replaces_a_folder(tmp_path):
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "old").touch()
+    with files.replacing(tmp_path / "out") as temporary:
+        temporary.mkdir()
+        (temporary / "new").touch()
+    assert [path.name for path in (tmp_path / "out").iterdir()] == ["new"]
+
+
+def test_arrays_round_trip_in_the_same_bytes(tmp_path):
+    arrays = {"a/b": np.arange(6.0).reshape(2, 3), "names": np.array(["x", "yy"])}
+    files.write_arrays(tmp_path / "one.npz", arrays)
+    files.write_arrays(tmp_path / "two.npz", arrays)
+    assert (tmp_path / "one.npz").read_bytes() == (tmp_path / "two.npz").read_bytes()
+    read = files.read_arrays(tmp_path / "one.npz")
+    assert {name: array.tolist() for name, array in read.items()} == {
+        name: array.tolist() for name, array in arrays.items()
+    }
+
+
+def test_objects_are_never_pickled(tmp_path):
+    with pytest.raises(TypeError, match="only pickle could write"):
+        files.write_arrays(tmp_path / "one.npz", {"a": np.array([{}])})
+    with pytest.raises(ValueError):
+        files.write_array(tmp_path / "one.npy", np.array([{}]))
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_csv_keeps_empty_text(tmp_path):
+    files.write_csv(tmp_path / "t.csv", pd.DataFrame({"label": ["", "x"], "n": [1, 2]}))
+    assert files.read_csv(tmp_path / "t.csv")["label"].tolist() == ["", "x"]

@@ -1,0 +1,34 @@
+import pytest
+
+from placecat import settings
+from placecat.errors import PlacecatError
+
+
+def function(positional, *, gamma, nu=0.2):
+    return positional, gamma, nu
+
+
+def test_unknown_setting_names_the_nearest_and_all_valid():
+    with pytest.raises(PlacecatError, match=r"cues\.gist has no setting 'gama'; did you mean 'gamma'\?.*nu"):
+        settings.call(function, 1, settings={"gama": 2}, where="cues.gist")
+
+
+def test_known_settings_are_passed():
+    assert settings.call(function, 1, settings={"gamma": 2}, where="x") == (1, 2, 0.2)
+
+
+def test_missing_setting_names_what_there_is():
+    with pytest.raises(PlacecatError, match=r"setting 'a\.c' does not exist: a has b"):
+        settings.get({"a": {"b": 1}}, "a.c")
+
+
+@pytest.mark.parametrize(("text", "message"), [("a: [1", "is no valid YAML"), ("", "is empty")])
+def test_broken_params_give_one_message(tmp_path, text, message):
+    (tmp_path / "params.yaml").write_text(text)
+    with pytest.raises(PlacecatError, match=message):
+        settings.load(tmp_path / "params.yaml")
+
+
+def test_missing_params_say_what_to_do(tmp_path):
+    with pytest.raises(PlacecatError, match="run `placecat params`"):
+        settings.load(tmp_path / "params.yaml")
