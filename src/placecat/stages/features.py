@@ -24,8 +24,14 @@ def main(home: str) -> None:
         **settings.get(params, "descriptors"),
     }
     check(options)
-    chunk = 32
-    tasks = [(root, frames.iloc[start : start + chunk], options) for start in range(0, len(frames), chunk)]
+    # A video is decoded from its start, so that it is cut into few parts only.
+    is_video = bool((frames["position"] >= 0).any())
+    chunk = max(32, -(-len(frames) // (4 * parallel.workers()))) if is_video else 32
+    facts = files.read_json(paths.SEQUENCES / home / "home.json")
+    size = (facts["width"], facts["height"])
+    tasks = [
+        (root, size, frames.iloc[start : start + chunk], options) for start in range(0, len(frames), chunk)
+    ]
     with files.replacing(paths.FEATURES / home) as folder:
         folder.mkdir(parents=True)
         parts = parallel.in_parallel(describe, tasks, f"features of {home}")
@@ -33,9 +39,11 @@ def main(home: str) -> None:
             files.write_array(folder / f"{name}.npy", np.concatenate([part[name] for part in parts]))
 
 
-def describe(root: Path, frames: pd.DataFrame, options: Mapping[str, Any]) -> dict[str, np.ndarray]:
+def describe(
+    root: Path, size: tuple[int, int], frames: pd.DataFrame, options: Mapping[str, Any]
+) -> dict[str, np.ndarray]:
     """Describe some frames of a home: each array's first axis is the frame."""
-    described = [describe_frame(image, options) for image in read_frames(root, frames)]
+    described = [describe_frame(image, options) for image in read_frames(root, frames, size=size)]
     return {name: np.stack([one[name] for one in described]) for name in described[0]}
 
 

@@ -1,0 +1,224 @@
+"""The COLD data base: ``<site>/<sequence>/localization/places.lst`` and images in ``<sequence>/std_cam``.
+
+A line of the label file is ``t<seconds>.<microseconds>_x<m>_y<m>_a<rad>.jpeg LABEL``. The label stays a
+code; which class it stands for is the data set's ``aliases`` setting.
+
+A home is one sequence, named ``<site>/<sequence>``. The name of a site alone reads all its sequences as one
+home: they show the same rooms, so a fold by home that must not train on the tested rooms has to take the
+site.
+
+References
+----------
+A. Pronobis, B. Caputo, COLD: The CoSy Localization Database. IJRR 28(5), 2009.
+"""
+
+import os
+import re
+from pathlib import Path
+
+import numpy as np
+
+from placecat.errors import PlacecatError
+from placecat.sequences.base import (
+    Home,
+    data_folder,
+    frame_rate,
+    frame_table,
+    home_folder,
+    inside,
+    natural,
+    read_image,
+    some_homes,
+)
+from placecat.sequences.labels import read_text
+
+LABEL_FILE = "localization/places.lst"
+_IMAGE = re.compile(r"t([0-9]+)\.([0-9]{6})[-+._0-9A-Za-z]*\.jpe?g")
+_LABEL = re.compile(r"([0-9]*[A-Z]+)[0-9]*(-[AB])?")
+
+
+def list_homes(root: Path) -> list[str]:
+    """Name the sequences with a ``places.lst``.
+
+    Parameters
+    ----------
+    root
+        The folder that holds the sites.
+
+    Returns
+    -------
+    list of str
+        ``<site>/<sequence>`` in natural order, at least one.
+
+    Raises
+    ------
+    PlacecatError
+        If the folder is missing or holds no sequence.
+    """
+    homes = [
+        file.parents[1].relative_to(root).as_posix() for file in data_folder(root).glob(f"*/*/{LABEL_FILE}")
+    ]
+    return some_homes(homes, root, f"<site>/<sequence>/{LABEL_FILE}")
+
+
+def read_home(
+    root: Path, name: str, *, fps: float | None = None, camera: str = "", images: str = "std_cam"
+) -> Home:
+    """Read one sequence, or all sequences of a site.
+
+    Parameters
+    ----------
+    root
+        The folder that holds the sites.
+    name
+        ``<site>/<sequence>`` or ``<site>``.
+    fps
+        Frames a second; None takes the median time between frames.
+    camera
+        Name of the camera.
+    images
+        Folder of a sequence that holds the images.
+
+    Returns
+    -------
+    Home
+        Times are those in the file names. Images that the label file does not list are left out.
+
+    Raises
+    ------
+    PlacecatError
+        If a label file or an image is missing or wrong, naming the line.
+    """
+    folder = home_folder(root, name)
+    if (folder / LABEL_FILE).is_file():
+        folders = [folder]
+    else:
+        folders = sorted(
+            (file.parents[1] for file in folder.glob(f"*/{LABEL_FILE}")), key=lambda p: natural(p.name)
+        )
+    if not folders:
+        raise PlacecatError(
+            f"{folder / LABEL_FILE}: the label file is missing; correct dataset.homes or restore it."
+        )
+    sequences: list[str] = []
+    sources: list[str] = []
+    labels: list[str] = []
+    lines: list[int] = []
+    numbers: list[int] = []
+    seconds: list[float] = []
+    for sequence in folders:
+        entries = read_places(sequence / LABEL_FILE)
+        _check_images(sequence, images, entries)
+        where = sequence.relative_to(root).as_posix()
+        sequences += [sequence.name] * len(entries)
+        sources += [f"{where}/{images}/{image}" for image, _, _, _ in entries]
+        labels += [label for _, label, _, _ in entries]
+        lines += [line for _, _, _, line in entries]
+        numbers += range(1, len(entries) + 1)
+        # Differences of whole microseconds: exact, unlike those of seconds since 1970.
+        seconds += [(time - entries[0][2]) / 1e6 for _, _, time, _ in entries]
+    steps = np.diff(seconds)[np.diff(numbers) > 0]
+    rate = frame_rate(fps, name, 1.0 / float(np.median(steps)) if len(steps) else None)
+    height, width = read_image(root / sources[0]).shape[:2]
+    return Home(
+        name=name,
+        root=root,
+        fps=rate,
+        camera=camera,
+        width=width,
+        height=height,
+        frames=frame_table(sequences, sources, -1, numbers, seconds, labels),
+        label_files={path.name: f"{path.relative_to(root).as_posix()}/{LABEL_FILE}" for path in folders},
+        label_lines=np.array(lines, dtype=np.int32),
+    )
+
+
+def code(label: str) -> str:
+    """Strip the number and the suffix off a label.
+
+    Parameters
+    ----------
+    label
+        A code, an optional number, an optional ``-A`` or ``-B`` (the part of the building).
+
+    Returns
+    -------
+    str
+        The code: ``2PO1-A`` gives ``2PO``, whose digit is its own (two-person office).
+
+    Raises
+    ------
+    ValueError
+        If the label is built otherwise.
+    """
+    match = _LABEL.fullmatch(label)
+    if match is None:
+        raise ValueError(f"not a COLD label: {label!r}")
+    return match[1]
+
+
+def read_places(file: Path) -> list[tuple[str, str, int, int]]:
+    """Read a ``places.lst``.
+
+    Parameters
+    ----------
+    file
+        The label file.
+
+    Returns
+    -------
+    list of tuple
+        (image file name, code, microseconds, line), in the order of the file, times increasing.
+
+    Raises
+    ------
+    PlacecatError
+        If a line is not an image name and a label, or time does not increase, naming the line.
+    """
+    entries: list[tuple[str, str, int, int]] = []
+    for line, text in enumerate(read_text(file).split("\n"), start=1):
+        words = text.split()
+        if not words:
+            continue
+        where = f"{file} line {line}"
+        if len(words) != 2:
+            raise PlacecatError(f"{where}: {text.strip()!r} where an image name and a label belong.")
+        image = _IMAGE.fullmatch(words[0])
+        if image is None:
+            raise PlacecatError(
+                f"{where}: {words[0]!r} is no image name of the form t<seconds>.<microseconds>_x_y_a.jpeg; "
+                "correct it."
+            )
+        try:
+            label = code(words[1])
+        except ValueError:
+            raise PlacecatError(
+                f"{where}: {words[1]!r} is no label of the form CODE, CODE1 or CODE1-A; correct it."
+            ) from None
+        time = int(image[1]) * 1_000_000 + int(image[2])
+        if entries and time <= entries[-1][2]:
+            raise PlacecatError(
+                f"{where}: {words[0]!r} is not later than the image of line {entries[-1][3]}; put them in "
+                "order."
+            )
+        entries.append((words[0], label, time, line))
+    return entries
+
+
+def _check_images(sequence: Path, images: str, entries: list[tuple[str, str, int, int]]) -> None:
+    folder = sequence / images
+    if not folder.is_dir():
+        raise PlacecatError(
+            f"{folder}: the folder of images is missing; restore it, or correct dataset.images."
+        )
+    file = sequence / LABEL_FILE
+    inside(folder, sequence, str(file))
+    links = {entry.name: entry.is_symlink() for entry in os.scandir(folder)}
+    for image, _, _, line in entries:
+        if image not in links:
+            raise PlacecatError(
+                f"{folder / image}: the frame is missing ({file} line {line}); restore it, or remove the "
+                "line."
+            )
+        if links[image]:
+            inside(folder / image, sequence, f"{file} line {line}")

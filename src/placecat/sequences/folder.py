@@ -1,0 +1,107 @@
+"""A folder of frames a home, with a label CSV: ``<name>/*.jpg`` and ``<name>.csv`` or ``<name>/labels.csv``.
+
+Frames are JPEG or PNG files in natural order (frame2 before frame10). Without a CSV every frame is
+unlabelled.
+"""
+
+from pathlib import Path
+
+import numpy as np
+
+from placecat.errors import PlacecatError
+from placecat.sequences.base import (
+    Home,
+    data_folder,
+    frame_rate,
+    frame_table,
+    home_folder,
+    natural,
+    read_image,
+    some_homes,
+)
+from placecat.sequences.labels import read_label_csv
+
+SUFFIXES = (".jpeg", ".jpg", ".png")
+"""File name endings taken for a frame, in either case."""
+
+
+def list_homes(root: Path) -> list[str]:
+    """Name the folders that hold images.
+
+    Parameters
+    ----------
+    root
+        The folder that holds the homes.
+
+    Returns
+    -------
+    list of str
+        In natural order, at least one.
+
+    Raises
+    ------
+    PlacecatError
+        If the folder is missing or holds no folder of images.
+    """
+    homes = [path.name for path in data_folder(root).iterdir() if path.is_dir() and _images(path)]
+    return some_homes(homes, root, f"folders of images ({', '.join(SUFFIXES)})")
+
+
+def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = "") -> Home:
+    """Read one folder.
+
+    Parameters
+    ----------
+    root
+        The folder that holds the homes.
+    name
+        Its folder.
+    fps
+        Frames a second; the layout does not say.
+    camera
+        Name of the camera.
+
+    Returns
+    -------
+    Home
+        One sequence, ``1``.
+
+    Raises
+    ------
+    PlacecatError
+        If the folder holds no frame, the first frame is unreadable, or the label CSV does not fit.
+    """
+    path = home_folder(root, name)
+    images = _images(path)
+    if not images:
+        raise PlacecatError(
+            f"{path}: no frames here ({', '.join(SUFFIXES)}); correct dataset.homes or dataset.root."
+        )
+    rate = frame_rate(fps, name)
+    files = [file for file in (f"{name}.csv", f"{name}/labels.csv") if (root / file).exists()]
+    if len(files) > 1:
+        raise PlacecatError(f"{root / files[0]}: {root / files[1]} labels the same home; remove one.")
+    if files:
+        labels, lines = read_label_csv(root / files[0], len(images), rate, "the folder")
+    else:
+        labels, lines = [""] * len(images), np.zeros(len(images), dtype=np.int32)
+    height, width = read_image(path / images[0]).shape[:2]
+    numbers = np.arange(1, len(images) + 1)
+    return Home(
+        name=name,
+        root=root,
+        fps=rate,
+        camera=camera,
+        width=width,
+        height=height,
+        frames=frame_table(
+            "1", [f"{name}/{image}" for image in images], -1, numbers.tolist(), (numbers - 1) / rate, labels
+        ),
+        label_files={"1": files[0]} if files else {},
+        label_lines=lines,
+    )
+
+
+def _images(path: Path) -> list[str]:
+    names = [entry.name for entry in path.iterdir() if entry.suffix.lower() in SUFFIXES]
+    return sorted((name for name in names if not name.startswith(".")), key=natural)

@@ -1,0 +1,257 @@
+"""Labels as intervals of frames: checks, expansion, and the label CSV."""
+
+import csv
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+
+FRAME_HEADER = ("start", "end", "label")
+"""CSV columns for intervals in frames, from 1, both ends included (as in VPC-2009)."""
+SECOND_HEADER = ("start_seconds", "end_seconds", "label")
+"""CSV columns for intervals in seconds from 0, the end excluded."""
+
+
+@dataclass(frozen=True)
+class Segment:
+    """Consecutive frames with one label.
+
+    Attributes
+    ----------
+    start, end
+        First and last frame, from 1, both included.
+    label
+        As written.
+    line
+        Where it stands in the label file, from 1.
+    """
+
+    start: int
+    end: int
+    label: str
+    line: int
+
+
+def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence: str, counted: str) -> None:
+    """Check that segments cover frames 1 to `count` once, in order.
+
+    Parameters
+    ----------
+    segments
+        In the order of the file.
+    count
+        Number of frames in the sequence.
+    file
+        The label file, for the message.
+    sequence
+        What the frames belong to, for the message (``floor 1``, ``the video``).
+    counted
+        Where the count comes from, for the message (``line 2``, ``the video``).
+
+    Raises
+    ------
+    PlacecatError
+        For a gap, an overlap, a segment that ends before it starts or beyond the last frame, and frames at
+        the end without a label, naming the line.
+    """
+    if not segments:
+        raise PlacecatError(f"{file}: {sequence} has no labels; label its frames 1 to {count}.")
+    last = 0
+    for number, segment in enumerate(segments):
+        where = f"{file} line {segment.line}"
+        if segment.end < segment.start:
+            raise PlacecatError(
+                f"{where}: the segment ends at frame {segment.end}, before it starts at {segment.start}; "
+                "correct one of them."
+            )
+        if segment.start > last + 1:
+            raise PlacecatError(
+                f"{where}: {_frames(last + 1, segment.start - 1)} of {sequence} have no label (a gap); label "
+                "them, for example as transition."
+            )
+        if segment.start <= last:
+            before = (
+                f"line {segments[number - 1].line} ends at frame {last}" if number else "frames count from 1"
+            )
+            raise PlacecatError(
+                f"{where}: the segment starts at frame {segment.start}, but {before} (an overlap); start it "
+                f"at {last + 1}."
+            )
+        if segment.end > count:
+            raise PlacecatError(
+                f"{where}: the segment ends at frame {segment.end}, but {sequence} has {count} frames "
+                f"({counted}); correct the end, or restore the frames."
+            )
+        last = segment.end
+    if last < count:
+        raise PlacecatError(
+            f"{file} line {segments[-1].line}: the last segment of {sequence} ends at frame {last}, but "
+            f"there are {count} frames ({counted}); label {_frames(last + 1, count)}, for example as "
+            "transition."
+        )
+
+
+def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.int32]]:
+    """Spread segments over frames.
+
+    Parameters
+    ----------
+    segments
+        As `check_segments` accepts them.
+
+    Returns
+    -------
+    labels : list of str
+        One a frame.
+    lines : numpy.ndarray
+        (frames,) int32, the line of each frame's segment.
+    """
+    lengths = [segment.end - segment.start + 1 for segment in segments]
+    labels = [segment.label for segment, length in zip(segments, lengths, strict=True) for _ in range(length)]
+    return labels, np.repeat(np.array([segment.line for segment in segments], dtype=np.int32), lengths)
+
+
+def read_label_csv(path: Path, count: int, fps: float, sequence: str) -> tuple[list[str], NDArray[np.int32]]:
+    """Read the label CSV of a video or a folder of frames.
+
+    The header is ``start,end,label`` with frame numbers from 1, both ends included, or
+    ``start_seconds,end_seconds,label`` with times from 0. A time falls on the nearest boundary between
+    frames, so that times rounded to a few decimals do. Every frame has to be in exactly one row.
+
+    Parameters
+    ----------
+    path
+        The file, UTF-8.
+    count
+        Number of frames.
+    fps
+        Frames a second; used only for times.
+    sequence
+        ``the video`` or ``the folder``, for the messages.
+
+    Returns
+    -------
+    labels : list of str
+        (count,) labels with surrounding spaces removed.
+    lines : numpy.ndarray
+        (count,) int32, the line of each frame's row.
+
+    Raises
+    ------
+    PlacecatError
+        If the header, a number or a label is wrong, or the rows leave out or repeat a frame, naming the line.
+    """
+    rows = _rows(path)
+    header = tuple(cell.strip() for cell in rows[0][1]) if rows else ()
+    if header not in (FRAME_HEADER, SECOND_HEADER):
+        raise PlacecatError(
+            f"{path} line {rows[0][0] if rows else 1}: the header is {','.join(header)!r}; write "
+            f"{','.join(FRAME_HEADER)} (frame numbers from 1) or {','.join(SECOND_HEADER)}."
+        )
+    segments = []
+    for line, row in rows[1:]:
+        cells = [cell.strip() for cell in row]
+        if len(cells) != 3:
+            raise PlacecatError(f"{path} line {line}: {len(cells)} columns; write {','.join(header)}.")
+        if not cells[2]:
+            raise PlacecatError(f"{path} line {line}: the label is empty; write one, for example transition.")
+        if header == FRAME_HEADER:
+            start, end = (whole(cell, path, line) for cell in cells[:2])
+        else:
+            start, end = _from_seconds(cells[:2], fps, path, line)
+        segments.append(Segment(start, end, cells[2], line))
+    check_segments(segments, count, path, sequence, f"{count / fps:.3f} s at {fps:g} frames a second")
+    return expand_segments(segments)
+
+
+def read_text(path: Path) -> str:
+    """Read a label file.
+
+    Parameters
+    ----------
+    path
+        The file. UTF-8; bytes that are not show as U+FFFD, for free text at the end of real files is in any
+        coding.
+
+    Returns
+    -------
+    str
+        Its text without a byte order mark.
+
+    Raises
+    ------
+    PlacecatError
+        If it is missing, cannot be opened, or is empty.
+    """
+    try:
+        text = path.read_bytes().decode("utf-8-sig", errors="replace")
+    except FileNotFoundError:
+        raise PlacecatError(
+            f"{path}: the label file is missing; restore it, or correct dataset.homes."
+        ) from None
+    except OSError as error:
+        raise PlacecatError(f"{path}: the label file cannot be opened ({error.strerror}).") from None
+    if not text.strip():
+        raise PlacecatError(f"{path}: the label file is empty; write the labels, or restore it.")
+    return text
+
+
+def whole(text: str, path: Path, line: int) -> int:
+    """Read a whole number.
+
+    Parameters
+    ----------
+    text
+        Digits with an optional minus sign.
+    path, line
+        Where it stands, for the message.
+
+    Returns
+    -------
+    int
+        Its value.
+
+    Raises
+    ------
+    PlacecatError
+        If it is anything else.
+    """
+    digits = text.removeprefix("-")
+    if not (digits.isascii() and digits.isdigit()):
+        raise PlacecatError(f"{path} line {line}: {text!r} is no whole number; write a frame number.")
+    return int(text)
+
+
+def _frames(first: int, last: int) -> str:
+    return f"frames {first} to {last}" if last > first else f"frame {first}"
+
+
+def _rows(path: Path) -> list[tuple[int, list[str]]]:
+    reader = csv.reader(read_text(path).splitlines())
+    try:
+        return [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
+    except csv.Error as error:
+        raise PlacecatError(f"{path} line {reader.line_num}: not a CSV ({error}).") from None
+
+
+def _from_seconds(cells: Sequence[str], fps: float, path: Path, line: int) -> tuple[int, int]:
+    bounds = []
+    for cell in cells:
+        try:
+            seconds = float(cell)
+        except ValueError:
+            seconds = math.nan
+        if not math.isfinite(seconds) or seconds < 0:
+            raise PlacecatError(f"{path} line {line}: {cell!r} is no time; write seconds from 0.")
+        bounds.append(math.floor(seconds * fps + 0.5))
+    if bounds[1] <= bounds[0]:
+        raise PlacecatError(
+            f"{path} line {line}: no frame between {cells[0]} and {cells[1]} s at {fps:g} frames a second; "
+            "correct the times."
+        )
+    return bounds[0] + 1, bounds[1]

@@ -1,0 +1,138 @@
+"""A video file a home, with a label CSV: ``<name>.mp4`` and ``<name>.csv``.
+
+Without the CSV every frame is unlabelled, which is enough to predict on new footage.
+"""
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from placecat.errors import PlacecatError
+from placecat.sequences.base import (
+    Home,
+    data_folder,
+    frame_rate,
+    frame_table,
+    open_video,
+    relative,
+    some_homes,
+)
+from placecat.sequences.labels import read_label_csv
+
+SUFFIXES = (".avi", ".m4v", ".mkv", ".mov", ".mp4", ".mpeg", ".mpg", ".webm")
+"""File name endings taken for a video, in either case."""
+
+
+def list_homes(root: Path) -> list[str]:
+    """Name the video files.
+
+    Parameters
+    ----------
+    root
+        The folder that holds the videos.
+
+    Returns
+    -------
+    list of str
+        File names without the ending, in natural order, at least one.
+
+    Raises
+    ------
+    PlacecatError
+        If the folder is missing or holds no video, or two videos differ only in their endings.
+    """
+    files = [path for path in data_folder(root).iterdir() if _is_video(path)]
+    homes = some_homes([path.stem for path in files], root, f"videos ({', '.join(SUFFIXES)})")
+    for name in homes:
+        _file(root, name)
+    return homes
+
+
+def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = "") -> Home:
+    """Read one video.
+
+    The frames are counted by passing over the whole video once: the number in the container is often an
+    estimate.
+
+    Parameters
+    ----------
+    root
+        The folder that holds the videos.
+    name
+        File name without the ending.
+    fps
+        Frames a second; None takes that of the container.
+    camera
+        Name of the camera.
+
+    Returns
+    -------
+    Home
+        One sequence, ``1``.
+
+    Raises
+    ------
+    PlacecatError
+        If the video is missing or unreadable, or the label CSV does not fit it.
+    """
+    relative(name, "dataset.homes")
+    path = _file(data_folder(root), name)
+    count, known, width, height = _measure(path)
+    rate = frame_rate(fps, name, known)
+    file = root / f"{name}.csv"
+    if file.exists():
+        labels, lines = read_label_csv(file, count, rate, "the video")
+    else:
+        labels, lines = [""] * count, np.zeros(count, dtype=np.int32)
+    positions = np.arange(count)
+    return Home(
+        name=name,
+        root=root,
+        fps=rate,
+        camera=camera,
+        width=width,
+        height=height,
+        frames=frame_table(
+            "1",
+            path.relative_to(root).as_posix(),
+            positions.tolist(),
+            (positions + 1).tolist(),
+            positions / rate,
+            labels,
+        ),
+        label_files={"1": f"{name}.csv"} if file.exists() else {},
+        label_lines=lines,
+    )
+
+
+def _is_video(path: Path) -> bool:
+    return path.suffix.lower() in SUFFIXES and not path.name.startswith(".") and path.is_file()
+
+
+def _file(root: Path, name: str) -> Path:
+    wanted = root / name
+    beside = wanted.parent.iterdir() if wanted.parent.is_dir() else []
+    found = sorted(path for path in beside if _is_video(path) and path.stem == wanted.name)
+    if not found:
+        raise PlacecatError(
+            f"{root / name}: no video of this name ({', '.join(SUFFIXES)}); correct dataset.homes."
+        )
+    if len(found) > 1:
+        raise PlacecatError(f"{found[1]}: {found[0].name} has the same name; rename or remove one.")
+    return found[0]
+
+
+def _measure(path: Path) -> tuple[int, float | None, int, int]:
+    capture = open_video(path)
+    try:
+        done, first = capture.read()
+        if not done:
+            raise PlacecatError(f"{path}: the video has no readable frame; restore or convert it.")
+        count = 1
+        while capture.grab():
+            count += 1
+        fps = capture.get(cv2.CAP_PROP_FPS)
+    finally:
+        capture.release()
+    return count, fps if fps > 0 else None, first.shape[1], first.shape[0]

@@ -1,0 +1,228 @@
+"""The VPC-2009 home data base: ``HomeN/<floor>/%08d.jpg`` and ``HomeN/label.txt``.
+
+The label file lists floors one after the other, each as its folder, its number of frames, its segments
+(``first last label``, from 1 on every floor, both ends included) and an end line; a second end line ends
+the labels. What follows it is free text. Columns are set apart by any run of spaces or tabs.
+
+References
+----------
+J. Wu, H. I. Christensen, J. M. Rehg, Visual Place Categorization: Problem, Dataset, and Algorithm. IROS 2009.
+"""
+
+import os
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.sequences.base import (
+    Home,
+    data_folder,
+    frame_rate,
+    frame_table,
+    home_folder,
+    inside,
+    read_image,
+    some_homes,
+)
+from placecat.sequences.labels import Segment, check_segments, expand_segments, read_text, whole
+
+LABEL_FILE = "label.txt"
+_END = ["-1", "-1", "end"]
+_FLOOR = re.compile(r"([A-Za-z0-9_-]+)/")
+_FRAME = re.compile(r"([0-9]+)\.jpe?g", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class Floor:
+    """The labels of one floor.
+
+    Attributes
+    ----------
+    name
+        Its folder.
+    count
+        Number of frames that the label file declares.
+    line
+        Line of that number.
+    segments
+        In order, covering frames 1 to `count`.
+    """
+
+    name: str
+    count: int
+    line: int
+    segments: tuple[Segment, ...]
+
+
+def list_homes(root: Path) -> list[str]:
+    """Name the folders with a ``label.txt``.
+
+    Parameters
+    ----------
+    root
+        The folder that holds the homes.
+
+    Returns
+    -------
+    list of str
+        In natural order, at least one.
+
+    Raises
+    ------
+    PlacecatError
+        If the folder is missing or holds no home.
+    """
+    homes = [entry.name for entry in data_folder(root).iterdir() if (entry / LABEL_FILE).is_file()]
+    return some_homes(homes, root, f"folders with a {LABEL_FILE}")
+
+
+def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = "") -> Home:
+    """Read one home.
+
+    Parameters
+    ----------
+    root
+        The folder that holds the homes.
+    name
+        Its folder.
+    fps
+        Frames a second; the layout does not say.
+    camera
+        Name of the camera.
+
+    Returns
+    -------
+    Home
+        One sequence a floor, in the order of the label file.
+
+    Raises
+    ------
+    PlacecatError
+        If the label file is wrong, or the frames on disk are not those it declares.
+    """
+    folder = home_folder(root, name)
+    rate = frame_rate(fps, name)
+    file = folder / LABEL_FILE
+    sequences: list[str] = []
+    numbers: list[int] = []
+    sources: list[str] = []
+    labels: list[str] = []
+    lines: list[NDArray[np.int32]] = []
+    for floor in read_floors(file):
+        images = _images(folder, floor, file)
+        sources += [f"{name}/{floor.name}/{image}" for image in images]
+        sequences += [floor.name] * floor.count
+        numbers += range(1, floor.count + 1)
+        floor_labels, floor_lines = expand_segments(floor.segments)
+        labels += floor_labels
+        lines.append(floor_lines)
+    height, width = read_image(root / sources[0]).shape[:2]
+    seconds = (np.array(numbers) - 1) / rate
+    return Home(
+        name=name,
+        root=root,
+        fps=rate,
+        camera=camera,
+        width=width,
+        height=height,
+        frames=frame_table(sequences, sources, -1, numbers, seconds, labels),
+        label_files=dict.fromkeys(sequences, f"{name}/{LABEL_FILE}"),
+        label_lines=np.concatenate(lines),
+    )
+
+
+def read_floors(file: Path) -> list[Floor]:
+    """Read a ``label.txt``.
+
+    Parameters
+    ----------
+    file
+        The label file.
+
+    Returns
+    -------
+    list of Floor
+        In the order of the file, at least one.
+
+    Raises
+    ------
+    PlacecatError
+        For anything but floors and end lines before the second end line, naming the line.
+    """
+    floors: list[Floor] = []
+    name, count, count_line = "", 0, 0
+    segments: list[Segment] = []
+    for line, text in enumerate(read_text(file).split("\n"), start=1):
+        words = text.split()
+        where = f"{file} line {line}"
+        if not words:
+            continue
+        if not name:
+            if words == _END and floors:
+                return floors
+            floor = _FLOOR.fullmatch(words[0])
+            if floor is None or len(words) > 1:
+                raise PlacecatError(
+                    f"{where}: {text.strip()!r} where a floor such as '1/' or '-1 -1 end' belongs."
+                )
+            name, count, segments = floor[1], 0, []
+            if any(name == other.name for other in floors):
+                raise PlacecatError(
+                    f"{where}: floor {name}/ is listed twice; correct its name or join the two."
+                )
+        elif not count:
+            if len(words) > 1 or whole(words[0], file, line) < 1:
+                raise PlacecatError(
+                    f"{where}: {text.strip()!r} where the number of frames of floor {name}/ belongs."
+                )
+            count, count_line = int(words[0]), line
+        elif words == _END:
+            check_segments(segments, count, file, f"floor {name}/", f"line {count_line}")
+            floors.append(Floor(name, count, count_line, tuple(segments)))
+            name = ""
+        elif _FLOOR.fullmatch(words[0]):
+            raise PlacecatError(
+                f"{where}: floor {name}/ has no end line; write '-1 -1 end' before this line."
+            )
+        elif len(words) != 3:
+            raise PlacecatError(f"{where}: {text.strip()!r} where 'first last label' or '-1 -1 end' belongs.")
+        else:
+            segments.append(Segment(whole(words[0], file, line), whole(words[1], file, line), words[2], line))
+    missing = (
+        f"floor {name}/ has no end line" if name else "the second end line, which ends the labels, is missing"
+    )
+    raise PlacecatError(f"{file}: {missing}; write '-1 -1 end' at the end of the file.")
+
+
+def _images(folder: Path, floor: Floor, file: Path) -> list[str]:
+    path = folder / floor.name
+    if not path.is_dir():
+        raise PlacecatError(f"{path}: the folder of this floor is missing; restore it, or correct {file}.")
+    inside(path, folder, str(file))
+    found: dict[int, str] = {}
+    for image in sorted(entry.name for entry in os.scandir(path)):
+        if image.startswith(".") or not image.lower().endswith((".jpg", ".jpeg")):
+            continue
+        match = _FRAME.fullmatch(image)
+        number = int(match[1]) if match else 0
+        if number < 1 or number in found:
+            what = f"the same frame as {found[number]}" if number in found else "not a frame number from 1"
+            raise PlacecatError(f"{path / image}: {what}; rename or remove it.")
+        found[number] = image
+    declared = f"{file} line {floor.line} declares {floor.count} frames"
+    for number in range(1, floor.count + 1):
+        if number not in found:
+            raise PlacecatError(
+                f"{path / f'{number:08d}.jpg'}: the frame is missing ({declared}); restore it, or correct "
+                "that line."
+            )
+    extra = [number for number in found if number > floor.count]
+    if extra:
+        raise PlacecatError(
+            f"{path / found[min(extra)]}: a frame too many ({declared}); remove it, or correct the labels."
+        )
+    return [found[number] for number in range(1, floor.count + 1)]

@@ -1,0 +1,147 @@
+from pathlib import Path
+
+import pytest
+from helpers_sequences import decoded, write_image
+
+from placecat.errors import PlacecatError
+from placecat.sequences import cold
+from placecat.sequences.base import read_frames
+
+NAMES = [
+    "t1152000000.900000_x0.2_y0.1_a-1.5.jpeg",
+    "t1152000001.100000_x-0.25_y0.000158_a0.1.jpeg",
+    "t1152000001.350000_x0.3_y-0.1_a3.jpeg",
+]
+
+
+def write_sequence(root: Path, name: str, labels: list[str], first: int = 1) -> None:
+    for number, image in enumerate(NAMES, start=first):
+        write_image(root / name / "std_cam" / image, number)
+    text = "".join(f"{image} {label}\n" for image, label in zip(NAMES, labels, strict=True))
+    write_list(root, name, text)
+
+
+def write_list(root: Path, name: str, text: str) -> None:
+    path = root / name / "localization/places.lst"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("label", "code"),
+    [
+        ("CR", "CR"),
+        ("CR-A", "CR"),
+        ("CR-B", "CR"),
+        ("TL3-B", "TL"),
+        ("PA12", "PA"),
+        ("1PO", "1PO"),
+        ("1PO-A", "1PO"),
+        ("2PO-B", "2PO"),
+        ("2PO1-A", "2PO"),
+        ("2PO2", "2PO"),
+        ("LAB", "LAB"),
+        ("RL-A", "RL"),
+        ("CNR-A", "CNR"),
+    ],
+)
+def test_codes(label: str, code: str) -> None:
+    assert cold.code(label) == code
+
+
+@pytest.mark.parametrize("label", ["", "12", "CR-C", "CR-AB", "cr", "CR A", "CR1A", "-A", "CR-", "CR\n"])
+def test_labels_of_another_form(label: str) -> None:
+    with pytest.raises(ValueError, match="not a COLD label"):
+        cold.code(label)
+
+
+def test_a_sequence(tmp_path: Path) -> None:
+    write_sequence(tmp_path, "town/seq1", ["CR-A", "2PO1-A", "TL"])
+    write_image(tmp_path / "town/seq1/std_cam/t1152000009.000000_x0_y0_a0.jpeg", 99)
+    home = cold.read_home(tmp_path, "town/seq1", camera="robot")
+    assert home.frames["label"].tolist() == ["CR", "2PO", "TL"]
+    assert home.frames["sequence"].tolist() == ["seq1"] * 3
+    assert home.frames["number"].tolist() == [1, 2, 3]
+    assert home.frames["seconds"].tolist() == [0.0, 0.2, 0.45]
+    assert home.frames["source"].tolist() == [f"town/seq1/std_cam/{name}" for name in NAMES]
+    assert home.label_lines.tolist() == [1, 2, 3]
+    assert home.label_files == {"seq1": "town/seq1/localization/places.lst"}
+    assert home.fps == pytest.approx(1 / 0.225)
+    assert (home.camera, home.width, home.height) == ("robot", 64, 48)
+    assert [decoded(image) for image in read_frames(tmp_path, home.frames)] == [1, 2, 3]
+    assert cold.read_home(tmp_path, "town/seq1", fps=5.0).fps == 5.0
+
+
+def test_a_site_is_all_its_sequences(tmp_path: Path) -> None:
+    for number in (10, 2):
+        write_sequence(tmp_path, f"town/seq{number}", ["CR", "CR", "KT"], first=number)
+    assert cold.list_homes(tmp_path) == ["town/seq2", "town/seq10"]
+    home = cold.read_home(tmp_path, "town")
+    assert home.frames["sequence"].tolist() == ["seq2"] * 3 + ["seq10"] * 3
+    assert home.frames["number"].tolist() == [1, 2, 3, 1, 2, 3]
+    assert home.frames["seconds"].tolist() == [0.0, 0.2, 0.45] * 2
+    assert home.label_files["seq10"] == "town/seq10/localization/places.lst"
+    assert home.fps == pytest.approx(1 / 0.225)
+    assert [decoded(image) for image in read_frames(tmp_path, home.frames)] == [2, 3, 4, 10, 11, 12]
+
+
+def test_another_image_folder(tmp_path: Path) -> None:
+    write_sequence(tmp_path, "town/seq1", ["CR", "CR", "KT"])
+    (tmp_path / "town/seq1/std_cam").rename(tmp_path / "town/seq1/omni_cam")
+    assert len(cold.read_home(tmp_path, "town/seq1", images="omni_cam").frames) == 3
+    with pytest.raises(
+        PlacecatError, match=r"seq1/std_cam: the folder of images is missing; .*dataset.images"
+    ):
+        cold.read_home(tmp_path, "town/seq1")
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", r"places\.lst: the label file is empty"),
+        (f"{NAMES[0]} CR\n{NAMES[1]}\n", r"places\.lst line 2: 't.*' where an image name and a label belong"),
+        (f"{NAMES[0]} CR A\n", r"line 1: .* where an image name and a label belong"),
+        (f"../{NAMES[0]} CR\n", r"line 1: '\.\./t.* is no image name"),
+        (f"/etc/{NAMES[0]} CR\n", r"line 1: '/etc/.* is no image name"),
+        ("t1.000000_x/../../../a.jpeg CR\n", r"line 1: .* is no image name"),
+        ("t1.000000_x\\..\\a.jpeg CR\n", r"line 1: .* is no image name"),
+        ("t1.5_x0_y0_a0.jpeg CR\n", r"line 1: .* is no image name"),
+        ("image1.jpeg CR\n", r"line 1: 'image1.jpeg' is no image name of the form t<seconds>"),
+        (f"{NAMES[0]} hall\n", r"line 1: 'hall' is no label of the form CODE"),
+        (f"{NAMES[1]} CR\n\n{NAMES[0]} CR\n", r"line 3: .* is not later than the image of line 1"),
+        (f"{NAMES[0]} CR\n{NAMES[0]} CR\n", r"line 2: .* is not later than the image of line 1"),
+        (
+            f"{NAMES[0]} CR\nt1152000005.000000_x0.jpeg CR\n",
+            r"t1152000005\.000000_x0\.jpeg: the frame is missing \(.*lst line 2\)",
+        ),
+    ],
+)
+def test_messages(text: str, message: str, tmp_path: Path) -> None:
+    write_sequence(tmp_path, "town/seq1", ["CR", "CR", "KT"])
+    write_list(tmp_path, "town/seq1", text)
+    with pytest.raises(PlacecatError, match=message):
+        cold.read_home(tmp_path, "town/seq1")
+
+
+def test_image_is_a_link_elsewhere(tmp_path: Path) -> None:
+    write_sequence(tmp_path, "town/seq1", ["CR", "CR", "KT"])
+    write_image(tmp_path / "secret.jpeg", 1)
+    image = tmp_path / "town/seq1/std_cam" / NAMES[1]
+    image.unlink()
+    image.symlink_to(tmp_path / "secret.jpeg")
+    with pytest.raises(PlacecatError, match=r"places\.lst line 2: .* is a link that leads out of"):
+        cold.read_home(tmp_path, "town/seq1")
+
+
+def test_no_label_file(tmp_path: Path) -> None:
+    (tmp_path / "town/seq1").mkdir(parents=True)
+    with pytest.raises(PlacecatError, match=r"seq1/localization/places\.lst: the label file is missing"):
+        cold.read_home(tmp_path, "town/seq1")
+
+
+def test_one_frame_has_no_rate(tmp_path: Path) -> None:
+    write_sequence(tmp_path, "town/seq1", ["CR", "CR", "KT"])
+    write_list(tmp_path, "town/seq1", f"{NAMES[0]} CR\n")
+    with pytest.raises(PlacecatError, match=r"the frame rate is unknown from the files; set dataset.fps"):
+        cold.read_home(tmp_path, "town/seq1")
+    assert len(cold.read_home(tmp_path, "town/seq1", fps=5.0).frames) == 1

@@ -1,0 +1,87 @@
+"""Nothing that is fitted sees the test home: plant a marker in it and compare the bytes of all that was fitted."""
+
+import numpy as np
+import pytest
+from made_features import HOMES, make, run_stages
+
+MARKED = "H2"
+
+
+@pytest.fixture(scope="module")
+def runs(tmp_path_factory):
+    folders = {}
+    with pytest.MonkeyPatch.context() as patch:
+        for name, marked in (("plain", None), ("marked", MARKED)):
+            folders[name] = tmp_path_factory.mktemp(name)
+            make(folders[name], marked=marked)
+            run_stages(folders[name], patch)
+    return folders
+
+
+def fitted_files(folder, home):
+    """Everything fitted when `home` is the test home, and what fitted models say of training frames."""
+    codebooks = list(folder.glob(f"data/codebooks/*/without-{home}*.npz"))
+    cues = [path for path in folder.glob(f"data/cues/*/*/{home}/*") if path.name != "test.npy"]
+    fused = [path for path in folder.glob(f"data/integration/*/{home}/*") if path.name != "test.npy"]
+    return {path.relative_to(folder): path.read_bytes() for path in [*codebooks, *cues, *fused]}
+
+
+def test_what_is_fitted_for_the_marked_home_does_not_change(runs):
+    plain, marked = fitted_files(runs["plain"], MARKED), fitted_files(runs["marked"], MARKED)
+    assert len(plain) > 30
+    assert plain.keys() == marked.keys()
+    assert [str(name) for name in plain if plain[name] != marked[name]] == []
+
+
+def test_the_marker_would_be_seen(runs):
+    """With another test home the marked one trains: there the same files do change."""
+    other = next(home for home in HOMES if home != MARKED)
+    plain, marked = fitted_files(runs["plain"], other), fitted_files(runs["marked"], other)
+    changed = {name.parts[1] for name in plain if plain[name] != marked[name]}
+    assert changed == {"codebooks", "cues", "integration"}
+
+
+def test_the_transitions_do_not_come_from_the_test_home(runs, monkeypatch):
+    """Give the smoothing of the marked run the plain run's distributions: labels of the home must not matter."""
+    from placecat.evaluation.protocol import folds
+    from placecat.stages.smoothing import smooth_home
+
+    model = {
+        "delay_step": 0.2,
+        "evidence": "soft",
+        "reliability": "hard",
+        "transition_counts": 1.0,
+        "emission_counts": 1.0,
+    }
+    fold = next(fold for fold in folds(HOMES, "5-5-1") if fold.test == MARKED)
+    source = runs["plain"] / "data/integration/das" / MARKED
+    results = []
+    for name in ("plain", "marked"):
+        monkeypatch.chdir(runs[name])
+        results.append(smooth_home(source, fold, model, 3)["delayed"])
+    np.testing.assert_array_equal(*results)
+
+
+def test_results_do_not_depend_on_the_number_of_workers(runs, tmp_path, monkeypatch):
+    from placecat.stages import codebooks, cues
+
+    make(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("PLACECAT_WORKERS", "2")
+    codebooks.main("hog_y")
+    for cue in ("hog_y", "gist"):
+        cues.main(cue)
+    for path in sorted(tmp_path.glob("data/c*/*/**/*.n*")):
+        assert path.read_bytes() == (runs["plain"] / path.relative_to(tmp_path)).read_bytes(), path
+
+
+def test_distributions_are_distributions(runs):
+    paths = list(runs["plain"].glob("data/*/*/**/test.npy")) + list(
+        runs["plain"].glob("data/smoothing/**/*.npy")
+    )
+    assert len(paths) > 40
+    for path in paths:
+        proba = np.load(path)
+        assert proba.shape == (90, 3)
+        np.testing.assert_allclose(proba.sum(axis=1), 1.0, atol=1e-9)
+        assert (proba >= 0).all()

@@ -1,0 +1,116 @@
+"""What dvc.yaml and params.yaml say, against conf/ and the code."""
+
+import ast
+import inspect
+from functools import cache
+from pathlib import Path
+
+import pytest
+import yaml
+
+from placecat import compose
+
+ROOT = Path(__file__).resolve().parents[1]
+SOURCE = ROOT / "src"
+PIPELINE = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]
+# What every stage uses to read, write and loop; it decides no number.
+PLUMBING = {"errors", "files", "parallel", "paths", "seeds", "settings", "listing", "stages"}
+
+
+def stage_body(name):
+    return PIPELINE[name].get("do", PIPELINE[name])
+
+
+def module_file(module):
+    path = SOURCE / Path(*module.split("."))
+    return path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
+
+
+@cache
+def imports(module):
+    """Modules of the project that a module imports anywhere in its text."""
+    found = set()
+    for node in ast.walk(ast.parse(module_file(module).read_text())):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names if alias.name.startswith("placecat")}
+        elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith("placecat"):
+            for alias in node.names:
+                inner = f"{node.module}.{alias.name}"
+                found.add(inner if module_file(inner).exists() else node.module)
+    return found - {"placecat"}
+
+
+def reached(module):
+    seen, todo = set(), [module]
+    while todo:
+        for found in imports(todo.pop()) - seen:
+            if found.split(".")[1] not in PLUMBING:
+                seen.add(found)
+                todo.append(found)
+    return seen
+
+
+@pytest.mark.parametrize("stage", list(PIPELINE))
+def test_a_stage_depends_on_every_module_it_uses(stage):
+    body = stage_body(stage)
+    listed = [dep for dep in body["deps"] if dep.startswith("src/")]
+    assert f"src/placecat/stages/{stage}.py" in listed
+    for module in reached(f"placecat.stages.{stage}"):
+        file = module_file(module).relative_to(ROOT).as_posix()
+        if file.endswith("__init__.py") and len(module_file(module).read_text().splitlines()) == 1:
+            continue
+        assert any(file == dep or file.startswith(f"{dep}/") for dep in listed), f"{stage} needs {file}"
+
+
+@pytest.mark.parametrize("stage", list(PIPELINE))
+def test_what_a_stage_depends_on_exists(stage):
+    for dep in stage_body(stage)["deps"]:
+        if dep.startswith("src/"):
+            assert (ROOT / dep).exists(), dep
+
+
+def test_params_are_what_conf_composes():
+    assert yaml.safe_load((ROOT / "params.yaml").read_text()) == yaml.safe_load(
+        compose.compose(conf=ROOT / "conf")
+    ), "run `placecat params` and commit params.yaml"
+
+
+def test_there_are_few_stages():
+    params = yaml.safe_load((ROOT / "params.yaml").read_text())
+    loops = {"${dataset.homes}": params["dataset"]["homes"]} | {
+        f"${{{name}}}": params[name] for name in ("codebooks", "cues", "systems")
+    }
+    count = sum(len(loops[body["foreach"]]) if "foreach" in body else 1 for body in PIPELINE.values())
+    assert count <= 40
+
+
+def settings_in_code():
+    """Each part of params.yaml with the function or class whose settings it holds, and what is no setting."""
+    from placecat.fusion.smoothing import smooth
+    from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
+    from placecat.sequences.sketch import draw_homes
+    from placecat.vision import holistic, local
+    from placecat.vision.attention import compute_maps, find_regions
+
+    params = yaml.safe_load((ROOT / "params.yaml").read_text())
+    yield "attention", params["attention"], compute_maps, {"frame_bgr"}
+    yield "regions", params["regions"], find_regions, {"maps"}
+    for kind, package in (("local", local), ("holistic", holistic)):
+        for name in package.names():
+            describe = package.load(name).describe
+            given = {"maps", "regions", "frame"}
+            yield f"descriptors.{kind}.{name}", params["descriptors"][kind][name], describe, given
+    for name, codebook in params["codebooks"].items():
+        yield f"codebooks.{name}.tree", codebook["tree"], HierarchicalKMeans, {"seed"}
+    given = {"proba", "sequences", "training_sequences", "training_proba", "training_truth", "n_classes"}
+    smoothing = {name: value for name, value in params["smoothing"].items() if name != "cues"}
+    yield "smoothing", smoothing, smooth, given
+    yield "sketch", params["sketch"], draw_homes, {"out"}
+
+
+@pytest.mark.parametrize(
+    ("name", "values", "function", "given"), settings_in_code(), ids=lambda v: str(v)[:30]
+)
+def test_every_constant_of_the_method_is_a_setting_and_none_is_unknown(name, values, function, given):
+    names = set(inspect.signature(function).parameters) - given
+    assert set(values) == names, name
