@@ -13,7 +13,7 @@ repro: $(READY)
 	$(BIN)/placecat repro $(SET)
 
 test: $(READY) lint
-	$(BIN)/python -m pytest -n 2 --dist worksteal tests
+	$(BIN)/python -m pytest -n 2 --dist loadgroup tests
 
 lint: $(READY)
 	$(BIN)/ruff format --check src tests

@@ -91,10 +91,12 @@ def settings_in_code():
     from placecat.sequences.sketch import draw_homes
     from placecat.vision import holistic, local
     from placecat.vision.attention import compute_maps, find_regions
+    from placecat.vision.information import information
 
     params = yaml.safe_load((ROOT / "params.yaml").read_text())
     yield "attention", params["attention"], compute_maps, {"frame_bgr"}
     yield "regions", params["regions"], find_regions, {"maps"}
+    yield "information", params["information"], information, {"maps"}
     for kind, package in (("local", local), ("holistic", holistic)):
         for name in package.names():
             describe = package.load(name).describe

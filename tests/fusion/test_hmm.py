@@ -86,5 +86,5 @@ def test_likelihoods_of_decision_and_of_distribution():
 
 @pytest.mark.parametrize("function", [lambda: likelihoods(np.eye(2), np.eye(2), evidence="x")])
 def test_unknown_evidence_is_refused(function):
-    with pytest.raises(PlacecatError, match="smoothing.evidence must be 'hard' or 'soft'"):
+    with pytest.raises(PlacecatError, match=r"smoothing\.evidence must be 'hard' or 'soft'"):
         function()

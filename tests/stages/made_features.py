@@ -1,4 +1,4 @@
-"""A tiny project after the stage `features`: random descriptors that tell the place a little, and settings."""
+"""A tiny project after the stage `features`: random descriptors that tell the place a little."""
 
 import json
 

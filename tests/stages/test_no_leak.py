@@ -1,4 +1,4 @@
-"""Nothing that is fitted sees the test home: plant a marker in it and compare the bytes of all that was fitted."""
+"""Nothing fitted sees the test home: plant a marker in it and compare the bytes of all that was fitted."""
 
 import numpy as np
 import pytest
@@ -42,7 +42,7 @@ def test_the_marker_would_be_seen(runs):
 
 
 def test_the_transitions_do_not_come_from_the_test_home(runs, monkeypatch):
-    """Give the smoothing of the marked run the plain run's distributions: labels of the home must not matter."""
+    """With the same distributions, the labels of the test home must not matter."""
     from placecat.evaluation.protocol import folds
     from placecat.stages.smoothing import smooth_home
 

@@ -21,6 +21,7 @@ def main(home: str) -> None:
     options = {
         "attention": settings.get(params, "attention"),
         "regions": settings.get(params, "regions"),
+        "information": settings.get(params, "information"),
         **settings.get(params, "descriptors"),
     }
     check(options)

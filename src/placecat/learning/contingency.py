@@ -1,0 +1,176 @@
+"""Counts of discrete variables, and what follows from pairs of them: mutual information and its tree."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+# A pair's table is counted by bincount up to this many cells a sample, by sorting beyond.
+_CELLS_PER_SAMPLE = 16
+# Up to here float32 holds every whole number.
+_EXACT_FLOAT32 = 1 << 24
+
+
+def value_counts(
+    codes: NDArray[np.integer], labels: NDArray[np.integer], n_classes: int, n_values: int
+) -> NDArray[np.int64]:
+    """Count each variable's values in each class.
+
+    Parameters
+    ----------
+    codes : ndarray of shape (n, V), integers in [0, n_values)
+        Values of V variables.
+    labels : ndarray of shape (n,), integers in [0, n_classes)
+        Class of each sample.
+    n_classes, n_values : int
+
+    Returns
+    -------
+    ndarray of shape (n_classes, V, n_values), int64
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> value_counts(np.array([[0, 1], [1, 1]]), np.array([0, 0]), 1, 2).tolist()
+    [[[1, 1], [0, 2]]]
+    """
+    n_variables = codes.shape[1]
+    if n_values == 2:
+        sizes = np.bincount(labels, minlength=n_classes)
+        members = labels == np.arange(n_classes)[:, None]
+        ones = _exact_product(members, codes)
+        return np.stack([sizes[:, None] - ones, ones], axis=2)
+    counts = np.empty((n_classes, n_variables, n_values), np.int64)
+    for variable in range(n_variables):
+        cells = labels.astype(np.int64) * n_values + codes[:, variable]
+        counts[:, variable] = np.bincount(cells, minlength=n_classes * n_values).reshape(n_classes, n_values)
+    return counts
+
+
+def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.float64]:
+    """Mutual information of every pair of variables, from their relative frequencies.
+
+    With counts n_ab of a pair, n I = n log n + sum n_ab log n_ab - sum n_a log n_a - sum n_b log n_b. Binary
+    pairs are counted by one matrix product, wide tables by bincount, and tables with far more cells than
+    samples by sorting, so that memory does not grow with the square of `n_values`.
+
+    Parameters
+    ----------
+    codes : ndarray of shape (n, V), integers in [0, n_values)
+        Values of V variables, n >= 1.
+    n_values : int
+
+    Returns
+    -------
+    ndarray of shape (V, V), float64
+        In nats, symmetric, not negative; 0 on the diagonal.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> print(mutual_information(np.array([[0, 0, 0], [1, 1, 0]]), 2).round(3)[0])
+    [0.    0.693 0.   ]
+    """
+    n = len(codes)
+    number = np.arange(n + 1, dtype=np.float64)
+    # m log m of every possible count.
+    weighted_log = number * np.log(np.maximum(number, 1))
+    if n_values == 2:
+        joint, marginal = _binary_sums(codes, weighted_log)
+    else:
+        joint, marginal = _wide_sums(codes, n_values, weighted_log)
+    information = np.maximum((weighted_log[n] + joint - (marginal[:, None] + marginal)) / n, 0)
+    np.fill_diagonal(information, 0)
+    return information
+
+
+def maximum_spanning_tree(weights: NDArray[np.float64], root: int) -> NDArray[np.int32]:
+    """Find the spanning tree of greatest total weight (Prim's algorithm), directed away from a root.
+
+    Of equal weights the lowest variable joins first, under the parent that joined first.
+
+    Parameters
+    ----------
+    weights : ndarray of shape (V, V), float64
+        Symmetric.
+    root : int
+        In [0, V).
+
+    Returns
+    -------
+    ndarray of shape (V,), int32
+        Parent of each variable; -1 for the root.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> maximum_spanning_tree(np.array([[0, 3.0, 1], [3, 0, 2], [1, 2, 0]]), 0).tolist()
+    [-1, 0, 1]
+    """
+    n_variables = len(weights)
+    parents = np.full(n_variables, root, np.int32)
+    outside = np.ones(n_variables, bool)
+    best = np.full(n_variables, -np.inf)
+    joining = root
+    for _ in range(n_variables - 1):
+        outside[joining] = False
+        best[joining] = -np.inf
+        better = outside & (weights[joining] > best)
+        best[better] = weights[joining, better]
+        parents[better] = joining
+        joining = int(best.argmax())
+    parents[root] = -1
+    return parents
+
+
+def _binary_sums(
+    codes: NDArray[np.integer], weighted_log: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Sum m log m over the cells of each pair, and over the values of each variable."""
+    both = _exact_product(codes.T, codes)
+    ones = np.diagonal(both)
+    first_only = ones[:, None] - both
+    neither = len(codes) - ones - first_only
+    # Grouped so that the sum of a pair does not depend on its order.
+    joint = (weighted_log[both] + weighted_log[neither]) + (
+        weighted_log[first_only] + weighted_log[first_only.T]
+    )
+    return joint, weighted_log[ones] + weighted_log[len(codes) - ones]
+
+
+def _wide_sums(
+    codes: NDArray[np.integer], n_values: int, weighted_log: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """As `_binary_sums`, for any number of values."""
+    n, n_variables = codes.shape
+    n_cells = n_values * n_values
+    columns = np.ascontiguousarray(codes.T, dtype=np.int32 if n_cells < 2**31 else np.int64)
+    joint = np.zeros((n_variables, n_variables))
+    for first in range(n_variables - 1):
+        pairs = columns[first] * n_values + columns[first + 1 :]
+        if n_cells <= _CELLS_PER_SAMPLE * n:
+            for second, cells in enumerate(pairs, first + 1):
+                counts = np.bincount(cells, minlength=n_cells)
+                # Counts 0 and 1 have m log m = 0.
+                joint[first, second] = weighted_log[counts[counts > 1]].sum()
+        else:
+            pairs.sort(axis=1)
+            new = np.ones(pairs.shape, bool)
+            np.not_equal(pairs[:, 1:], pairs[:, :-1], out=new[:, 1:])
+            starts = np.flatnonzero(new)
+            terms = weighted_log[np.diff(starts, append=new.size)]
+            joint[first, first + 1 :] = np.add.reduceat(
+                terms, np.searchsorted(starts, n * np.arange(len(pairs)))
+            )
+    marginal = np.array([weighted_log[np.bincount(column)].sum() for column in columns])
+    return joint + joint.T, marginal
+
+
+def run_lengths(values: NDArray[np.integer]) -> tuple[NDArray[np.integer], NDArray[np.int64]]:
+    """Return the distinct values of a sorted, not empty array and how often each occurs."""
+    starts = np.flatnonzero(np.r_[True, values[1:] != values[:-1]])
+    return values[starts], np.diff(starts, append=len(values))
+
+
+def _exact_product(left: NDArray[np.generic], right: NDArray[np.generic]) -> NDArray[np.int64]:
+    """Matrix product of zeros and ones, exact whatever the order of summation."""
+    dtype = np.float32 if left.shape[1] < _EXACT_FLOAT32 else np.float64
+    return (left.astype(dtype) @ right.astype(dtype)).astype(np.int64)

@@ -1,0 +1,140 @@
+"""The optimal first-order dependency tree over codewords (thesis equation 11)."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.learning.contingency import (
+    maximum_spanning_tree,
+    mutual_information,
+    run_lengths,
+    value_counts,
+)
+from placecat.learning.discrete_bayes import DiscreteBayes
+
+# Largest table of pair counts kept in full (32 MB); beyond, only the pairs that occur.
+_DENSE_CELLS = 1 << 22
+# Table look-ups made at once.
+_BLOCK = 1 << 18
+
+
+class DependencyTree(DiscreteBayes):
+    """p(c_1, ..., c_V | l_i) by the optimal dependency tree of each class (equation 11).
+
+    It is p(c_r | l_i) times the p(c_k | c_parent(k), l_i) of all variables but the root r. Each class's tree
+    is the maximum spanning tree of the variables' mutual information within the class, which maximises the
+    likelihood of the class's samples among all trees (Chow and Liu). The mutual information is that of the
+    relative frequencies; smoothing enters only the conditional probabilities.
+
+    Parameters
+    ----------
+    alpha : float
+        Added to every count of a (parent value, value) pair (Laplace smoothing), above 0. The thesis does not
+        give this.
+    n_values : int, optional
+        Values a variable can have: the cluster number, or 2 for activations. Default: the largest code of the
+        training data plus 1.
+    prior : {"uniform", "frequency"}
+        p(l_i) in equation (10); see `NaiveBayes`.
+    root : int
+        The variable r. Without smoothing it makes no difference; the thesis does not give it.
+
+    Attributes
+    ----------
+    classes_ : ndarray of shape (n_classes,)
+    class_count_ : ndarray of shape (n_classes,), int64
+    class_log_prior_ : ndarray of shape (n_classes,), float64
+    parents_ : ndarray of shape (n_classes, V), int32
+        Each variable's parent in each class's tree; -1 for the root.
+    n_values_ : int
+    n_features_in_ : int
+        V.
+
+    References
+    ----------
+    Chow and Liu, "Approximating discrete probability distributions with dependence trees", IEEE
+    Transactions on Information Theory 14(3), 1968.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> X = np.array([[0, 0, 0], [1, 1, 0], [0, 0, 1], [1, 1, 1]])
+    >>> model = DependencyTree(n_values=2).fit(X, ["kitchen"] * 4)
+    >>> model.parents_.tolist()
+    [[-1, 0, 0]]
+    >>> np.exp(model.predict_joint_log_likelihood([[0, 0, 0], [0, 1, 0]])).round(4).ravel().tolist()
+    [0.1875, 0.0625]
+    """
+
+    def __init__(
+        self, alpha: float = 1.0, n_values: int | None = None, prior: str = "uniform", root: int = 0
+    ) -> None:
+        self.alpha = alpha
+        self.n_values = n_values
+        self.prior = prior
+        self.root = root
+
+    def _fit_model(self, codes: NDArray[np.integer], labels: NDArray[np.intp]) -> None:
+        if not 0 <= self.root < self.n_features_in_:
+            raise PlacecatError(f"root={self.root} is no variable: use 0 to {self.n_features_in_ - 1}")
+        n_classes, n_values = len(self.classes_), self.n_values_
+        members = [codes[labels == label] for label in range(n_classes)]
+        self.parents_ = np.array(
+            [maximum_spanning_tree(mutual_information(part, n_values), self.root) for part in members]
+        )
+        counts = value_counts(codes, labels, n_classes, n_values)
+        parent_counts = np.take_along_axis(counts, self.parents_[:, :, None].astype(np.intp), axis=1)
+        # The root's parent is a constant with the value 0.
+        parent_counts[:, self.root, 0] = self.class_count_
+        self._log_parents = np.log(parent_counts + self.alpha * n_values)
+        self._fit_pairs(members)
+
+    def _fit_pairs(self, members: list[NDArray[np.integer]]) -> None:
+        """Store log(count + alpha) of each (variable, parent value, value), in full or where it occurs."""
+        n_cells = self.n_features_in_ * self.n_values_**2
+        self._is_dense = len(members) * n_cells <= _DENSE_CELLS
+        self._pair_keys: list[NDArray[np.integer]] = []
+        self._pair_logs: list[NDArray[np.float64]] = []
+        for label, part in enumerate(members):
+            pairs = self._pairs(part, label)[0].ravel()
+            log_counts = np.log(np.arange(len(part) + 1) + self.alpha)
+            if self._is_dense and n_cells <= pairs.size:
+                self._pair_logs.append(log_counts[np.bincount(pairs, minlength=n_cells)])
+                continue
+            keys, counts = run_lengths(np.sort(pairs))
+            if self._is_dense:
+                logs = np.full(n_cells, log_counts[0])
+                logs[keys] = log_counts[counts]
+                self._pair_logs.append(logs)
+            else:
+                self._pair_keys.append(keys)
+                self._pair_logs.append(log_counts[counts])
+
+    def _pairs(
+        self, codes: NDArray[np.integer], label: int
+    ) -> tuple[NDArray[np.integer], NDArray[np.integer]]:
+        """Number the cell of each (variable, parent value, value), and of each (variable, parent value)."""
+        narrow = self.n_features_in_ * self.n_values_**2 < 2**31
+        wide_codes: NDArray[np.integer] = codes.astype(np.int32 if narrow else np.int64)
+        parent_cells = wide_codes[:, self.parents_[label]]
+        parent_cells[:, self.root] = 0
+        parent_cells += np.arange(self.n_features_in_, dtype=wide_codes.dtype) * self.n_values_
+        return parent_cells * self.n_values_ + wide_codes, parent_cells
+
+    def _log_pairs(self, pairs: NDArray[np.integer], label: int) -> NDArray[np.float64]:
+        if self._is_dense:
+            return self._pair_logs[label][pairs]
+        keys = self._pair_keys[label]
+        places = np.minimum(np.searchsorted(keys, pairs), len(keys) - 1)
+        return np.where(keys[places] == pairs, self._pair_logs[label][places], np.log(self.alpha))
+
+    def _log_likelihood(self, codes: NDArray[np.integer]) -> NDArray[np.float64]:
+        result = np.empty((len(codes), len(self.classes_)))
+        rows = max(1, _BLOCK // self.n_features_in_)
+        for label in range(len(self.classes_)):
+            log_parents = self._log_parents[label].ravel()
+            for start in range(0, len(codes), rows):
+                pairs, parent_cells = self._pairs(codes[start : start + rows], label)
+                logs = self._log_pairs(pairs, label) - log_parents[parent_cells]
+                result[start : start + rows, label] = logs.sum(axis=1)
+        return result

@@ -1,0 +1,133 @@
+"""What the two models of a joint probability share: codes in, Bayes' rule out."""
+
+from abc import abstractmethod
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import logsumexp
+from sklearn.base import BaseEstimator, ClassifierMixin
+from sklearn.utils.multiclass import check_classification_targets
+from sklearn.utils.validation import check_array, check_is_fitted, column_or_1d
+
+from placecat.errors import PlacecatError
+
+
+class DiscreteBayes(ClassifierMixin, BaseEstimator):
+    """Bayes' rule (thesis equation 10) over a model of p(c_1 = q_1, ..., c_V = q_V | l_i).
+
+    A model implements `_fit_model` and `_log_likelihood`.
+    """
+
+    alpha: float
+    n_values: int | None
+    prior: str
+
+    classes_: NDArray[Any]
+    class_count_: NDArray[np.int64]
+    class_log_prior_: NDArray[np.float64]
+    n_values_: int
+    n_features_in_: int
+
+    def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
+        """Estimate the model from codes and their classes.
+
+        Parameters
+        ----------
+        X : array-like of shape (n, V), integers in [0, n_values)
+            Codewords of V cells, or the activations (0 or 1) of V clusters.
+        y : array-like of shape (n,)
+            Classes: strings or whole numbers.
+
+        Raises
+        ------
+        PlacecatError
+            If a setting is impossible or a code is out of range.
+        """
+        if not self.alpha > 0:
+            raise PlacecatError(
+                f"alpha={self.alpha}: use a number above 0, or a value never seen in a class vetoes the class"
+            )
+        if self.prior not in ("uniform", "frequency"):
+            raise PlacecatError(f"prior={self.prior!r} is unknown: use 'uniform' or 'frequency'")
+        if self.n_values is not None and self.n_values < 2:
+            raise PlacecatError(f"n_values={self.n_values}: a variable needs at least 2 values")
+        codes = self._read_codes(X)
+        targets = column_or_1d(y, warn=True)
+        check_classification_targets(targets)
+        if len(targets) != len(codes):
+            raise PlacecatError(f"X has {len(codes)} samples, y has {len(targets)}")
+        self.n_features_in_ = codes.shape[1]
+        self.n_values_ = max(2, int(codes.max()) + 1) if self.n_values is None else self.n_values
+        codes = self._narrow(codes)
+        self.classes_, labels = np.unique(targets, return_inverse=True)
+        self.class_count_ = np.bincount(labels)
+        frequency = self.class_count_ if self.prior == "frequency" else np.ones(len(self.classes_))
+        self.class_log_prior_ = np.log(frequency / frequency.sum())
+        self._fit_model(codes, labels)
+        return self
+
+    def predict_joint_log_likelihood(self, X: ArrayLike) -> NDArray[np.float64]:
+        """Return log p(codes, class), the numerator of equation (10).
+
+        Parameters
+        ----------
+        X : array-like of shape (n, V), integers in [0, n_values_)
+
+        Returns
+        -------
+        ndarray of shape (n, n_classes), float64
+
+        Raises
+        ------
+        PlacecatError
+            If a code is out of range or X has another number of variables than the training data.
+        """
+        check_is_fitted(self)
+        codes = self._read_codes(X)
+        if codes.shape[1] != self.n_features_in_:
+            raise PlacecatError(
+                f"X has {codes.shape[1]} variables, the model was trained on {self.n_features_in_}"
+            )
+        codes = self._narrow(codes)
+        return self._log_likelihood(codes) + self.class_log_prior_
+
+    def predict_log_proba(self, X: ArrayLike) -> NDArray[np.float64]:
+        """Return log p(class | codes), of shape (n, n_classes), float64."""
+        joint = self.predict_joint_log_likelihood(X)
+        return joint - logsumexp(joint, axis=1, keepdims=True)
+
+    def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
+        """Return p(class | codes), of shape (n, n_classes), float64; rows sum to 1."""
+        return np.exp(self.predict_log_proba(X))
+
+    def predict(self, X: ArrayLike) -> NDArray[Any]:
+        """Return the most probable class of each sample, of shape (n,)."""
+        best = self.predict_joint_log_likelihood(X).argmax(axis=1)
+        return self.classes_[best]
+
+    @abstractmethod
+    def _fit_model(self, codes: NDArray[np.integer], labels: NDArray[np.intp]) -> None: ...
+
+    @abstractmethod
+    def _log_likelihood(self, codes: NDArray[np.integer]) -> NDArray[np.float64]: ...
+
+    def _read_codes(self, X: ArrayLike) -> NDArray[np.integer]:
+        codes = check_array(X, dtype=None, estimator=self)
+        if codes.dtype.kind in "iu":
+            return codes
+        if codes.dtype.kind == "b":
+            return codes.astype(np.uint8)
+        if codes.dtype.kind != "f" or not np.array_equal(codes, np.floor(codes)):
+            raise PlacecatError("X must hold codes: whole numbers from 0")
+        return codes.astype(np.int64)
+
+    def _narrow(self, codes: NDArray[np.integer]) -> NDArray[np.integer]:
+        """Check the codes' range and keep them in few bytes."""
+        if codes.min() >= 0 and codes.max() < self.n_values_:
+            return codes.astype(np.uint8 if self.n_values_ <= 256 else np.int32, copy=False)
+        sample, variable = np.argwhere((codes < 0) | (codes >= self.n_values_))[0]
+        raise PlacecatError(
+            f"code {codes[sample, variable]} of sample {sample}, variable {variable} is outside "
+            f"[0, {self.n_values_}): set n_values to the codebook's cluster number (2 for activations)"
+        )

@@ -1,0 +1,383 @@
+"""The RBF kernel in cache-sized blocks, and expansions in it that several classifiers share."""
+
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any, Self
+
+import numpy as np
+from joblib import Parallel, delayed
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+from threadpoolctl import threadpool_limits
+
+from placecat.errors import PlacecatError
+
+# Rows and columns of one tile: 1 MiB of float32.
+ROW_TILE = 256
+COLUMN_TILE = 1024
+
+_blas_lock = threading.Lock()
+_blas_users = 0
+_blas_limit: Any = None
+
+
+@contextmanager
+def single_blas_thread() -> Iterator[None]:
+    """Hold BLAS at one thread, so that sums do not depend on the number of cores.
+
+    The limit belongs to the process: the first of several concurrent users sets it, the last restores it.
+    """
+    global _blas_users, _blas_limit
+    with _blas_lock:
+        if _blas_users == 0:
+            _blas_limit = threadpool_limits(limits=1, user_api="blas")
+        _blas_users += 1
+    try:
+        yield
+    finally:
+        with _blas_lock:
+            _blas_users -= 1
+            if _blas_users == 0:
+                _blas_limit.restore_original_limits()
+
+
+def check_samples(X: ArrayLike, name: str = "X") -> NDArray[np.float32]:
+    """Return `X` as a finite, C-contiguous float32 matrix.
+
+    Parameters
+    ----------
+    X
+        (n, D), any real dtype.
+    name
+        How the message calls it.
+
+    Returns
+    -------
+    ndarray
+        (n, D) float32; `X` itself where it already is that.
+
+    Raises
+    ------
+    PlacecatError
+        If `X` is not two-dimensional, is empty, or holds NaN or infinite values.
+    """
+    samples = np.ascontiguousarray(X, dtype=np.float32)
+    if samples.ndim != 2 or 0 in samples.shape:
+        raise PlacecatError(f"{name} has shape {samples.shape}; give a non-empty matrix (samples, features)")
+    # A finite sum proves all finite; an overflowing one proves nothing.
+    with np.errstate(over="ignore", invalid="ignore"):
+        finite = bool(np.isfinite(samples.sum()))
+    if not finite and not np.isfinite(samples).all():
+        row = int(np.flatnonzero(~np.isfinite(samples).all(axis=1))[0])
+        raise PlacecatError(
+            f"{name} holds NaN or infinite values, first in row {row}; drop or mend these samples"
+        )
+    return samples
+
+
+def encode_two_classes(y: ArrayLike, n: int) -> tuple[NDArray[Any], NDArray[np.bool_]]:
+    """Split labels (n,) into the two sorted classes and (n,) bool, true for the second.
+
+    Raises
+    ------
+    PlacecatError
+        If there are not exactly two classes, or not `n` labels.
+    """
+    labels = np.asarray(y)
+    if labels.shape != (n,):
+        raise PlacecatError(f"y has shape {labels.shape} for {n} samples; give one label a sample")
+    classes, index = np.unique(labels, return_inverse=True)
+    if len(classes) != 2:
+        raise PlacecatError(f"a two-class classifier needs 2 classes, the labels hold {len(classes)}")
+    return classes, index == 1
+
+
+def _exponents(
+    X: NDArray[np.float32], Y: NDArray[np.float32], gamma: float
+) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Extend X and Y so that one matrix product gives -gamma ||x - y||^2."""
+    # Distances do not move with the origin, but cancellation does.
+    origin = Y.mean(axis=0, dtype=np.float64).astype(np.float32)
+    left = np.empty((len(X), X.shape[1] + 2), dtype=np.float32)
+    right = np.empty((len(Y), Y.shape[1] + 2), dtype=np.float32)
+    np.subtract(Y, origin, out=right[:, :-2])
+    right[:, -2] = 1.0
+    right[:, -1] = -gamma * np.einsum("ij,ij->i", right[:, :-2], right[:, :-2], dtype=np.float64)
+    np.subtract(X, origin, out=left[:, :-2])
+    left[:, -2] = -gamma * np.einsum("ij,ij->i", left[:, :-2], left[:, :-2], dtype=np.float64)
+    left[:, -1] = 1.0
+    left[:, :-2] *= np.float32(2.0 * gamma)
+    return left, right
+
+
+def _tile(left: NDArray[np.float32], right: NDArray[np.float32]) -> NDArray[np.float32]:
+    block = left @ right.T
+    np.minimum(block, 0.0, out=block)
+    return np.exp(block, out=block)
+
+
+def _check_gamma(gamma: float) -> float:
+    if not (np.isfinite(gamma) and gamma > 0):
+        raise PlacecatError(f"gamma = {gamma} is not a kernel width; give a number above 0")
+    return float(gamma)
+
+
+def rbf_gram(
+    X: ArrayLike, gamma: float, dtype: DTypeLike = np.float32, n_jobs: int | None = None
+) -> NDArray[Any]:
+    """Gram matrix exp(-gamma ||x_i - x_j||^2) of one training set.
+
+    Computed in float32 by blocks of a matrix product; symmetric to the bit with ones on the diagonal. One
+    such matrix serves every class and every fold.
+
+    Parameters
+    ----------
+    X
+        (n, D), converted to float32.
+    gamma
+        Inverse squared width, > 0, in units of 1 / X^2 (thesis 4.2: 2.0; the scale of X is open there).
+    dtype
+        Of the result: float32, or float64 as libsvm wants it. The values are those of float32.
+    n_jobs
+        Threads. The result does not depend on it.
+
+    Returns
+    -------
+    ndarray
+        (n, n), values in [0, 1].
+
+    Raises
+    ------
+    PlacecatError
+        If gamma is not above 0, or X is not a finite matrix.
+
+    Examples
+    --------
+    >>> rbf_gram([[0.0], [1.0]], gamma=np.log(2.0)).round(6).tolist()
+    [[1.0, 0.5], [0.5, 1.0]]
+    """
+    samples = check_samples(X)
+    left, right = _exponents(samples, samples, _check_gamma(gamma))
+    n = len(samples)
+    gram = np.empty((n, n), dtype=dtype)
+
+    def fill(start: int) -> None:
+        stop = min(start + ROW_TILE, n)
+        for first in range(start, n, COLUMN_TILE):
+            last = min(first + COLUMN_TILE, n)
+            block = _tile(left[start:stop], right[first:last])
+            if first == start:
+                size = stop - start
+                corner = np.tril(block[:, :size], -1)
+                block[:, :size] = corner + corner.T
+                np.fill_diagonal(block[:, :size], 1.0)
+            gram[start:stop, first:last] = block
+            gram[first:last, start:stop] = block.T
+
+    with single_blas_thread():
+        Parallel(n_jobs=n_jobs, backend="threading")(delayed(fill)(start) for start in range(0, n, ROW_TILE))
+    return gram
+
+
+def rbf_cross(X: ArrayLike, Y: ArrayLike, gamma: float) -> NDArray[np.float32]:
+    """Kernel values exp(-gamma ||x_i - y_j||^2) between two sets.
+
+    Parameters
+    ----------
+    X, Y
+        (n, D) and (m, D), converted to float32.
+    gamma
+        As in `rbf_gram`.
+
+    Returns
+    -------
+    ndarray
+        (n, m) float32 in [0, 1]. `KernelExpansion` never builds the whole of it.
+
+    Raises
+    ------
+    PlacecatError
+        If the widths differ, gamma is not above 0, or an input is not a finite matrix.
+    """
+    rows, columns = check_samples(X), check_samples(Y, "Y")
+    if rows.shape[1] != columns.shape[1]:
+        raise PlacecatError(f"X has {rows.shape[1]} features, Y has {columns.shape[1]}; give equal widths")
+    left, right = _exponents(rows, columns, _check_gamma(gamma))
+    result = np.empty((len(rows), len(columns)), dtype=np.float32)
+    with single_blas_thread():
+        for start in range(0, len(rows), ROW_TILE):
+            for first in range(0, len(columns), COLUMN_TILE):
+                result[start : start + ROW_TILE, first : first + COLUMN_TILE] = _tile(
+                    left[start : start + ROW_TILE], right[first : first + COLUMN_TILE]
+                )
+    return result
+
+
+@dataclass(frozen=True)
+class KernelExpansion:
+    """K functions sum_s coef[s, k] exp(-gamma ||x - v_s||^2) + intercept[k] over shared vectors.
+
+    Attributes
+    ----------
+    support_vectors
+        (S, D) float32, the union of what the K functions use. S may be 0.
+    coef
+        (S, K) float64.
+    intercept
+        (K,) float64.
+    gamma
+        As in `rbf_gram`.
+    """
+
+    support_vectors: NDArray[np.float32]
+    coef: NDArray[np.float64]
+    intercept: NDArray[np.float64]
+    gamma: float
+
+    kind = "kernel"
+
+    @classmethod
+    def union(cls, machines: Sequence["KernelMachine"], X: NDArray[np.float32]) -> Self:
+        """Join machines fitted on rows of the same `X` (n, D) into one expansion."""
+        support = np.unique(np.concatenate([machine.support_ for machine in machines])).astype(np.intp)
+        coef = np.zeros((len(support), len(machines)))
+        for k, machine in enumerate(machines):
+            coef[np.searchsorted(support, machine.support_), k] = machine.dual_coef_
+        intercept = np.array([machine.intercept_ for machine in machines], dtype=np.float64)
+        return cls(X[support], coef, intercept, float(machines[0].gamma))
+
+    def decisions(self, X: ArrayLike) -> NDArray[np.float64]:
+        """Evaluate all K functions: one matrix product for the kernel, one for the sums.
+
+        Parameters
+        ----------
+        X
+            (n, D), converted to float32.
+
+        Returns
+        -------
+        ndarray
+            (n, K) float64.
+
+        Raises
+        ------
+        PlacecatError
+            If X is not a finite matrix of D columns.
+        """
+        samples = check_samples(X)
+        width = self.support_vectors.shape[1]
+        if samples.shape[1] != width:
+            raise PlacecatError(f"X has {samples.shape[1]} features; the classifier was fitted on {width}")
+        result = np.tile(self.intercept, (len(samples), 1))
+        if len(self.support_vectors) == 0:
+            return result
+        coef = self.coef.astype(np.float32)
+        left, right = _exponents(samples, self.support_vectors, self.gamma)
+        with single_blas_thread():
+            for start in range(0, len(samples), ROW_TILE):
+                for first in range(0, len(coef), COLUMN_TILE):
+                    block = _tile(left[start : start + ROW_TILE], right[first : first + COLUMN_TILE])
+                    result[start : start + ROW_TILE] += block @ coef[first : first + COLUMN_TILE]
+        return result
+
+    def to_arrays(self) -> dict[str, NDArray[Any]]:
+        """Give plain arrays, enough for `from_arrays`."""
+        return {
+            "support_vectors": self.support_vectors,
+            "coef": self.coef,
+            "intercept": self.intercept,
+            "gamma": np.array(self.gamma),
+        }
+
+    @classmethod
+    def from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Self:
+        """Rebuild from `to_arrays`."""
+        return cls(arrays["support_vectors"], arrays["coef"], arrays["intercept"], float(arrays["gamma"]))
+
+
+class KernelMachine:
+    """What the two-class classifiers on a Gram matrix share: sums over support vectors.
+
+    A subclass has the parameter `gamma` and `fit_rows`, which sets the attributes below.
+
+    Attributes
+    ----------
+    classes_, support_vectors_
+        The two labels, and (s, D) float32; set by `fit` only.
+    support_
+        (s,) indices into the samples of the Gram matrix, ascending.
+    dual_coef_
+        (s,) float64.
+    intercept_
+        float.
+    """
+
+    gamma: float
+    support_: NDArray[np.intp]
+    dual_coef_: NDArray[np.float64]
+    intercept_: float
+    classes_: NDArray[Any]
+    support_vectors_: NDArray[np.float32]
+    #: dtype of the Gram matrix the machine works on without a copy.
+    gram_dtype: DTypeLike = np.float32
+
+    def prepare(
+        self, X: NDArray[np.float32], gram: NDArray[Any] | None = None, n_jobs: int | None = None
+    ) -> NDArray[Any]:
+        """Give what all classes and folds share: the Gram matrix in the dtype the machine wants.
+
+        Parameters
+        ----------
+        X
+            (n, D) float32.
+        gram
+            (n, n) of the same samples and the same gamma, to be taken instead of computing it.
+        n_jobs
+            Threads.
+
+        Returns
+        -------
+        ndarray
+            (n, n) of `gram_dtype`, C-contiguous; `gram` itself where it already is that.
+
+        Raises
+        ------
+        PlacecatError
+            If `gram` has another shape.
+        """
+        if gram is None:
+            return rbf_gram(X, self.gamma, dtype=self.gram_dtype, n_jobs=n_jobs)
+        if gram.shape != (len(X), len(X)):
+            raise PlacecatError(
+                f"gram has shape {gram.shape} for {len(X)} samples; give a square matrix of these"
+            )
+        return np.ascontiguousarray(gram, dtype=self.gram_dtype)
+
+    def decide_rows(self, shared: NDArray[Any], rows: NDArray[np.intp]) -> NDArray[np.float64]:
+        """Evaluate on rows of the Gram matrix `shared` (n, n); gives (len(rows),) float64."""
+        weights = np.zeros(len(shared), dtype=shared.dtype)
+        weights[self.support_] = self.dual_coef_
+        # A slice of the matrix is a view, an index list a copy.
+        contiguous = (
+            len(rows) > 0 and rows[-1] - rows[0] + 1 == len(rows) and bool(np.all(np.diff(rows) == 1))
+        )
+        block = shared[rows[0] : rows[-1] + 1] if contiguous else shared[rows]
+        return (block @ weights).astype(np.float64) + self.intercept_
+
+    def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
+        """Signed decision values (n,) of samples (n, D); positive for ``classes_[1]``. Needs `fit`."""
+        coef = self.dual_coef_[:, None]
+        expansion = KernelExpansion(
+            self.support_vectors_, coef, np.array([self.intercept_]), float(self.gamma)
+        )
+        return expansion.decisions(X)[:, 0]
+
+    def predict(self, X: ArrayLike) -> NDArray[Any]:
+        """Labels (n,) of samples (n, D). Needs `fit`."""
+        return self.classes_[(self.decision_function(X) > 0).astype(int)]
+
+    @staticmethod
+    def collect(machines: Sequence["KernelMachine"], X: NDArray[np.float32]) -> KernelExpansion:
+        """Join machines fitted on the same samples `X` (n, D) for prediction."""
+        return KernelExpansion.union(machines, X)

@@ -1,0 +1,286 @@
+"""The thesis's modified K-nearest neighbours: class frequencies of clusters (section 3.3.1.1)."""
+
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import logsumexp
+from sklearn.base import BaseEstimator, ClassifierMixin
+from sklearn.utils.multiclass import check_classification_targets
+from sklearn.utils.validation import check_array, check_is_fitted, column_or_1d
+
+from placecat.errors import PlacecatError
+from placecat.learning.activations import check_regions, frame_blocks
+from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
+from placecat.learning.nearest import nearest_centers
+
+# Floats of one block of differences between points and their neighbours.
+_BLOCK = 1 << 20
+
+
+class ModifiedKNN(ClassifierMixin, BaseEstimator):
+    """Modified K-nearest neighbours: the neighbours are cluster centres that know their classes' frequencies.
+
+    A set of n points x_k gives, by equations (4) and (5),
+
+        p(l | x_1, ..., x_n) ~ 1 / f(l) * prod_k f(l, x_k),    f(l, x_k) = sum_j f(l, c_j) / |x_k - c_j|
+
+    over the K centres nearest to x_k; for K = 1 this is equation (2). f(l, c) counts the training points of
+    class l in cluster c, f(l) those of class l. A centre at distance 0 takes all the weight. All in the log
+    domain.
+
+    Parameters
+    ----------
+    n_clusters : int
+        Clusters, (branching - 1) k + 1 of the codebook.
+    n_neighbors : int
+        K.
+    smoothing : float
+        Added to every f(l, c), hence n_clusters times to f(l). The thesis does not give this: with 0 a class
+        never seen in a cluster is vetoed by it; where all classes are, the answer is uniform.
+    class_weighting : {"once", "per_region"}
+        "once" divides by f(l) once, as equations (2) and (4) and the text have it. "per_region" divides by
+        f(l)^n, which is what follows from equation (1) with p(c_k | l) = f(c_k, l) / f(l). The two agree for
+        single points and for balanced classes; otherwise "once" favours frequent classes, the more the more
+        regions a frame has.
+    codebook : HierarchicalKMeans, optional
+        A fitted tree to cut. Default: an own one, grown to `n_clusters` on the training points.
+    seed : int
+        Seed of the own tree.
+
+    Attributes
+    ----------
+    classes_ : ndarray of shape (n_classes,)
+    centers_ : ndarray of shape (n_clusters, D), float64
+    frequencies_ : ndarray of shape (n_clusters, n_classes), int64
+        f(l, c).
+    n_features_in_ : int
+        D.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> X = np.arange(32, dtype=np.float32).repeat(2)[:, None]
+    >>> y = np.where(X[:, 0] < 16, "bathroom", "kitchen")
+    >>> model = ModifiedKNN(n_clusters=16).fit(X, y)
+    >>> model.predict([[3.0], [30.0]]).tolist()
+    ['bathroom', 'kitchen']
+    >>> frames = np.array([[[3.0], [4.0]], [[30.0], [0.0]]])
+    >>> model.predict_sets(frames, [2, 1]).tolist()
+    ['bathroom', 'kitchen']
+    """
+
+    def __init__(
+        self,
+        n_clusters: int = 196,
+        n_neighbors: int = 1,
+        smoothing: float = 1.0,
+        class_weighting: str = "once",
+        codebook: HierarchicalKMeans | None = None,
+        seed: int = 0,
+    ) -> None:
+        self.n_clusters = n_clusters
+        self.n_neighbors = n_neighbors
+        self.smoothing = smoothing
+        self.class_weighting = class_weighting
+        self.codebook = codebook
+        self.seed = seed
+
+    def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
+        """Count the classes of the training points nearest to each centre.
+
+        Parameters
+        ----------
+        X : array-like of shape (n, D)
+            Single descriptors, finite.
+        y : array-like of shape (n,)
+            Classes: strings or whole numbers.
+
+        Raises
+        ------
+        PlacecatError
+            If a setting is impossible, or as `HierarchicalKMeans.centers`.
+        """
+        self._check_settings()
+        points = check_array(X, dtype=np.float32, order="C", estimator=self)
+        targets = column_or_1d(y, warn=True)
+        check_classification_targets(targets)
+        if len(targets) != len(points):
+            raise PlacecatError(f"X has {len(points)} samples, y has {len(targets)}")
+        codebook = self.codebook
+        if codebook is None:
+            codebook = HierarchicalKMeans(max_clusters=self.n_clusters, seed=self.seed).fit(points)
+        codewords = codebook.assign(points, self.n_clusters)
+        self.classes_, labels = np.unique(targets, return_inverse=True)
+        n_classes = len(self.classes_)
+        cells = codewords.astype(np.int64) * n_classes + labels
+        self.frequencies_ = np.bincount(cells, minlength=self.n_clusters * n_classes).reshape(-1, n_classes)
+        self.centers_ = codebook.centers(self.n_clusters).astype(np.float64)
+        self.n_features_in_ = points.shape[1]
+        self._pair_distances: NDArray[np.float64] | None = None
+        return self
+
+    def _check_settings(self) -> None:
+        if not 1 <= self.n_neighbors <= self.n_clusters:
+            raise PlacecatError(
+                f"n_neighbors={self.n_neighbors}: use 1 to n_clusters={self.n_clusters} neighbours"
+            )
+        if not self.smoothing >= 0:
+            raise PlacecatError(f"smoothing={self.smoothing} is negative: use 0 or more")
+        if self.class_weighting not in ("once", "per_region"):
+            raise PlacecatError(
+                f"class_weighting={self.class_weighting!r} is unknown: use 'once' or 'per_region'"
+            )
+
+    def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
+        """Return p(class | x) of single descriptors.
+
+        Parameters
+        ----------
+        X : array-like of shape (n, D)
+
+        Returns
+        -------
+        ndarray of shape (n, n_classes), float64
+            Rows sum to 1.
+        """
+        check_is_fitted(self)
+        points = self._read_points(X)
+        return self._normalize(self._log_frequencies(points), np.ones(len(points), np.int64))
+
+    def predict_proba_sets(self, X: NDArray[np.floating], counts: ArrayLike) -> NDArray[np.float64]:
+        """Return p(class | x_1, ..., x_n) of the sets of descriptors of frames.
+
+        Parameters
+        ----------
+        X : ndarray of shape (frames, max_regions, D)
+            Descriptors; what lies beyond a frame's count is not read.
+        counts : array-like of shape (frames,), integers in [0, max_regions]
+            Regions of each frame.
+
+        Returns
+        -------
+        ndarray of shape (frames, n_classes), float64
+            Rows sum to 1; uniform for a frame without regions (the thesis assumes uniform priors).
+
+        Raises
+        ------
+        PlacecatError
+            If X and counts disagree.
+        """
+        check_is_fitted(self)
+        mask = check_regions(X, counts)
+        logs = np.zeros((len(mask), len(self.classes_)))
+        for part in frame_blocks(X):
+            in_part = mask[part]
+            regions = np.zeros((*in_part.shape, len(self.classes_)))
+            regions[in_part] = self._log_frequencies(self._read_points(X[part][in_part]))
+            logs[part] = regions.sum(axis=1)
+        return self._normalize(logs, mask.sum(axis=1))
+
+    def predict(self, X: ArrayLike) -> NDArray[Any]:
+        """Return the most probable class of each descriptor, of shape (n,)."""
+        best = self.predict_proba(X).argmax(axis=1)
+        return self.classes_[best]
+
+    def predict_sets(self, X: NDArray[np.floating], counts: ArrayLike) -> NDArray[Any]:
+        """Return the most probable class of each frame, of shape (frames,); see `predict_proba_sets`."""
+        best = self.predict_proba_sets(X, counts).argmax(axis=1)
+        return self.classes_[best]
+
+    def update(self, x: ArrayLike, label: object) -> Self:
+        """Learn one more labelled point while running.
+
+        A point at least as close to some centre as the two closest centres are to each other joins its
+        cluster, whose centre moves to the centre of mass. For a point farther from all of them, the two
+        closest clusters merge and the point founds a new one. The number of clusters stays, and of the
+        distances between centres only those to a changed centre are computed again. The codebook is left
+        alone.
+
+        Parameters
+        ----------
+        x : array-like of shape (D,)
+        label : object
+            One of `classes_`.
+
+        Raises
+        ------
+        PlacecatError
+            If the class is unknown, or x has another number of dimensions than the training data.
+        """
+        check_is_fitted(self)
+        point = self._read_points(np.asarray(x)[None])[0].astype(np.float64)
+        matches = np.flatnonzero(self.classes_ == label)
+        if len(matches) != 1:
+            raise PlacecatError(
+                f"class {label!r} is not one of those trained: {', '.join(map(str, self.classes_))}"
+            )
+        if self._pair_distances is None:
+            self._pair_distances = np.empty((len(self.centers_), len(self.centers_)))
+            for cluster in range(len(self.centers_)):
+                self._measure(cluster)
+        closest = np.unravel_index(self._pair_distances.argmin(), self._pair_distances.shape)
+        distances = np.linalg.norm(self.centers_ - point, axis=1)
+        nearest = int(distances.argmin())
+        if distances[nearest] <= self._pair_distances[closest]:
+            size = self.frequencies_[nearest].sum()
+            self.centers_[nearest] += (point - self.centers_[nearest]) / (size + 1)
+            self.frequencies_[nearest, matches[0]] += 1
+            self._measure(nearest)
+            return self
+        kept, freed = (int(cluster) for cluster in closest)
+        sizes = self.frequencies_[[kept, freed]].sum(axis=1)
+        # Two clusters that no training point chose weigh the same.
+        weights = sizes if sizes.any() else np.ones(2)
+        self.centers_[kept] = np.average(self.centers_[[kept, freed]], axis=0, weights=weights)
+        self.frequencies_[kept] += self.frequencies_[freed]
+        self.centers_[freed] = point
+        self.frequencies_[freed] = 0
+        self.frequencies_[freed, matches[0]] = 1
+        self._measure(kept)
+        self._measure(freed)
+        return self
+
+    def _measure(self, cluster: int) -> None:
+        """Renew one centre's distances to all others; infinite to itself."""
+        assert self._pair_distances is not None
+        distances = np.linalg.norm(self.centers_ - self.centers_[cluster], axis=1)
+        distances[cluster] = np.inf
+        self._pair_distances[cluster] = distances
+        self._pair_distances[:, cluster] = distances
+
+    def _read_points(self, X: ArrayLike) -> NDArray[np.float32]:
+        points = check_array(X, dtype=np.float32, order="C", ensure_min_samples=0, estimator=self)
+        if points.shape[1] != self.n_features_in_:
+            raise PlacecatError(
+                f"descriptors have {points.shape[1]} dimensions, "
+                f"the model was trained on {self.n_features_in_}"
+            )
+        return points
+
+    def _log_frequencies(self, points: NDArray[np.float32]) -> NDArray[np.float64]:
+        """log f(l, x_k) of equation (5), of shape (n, n_classes), up to a term that all classes share."""
+        frequencies = self.frequencies_ + self.smoothing
+        neighbors = nearest_centers(points, self.centers_, self.n_neighbors)
+        with np.errstate(divide="ignore"):
+            if self.n_neighbors == 1:
+                # The one weight is shared by all classes.
+                return np.log(frequencies)[neighbors[:, 0]]
+            interpolated = np.empty((len(points), len(self.classes_)))
+            rows = max(1, _BLOCK // (self.n_neighbors * self.n_features_in_))
+            for start in range(0, len(points), rows):
+                part = slice(start, start + rows)
+                differences = points[part, None, :] - self.centers_[neighbors[part]]
+                distances = np.sqrt(np.einsum("nkd,nkd->nk", differences, differences))
+                at_center = distances == 0
+                weights = np.where(at_center.any(axis=1, keepdims=True), at_center, 1 / distances)
+                interpolated[part] = np.einsum("nk,nkl->nl", weights, frequencies[neighbors[part]])
+            return np.log(interpolated)
+
+    def _normalize(self, logs: NDArray[np.float64], n_regions: NDArray[np.int64]) -> NDArray[np.float64]:
+        """Divide by f(l) once or for each region, then by the sum over classes."""
+        log_class = np.log((self.frequencies_ + self.smoothing).sum(axis=0))
+        powers = np.minimum(n_regions, 1) if self.class_weighting == "once" else n_regions
+        logs = logs - powers[:, None] * log_class
+        logs[np.isneginf(logs).all(axis=1)] = 0
+        return np.exp(logs - logsumexp(logs, axis=1, keepdims=True))

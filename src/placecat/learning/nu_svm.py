@@ -1,0 +1,217 @@
+"""Two-class nu-SVM with RBF kernel on a shared Gram matrix."""
+
+import logging
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from sklearn.base import BaseEstimator, ClassifierMixin
+
+from placecat.errors import PlacecatError
+from placecat.learning.kernels import KernelMachine, check_samples, encode_two_classes
+
+logger = logging.getLogger(__name__)
+
+POLICIES = ("lower", "refuse")
+
+
+def largest_feasible_nu(n_positive: int, n_negative: int) -> float:
+    """Give 2 min(n+, n-) / n, above which the nu-SVM has no solution.
+
+    References
+    ----------
+    Chen, Lin and Schölkopf, A tutorial on nu-support vector machines, 2005 (thesis [8]).
+
+    Examples
+    --------
+    >>> largest_feasible_nu(10, 90)
+    0.2
+    """
+    return 2.0 * min(n_positive, n_negative) / (n_positive + n_negative)
+
+
+def accepted_nu(nu: float, n_positive: int, n_negative: int) -> float:
+    """Give the largest float not above `nu` that passes libsvm's own feasibility check."""
+    smaller = min(n_positive, n_negative)
+    value = min(nu, largest_feasible_nu(n_positive, n_negative))
+    while value * (n_positive + n_negative) / 2.0 > smaller:
+        value = float(np.nextafter(value, 0.0))
+    return value
+
+
+class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
+    """Binary nu-SVM (thesis 3.3.1.2, [66]) with the kernel exp(-gamma ||x - y||^2).
+
+    The solver is libsvm by way of scikit-learn's NuSVC. `fit` takes samples; `prepare` and `fit_rows` let
+    many fits share one Gram matrix.
+
+    Parameters
+    ----------
+    gamma
+        Kernel width, > 0 (thesis 4.2: 2.0). The scale of X it acts on is a choice of `KernelScaling`.
+    nu
+        Share of margin errors, in (0, 1] (thesis 4.2: 0.2).
+    nu_policy
+        What to do where nu exceeds 2 min(n+, n-) / n: ``lower`` it to that (thesis 4.2 and 4.3), or
+        ``refuse``.
+    tol
+        libsvm's stopping tolerance. The thesis does not give this.
+    cache_mb
+        libsvm's cache per fit in MB. Changes nothing but speed.
+
+    Attributes
+    ----------
+    classes_
+        The two labels, sorted; the second is the positive one. Set by `fit`.
+    nu_
+        The nu in force: `nu`, or the largest feasible one.
+    support_, dual_coef_, intercept_
+        As in `KernelMachine`.
+    support_vectors_
+        (s, D) float32. Set by `fit`.
+
+    References
+    ----------
+    Schölkopf et al., New support vector algorithms, Neural Computation 12, 2000.
+
+    Examples
+    --------
+    >>> model = NuSVM(gamma=1.0, nu=0.5).fit([[0.0], [0.2], [2.0], [2.2]], ["a", "a", "b", "b"])
+    >>> model.predict([[0.1], [2.1]]).tolist()
+    ['a', 'b']
+    """
+
+    #: The sigmoid of the base's own probability; None: it has none, so Platt's is fitted.
+    own_sigmoid: tuple[float, float] | None = None
+    gram_dtype = np.float64
+
+    def __init__(
+        self,
+        gamma: float = 2.0,
+        nu: float = 0.2,
+        nu_policy: str = "lower",
+        tol: float = 1e-3,
+        cache_mb: float = 400.0,
+    ) -> None:
+        self.gamma = gamma
+        self.nu = nu
+        self.nu_policy = nu_policy
+        self.tol = tol
+        self.cache_mb = cache_mb
+
+    def check_parameters(self) -> None:
+        """Raise PlacecatError for a setting that no data could make possible."""
+        if not 0 < self.nu <= 1:
+            raise PlacecatError(f"nu = {self.nu} is outside (0, 1]; the thesis uses 0.2")
+        if self.nu_policy not in POLICIES:
+            raise PlacecatError(f"unknown nu_policy {self.nu_policy!r}; choose 'lower' or 'refuse'")
+
+    def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
+        """Fit on samples.
+
+        Parameters
+        ----------
+        X
+            (n, D) real.
+        y
+            (n,) labels of exactly two classes.
+
+        Raises
+        ------
+        PlacecatError
+            If there are not two classes, nu is outside (0, 1], or nu is infeasible under ``refuse``.
+        """
+        samples = check_samples(X)
+        self.classes_, positive = encode_two_classes(y, len(samples))
+        self.fit_rows(self.prepare(samples), positive, context=f"class {self.classes_[1]!s}")
+        self.support_vectors_ = samples[self.support_]
+        self.n_features_in_ = samples.shape[1]
+        return self
+
+    def fit_rows(
+        self,
+        shared: NDArray[np.float64],
+        positive: NDArray[np.bool_],
+        rows: NDArray[np.intp] | None = None,
+        context: str = "this class",
+    ) -> Self:
+        """Fit on some rows of a shared Gram matrix, without a copy of it.
+
+        Parameters
+        ----------
+        shared
+            (n, n) float64 from `prepare`.
+        positive
+            (n,) bool.
+        rows
+            Ascending indices of the training samples, all by default.
+        context
+            What the messages call this problem.
+
+        Raises
+        ------
+        PlacecatError
+            As `fit`.
+        """
+        import sklearn
+        from sklearn.svm import NuSVC
+
+        self.check_parameters()
+        chosen = np.arange(len(shared)) if rows is None else rows
+        n_positive = int(np.count_nonzero(positive[chosen]))
+        n_negative = len(chosen) - n_positive
+        if min(n_positive, n_negative) == 0:
+            raise PlacecatError(
+                f"{context}: a nu-SVM needs samples of both classes; add some or drop the class"
+            )
+        largest = largest_feasible_nu(n_positive, n_negative)
+        counts = f"{n_positive} of {len(chosen)} samples positive"
+        if self.nu > largest:
+            if self.nu_policy == "refuse":
+                raise PlacecatError(
+                    f"nu = {self.nu} is infeasible for {context} ({counts}): the largest feasible value is "
+                    f"{largest:.6g}; lower nu or set nu_policy to 'lower'"
+                )
+            logger.info("nu lowered from %g to %.6g for %s (%s)", self.nu, largest, context, counts)
+        self.nu_ = min(float(self.nu), largest)
+        machine = NuSVC(
+            nu=accepted_nu(float(self.nu), n_positive, n_negative),
+            kernel="precomputed",
+            tol=self.tol,
+            cache_size=self.cache_mb,
+        )
+        # A zero weight leaves a sample out while the matrix stays where it is.
+        weights = None
+        if len(chosen) < len(shared):
+            weights = np.zeros(len(shared))
+            weights[chosen] = 1.0
+        with sklearn.config_context(assume_finite=True):
+            machine.fit(shared, positive, sample_weight=weights)
+        # scikit-learn's support_ counts only the samples of nonzero weight.
+        self.support_ = chosen[machine.support_].astype(np.intp)
+        self.dual_coef_ = np.asarray(machine.dual_coef_[0], dtype=np.float64)
+        self.intercept_ = float(machine.intercept_[0])
+        return self
+
+    def to_arrays(self) -> dict[str, NDArray[Any]]:
+        """Give plain arrays of a model fitted by `fit`, enough for `from_arrays`."""
+        return {
+            "gamma": np.array(self.gamma),
+            "nu": np.array([self.nu, self.nu_]),
+            "classes": self.classes_,
+            "support": self.support_,
+            "support_vectors": self.support_vectors_,
+            "dual_coef": self.dual_coef_,
+            "intercept": np.array(self.intercept_),
+        }
+
+    @classmethod
+    def from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Self:
+        """Rebuild a model that predicts from `to_arrays`."""
+        model = cls(gamma=float(arrays["gamma"]), nu=float(arrays["nu"][0]))
+        model.nu_ = float(arrays["nu"][1])
+        model.classes_, model.support_ = arrays["classes"], arrays["support"]
+        model.support_vectors_, model.dual_coef_ = arrays["support_vectors"], arrays["dual_coef"]
+        model.intercept_ = float(arrays["intercept"])
+        model.n_features_in_ = model.support_vectors_.shape[1]
+        return model

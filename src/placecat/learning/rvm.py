@@ -1,0 +1,425 @@
+"""Two-class relevance vector machine by fast marginal likelihood maximisation on a shared Gram matrix."""
+
+import logging
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.linalg import cho_factor, cho_solve, solve_triangular
+from scipy.special import expit
+from sklearn.base import BaseEstimator, ClassifierMixin
+
+from placecat.errors import PlacecatError
+from placecat.learning.kernels import KernelMachine, check_samples, encode_two_classes, single_blas_thread
+from placecat.learning.platt import apply_sigmoid
+
+logger = logging.getLogger(__name__)
+
+# Rows of the Gram matrix squared at a time: 4 MiB at 8000 samples.
+SQUARE_ROWS = 128
+# Functions whose sparsity factors are renewed every round.
+SHORTLIST = 1024
+
+
+class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
+    """Binary relevance vector machine (thesis 3.3.1.2) with the kernel exp(-gamma ||x - y||^2).
+
+    Weights w ~ N(0, diag(1/alpha)) on one basis function a training sample and a bias, logistic likelihood. The
+    evidence is maximised over alpha by adding, re-estimating and deleting one basis function at a time
+    (Tipping and Faul 2003). The Laplace approximation at the mode of w turns the problem into a Gaussian one;
+    many such steps are taken between two Laplace approximations, on the functions in the model and the most
+    promising outside it, and the statistics of all functions are renewed with each approximation.
+
+    Parameters
+    ----------
+    gamma
+        Kernel width, > 0. The thesis gives no value for the RVM; the nu-SVM's 2.0.
+    tol
+        Stop when one more round raises the log evidence by less than this, in nats a sample.
+    max_iter
+        Laplace approximations at most. A message is logged where it is reached.
+    candidates
+        Basis functions outside the model considered in one round.
+
+    Attributes
+    ----------
+    classes_
+        The two labels, sorted; the second is the positive one. Set by `fit`.
+    support_, dual_coef_, intercept_
+        The relevance vectors, their weights, and the weight of the bias (0 if not in the model).
+    alpha_
+        (s,) precisions of `dual_coef_`.
+    evidence_
+        Log marginal likelihood in the Laplace approximation.
+    n_iter_
+        Laplace approximations made.
+    support_vectors_
+        (s, D) float32. Set by `fit`.
+
+    Notes
+    -----
+    `predict_proba` is the sigmoid at the mode of w, without the posterior variance (Tipping 2001, section 3).
+
+    References
+    ----------
+    Tipping, Sparse Bayesian learning and the relevance vector machine, JMLR 1, 2001.
+    Tipping and Faul, Fast marginal likelihood maximisation for sparse Bayesian models, AISTATS 2003.
+
+    Examples
+    --------
+    >>> X = np.linspace(-2.0, 2.0, 41)[:, None]
+    >>> model = RVM(gamma=1.0).fit(X, X[:, 0] > 0.5)
+    >>> model.predict([[0.0], [1.0]]).tolist(), len(model.support_) < 6
+    ([False, True], True)
+    """
+
+    #: The sigmoid of the logistic likelihood; `prefers_own_sigmoid` says what ``calibration="auto"`` takes.
+    own_sigmoid: tuple[float, float] | None = (-1.0, 0.0)
+    prefers_own_sigmoid = False
+    gram_dtype = np.float32
+
+    def __init__(
+        self, gamma: float = 2.0, tol: float = 1e-5, max_iter: int = 200, candidates: int = 100
+    ) -> None:
+        self.gamma = gamma
+        self.tol = tol
+        self.max_iter = max_iter
+        self.candidates = candidates
+
+    def check_parameters(self) -> None:
+        """Raise PlacecatError for an impossible setting."""
+        if not self.tol > 0 or self.max_iter < 1 or self.candidates < 1:
+            raise PlacecatError(
+                f"RVM settings tol = {self.tol}, max_iter = {self.max_iter}, candidates = {self.candidates} "
+                "must all be above 0"
+            )
+
+    def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
+        """Fit on samples (n, D) real and labels (n,) of exactly two classes.
+
+        Raises
+        ------
+        PlacecatError
+            If there are not two classes, or a setting is impossible.
+        """
+        samples = check_samples(X)
+        self.classes_, positive = encode_two_classes(y, len(samples))
+        self.fit_rows(self.prepare(samples), positive, context=f"class {self.classes_[1]!s}")
+        self.support_vectors_ = samples[self.support_]
+        self.n_features_in_ = samples.shape[1]
+        return self
+
+    def fit_rows(
+        self,
+        shared: NDArray[np.float32],
+        positive: NDArray[np.bool_],
+        rows: NDArray[np.intp] | None = None,
+        context: str = "this class",
+    ) -> Self:
+        """Fit on some rows of a shared Gram matrix.
+
+        Parameters
+        ----------
+        shared
+            (n, n) float32 from `prepare`. Copied where `rows` is given.
+        positive
+            (n,) bool.
+        rows
+            Ascending indices of the training samples, all by default.
+        context
+            What the messages call this problem.
+
+        Raises
+        ------
+        PlacecatError
+            If only one class is among the rows.
+        """
+        self.check_parameters()
+        chosen = np.arange(len(shared)) if rows is None else rows
+        target = positive[chosen].astype(np.float64)
+        if target.min() == target.max():
+            raise PlacecatError(
+                f"{context}: an RVM needs samples of both classes; add some or drop the class"
+            )
+        gram = shared if rows is None else shared[np.ix_(rows, rows)]
+        with single_blas_thread():
+            active, weights, alpha = self._maximise(gram, target, context)
+        n = len(chosen)
+        kernels = active < n
+        order = np.argsort(active[kernels])
+        self.support_ = chosen[active[kernels][order]].astype(np.intp)
+        self.dual_coef_ = weights[kernels][order]
+        self.alpha_ = alpha[kernels][order]
+        self.intercept_ = float(weights[~kernels].sum())
+        return self
+
+    def _maximise(
+        self, gram: NDArray[np.float32], target: NDArray[np.float64], context: str
+    ) -> tuple[NDArray[np.intp], NDArray[np.float64], NDArray[np.float64]]:
+        """Maximise the evidence over alpha; basis function n is the bias. Gives active, weights, alpha."""
+        tol = self.tol * len(target)
+        active = np.array([len(target)])
+        basis = _basis(gram, active)
+        best = _laplace_mode(basis, target, np.ones(1), np.zeros(1))
+        statistics = _Statistics(gram)
+        promising = statistics.promising(basis, best, self.candidates, renew=True)
+        surrogate = _Surrogate.around(gram, basis, best, active, promising)
+        steps = most = 2 * self.candidates
+        small_rises = 0
+        for iteration in range(self.max_iter):
+            self.n_iter_ = iteration + 1
+            new_active, alpha, start, expected = surrogate.ascend(best.alpha, steps)
+            risen = 0.0
+            if expected >= tol:
+                new_basis = _basis(gram, new_active)
+                mode = _laplace_mode(new_basis, target, alpha, start)
+                risen = mode.evidence - best.evidence
+                if risen <= 0 and steps > 1:
+                    # The Gaussian problem was followed too far: fewer changes from the last good point.
+                    steps = max(steps // 4, 1)
+                    continue
+                if risen > 0:
+                    active, basis, best = new_active, new_basis, mode
+                    steps = min(2 * steps, most)
+            # A small rise may be due to few changes: it must happen more than once.
+            small_rises = small_rises + 1 if risen < tol else 0
+            if statistics.current and (expected < tol or small_rises > 2):
+                break
+            promising = statistics.promising(basis, best, self.candidates, renew=small_rises > 0)
+            surrogate = _Surrogate.around(gram, basis, best, active, promising)
+        else:
+            logger.warning("RVM of %s stopped after %d rounds before it converged", context, self.max_iter)
+        self.evidence_ = best.evidence
+        return active, best.weights, best.alpha
+
+    def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
+        """Probabilities (n, 2) of the two classes for samples (n, D)."""
+        positive = apply_sigmoid(self.decision_function(X), -1.0, 0.0)
+        return np.stack([1.0 - positive, positive], axis=1)
+
+    def to_arrays(self) -> dict[str, NDArray[Any]]:
+        """Give plain arrays of a model fitted by `fit`, enough for `from_arrays`."""
+        return {
+            "gamma": np.array(self.gamma),
+            "classes": self.classes_,
+            "support": self.support_,
+            "support_vectors": self.support_vectors_,
+            "dual_coef": self.dual_coef_,
+            "intercept": np.array(self.intercept_),
+            "alpha": self.alpha_,
+            "evidence": np.array(self.evidence_),
+        }
+
+    @classmethod
+    def from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Self:
+        """Rebuild a model that predicts from `to_arrays`."""
+        model = cls(gamma=float(arrays["gamma"]))
+        model.classes_, model.support_ = arrays["classes"], arrays["support"]
+        model.support_vectors_, model.dual_coef_ = arrays["support_vectors"], arrays["dual_coef"]
+        model.intercept_, model.alpha_ = float(arrays["intercept"]), arrays["alpha"]
+        model.evidence_ = float(arrays["evidence"])
+        model.n_features_in_ = model.support_vectors_.shape[1]
+        return model
+
+
+class _Mode:
+    """Laplace approximation of the posterior of the weights in the model."""
+
+    def __init__(
+        self,
+        weights: NDArray[np.float64],
+        alpha: NDArray[np.float64],
+        error: NDArray[np.float64],
+        curvature: NDArray[np.float64],
+        factor: NDArray[np.float64],
+        evidence: float,
+    ) -> None:
+        self.weights = weights
+        self.alpha = alpha
+        self.error = error  # (n,) target minus prediction
+        self.curvature = curvature  # (n,) p (1 - p)
+        self.factor = factor  # lower Cholesky factor of basis' B basis + diag(alpha)
+        self.evidence = evidence
+
+
+def _basis(gram: NDArray[np.float32], active: NDArray[np.intp]) -> NDArray[np.float64]:
+    """Values of basis functions at the n samples, (m, n); function n is the bias."""
+    n = len(gram)
+    basis = np.ones((len(active), n))
+    kernels = active < n
+    basis[kernels] = gram[active[kernels]]
+    return basis
+
+
+def _laplace_mode(
+    basis: NDArray[np.float64],
+    target: NDArray[np.float64],
+    alpha: NDArray[np.float64],
+    start: NDArray[np.float64],
+) -> _Mode:
+    """Newton's method for the mode of w given alpha; basis (m, n), target (n,) 0 or 1, alpha and start (m,)."""
+    narrow = basis.astype(np.float32)
+    diagonal = np.diag_indices(len(alpha))
+
+    def penalised(w: NDArray[np.float64]) -> tuple[float, NDArray[np.float64]]:
+        f = w @ basis
+        return float(np.logaddexp(0.0, f).sum() - target @ f + 0.5 * (alpha * w) @ w), f
+
+    weights = start
+    value, f = penalised(weights)
+    for _ in range(50):
+        p = expit(f)
+        # The direction may be rough: gradient and value are not.
+        rough = narrow * np.sqrt(p * (1.0 - p)).astype(np.float32)
+        hessian = (rough @ rough.T).astype(np.float64)
+        hessian[diagonal] += alpha
+        gradient = basis @ (target - p) - alpha * weights
+        move = cho_solve(cho_factor(hessian, lower=True), gradient)
+        if float(gradient @ move) < 1e-6:
+            break
+        step = 1.0
+        while True:
+            new_value, new_f = penalised(weights + step * move)
+            if new_value <= value or step < 1e-6:
+                break
+            step /= 2.0
+        if new_value > value:
+            break
+        weights, value, f = weights + step * move, new_value, new_f
+    p = expit(f)
+    curvature = p * (1.0 - p)
+    scaled = basis * np.sqrt(curvature)
+    hessian = scaled @ scaled.T
+    hessian[diagonal] += alpha
+    lower = np.tril(cho_factor(hessian, lower=True)[0])
+    evidence = -value + 0.5 * float(np.log(alpha).sum()) - float(np.log(np.diag(lower)).sum())
+    return _Mode(weights, alpha, target - p, curvature, lower, evidence)
+
+
+class _Statistics:
+    """Sparsity and quality factors of all n kernels and the bias, to find promising functions.
+
+    The quality factors are always current. Sparsity factors cost a product of Gram matrix rows with all
+    functions in the model: current for the most promising functions, renewed for all before convergence is
+    declared.
+    """
+
+    def __init__(self, gram: NDArray[np.float32]) -> None:
+        self.gram = gram
+        self.sparsity = np.ones(len(gram) + 1)
+        self.current = False
+
+    def promising(
+        self, basis: NDArray[np.float64], mode: _Mode, count: int, renew: bool
+    ) -> NDArray[np.intp]:
+        """Give the `count` functions, ascending, that would raise the evidence most if added alone."""
+        gram, n = self.gram, len(self.gram)
+        squared_quality = np.empty(n + 1)
+        squared_quality[:n] = gram @ mode.error.astype(np.float32)
+        squared_quality[n] = mode.error.sum()
+        squared_quality **= 2
+        self.current = renew or n <= SHORTLIST
+        functions = np.arange(n)
+        if not self.current:
+            ratio = squared_quality[:n] / self.sparsity[:n]
+            functions = np.sort(np.argpartition(-ratio, SHORTLIST)[:SHORTLIST])
+        curvature = mode.curvature.astype(np.float32)
+        whitened = solve_triangular(mode.factor, basis * mode.curvature, lower=True)
+        narrow = whitened.astype(np.float32).T
+        for start in range(0, len(functions), SQUARE_ROWS):
+            chosen = functions[start : start + SQUARE_ROWS]
+            rows = gram[chosen[0] : chosen[-1] + 1] if self.current else gram[chosen]
+            explained = rows @ narrow
+            self.sparsity[chosen] = (rows * rows) @ curvature - np.einsum("ij,ij->i", explained, explained)
+        self.sparsity[n] = mode.curvature.sum() - float((whitened.sum(axis=1) ** 2).sum())
+        np.maximum(self.sparsity, 1e-6, out=self.sparsity)
+        ratio = squared_quality / self.sparsity
+        best = np.argsort(-ratio, kind="stable")[:count]
+        return np.sort(best[ratio[best] > 1.0])
+
+
+class _Surrogate:
+    """The Gaussian problem at a Laplace mode, for the functions in the model and the most promising outside it.
+
+    With C = B^-1 + sum_a phi_a phi_a' / alpha_a, a change of 1/alpha_i by d is a rank-one change of
+    R = Phi' C^-1 Phi and of Q = Phi' C^-1 z for the pool's functions Phi:
+    R -= R_i R_i' d / (1 + d R_ii), Q -= R_i Q_i d / (1 + d R_ii), and the log evidence gains
+    (Q_i^2 d / (1 + d R_ii) - log(1 + d R_ii)) / 2. Adding, re-estimating and deleting differ in d only.
+
+    Attributes
+    ----------
+    pool
+        (u,) basis functions, those in the model first.
+    r, q
+        (u, u) and (u,) float64.
+    """
+
+    def __init__(self, pool: NDArray[np.intp], r: NDArray[np.float64], q: NDArray[np.float64]) -> None:
+        self.pool = pool
+        self.r = r
+        self.q = q
+
+    @classmethod
+    def around(
+        cls,
+        gram: NDArray[np.float32],
+        basis: NDArray[np.float64],
+        mode: _Mode,
+        active: NDArray[np.intp],
+        promising: NDArray[np.intp],
+    ) -> Self:
+        """Choose the pool and set up R and Q."""
+        added = promising[~np.isin(promising, active)]
+        phi = np.concatenate([basis, _basis(gram, added)])
+        weighted = phi * np.sqrt(mode.curvature)
+        r = weighted @ weighted.T
+        explained = solve_triangular(mode.factor, r[: len(active)], lower=True)
+        r -= explained.T @ explained
+        return cls(np.concatenate([active, added]), r, phi @ mode.error)
+
+    def ascend(
+        self, alpha: NDArray[np.float64], steps: int
+    ) -> tuple[NDArray[np.intp], NDArray[np.float64], NDArray[np.float64], float]:
+        """Change one alpha after the other, greatest gain first.
+
+        Parameters
+        ----------
+        alpha
+            (m,) of the functions in the model.
+        steps
+            Changes at most.
+
+        Returns
+        -------
+        active, alpha, weights
+            (m',) functions in the new model, their precisions and their mean weights in the Gaussian problem.
+        gain
+            Sum of the gains, in nats.
+        """
+        r, q = self.r.copy(), self.q.copy()
+        inverse = np.zeros(len(self.pool))
+        inverse[: len(alpha)] = 1.0 / alpha
+        total = 0.0
+        for _ in range(steps):
+            diagonal = np.maximum(r.diagonal(), 1e-12)
+            # Without each function's own contribution: s = R / (1 - R / alpha), q likewise.
+            own = np.maximum(1.0 - diagonal * inverse, 1e-12)
+            sparsity, quality = diagonal / own, q / own
+            best = np.maximum(quality**2 - sparsity, 0.0) / sparsity**2
+            change = best - inverse
+            grown = np.maximum(1.0 + change * diagonal, 1e-12)
+            gain = 0.5 * (q**2 * change / grown - np.log(grown))
+            # The model must not become empty.
+            if np.count_nonzero(inverse) == 1:
+                gain[(inverse > 0) & (best == 0)] = -np.inf
+            i = int(gain.argmax())
+            if not gain[i] > 1e-9:
+                break
+            scale = change[i] / grown[i]
+            column = r[:, i].copy()
+            q -= column * (q[i] * scale)
+            r -= np.outer(column * scale, column)
+            inverse[i] = best[i]
+            total += float(gain[i])
+        kept = inverse > 0
+        return self.pool[kept], 1.0 / inverse[kept], q[kept] * inverse[kept], total

@@ -1,0 +1,132 @@
+"""Scaling of descriptors before the kernel: it sets the scale on which gamma acts."""
+
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from sklearn.base import BaseEstimator, TransformerMixin
+
+from placecat.errors import PlacecatError
+from placecat.learning.kernels import check_samples
+
+KINDS = ("none", "minmax", "standard", "distance", "unit")
+
+
+class KernelScaling(TransformerMixin, BaseEstimator):
+    """Scale descriptors so that one gamma suits descriptors of any unit and length.
+
+    The thesis gives gamma = 2 but not the scale it acts on. The kinds, with the mean of ||x - y||^2 over
+    distinct training pairs they lead to (D: number of dimensions that vary):
+
+    - ``none``: x as it is.
+    - ``minmax``: each dimension to [0, 1] on the training data; the mean depends on the data.
+    - ``standard``: each dimension to mean 0 and variance 1 / D; mean 2 n / (n - 1).
+    - ``distance``: all of x minus the mean, divided by the root of that mean; mean 1. Keeps the dimensions'
+      relative weight.
+    - ``unit``: each sample to Euclidean length 1 (a zero sample stays zero); at most 4.
+
+    Test samples may fall outside the training range; nothing is clipped.
+
+    Parameters
+    ----------
+    kind
+        One of the above.
+
+    Attributes
+    ----------
+    offset_
+        (D,) float64, subtracted first.
+    factor_
+        (D,) float64, multiplied then. 0 for a dimension that is constant in training: it says nothing there,
+        and any other factor would let test values in it dominate. With ``none``, ``distance`` and ``unit``
+        constant dimensions keep their factor.
+    n_features_in_
+        D.
+
+    Examples
+    --------
+    >>> KernelScaling("minmax").fit_transform([[0.0, 7.0], [4.0, 7.0]]).tolist()
+    [[0.0, 0.0], [1.0, 0.0]]
+    """
+
+    def __init__(self, kind: str = "standard") -> None:
+        self.kind = kind
+
+    def fit(self, X: ArrayLike, y: object = None) -> Self:
+        """Learn offset and factor from training data only.
+
+        Parameters
+        ----------
+        X
+            (n, D) real.
+        y
+            Ignored.
+
+        Raises
+        ------
+        PlacecatError
+            If the kind is unknown or X is not a finite matrix.
+        """
+        if self.kind not in KINDS:
+            raise PlacecatError(f"unknown scaling {self.kind!r}; choose one of {', '.join(KINDS)}")
+        samples = check_samples(X)
+        width = samples.shape[1]
+        self.n_features_in_ = width
+        self.offset_ = np.zeros(width)
+        self.factor_ = np.ones(width)
+        if self.kind == "minmax":
+            low, high = samples.min(axis=0).astype(np.float64), samples.max(axis=0).astype(np.float64)
+            self.offset_, self.factor_ = low, _inverse(high - low, np.maximum(abs(low), abs(high)))
+        elif self.kind in ("standard", "distance"):
+            mean = samples.mean(axis=0, dtype=np.float64)
+            deviation = samples.std(axis=0, dtype=np.float64)
+            self.offset_ = mean
+            if self.kind == "standard":
+                inverse = _inverse(deviation, abs(mean))
+                self.factor_ = inverse / np.sqrt(max(np.count_nonzero(inverse), 1))
+            else:
+                n = len(samples)
+                mean_square = 2.0 * n / (n - 1) * float((deviation**2).sum()) if n > 1 else 0.0
+                self.factor_ *= 1.0 / np.sqrt(mean_square) if mean_square > 0 else 1.0
+        return self
+
+    def transform(self, X: ArrayLike) -> NDArray[np.float32]:
+        """Scale (n, D) samples; gives (n, D) float32.
+
+        Raises
+        ------
+        PlacecatError
+            If X has not D columns or is not finite.
+        """
+        samples = check_samples(X)
+        if samples.shape[1] != self.n_features_in_:
+            raise PlacecatError(
+                f"X has {samples.shape[1]} features; the scaling was fitted on {self.n_features_in_}"
+            )
+        if self.kind == "none":
+            return samples
+        if self.kind == "unit":
+            length = np.sqrt(np.einsum("ij,ij->i", samples, samples, dtype=np.float64))
+            inverse = np.divide(1.0, length, out=np.zeros_like(length), where=length > 0)
+            return samples * inverse[:, None].astype(np.float32)
+        scaled = samples - self.offset_.astype(np.float32)
+        scaled *= self.factor_.astype(np.float32)
+        return scaled
+
+    def to_arrays(self) -> dict[str, NDArray[Any]]:
+        """Give plain arrays, enough for `from_arrays`."""
+        return {"kind": np.array(self.kind), "offset": self.offset_, "factor": self.factor_}
+
+    @classmethod
+    def from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Self:
+        """Rebuild a fitted scaling from `to_arrays`."""
+        scaling = cls(str(arrays["kind"]))
+        scaling.offset_, scaling.factor_ = arrays["offset"], arrays["factor"]
+        scaling.n_features_in_ = len(scaling.offset_)
+        return scaling
+
+
+def _inverse(spread: NDArray[np.float64], size: NDArray[np.float64]) -> NDArray[np.float64]:
+    # Spread at the rounding of float32 is no spread.
+    varies = spread > 1e-6 * size
+    return np.divide(1.0, spread, out=np.zeros_like(spread), where=varies)

@@ -1,0 +1,152 @@
+"""Census transform, its histograms, and the 3x3 Laplacian it is applied to."""
+
+from itertools import product
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+
+CODES = 256
+
+# Left to right, top to bottom; the first is the highest bit.
+_NEIGHBOURS = ((-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1))
+
+LAPLACIANS = {
+    "cross": np.array([[0, 1, 0], [1, -4, 1], [0, 1, 0]], np.float32),
+    "full": np.array([[1, 1, 1], [1, -8, 1], [1, 1, 1]], np.float32),
+    "diagonal": np.array([[2, 0, 2], [0, -8, 0], [2, 0, 2]], np.float32),
+}
+
+
+def census(images: NDArray[Any]) -> NDArray[np.uint8]:
+    """Census transform: one bit for each of the eight neighbours of a pixel.
+
+    A bit is set where the centre is at least its neighbour. The neighbours are read left to right and top
+    to bottom, from the highest bit (top left, 128) to the lowest (bottom right, 1). Pixels on the border
+    of the image have no code.
+
+    Parameters
+    ----------
+    images
+        (..., h, w) of any real type, h and w at least 3.
+
+    Returns
+    -------
+    (..., h - 2, w - 2) uint8.
+
+    Raises
+    ------
+    PlacecatError
+        For an image too small to hold a neighbourhood.
+
+    References
+    ----------
+    Zabih and Woodfill, ECCV 1994; Wu and Rehg, CENTRIST, PAMI 2011, equation 1 (thesis 3.1.2).
+    """
+    *_, height, width = images.shape
+    if height < 3 or width < 3:
+        raise PlacecatError(f"The census transform needs at least 3x3 pixels, not {width}x{height}.")
+    # In flat order a neighbour is a constant step away, also across images: only border pixels go wrong.
+    flat = np.ascontiguousarray(images).reshape(-1)
+    margin = width + 1
+    inner = slice(margin, max(margin, flat.size - margin))
+    codes = np.zeros(flat.shape, np.uint8)
+    target, centre = codes[inner], flat[inner]
+    bit = np.empty(target.shape, bool)
+    for down, right in _NEIGHBOURS:
+        step = down * width + right
+        np.greater_equal(centre, flat[inner.start + step : inner.stop + step], out=bit)
+        np.add(target, target, out=target)
+        np.bitwise_or(target, bit.view(np.uint8), out=target)
+    return codes.reshape(images.shape)[..., 1:-1, 1:-1]
+
+
+def histograms(codes: NDArray[np.uint8]) -> NDArray[np.float32]:
+    """Histogram of the codes of each image of a stack.
+
+    Parameters
+    ----------
+    codes
+        (n, h, w) uint8, from `census`.
+
+    Returns
+    -------
+    (n, 256) float32, each row with sum 1.
+    """
+    count = len(codes)
+    if count == 0:
+        return np.zeros((0, CODES), np.float32)
+    offsets = np.arange(count)[:, None] * CODES
+    counts = np.bincount((codes.reshape(count, -1) + offsets).ravel(), minlength=count * CODES)
+    return (counts.reshape(count, CODES) / (codes[0].size or 1)).astype(np.float32)
+
+
+def cell_histograms(codes: NDArray[np.uint8], cells: int) -> NDArray[np.float32]:
+    """Histogram of the codes in each cell of a ``cells`` x ``cells`` grid.
+
+    Counts need whole pixels: cell k of n covers the pixels from floor(k length / n) up to
+    floor((k + 1) length / n). The thesis does not give this.
+
+    Parameters
+    ----------
+    codes
+        (h, w) uint8, from `census`.
+    cells
+        Cells along each axis.
+
+    Returns
+    -------
+    (cells**2, 256) float32, cells row by row from the top left; each row has sum 1, or 0 for a cell
+    without a pixel.
+    """
+    result = np.zeros((cells * cells, CODES), np.float32)
+    rows, columns = (
+        [slice(k * length // cells, (k + 1) * length // cells) for k in range(cells)]
+        for length in codes.shape
+    )
+    for target, (row, column) in zip(result, product(rows, columns), strict=True):
+        block = codes[row, column]
+        if block.size:
+            counts = cv2.calcHist([block], [0], None, [CODES], [0, CODES])
+            np.divide(counts[:, 0], block.size, out=target)
+    return result
+
+
+def laplacian(image: NDArray[Any], kernel: str = "cross") -> NDArray[Any]:
+    """Convolve an image with a 3x3 Laplacian; the border is mirrored about the outermost pixels.
+
+    Parameters
+    ----------
+    image
+        (h, w) uint8 or float32.
+    kernel
+        ``cross`` (4 neighbours), ``full`` (8 neighbours) or ``diagonal`` (the 3x3 kernel of OpenCV's
+        Laplacian with aperture 3). The thesis gives only "Laplacian filter".
+
+    Returns
+    -------
+    (h, w) int16 for uint8, float32 for float32.
+
+    Raises
+    ------
+    PlacecatError
+        For an unknown kernel.
+    """
+    check_kernel(kernel)
+    depth = cv2.CV_16S if image.dtype == np.uint8 else cv2.CV_32F
+    return cv2.filter2D(image, depth, LAPLACIANS[kernel], borderType=cv2.BORDER_REFLECT_101)
+
+
+def check_kernel(kernel: str) -> None:
+    """Refuse an unknown Laplacian.
+
+    Raises
+    ------
+    PlacecatError
+        Naming the valid kernels.
+    """
+    if kernel not in LAPLACIANS:
+        raise PlacecatError(f"Unknown Laplacian kernel '{kernel}': choose one of {', '.join(LAPLACIANS)}.")

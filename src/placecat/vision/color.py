@@ -1,0 +1,172 @@
+"""Intensity and intensity-normalised opponent colours of a frame, reduced on the fly.
+
+After division by the intensity i = (r + g + b) / 3 the three colours sum to 3, so the channels R, G, B, Y of
+the thesis follow from three planes, R, G and D = |R - G|::
+
+    R = 1.5 (r/i - 1)        G = 1.5 (g/i - 1)        B = -(R + G)        Y = 2 (R + G) - 4/3 D
+
+Reducing and centre-surround are linear: they are done on R, G, D, and B and Y are formed where they are used.
+A black pixel has no colour and is taken as grey; R = G = D = 0 gives B = Y = 0, so the identities hold for it
+too.
+"""
+
+from collections.abc import Sequence
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.vision.maps import FloatArray
+from placecat.vision.pyramid import level_size
+
+STRIP_ROWS = 48
+SHIFT = np.float32(1.5)
+
+
+def check_frame(frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Check that an array is a frame, and make it contiguous.
+
+    Parameters
+    ----------
+    frame
+        (H, W, 3) uint8, BGR.
+
+    Returns
+    -------
+    ndarray
+        The frame, C-contiguous.
+
+    Raises
+    ------
+    TypeError
+        Not an array of uint8.
+    PlacecatError
+        Not of shape (H, W, 3), or empty.
+    """
+    if not isinstance(frame, np.ndarray) or frame.dtype != np.uint8:
+        kind = frame.dtype if isinstance(frame, np.ndarray) else type(frame).__name__
+        raise TypeError(f"a frame must be an array of uint8, not {kind}")
+    if frame.ndim != 3 or frame.shape[2] != 3 or frame.size == 0:
+        raise PlacecatError(
+            f"a frame must have the shape (height, width, 3), not {frame.shape}: decode it as BGR"
+        )
+    return np.ascontiguousarray(frame)
+
+
+def reduced_planes(
+    frame: NDArray[np.uint8], *, clip: bool = False, strip_rows: int = STRIP_ROWS
+) -> tuple[FloatArray, list[FloatArray]]:
+    """Return level 1 of the sum r + g + b and of the colour planes (thesis 3.1.1.1).
+
+    The frame is worked off in strips that stay in the cache; the strips do not change the result.
+
+    Parameters
+    ----------
+    frame
+        (H, W, 3) uint8, BGR.
+    clip
+        False: the planes are R, G, D. True: negative colour values of single pixels become 0, as in Itti
+        et al.; the planes are then R, G, B, Y. The thesis does not give this.
+    strip_rows
+        Rows worked on at once, even, at least 4.
+
+    Returns
+    -------
+    total
+        (ceil(H / 2), ceil(W / 2)) float32, three times the intensity, 0 to 765.
+    planes
+        3 or 4 float32 planes of the same size: R and G from -1.5 to 3, D from 0 to 4.5; or R, G, B, Y from 0
+        to 3.
+    """
+    frame = check_frame(frame)
+    height, width = frame.shape[:2]
+    out_width, out_height = level_size(width, height, 1)
+    reduced = [np.empty((out_height, out_width), np.float32) for _ in range(5 if clip else 4)]
+    # Two rows more above and below, as far as the 5x5 kernel reaches.
+    work = np.empty((5, min(strip_rows + 4, height), width), np.float32)
+    split = np.empty((3, *work.shape[1:]), np.uint8)
+    for start in range(0, height, strip_rows):
+        top = max(start - 2, 0)
+        bottom = min(start + strip_rows + 2, height)
+        count = bottom - top
+        planes = _opponent_planes(frame[top:bottom], list(split[:, :count]), work[:, :count], clip)
+        rows = slice(top // 2, (bottom + 1) // 2)
+        for target, plane in zip(reduced, planes, strict=True):
+            # The strip's outermost rows lack pixels: the lower one is written again by the next strip, the
+            # upper one was right already.
+            above = target[top // 2].copy()
+            cv2.pyrDown(plane, dst=target[rows])
+            if top:
+                target[top // 2] = above
+    total, *colors = reduced
+    if not clip:
+        for plane in colors[:2]:
+            plane -= SHIFT
+    return total, colors
+
+
+def channels(planes: Sequence[FloatArray]) -> FloatArray:
+    """Form R, G, B, Y from the planes of `reduced_planes`, or of anything linear in them.
+
+    Parameters
+    ----------
+    planes
+        R, G, D (combined by the identities above) or R, G, B, Y (only stacked); (h, w) float32 each.
+
+    Returns
+    -------
+    ndarray
+        (4, h, w) float32. Per pixel R, G, B lie in -1.5 to 3 and Y in -6 to 3.
+    """
+    out = np.empty((4, *planes[0].shape), np.float32)
+    out[0], out[1] = planes[:2]
+    if len(planes) == 4:
+        out[2], out[3] = planes[2:]
+    else:
+        red, green, difference = planes
+        blue_yellow(red, green, difference, out[2], out[3])
+    return out
+
+
+def blue_yellow(
+    red: FloatArray, green: FloatArray, difference: FloatArray, blue: FloatArray, yellow: FloatArray
+) -> None:
+    """Write B = -(R + G) and Y = 2 (R + G) - 4/3 D.
+
+    Parameters
+    ----------
+    red, green, difference
+        (h, w) float32.
+    blue, yellow
+        Where to write, contiguous (h, w) float32.
+    """
+    np.add(red, green, out=blue)
+    cv2.addWeighted(blue, 2, difference, -4 / 3, 0, dst=yellow)
+    np.negative(blue, out=blue)
+
+
+def _opponent_planes(
+    strip: NDArray[np.uint8], colors: list[NDArray[np.uint8]], work: FloatArray, clip: bool
+) -> list[FloatArray]:
+    """Return r + g + b and R + 1.5, G + 1.5, D (or the clipped R, G, B, Y) of full-size rows."""
+    cv2.split(strip, colors)
+    b, g, r = colors
+    total, red, green, difference, scale = work
+    np.copyto(red, r)
+    np.copyto(green, g)
+    np.copyto(difference, b)
+    np.add(red, green, out=total)
+    total += difference
+    if total.min() > 0:
+        np.divide(SHIFT * 3, total, out=scale)
+    else:
+        black = total == 0
+        red[black] = green[black] = 1
+        np.divide(SHIFT * 3, np.where(black, np.float32(3), total), out=scale)
+    red *= scale
+    green *= scale
+    cv2.absdiff(red, green, dst=difference)
+    if clip:
+        return [total, *np.maximum(channels((red - SHIFT, green - SHIFT, difference)), np.float32(0))]
+    return [total, red, green, difference]

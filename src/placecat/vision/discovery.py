@@ -1,0 +1,103 @@
+"""Descriptors found by the names of their modules, and their settings checked."""
+
+import importlib
+import inspect
+import pkgutil
+import sys
+from collections.abc import Callable, Iterable, Mapping
+from functools import lru_cache
+from types import ModuleType
+from typing import Any
+
+from placecat.errors import PlacecatError
+
+
+def names(package: str, paths: Iterable[str]) -> list[str]:
+    """List the modules of a package that are descriptors: those with a function ``describe``.
+
+    Parameters
+    ----------
+    package
+        The package's full name.
+    paths
+        Its ``__path__``.
+
+    Returns
+    -------
+    list of str
+        Module names, sorted.
+    """
+    found = sorted(module.name for module in pkgutil.iter_modules(paths))
+    return [name for name in found if hasattr(importlib.import_module(f"{package}.{name}"), "describe")]
+
+
+def load(package: str, paths: Iterable[str], name: str, kind: str) -> ModuleType:
+    """Import a descriptor by name.
+
+    Parameters
+    ----------
+    package, paths
+        As for `names`.
+    name
+        The descriptor's module name.
+    kind
+        What a message calls it, e.g. "local descriptor".
+
+    Raises
+    ------
+    PlacecatError
+        For an unknown name; lists the valid ones.
+    """
+    module = sys.modules.get(f"{package}.{name}")
+    if module is None or not hasattr(module, "describe"):
+        known = names(package, paths)
+        if name not in known:
+            raise PlacecatError(f"Unknown {kind} '{name}': choose one of {', '.join(known)}.")
+        module = importlib.import_module(f"{package}.{name}")
+    return module
+
+
+def settings_of(function: Callable[..., Any]) -> dict[str, Any]:
+    """List the settings of a function, its keyword-only parameters, with their defaults.
+
+    Parameters
+    ----------
+    function
+        Any function.
+
+    Returns
+    -------
+    dict
+        Setting to default (`inspect.Parameter.empty` without one), in the order written.
+    """
+    return dict(_keywords(function))
+
+
+@lru_cache(maxsize=256)
+def _keywords(function: Callable[..., Any]) -> dict[str, Any]:
+    parameters = inspect.signature(function).parameters.values()
+    return {p.name: p.default for p in parameters if p.kind is inspect.Parameter.KEYWORD_ONLY}
+
+
+def check_settings(function: Callable[..., Any], settings: Mapping[str, Any], owner: str) -> None:
+    """Refuse settings that a function does not have.
+
+    Parameters
+    ----------
+    function
+        The function that will take the settings as keywords.
+    settings
+        Setting to value.
+    owner
+        What a message calls their owner, e.g. "local descriptor 'hog'".
+
+    Raises
+    ------
+    PlacecatError
+        Naming the owner, the first unknown setting and the valid ones.
+    """
+    valid = settings_of(function)
+    for setting in settings:
+        if setting not in valid:
+            choices = f"valid settings are {', '.join(valid)}" if valid else "it has no settings"
+            raise PlacecatError(f"The {owner} has no setting '{setting}': {choices}.")

@@ -1,0 +1,197 @@
+"""Everything computed from a frame, in one pass: maps, regions, descriptors, information."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.vision import holistic, local
+from placecat.vision.attention import compute_maps, find_regions
+from placecat.vision.discovery import check_settings, settings_of
+from placecat.vision.information import information
+
+SECTIONS = ("attention", "regions", "local", "holistic", "information")
+
+_Section = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class FrameFeatures:
+    """The features of one frame.
+
+    Attributes
+    ----------
+    regions
+        (n, 4) float32: x, y (pixels of the frame), scale, strength; strongest first.
+    local
+        Descriptor name to (n, D) float32, a row for each region.
+    holistic
+        Descriptor name to (D,) float32.
+    information
+        The measure of the information filter, see `placecat.vision.information.information`.
+    max_regions
+        Largest number of regions.
+    """
+
+    regions: NDArray[np.float32]
+    local: dict[str, NDArray[np.float32]]
+    holistic: dict[str, NDArray[np.float32]]
+    information: float
+    max_regions: int
+
+    def arrays(self) -> dict[str, NDArray[Any]]:
+        """Return the features as arrays whose shapes are the same for every frame.
+
+        Returns
+        -------
+        dict
+            ``count`` () int16, the number of regions; ``information`` () float32; ``regions``
+            (max_regions, 4) and ``local_<name>`` (max_regions, D) float32, zeros from ``count`` on;
+            ``holistic_<name>`` (D,) float32.
+        """
+        result: dict[str, NDArray[Any]] = {
+            "count": np.array(len(self.regions), np.int16),
+            "information": np.array(self.information, np.float32),
+            "regions": self._padded(self.regions),
+        }
+        result.update({f"local_{name}": self._padded(rows) for name, rows in self.local.items()})
+        result.update({f"holistic_{name}": row for name, row in self.holistic.items()})
+        return result
+
+    def _padded(self, rows: NDArray[np.float32]) -> NDArray[np.float32]:
+        padded = np.zeros((self.max_regions, rows.shape[1]), np.float32)
+        padded[: len(rows)] = rows
+        return padded
+
+
+def check(settings: Mapping[str, _Section | None]) -> None:
+    """Refuse unknown sections, descriptors and settings, before any frame is read.
+
+    Parameters
+    ----------
+    settings
+        As for `extract`.
+
+    Raises
+    ------
+    PlacecatError
+        Naming what is unknown and what is valid.
+    """
+    for section in settings:
+        if section not in SECTIONS:
+            raise PlacecatError(
+                f"Unknown section '{section}' of the features: choose of {', '.join(SECTIONS)}."
+            )
+    for section, function in (
+        ("attention", compute_maps),
+        ("regions", find_regions),
+        ("information", information),
+    ):
+        check_settings(function, settings.get(section) or {}, f"section '{section}' of the features")
+    for name, own in (settings.get("local") or {}).items():
+        local.check_settings(name, own or {})
+    for name, own in (settings.get("holistic") or {}).items():
+        holistic.check_settings(name, own or {})
+
+
+def extract(
+    frame_bgr: NDArray[np.uint8],
+    settings: Mapping[str, _Section | None],
+    *,
+    regions: NDArray[np.float32] | None = None,
+) -> FrameFeatures:
+    """Compute the maps of a frame once, and from them all features asked for (thesis 3.1, 3.2, 4.6).
+
+    Parameters
+    ----------
+    frame_bgr
+        (H, W, 3) uint8 BGR.
+    settings
+        Sections, each optional: ``attention`` (settings of `compute_maps`), ``regions`` (of `find_regions`),
+        ``information`` (of `information`), ``local`` and ``holistic`` (descriptor name to its settings;
+        only the descriptors named are computed).
+    regions
+        (n, 4) float32 regions to describe, such as tracked ones (thesis 4.7); None to find them here.
+
+    Returns
+    -------
+    FrameFeatures
+
+    Raises
+    ------
+    PlacecatError
+        For settings that `check` refuses, impossible values, or more regions than ``max_regions``.
+    """
+    check(settings)
+    own = {section: settings.get(section) or {} for section in SECTIONS}
+    most = int(own["regions"].get("max_regions", settings_of(find_regions)["max_regions"]))
+    maps = compute_maps(frame_bgr, **own["attention"])
+    if regions is None:
+        # Without a descriptor that needs them the search is still done: the regions are a feature.
+        regions = find_regions(maps, **own["regions"])
+    elif len(regions) > most:
+        raise PlacecatError(f"{len(regions)} regions were given, but max_regions is {most}: raise it.")
+    return FrameFeatures(
+        regions=regions,
+        local={
+            name: local.load(name).describe(maps, regions, **(chosen or {}))
+            for name, chosen in own["local"].items()
+        },
+        holistic={
+            name: holistic.load(name).describe(frame_bgr, maps, **(chosen or {}))
+            for name, chosen in own["holistic"].items()
+        },
+        information=information(maps, **own["information"]),
+        max_regions=most,
+    )
+
+
+def describe_frame(
+    frame_bgr: NDArray[np.uint8],
+    settings: Mapping[str, _Section | None],
+    *,
+    regions: NDArray[np.float32] | None = None,
+) -> dict[str, NDArray[Any]]:
+    """Compute all features of a frame as arrays of fixed shapes: `extract`, then `FrameFeatures.arrays`.
+
+    Parameters
+    ----------
+    frame_bgr, settings, regions
+        As for `extract`.
+
+    Returns
+    -------
+    dict
+        As `FrameFeatures.arrays`.
+
+    Raises
+    ------
+    PlacecatError
+        As `extract`.
+    """
+    return extract(frame_bgr, settings, regions=regions).arrays()
+
+
+def layout(settings: Mapping[str, _Section | None]) -> dict[str, tuple[tuple[int, ...], np.dtype[Any]]]:
+    """Return the shape and dtype of every array of `describe_frame`, which depend on the settings alone.
+
+    Parameters
+    ----------
+    settings
+        As for `extract`.
+
+    Returns
+    -------
+    dict
+        Name to (shape, dtype), in the order of `describe_frame`.
+
+    Raises
+    ------
+    PlacecatError
+        As `extract`.
+    """
+    blank = np.zeros((256, 256, 3), np.uint8)
+    return {name: (array.shape, array.dtype) for name, array in describe_frame(blank, settings).items()}

@@ -1,0 +1,97 @@
+"""Means and variances in the cells of a regular grid."""
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@lru_cache(maxsize=256)
+def cell_weights(length: int, cells: int) -> NDArray[np.float64]:
+    """Weights that average ``length`` pixels into ``cells`` equal cells.
+
+    A pixel across a border counts for both cells, in proportion to its parts. So every cell has the same
+    size for every length; the thesis does not give how a length not divisible by the grid is cut.
+
+    Parameters
+    ----------
+    length
+        Pixels along the axis, at least 1. It may be less than ``cells``.
+    cells
+        Cells along the axis, at least 1.
+
+    Returns
+    -------
+    (cells, length) float64, read-only; each row sums to 1.
+    """
+    edges = np.arange(cells + 1) * (length / cells)
+    pixels = np.arange(length)
+    overlap = np.minimum(edges[1:, None], pixels + 1) - np.maximum(edges[:-1, None], pixels)
+    weights = np.clip(overlap, 0, None) * (cells / length)
+    weights.flags.writeable = False
+    return weights
+
+
+@lru_cache(maxsize=256)
+def _weights32(length: int, cells: int) -> NDArray[np.float32]:
+    weights = cell_weights(length, cells).astype(np.float32)
+    weights.flags.writeable = False
+    return weights
+
+
+def cell_means(maps: NDArray[np.float32], cells: int) -> NDArray[np.float32]:
+    """Mean of each map in each cell of a ``cells`` x ``cells`` grid, as two small matrix products.
+
+    Parameters
+    ----------
+    maps
+        (..., h, w) float32.
+    cells
+        Cells along each axis.
+
+    Returns
+    -------
+    (..., cells, cells) float32, rows from the top, columns from the left.
+    """
+    height, width = maps.shape[-2:]
+    means = (_weights32(height, cells) @ maps) @ _weights32(width, cells).T
+    return np.asarray(means, np.float32)
+
+
+def mean_variance(patches: NDArray[np.float32], grid: int) -> NDArray[np.float32]:
+    """Means and variances of the channels of patches, in the whole patch and in the cells of a grid.
+
+    Parameters
+    ----------
+    patches
+        (n, c, h, w) float32.
+    grid
+        Cells along each axis; 0 for the whole patch only.
+
+    Returns
+    -------
+    (n, 2 c (1 + grid**2)) float32. The areas follow each other: the whole patch, then the cells row by row
+    from the top left. Each area holds the c means, then the c variances (of the population, hence with
+    divisor N), which are never negative.
+    """
+    count, channels = patches.shape[:2]
+    values = patches.astype(np.float64)
+    # Variances are differences of squares: centred values lose no digits.
+    centre = values.mean(axis=(2, 3), keepdims=True)
+    values -= centre
+    areas = [_moments(values, centre[:, :, 0, 0], 1)]
+    if grid:
+        areas.append(_moments(values, centre[:, :, 0, 0], grid))
+    size = 2 * channels * (1 + grid**2)
+    return np.concatenate(areas, axis=1).reshape(count, size).astype(np.float32)
+
+
+def _moments(values: NDArray[np.float64], centre: NDArray[np.float64], cells: int) -> NDArray[np.float64]:
+    """Moments of (n, c, h, w) centred values: (n, cells**2, 2c)."""
+    count, channels, height, width = values.shape
+    rows, columns = cell_weights(height, cells), cell_weights(width, cells).T
+    mean = rows @ values @ columns
+    variance = np.clip(rows @ (values * values) @ columns - mean * mean, 0, None)
+    mean += centre[:, :, None, None]
+    both = np.concatenate([mean, variance], axis=1)
+    return both.reshape(count, 2 * channels, cells * cells).transpose(0, 2, 1)

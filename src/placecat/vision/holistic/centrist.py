@@ -1,0 +1,79 @@
+"""CENTRIST of whole frames: census histograms in the cells of a grid."""
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.vision.census import CODES, cell_histograms, census, check_kernel, laplacian
+from placecat.vision.maps import FrameMaps
+
+CELLS = 4
+IMAGES = ("laplacian", "intensity")
+INTERPOLATIONS = {"area": cv2.INTER_AREA, "linear": cv2.INTER_LINEAR}
+
+
+def size() -> int:
+    """Length of the descriptor: 16 cells x 256 codes = 4096."""
+    return CELLS * CELLS * CODES
+
+
+def describe(
+    frame: NDArray[np.uint8],
+    maps: FrameMaps,
+    *,
+    width: int | None = 320,
+    image: str = "laplacian",
+    kernel: str = "cross",
+    interpolation: str = "area",
+) -> NDArray[np.float32]:
+    """Describe a frame by the census histograms of its Laplacian in a 4x4 grid (thesis 3.2, 4.3).
+
+    Parameters
+    ----------
+    frame
+        (H, W, 3) uint8 BGR. Its grey image is OpenCV's, 0.299 r + 0.587 g + 0.114 b; the thesis does not
+        give this.
+    maps
+        Not used: this descriptor has its own size of the image.
+    width
+        The frame is reduced to this width, its sides in proportion; a narrower frame is left as it is.
+        None for the full size (variant in thesis 4.3).
+    image
+        What is transformed: ``laplacian``, or ``intensity`` (variant in thesis 4.3).
+    kernel
+        The Laplacian's, as in `placecat.vision.census.laplacian`.
+    interpolation
+        ``area`` or ``linear``, for the reduction. The thesis does not give this.
+
+    Returns
+    -------
+    (4096,) float32: the 16 cells row by row from the top left, 256 codes each with sum 1 (the thesis does
+    not give the normalisation). Cells divide the pixels that have a code.
+
+    Raises
+    ------
+    PlacecatError
+        For an unknown image, kernel or interpolation, a width below 16, or a frame without a pixel that
+        has a code.
+
+    References
+    ----------
+    Wu and Rehg, CENTRIST: a visual descriptor for scene categorization, PAMI 2011.
+    """
+    owner = "holistic descriptor 'centrist'"
+    if image not in IMAGES:
+        raise PlacecatError(f"Unknown image '{image}' of {owner}: choose one of {', '.join(IMAGES)}.")
+    if interpolation not in INTERPOLATIONS:
+        valid = ", ".join(INTERPOLATIONS)
+        raise PlacecatError(f"Unknown interpolation '{interpolation}' of {owner}: choose one of {valid}.")
+    if width is not None and width < 16:
+        raise PlacecatError(f"The width {width} of {owner} is too small: it must be at least 16, or null.")
+    check_kernel(kernel)
+    grey = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
+    height, full = grey.shape
+    if width is not None and width < full:
+        reduced = (width, max(1, round(height * width / full)))
+        grey = cv2.resize(grey, reduced, interpolation=INTERPOLATIONS[interpolation])
+    values = laplacian(grey, kernel) if image == "laplacian" else grey
+    return cell_histograms(census(values), CELLS).reshape(-1)

@@ -1,0 +1,70 @@
+"""Gist: the mean of every feature map in the cells of a grid."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.vision.grid import cell_means
+from placecat.vision.maps import FrameMaps
+
+CELLS = 4
+
+
+def size(*, color: bool = True, center_surround: bool = True, scales: int = 4, radii: int = 2) -> int:
+    """Length of the descriptor: 16 cells x 64 maps = 1024 by default.
+
+    Parameters
+    ----------
+    color, center_surround
+        As in `describe`.
+    scales, radii
+        Numbers of pyramid levels and of centre-surround radii in use.
+    """
+    intensity, colors = (2 * radii, 4 * radii) if center_surround else (1, 4)
+    return CELLS * CELLS * scales * (intensity + color * colors + 4)
+
+
+def describe(
+    frame: NDArray[np.uint8], maps: FrameMaps, *, color: bool = True, center_surround: bool = True
+) -> NDArray[np.float32]:
+    """Describe a frame by the means of its feature maps in a 4x4 grid (thesis 3.2).
+
+    Parameters
+    ----------
+    frame
+        (H, W, 3) uint8 BGR; not used, the maps hold what is needed.
+    maps
+        Of the frame.
+    color
+        With the colour maps. The variant without is in thesis 4.2.
+    center_surround
+        Take intensity and colour from the centre-surround maps; otherwise from the pyramids (variant in
+        thesis 4.2). The orientation maps have no centre-surround and stay.
+
+    Returns
+    -------
+    (size,) float32. The 16 cells row by row from the top left, each with the same maps in one block:
+    intensity (on, off), colour (R, G, B, Y), orientation (0, 45, 90, 135 degrees); within a channel
+    sub-channel, then scale, then radius, the last fastest. By default 16, 32 and 16 values.
+
+    References
+    ----------
+    Siagian and Itti, Rapid biologically-inspired scene classification using features shared with visual
+    attention, PAMI 2007.
+    """
+    channels = [maps.orientation]
+    if center_surround:
+        channels = [maps.intensity_contrast, *([maps.color_contrast] if color else []), *channels]
+    else:
+        channels = [maps.grey, *([maps.color] if color else []), *channels]
+    blocks = []
+    for channel in channels:
+        # (scale, ..., sub-channel, row, column); radii come before sub-channels.
+        means = np.stack([_means(channel[scale]) for scale in maps.scales])
+        blocks.append(means.transpose(3, 4, 2, 0, 1).reshape(CELLS * CELLS, -1))
+    return np.ascontiguousarray(np.concatenate(blocks, axis=1).reshape(-1), np.float32)
+
+
+def _means(level: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Cell means as (radii, sub-channels, 4, 4), with ones for the axes a channel lacks."""
+    means = cell_means(level, CELLS)
+    return means.reshape((1,) * (4 - means.ndim) + means.shape)

@@ -1,0 +1,55 @@
+"""Mean and variance of the colour channels in salient regions."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.vision.grid import mean_variance
+from placecat.vision.maps import FrameMaps
+from placecat.vision.patches import cut, region_side
+
+# The fixed unit of `concatenate`: the total standard deviation over regions of indoor frames, rounded.
+SPREAD = 2.5
+
+
+def size(*, grid: int = 3) -> int:
+    """Length of the descriptor: 4 means and 4 variances for each area, 80 for a grid of 3.
+
+    Parameters
+    ----------
+    grid
+        As in `describe`.
+    """
+    return 8 * (1 + grid**2)
+
+
+def describe(
+    maps: FrameMaps, regions: NDArray[np.float32], *, grid: int = 3, border: str = "replicate"
+) -> NDArray[np.float32]:
+    """Describe regions by means and variances of the channels R, G, B, Y (thesis 3.1.2).
+
+    Parameters
+    ----------
+    maps
+        Of the frame; ``color`` is used.
+    regions
+        (n, 4) float32: x, y (level 0), scale, strength.
+    grid
+        Cells along each axis; 0 for the whole region only. The thesis has 3, and in 4.4.2 the variant 0,
+        with 8 dimensions.
+    border
+        As in `placecat.vision.patches.cut`.
+
+    Returns
+    -------
+    (n, 8 (1 + grid**2)) float32. First the whole region, then the cells row by row from the top left; each
+    area has 4 means, then 4 variances (>= 0). Cells are of equal size, in fractions of pixels.
+
+    Raises
+    ------
+    PlacecatError
+        For a negative grid, and as `placecat.vision.patches.cut`.
+    """
+    if grid < 0:
+        raise PlacecatError(f"The grid of local descriptor 'color_mv' is {grid}: it must be 0 or more.")
+    return mean_variance(cut(maps.color, regions, region_side(maps.width), border=border), grid)

@@ -1,0 +1,113 @@
+"""Squares cut around salient regions, in the pyramid level of each region's scale."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+
+MIN_SIDE = 4
+BORDERS = ("replicate", "reflect")
+
+
+def region_side(width: int) -> int:
+    """Side of a region's patch in pixels of its own level: the diameter, 2 width / 128 (thesis 3.1.1.3).
+
+    Parameters
+    ----------
+    width
+        Width of the frame in pixels (level 0).
+
+    Returns
+    -------
+    int
+        Rounded to whole pixels and at least 4. It is the same for every scale, since the radius doubles
+        with each level.
+    """
+    return max(MIN_SIDE, round(width / 64))
+
+
+def cut(
+    levels: Mapping[int, NDArray[np.float32]],
+    regions: NDArray[np.float32],
+    side: int,
+    *,
+    border: str = "replicate",
+) -> NDArray[np.float32]:
+    """Cut a square around each region from the level of its scale.
+
+    Level-0 position x is x / 2**s in level s (cv2.pyrDown keeps the even pixels). A square of odd side is
+    centred on the nearest pixel, one of even side on the nearest corner between pixels.
+
+    Parameters
+    ----------
+    levels
+        A dict of `FrameMaps`: (..., h_s, w_s) float32 for each scale s.
+    regions
+        (n, 4) float32, columns x, y (pixels of level 0), scale, strength.
+    side
+        Side of the squares in pixels of the level.
+    border
+        What lies outside the image: ``replicate`` repeats the outermost pixels, ``reflect`` mirrors the
+        image about them. The thesis does not give this.
+
+    Returns
+    -------
+    (n, ..., side, side) float32.
+
+    Raises
+    ------
+    PlacecatError
+        For regions of another shape, a scale that is no level, or an unknown border.
+    """
+    if border not in BORDERS:
+        raise PlacecatError(
+            f"Unknown border '{border}' of the region patches: choose one of {', '.join(BORDERS)}."
+        )
+    regions = np.asarray(regions, np.float64)
+    if regions.ndim != 2 or regions.shape[1] != 4:
+        raise PlacecatError(f"Regions must be an array (n, 4) of x, y, scale, strength, not {regions.shape}.")
+    scales = regions[:, 2]
+    unknown = [scale for scale in scales.tolist() if scale not in levels]
+    if unknown:
+        known = ", ".join(map(str, levels))
+        raise PlacecatError(f"A region has the scale {unknown[0]:g}, but the pyramid has the levels {known}.")
+    channels = next(iter(levels.values())).shape[:-2]
+    patches = np.empty((len(regions), *channels, side, side), np.float32)
+    centres = regions[:, :2] / 2.0 ** scales[:, None]
+    corners = np.floor(centres - (side - 1) / 2 + 0.5).astype(np.intp)
+    for scale, level in levels.items():
+        members = np.flatnonzero(scales == scale)
+        if not members.size:
+            continue
+        height, width = level.shape[-2:]
+        span = corners[members, :, None] + np.arange(side)
+        columns, rows = _inside(span[:, 0], width, border), _inside(span[:, 1], height, border)
+        pixels = (rows * width)[:, :, None] + columns[:, None]
+        found = level.reshape(*channels, height * width).take(pixels, axis=-1)
+        patches[members] = np.moveaxis(found, len(channels), 0)
+    return patches
+
+
+def _inside(index: NDArray[np.intp], length: int, border: str) -> NDArray[np.intp]:
+    """Indices of the pixels that stand for those outside."""
+    if border == "replicate" or length == 1:
+        return np.minimum(np.maximum(index, 0), length - 1)
+    index = np.abs(index) % (2 * length - 2)
+    return np.minimum(index, 2 * length - 2 - index)
+
+
+def to_bytes(patches: NDArray[np.float32]) -> NDArray[np.uint8]:
+    """Round intensities to whole grey levels, 0 to 255, as in an 8-bit image.
+
+    Parameters
+    ----------
+    patches
+        Any shape, float32, grey levels.
+
+    Returns
+    -------
+    The same shape, uint8.
+    """
+    return np.clip(np.rint(patches), 0, 255).astype(np.uint8)

@@ -1,0 +1,136 @@
+"""Gaussian and Laplacian pyramids, and their geometry."""
+
+from itertools import pairwise
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.vision.maps import FloatArray
+
+
+def level_size(width: int, height: int, level: int) -> tuple[int, int]:
+    """Return (width, height) in pixels of a pyramid level, ceil(n / 2**level)."""
+    return -(-width >> level), -(-height >> level)
+
+
+def check_scales(scales: tuple[int, ...], width: int, height: int) -> tuple[int, ...]:
+    """Check that the pyramid levels in use make sense for a frame.
+
+    Parameters
+    ----------
+    scales
+        Levels in use, each at least 1, ascending, none twice.
+    width, height
+        Frame size in pixels.
+
+    Returns
+    -------
+    tuple of int
+        The same scales.
+
+    Raises
+    ------
+    PlacecatError
+        Scales that are empty, not whole, below 1 or not ascending, or a frame whose coarsest level
+        would be less than two pixels wide or high.
+    """
+    given = tuple(scales)
+    whole = all(isinstance(s, int | np.integer) and s >= 1 for s in given)
+    if not given or not whole or any(a >= b for a, b in pairwise(given)):
+        raise PlacecatError(
+            f"scales must be ascending whole numbers from 1 on, such as (2, 3, 4, 5), not {given}"
+        )
+    levels = tuple(int(s) for s in given)
+    if min(level_size(width, height, levels[-1])) < 2:
+        raise PlacecatError(
+            f"a frame of {width}x{height} pixels is too small for the scales {levels}: its shorter side must "
+            f"have at least {2 ** levels[-1] + 1} pixels; use larger frames or leave out the highest scales"
+        )
+    return levels
+
+
+def reduce(plane: FloatArray) -> FloatArray:
+    """Blur with the 5x5 binomial kernel and keep every second row and column (thesis 3.1.1.1).
+
+    The border is mirrored without repeating the edge pixel (reflect-101). Pixel (x, y) of the result lies
+    at (2x, 2y) of the input.
+
+    Parameters
+    ----------
+    plane
+        (h, w) float32.
+
+    Returns
+    -------
+    ndarray
+        (ceil(h / 2), ceil(w / 2)) float32.
+    """
+    return _float(cv2.pyrDown(plane))
+
+
+def expand(plane: FloatArray, width: int, height: int) -> FloatArray:
+    """Double the size of a level with the same 5x5 kernel.
+
+    Parameters
+    ----------
+    plane
+        (ceil(height / 2), ceil(width / 2)) float32.
+    width, height
+        Size of the result in pixels.
+
+    Returns
+    -------
+    ndarray
+        (height, width) float32; pixel (x, y) of the input lies at (2x, 2y). OpenCV mirrors at the left and
+        upper border and repeats the last pixel at the right and lower one.
+    """
+    return _float(cv2.pyrUp(plane, dstsize=(width, height)))
+
+
+def gaussian_pyramid(plane: FloatArray, first: int, last: int) -> dict[int, FloatArray]:
+    """Reduce a plane again and again (thesis 3.1.1.1).
+
+    Parameters
+    ----------
+    plane
+        (h, w) float32, the level `first`.
+    first, last
+        First and last level of the result.
+
+    Returns
+    -------
+    dict of int to ndarray
+        Level to float32 plane, levels first to last.
+    """
+    levels = {first: plane}
+    for level in range(first + 1, last + 1):
+        levels[level] = reduce(levels[level - 1])
+    return levels
+
+
+def laplacian(gaussian: dict[int, FloatArray], level: int) -> FloatArray:
+    """Return a level of the approximate Laplacian pyramid (thesis 3.1.1.1).
+
+    It is the Gaussian level minus the expanded next one.
+
+    Parameters
+    ----------
+    gaussian
+        Gaussian pyramid holding `level` and `level` + 1.
+    level
+        The level wanted.
+
+    Returns
+    -------
+    ndarray
+        (h, w) float32, signed, in the units of the pyramid.
+    """
+    plane = gaussian[level]
+    height, width = plane.shape
+    return plane - expand(gaussian[level + 1], width, height)
+
+
+def _float(plane: NDArray[np.generic]) -> FloatArray:
+    return plane.astype(np.float32, copy=False)

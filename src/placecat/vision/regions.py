@@ -1,0 +1,196 @@
+"""Salient points, their scales and the regions around them (thesis 3.1.1.3)."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.vision.maps import FloatArray, FrameMaps
+from placecat.vision.saliency import Saliency, feature_maps, local_maxima
+
+
+def radius(scale: FloatArray | float, width: int, *, radius_factor: float = 1 / 128) -> FloatArray:
+    """Return the radius of a region in pixels of the frame, width / 128 * 2^s (thesis 3.1.1.3).
+
+    Parameters
+    ----------
+    scale
+        Scale s of the region, any shape.
+    width
+        Width of the frame in pixels.
+    radius_factor
+        1/128 in the thesis.
+
+    Returns
+    -------
+    ndarray
+        float32, of the shape of `scale`.
+    """
+    return np.asarray(width * radius_factor * np.exp2(np.asarray(scale, np.float64)), np.float32)
+
+
+def find_scales(maps: FrameMaps, fused: Saliency, points: NDArray[np.intp]) -> NDArray[np.intp]:
+    """Find the scale of the strongest feature at salient points (thesis 3.1.1.3).
+
+    First the conspicuity map, then its sub-channel, then the scale with the highest response there.
+    Conspicuity maps and sub-channels are compared as they enter their sums, normalised and weighted; a
+    scale's response is its feature map, expanded as for the sum, and the stronger one of its radii (our
+    reading; the thesis says only "highest response"). Of equals the first is taken: intensity, color,
+    orientation, residual; low scales first.
+
+    Parameters
+    ----------
+    maps
+        Maps of the frame.
+    fused
+        What `placecat.vision.saliency.saliency` made of them.
+    points
+        (n,) flat indices into the saliency map.
+
+    Returns
+    -------
+    ndarray
+        (n,) scales, values of `maps.scales`.
+    """
+    names = list(fused.conspicuity)
+    terms = [fused.conspicuity[name].ravel()[points] * np.float32(fused.weights[name]) for name in names]
+    channel = np.argmax(terms, axis=0)
+    chosen = [np.flatnonzero(channel == number) for number in range(len(names))]
+    subchannel = np.zeros(points.size, np.intp)
+    for name, some in zip(names, chosen, strict=True):
+        stack = fused.subchannels[name].reshape(len(fused.subchannels[name]), -1)
+        subchannel[some] = np.argmax(stack[:, points[some]] * fused.subchannel_weights[name][:, None], axis=0)
+    rows, columns = np.divmod(points, fused.saliency.shape[1])
+    responses = np.zeros((len(maps.scales), points.size), np.float32)
+    for response, scale in zip(responses, maps.scales, strict=True):
+        height, width = maps.grey[scale].shape
+        index, share = _corners(rows, columns, width, height, scale - fused.scale)
+        index += subchannel * (height * width)
+        for name, some in zip(names, chosen, strict=True):
+            stack = feature_maps(maps, name)[scale]
+            values = stack.reshape(len(stack), -1).take(index[:, some], axis=1)
+            values *= share[:, some]
+            response[some] = values.sum(axis=1).max(axis=0)
+    return np.array(maps.scales)[np.argmax(responses, axis=0)]
+
+
+def accept(
+    points: FloatArray,
+    width: int,
+    *,
+    max_regions: int = 25,
+    scale_distance: float = 1 / 256,
+    min_distance: float = 1 / 40,
+) -> NDArray[np.intp]:
+    """Pick points in turn that lie far enough from all points picked before (thesis 3.1.1.3).
+
+    A new point q is accepted when for every accepted point p::
+
+        sqrt((p_x - q_x)^2 + (p_y - q_y)^2 + (width/256)^2 (p_s - q_s)^2) > q_s width/40
+
+    Parameters
+    ----------
+    points
+        (n, 3), x and y in pixels of the frame and scale, the most salient first.
+    width
+        Width of the frame in pixels.
+    max_regions
+        Largest number of points to accept.
+    scale_distance, min_distance
+        1/256 and 1/40 in the thesis.
+
+    Returns
+    -------
+    ndarray
+        Indices of the accepted points, ascending.
+
+    Raises
+    ------
+    PlacecatError
+        `max_regions` below 1.
+    """
+    if max_regions < 1:
+        raise PlacecatError(f"max_regions must be at least 1, not {max_regions}")
+    place = np.array(points, np.float64).reshape(-1, 3).T
+    least = (place[2] * width * min_distance) ** 2
+    place[2] *= width * scale_distance
+    open_ = np.ones(least.size, bool)
+    accepted: list[int] = []
+    while len(accepted) < max_regions and open_.any():
+        new = int(open_.argmax())
+        accepted.append(new)
+        apart = place - place[:, new, None]
+        open_ &= np.einsum("ij,ij->j", apart, apart) > least
+        open_[new] = False
+    return np.array(accepted, np.intp)
+
+
+def select_regions(
+    maps: FrameMaps,
+    fused: Saliency,
+    *,
+    max_regions: int = 25,
+    maximum_window: int = 3,
+    scale_distance: float = 1 / 256,
+    min_distance: float = 1 / 40,
+) -> FloatArray:
+    """Find the salient regions of a frame from its saliency map (thesis 3.1.1.3).
+
+    Parameters
+    ----------
+    maps, fused
+        Maps of the frame and their fusion.
+    max_regions, scale_distance, min_distance
+        See `accept`.
+    maximum_window
+        See `placecat.vision.saliency.local_maxima`.
+
+    Returns
+    -------
+    ndarray
+        (n, 4) float32, n <= `max_regions`: x, y of the centre in pixels of the frame, scale, saliency;
+        saliency falling, equal ones by y, then x. n may be 0.
+
+    Raises
+    ------
+    PlacecatError
+        `max_regions` below 1.
+    """
+    points = local_maxima(fused.saliency, maximum_window)
+    strength = fused.saliency.ravel()[points]
+    order = np.argsort(-strength, kind="stable")
+    points, strength = points[order], strength[order]
+    step = 2**fused.scale
+    # Weaker points do not change what is accepted among stronger ones: look at more only if they are needed.
+    count = 16 * max_regions
+    while True:
+        rows, columns = np.divmod(points[:count], fused.saliency.shape[1])
+        scales = find_scales(maps, fused, points[:count])
+        regions = np.stack([columns * step, rows * step, scales, strength[:count]], axis=1).astype(np.float32)
+        accepted = accept(
+            regions[:, :3],
+            maps.width,
+            max_regions=max_regions,
+            scale_distance=scale_distance,
+            min_distance=min_distance,
+        )
+        if accepted.size >= max_regions or count >= points.size:
+            return regions[accepted]
+        count *= 4
+
+
+def _corners(
+    rows: NDArray[np.intp], columns: NDArray[np.intp], width: int, height: int, up: int
+) -> tuple[NDArray[np.intp], FloatArray]:
+    """Bilinear interpolation of a map at pixels of a level `up` doublings finer: indices and weights, (4, n).
+
+    Beyond the last pixel the map goes on unchanged.
+    """
+    top, left = rows >> up, columns >> up
+    corner = top * width + left
+    right = left + 1 < width
+    down = np.where(top + 1 < height, width, 0)
+    y = (rows & ((1 << up) - 1)) / (1 << up)
+    x = (columns & ((1 << up) - 1)) / (1 << up)
+    index = np.stack([corner, corner + right, corner + down, corner + down + right])
+    share = np.stack([(1 - y) * (1 - x), (1 - y) * x, y * (1 - x), y * x])
+    return index, share.astype(np.float32)

@@ -1,0 +1,16 @@
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+
+@pytest.fixture(scope="session")
+def reproduced(tmp_path_factory):
+    """The whole pipeline run once, through DVC, on small stand-in homes. Tests that change it copy it."""
+    from project import copy_project, repro
+
+    folder = copy_project(tmp_path_factory.mktemp("reproduced"))
+    ran, result = repro(folder)
+    return folder, ran, result

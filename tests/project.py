@@ -1,0 +1,84 @@
+"""A copy of the project in a folder of its own, for tests that run DVC for real."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from placecat.compose import compose
+
+ROOT = Path(__file__).resolve().parents[1]
+
+# Four small stand-in homes and small codebooks: every stage runs, quickly.
+SMALL = [
+    "dataset.homes=[Home1,Home2,Home3,Home4]",
+    "sketch.homes=4",
+    "sketch.frames_per_room=6",
+    *(
+        f"codebooks.{name}.tree.max_clusters=46"
+        for name in ("orientation_mv_y", "hog_y", "sift_y", "centrist_y", "color_mv_y")
+    ),
+    *(f"codebooks.{name}.tree.max_clusters=16" for name in ("gist_cells", "centrist_cells")),
+    *(
+        f"cues.{name}.classifier.clusters=46"
+        for name in ("orientation_mv_y", "hog_y", "sift_y", "centrist_y", "color_mv_y")
+    ),
+    *(f"cues.{name}.classifier.clusters=16" for name in ("gist_naive_bayes", "centrist_naive_bayes")),
+    "cues.spatial_pact.classifier.reduction.components=16",
+    "cues.spatial_pact_sequential.classifier.reduction.components=16",
+]
+
+
+def environment(**extra):
+    """This test's environment, with the Python that runs it first on the path and one thread for BLAS."""
+    here = str(Path(sys.executable).parent)
+    own = {"PATH": os.pathsep.join([here, os.environ["PATH"]]), "MLFLOW_DISABLE_TELEMETRY": "true"}
+    clean = {name: value for name, value in os.environ.items() if not name.startswith("GIT_")}
+    return clean | own | extra
+
+
+def run(folder, *command, check=True, **extra):
+    """Run a command in the copy; its output is on the result."""
+    result = subprocess.run(
+        command, cwd=folder, env=environment(**extra), capture_output=True, text=True, check=False
+    )
+    if check and result.returncode != 0:
+        raise AssertionError(f"{command} failed\n{result.stdout[-4000:]}\n{result.stderr[-4000:]}")
+    return result
+
+
+def copy_project(folder, overrides=SMALL):
+    """Copy what git holds of the pipeline, compose small settings, and initialise DVC."""
+    for name in ("conf", "src"):
+        shutil.copytree(
+            ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "*.egg-info")
+        )
+    shutil.copytree(ROOT / "data/thesis", folder / "data/thesis")
+    (folder / "reports").mkdir()
+    for name in ("dvc.yaml", ".dvcignore"):
+        shutil.copy(ROOT / name, folder / name)
+    (folder / "params.yaml").write_text(compose(overrides, conf=folder / "conf"))
+    run(folder, "git", "init", "-q")
+    run(folder, "dvc", "init", "-q")
+    shutil.copy(ROOT / ".dvc/config", folder / ".dvc/config")
+    return folder
+
+
+def repro(folder, *arguments, check=True, **extra):
+    """`dvc repro`; gives the names of the stages that ran, and the result."""
+    result = run(folder, "dvc", "repro", *arguments, check=check, **extra)
+    lines = result.stdout.splitlines()
+    ran = [line.split("'")[1] for line in lines if line.startswith("Running stage '")]
+    return ran, result
+
+
+def contents(folder, *parts):
+    """Bytes of every file below some paths."""
+    found = {}
+    for part in parts:
+        root = folder / part
+        for path in [root] if root.is_file() else sorted(root.rglob("*")):
+            if path.is_file() and path.name != ".gitignore":
+                found[path.relative_to(folder).as_posix()] = path.read_bytes()
+    return found

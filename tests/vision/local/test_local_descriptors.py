@@ -1,0 +1,93 @@
+"""Runs over every local descriptor that is found; a new one is tested without a new test."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from makers import maps, regions
+
+from placecat.errors import PlacecatError
+from placecat.vision import local
+
+EVERY = pytest.mark.parametrize("name", local.names())
+
+
+@EVERY
+@pytest.mark.parametrize("width", [96, 320, 641, 1280])
+def test_shape_type_and_values(name: str, width: int) -> None:
+    height = width * 9 // 16
+    module = local.load(name)
+    found = module.describe(maps(width, height), regions(width, height))
+    assert found.shape == (25, module.size())
+    assert found.dtype == np.float32
+    assert np.isfinite(found).all()
+    assert found.std() > 0
+
+
+@EVERY
+def test_patch_of_64_pixels(name: str) -> None:
+    found = local.load(name).describe(maps(4096, 2304), regions(4096, 2304, 5))
+    assert found.shape == (5, local.load(name).size())
+    assert np.isfinite(found).all()
+
+
+@EVERY
+def test_deterministic_and_free_of_side_effects(name: str) -> None:
+    made, chosen = maps(), regions()
+    before = chosen.copy()
+    first = local.load(name).describe(made, chosen)
+    np.testing.assert_array_equal(first, local.load(name).describe(maps(), regions()))
+    np.testing.assert_array_equal(before, chosen)
+    for key, level in maps().grey.items():
+        np.testing.assert_array_equal(level, made.grey[key])
+
+
+@EVERY
+def test_regions_do_not_influence_each_other(name: str) -> None:
+    module, made, chosen = local.load(name), maps(), regions(count=30)
+    together = module.describe(made, chosen)
+    single = np.concatenate([module.describe(made, chosen[i : i + 1]) for i in range(30)])
+    np.testing.assert_allclose(together, single, rtol=1e-5, atol=1e-5)
+
+
+@EVERY
+def test_no_regions(name: str) -> None:
+    assert local.load(name).describe(maps(), np.zeros((0, 4), np.float32)).shape == (
+        0,
+        local.load(name).size(),
+    )
+
+
+@EVERY
+def test_flat_image_gives_finite_values(name: str) -> None:
+    made = maps()
+    flat = dataclasses.replace(
+        made,
+        grey={s: np.full_like(g, 77) for s, g in made.grey.items()},
+        color={s: np.zeros_like(g) for s, g in made.color.items()},
+        orientation={s: np.zeros_like(g) for s, g in made.orientation.items()},
+    )
+    found = local.load(name).describe(flat, regions())
+    assert np.isfinite(found).all()
+    np.testing.assert_array_equal(found, np.broadcast_to(found[0], found.shape))
+
+
+@EVERY
+def test_border_is_a_setting(name: str) -> None:
+    module, made, chosen = local.load(name), maps(), regions()
+    assert np.isfinite(module.describe(made, chosen, border="reflect")).all()
+    with pytest.raises(PlacecatError, match="'wrap'"):
+        module.describe(made, chosen, border="wrap")
+
+
+@EVERY
+def test_unknown_scale_is_refused(name: str) -> None:
+    chosen = regions()
+    chosen[3, 2] = 6
+    with pytest.raises(PlacecatError, match="scale 6"):
+        local.load(name).describe(maps(), chosen)
+
+
+@EVERY
+def test_spread_is_a_positive_unit(name: str) -> None:
+    assert local.load(name).SPREAD > 0

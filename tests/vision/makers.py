@@ -1,0 +1,58 @@
+"""Small made-up frame maps and regions."""
+
+import cv2
+import numpy as np
+
+from placecat.vision.maps import FrameMaps
+
+SCALES = (2, 3, 4, 5)
+
+
+def smooth(rng: np.random.Generator, height: int, width: int) -> np.ndarray:
+    """Random blobs from 0 to 255, float32."""
+    image = cv2.GaussianBlur(rng.random((height, width), np.float32), (0, 0), 1.5)
+    low, high = image.min(), image.max()
+    return (image - low) / max(float(high - low), 1e-6) * np.float32(255)
+
+
+def maps(width: int = 320, height: int = 240, seed: int = 0) -> FrameMaps:
+    rng = np.random.default_rng(seed)
+    sizes = {s: (-(-height >> s), -(-width >> s)) for s in SCALES}
+
+    def fill(*channels: int, low: float = 0.0) -> dict[int, np.ndarray]:
+        return {s: rng.uniform(low, 3, (*channels, *size)).astype(np.float32) for s, size in sizes.items()}
+
+    return FrameMaps(
+        width=width,
+        height=height,
+        scales=SCALES,
+        grey={s: smooth(rng, *size) for s, size in sizes.items()},
+        color=fill(4, low=-3),
+        intensity_contrast=fill(2, 2),
+        color_contrast=fill(2, 4),
+        orientation=fill(4),
+        residual=fill(),
+    )
+
+
+def regions(width: int = 320, height: int = 240, count: int = 25, seed: int = 1) -> np.ndarray:
+    """Random regions of all scales; the first four lie in the corners of the image."""
+    rng = np.random.default_rng(seed)
+    rows = np.stack(
+        [
+            rng.uniform(0, width - 1, count),
+            rng.uniform(0, height - 1, count),
+            rng.choice(SCALES, count),
+            rng.random(count),
+        ],
+        axis=1,
+    )
+    corners = [(0, 0), (width - 1, 0), (0, height - 1), (width - 1, height - 1)]
+    for row, corner in zip(rows, corners, strict=False):
+        row[:2] = corner
+    return rows.astype(np.float32)
+
+
+def frame(width: int = 320, height: int = 240, seed: int = 2) -> np.ndarray:
+    rng = np.random.default_rng(seed)
+    return np.stack([smooth(rng, height, width) for _ in range(3)], axis=2).astype(np.uint8)

@@ -1,0 +1,69 @@
+import sys
+from pathlib import Path
+
+import pytest
+
+from placecat.errors import PlacecatError
+from placecat.vision import holistic, local
+from placecat.vision.discovery import check_settings, load, names, settings_of
+
+
+def function(maps: int, *, image: str = "intensity", width: int | None = None) -> None: ...
+
+
+def test_settings_of() -> None:
+    assert settings_of(function) == {"image": "intensity", "width": None}
+
+
+def test_unknown_setting_names_owner_setting_and_valid_ones() -> None:
+    with pytest.raises(
+        PlacecatError, match=r"local descriptor 'x' has no setting 'images': .* image, width\."
+    ):
+        check_settings(function, {"image": "a", "images": 1}, "local descriptor 'x'")
+    check_settings(function, {"image": "a"}, "local descriptor 'x'")
+
+
+def test_positional_parameters_are_no_settings() -> None:
+    with pytest.raises(PlacecatError, match="no setting 'maps'"):
+        check_settings(function, {"maps": 1}, "x")
+    with pytest.raises(PlacecatError, match="it has no settings"):
+        check_settings(len, {"a": 1}, "x")
+
+
+def test_descriptors_of_the_thesis_are_found() -> None:
+    assert local.names() == ["centrist", "color_mv", "hog", "orientation_mv", "sift"]
+    assert holistic.names() == ["centrist", "gist"]
+
+
+def test_a_new_module_is_found_by_its_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    package = tmp_path / "shapes_for_test"
+    package.mkdir()
+    (package / "__init__.py").touch()
+    (package / "square.py").write_text("def describe(): return 4\n")
+    (package / "helper.py").write_text("def other(): return 4\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    try:
+        assert names("shapes_for_test", [str(package)]) == ["square"]
+        assert load("shapes_for_test", [str(package)], "square", "shape").describe() == 4
+        with pytest.raises(PlacecatError, match="Unknown shape 'helper': choose one of square"):
+            load("shapes_for_test", [str(package)], "helper", "shape")
+    finally:
+        for name in [name for name in sys.modules if name.startswith("shapes_for_test")]:
+            del sys.modules[name]
+
+
+@pytest.mark.parametrize("name", ["surf", "concatenate", "", "hog.x", "../hog"])
+def test_unknown_descriptor(name: str) -> None:
+    with pytest.raises(
+        PlacecatError, match=r"Unknown local descriptor .* centrist, color_mv, hog, orientation_mv"
+    ):
+        local.load(name)
+
+
+def test_refusal_names_the_descriptor() -> None:
+    with pytest.raises(
+        PlacecatError, match=r"local descriptor 'hog' has no setting 'cells': .*interpolation"
+    ):
+        local.check_settings("hog", {"cells": 3})
+    with pytest.raises(PlacecatError, match=r"holistic descriptor 'gist' has no setting 'colour': .*color, "):
+        holistic.check_settings("gist", {"colour": False})

@@ -1,0 +1,109 @@
+import numpy as np
+import pytest
+from makers import frame
+
+from placecat.errors import PlacecatError
+from placecat.vision import holistic, local
+from placecat.vision.attention import compute_maps, find_regions
+from placecat.vision.frame import check, describe_frame, extract, layout
+from placecat.vision.information import information
+
+ALL = {
+    "local": {name: {} for name in local.names()},
+    "holistic": {name: {} for name in holistic.names()},
+}
+
+
+def test_equals_the_parts() -> None:
+    picture = frame()
+    settings = {
+        "attention": {"scales": [2, 3, 4]},
+        "regions": {"max_regions": 7},
+        "local": {"color_mv": {"grid": 0}, "hog": None},
+        "holistic": {"gist": {"color": False}},
+        "information": {"unit": 255},
+    }
+    maps = compute_maps(picture, scales=[2, 3, 4])
+    regions = find_regions(maps, max_regions=7)
+    found = extract(picture, settings)
+    np.testing.assert_array_equal(found.regions, regions)
+    assert list(found.local) == ["color_mv", "hog"]
+    np.testing.assert_array_equal(
+        found.local["color_mv"], local.load("color_mv").describe(maps, regions, grid=0)
+    )
+    np.testing.assert_array_equal(found.local["hog"], local.load("hog").describe(maps, regions))
+    gist = holistic.load("gist").describe(picture, maps, color=False)
+    np.testing.assert_array_equal(found.holistic["gist"], gist)
+    assert found.information == information(maps, unit=255)
+    assert found.max_regions == 7
+
+
+def test_arrays_are_padded_with_zeros() -> None:
+    found = describe_frame(frame(160, 120), {**ALL, "regions": {"max_regions": 200}})
+    count = int(found["count"])
+    assert 0 < count < 200
+    for name in ("regions", *(f"local_{name}" for name in local.names())):
+        assert found[name].shape[0] == 200
+        assert (found[name][count:] == 0).all()
+        assert found[name][:count].any()
+
+
+def test_flat_frame_has_no_regions() -> None:
+    found = describe_frame(np.full((120, 160, 3), 90, np.uint8), ALL)
+    assert found["count"] == 0
+    assert found["information"] == 0
+    assert found["local_hog"].shape == (25, 128)
+    assert not found["local_hog"].any()
+    assert all(np.isfinite(array).all() for array in found.values())
+
+
+@pytest.mark.parametrize("size", [(160, 120), (333, 217)])
+def test_layout_foretells_every_frame(size: tuple[int, int]) -> None:
+    found = describe_frame(frame(*size), ALL)
+    assert layout(ALL) == {name: (array.shape, array.dtype) for name, array in found.items()}
+    assert layout(ALL)["local_sift"] == ((25, 128), np.dtype(np.float32))
+    assert layout(ALL)["holistic_centrist"] == ((4096,), np.dtype(np.float32))
+    assert layout(ALL)["count"] == ((), np.dtype(np.int16))
+
+
+def test_deterministic_to_the_byte() -> None:
+    first, second = describe_frame(frame(), ALL), describe_frame(frame(), ALL)
+    assert list(first) == list(second)
+    assert all(first[name].tobytes() == second[name].tobytes() for name in first)
+
+
+def test_given_regions_are_described() -> None:
+    picture = frame()
+    tracked = find_regions(compute_maps(picture))[3:9] + np.array([2, 1, 0, 0], np.float32)
+    found = extract(picture, ALL, regions=tracked)
+    np.testing.assert_array_equal(found.regions, tracked)
+    assert found.local["sift"].shape == (6, 128)
+    with pytest.raises(PlacecatError, match="6 regions were given, but max_regions is 5"):
+        extract(picture, {"regions": {"max_regions": 5}}, regions=tracked)
+
+
+def test_only_what_is_asked_for() -> None:
+    assert list(describe_frame(frame(), {})) == ["count", "information", "regions"]
+    assert list(describe_frame(frame(), {"holistic": {"gist": {}}}))[3:] == ["holistic_gist"]
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        ({"locals": {}}, "Unknown section 'locals'.*attention, regions, local, holistic, information"),
+        ({"attention": {"scale": 2}}, "section 'attention' .* has no setting 'scale': .*scales"),
+        ({"regions": {"maps": 2}}, "section 'regions' .* has no setting 'maps': .*max_regions"),
+        ({"information": {"level": 2}}, "section 'information' .* has no setting 'level': .*fine"),
+        ({"local": {"surf": {}}}, "Unknown local descriptor 'surf'"),
+        (
+            {"local": {"sift": {"upright": True}}},
+            "local descriptor 'sift' has no setting 'upright': .*orientation",
+        ),
+        ({"holistic": {"gist": {"cells": 3}}}, "holistic descriptor 'gist' has no setting 'cells'"),
+    ],
+)
+def test_refusals(settings: dict, message: str) -> None:
+    with pytest.raises(PlacecatError, match=message):
+        check(settings)
+    with pytest.raises(PlacecatError, match=message):
+        describe_frame(frame(), settings)
