@@ -83,6 +83,7 @@ PARAMS = {
             "integrator": {
                 "method": "das",
                 "classifier": {
+                    "model": "one_against_all",
                     "base": {"name": "nu_svm", "gamma": 2.0, "nu": 0.2},
                     "scheme": {"name": "one_against_all"},
                     "scaling": "none",
@@ -95,6 +96,7 @@ PARAMS = {
             "integrator": {
                 "method": "das",
                 "classifier": {
+                    "model": "one_against_all",
                     "base": {"name": "nu_svm", "gamma": 2.0, "nu": 0.2},
                     "scheme": {"name": "one_against_all"},
                     "scaling": "none",
@@ -129,7 +131,7 @@ def make(folder, *, marked=None, params=PARAMS):
             "holistic_gist": (rng.normal(size=(FRAMES, 16)) + shift).astype(np.float32),
         }
         if home == marked:
-            arrays = {name: array if name == "count" else array + 1e3 for name, array in arrays.items()}
+            arrays = {name: array if name == "count" else array + 3 for name, array in arrays.items()}
         (folder / "data/features" / home).mkdir(parents=True)
         for name, array in arrays.items():
             np.save(folder / "data/features" / home / f"{name}.npy", array)

@@ -6,9 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.cues import Descriptors
-from placecat.cues.one_against_all import OneAgainstAllCue
-from placecat.cues.one_against_all import fit as fit_one_against_all
+from placecat import cues
+from placecat.cues import CueModel, Descriptors
 
 
 def concatenate_cues(proba: NDArray[np.float64]) -> NDArray[np.float32]:
@@ -33,7 +32,7 @@ def fit(
     n_classes: int,
     *,
     classifier: Mapping[str, Any],
-) -> OneAgainstAllCue:
+) -> CueModel:
     """Train the integrating multi-class SVM on the outputs of the cues.
 
     Parameters
@@ -43,18 +42,17 @@ def fit(
     labels, homes
         (n,) class index and home of each frame.
     classifier
-        Settings of :func:`placecat.cues.one_against_all.fit`.
+        As for :func:`placecat.cues.fit`; nu-SVM in the parallel scheme in the thesis.
 
     Returns
     -------
-    OneAgainstAllCue
+    CueModel
         Its ``cross_validated`` holds the statistics from which the smoothing takes its emission.
     """
-    return fit_one_against_all(
-        Descriptors(concatenate_cues(proba)), labels, homes, None, n_classes, **classifier
-    )
+    frames = Descriptors(concatenate_cues(proba))
+    return cues.fit(frames, labels, homes, classifier=classifier, n_classes=n_classes)
 
 
-def predict_proba(model: OneAgainstAllCue, proba: NDArray[np.float64]) -> NDArray[np.float64]:
+def predict_proba(model: CueModel, proba: NDArray[np.float64]) -> NDArray[np.float64]:
     """Integrate frames: (frames, cues, n_classes) distributions to (frames, n_classes)."""
     return model.predict_proba(Descriptors(concatenate_cues(proba)))

@@ -154,11 +154,11 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
     n_rounds
         Weak classifiers (thesis Table 2: 20, 50, 100).
     max_bins
-        Bins per feature. Features with fewer distinct values are cut at every one, as exact boosting does. The
-        thesis does not give this.
+        Bins per feature. Features with fewer distinct values are cut at every one, as exact boosting does.
+        The thesis does not give this.
     weight_trim
-        A round's stump is fitted without the lightest samples that hold 1 - weight_trim of the weight; 1 keeps
-        all. 0.95 is OpenCV's standard parameter, which the thesis uses.
+        A round's stump is fitted without the lightest samples that hold 1 - weight_trim of the weight; 1
+        keeps all. 0.95 is OpenCV's standard parameter, which the thesis uses.
 
     Attributes
     ----------
@@ -299,8 +299,8 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
         return result
 
     @staticmethod
-    def collect(machines: Sequence["GentleAdaBoost"], X: NDArray[np.float32]) -> StumpEnsembles:
-        """Join machines fitted on the same features for prediction; shorter ones are filled with zeros."""
+    def collect(machines: Sequence["GentleAdaBoost"], X: object = None) -> StumpEnsembles:
+        """Join machines fitted on the same features; shorter ones are filled with zeros. `X`: ignored."""
         length = max(len(machine.feature_) for machine in machines)
 
         def stack(name: str) -> NDArray[Any]:
@@ -313,7 +313,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
 
     def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
         """F(x) of samples (n, D), (n,) float64, positive for ``classes_[1]``."""
-        return self.collect([self], check_samples(X)).decisions(X)[:, 0]
+        return self.collect([self]).decisions(X)[:, 0]
 
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
         """Certainty (n, 2) by equation (8)."""
@@ -326,7 +326,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
 
     def to_arrays(self) -> dict[str, NDArray[Any]]:
         """Give plain arrays of a model fitted by `fit`, enough for `from_arrays`."""
-        arrays = self.collect([self], np.empty((0, 0), dtype=np.float32)).to_arrays()
+        arrays = self.collect([self]).to_arrays()
         return arrays | {
             "classes": self.classes_,
             "cut": self.cut_,
@@ -336,7 +336,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
     @classmethod
     def from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Self:
         """Rebuild a model that predicts from `to_arrays`."""
-        model = cls(n_rounds=arrays["feature"].shape[1], weight_trim=float(arrays["weight_trim"]))
+        model = cls(n_rounds=len(arrays["feature"][0]), weight_trim=float(arrays["weight_trim"]))
         model.feature_, model.threshold_ = arrays["feature"][0], arrays["threshold"][0]
         model.low_, model.high_, model.cut_ = arrays["low"][0], arrays["high"][0], arrays["cut"]
         model.classes_, model.n_features_in_ = arrays["classes"], int(arrays["width"])
@@ -372,7 +372,7 @@ def _best_stump(histogram: NDArray[np.float64]) -> tuple[int, int, float, float]
         below[..., 1][possible] ** 2 / weight_below[possible]
         + above[..., 1][possible] ** 2 / weight_above[possible]
     )
-    feature, cut = divmod(int(gain.argmax()), gain.shape[1])
+    feature, cut = divmod(int(gain.argmax()), histogram.shape[1] - 1)
     return (
         feature,
         cut,

@@ -31,12 +31,12 @@ def largest_feasible_nu(n_positive: int, n_negative: int) -> float:
 
 
 def accepted_nu(nu: float, n_positive: int, n_negative: int) -> float:
-    """Give the largest float not above `nu` that passes libsvm's own feasibility check."""
-    smaller = min(n_positive, n_negative)
-    value = min(nu, largest_feasible_nu(n_positive, n_negative))
-    while value * (n_positive + n_negative) / 2.0 > smaller:
-        value = float(np.nextafter(value, 0.0))
-    return value
+    """Give `nu`, or a value just below the largest feasible one if `nu` reaches it.
+
+    At the very limit every sample of the smaller class is at its bound, and libsvm, which finds the margin
+    from a sample that is not, divides by zero or infinity.
+    """
+    return min(nu, largest_feasible_nu(n_positive, n_negative) * (1.0 - 1e-7))
 
 
 class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):

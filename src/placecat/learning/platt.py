@@ -8,7 +8,11 @@ from placecat.errors import PlacecatError
 
 
 def fit_sigmoid(
-    decisions: ArrayLike, positive: ArrayLike, tol: float = 1e-10, max_iter: int = 100
+    decisions: ArrayLike,
+    positive: ArrayLike,
+    balanced: bool = False,
+    tol: float = 1e-10,
+    max_iter: int = 100,
 ) -> tuple[float, float]:
     """Fit p(positive | d) = 1 / (1 + exp(A d + B)) by maximum likelihood on smoothed targets.
 
@@ -21,6 +25,8 @@ def fit_sigmoid(
         (n,) real, best held out by cross-validation.
     positive
         (n,) bool.
+    balanced
+        Weigh positives and negatives so that both count n / 2: the probability for equally frequent classes.
     tol
         Stop when the gradient, per sample and in units of the standardised decisions, falls below it.
     max_iter
@@ -55,26 +61,31 @@ def fit_sigmoid(
     n_negative = len(d) - n_positive
     target = np.where(is_positive, (n_positive + 1.0) / (n_positive + 2.0), 1.0 / (n_negative + 2.0))
 
+    weights = np.ones(len(d))
+    if balanced and n_positive and n_negative:
+        weights = np.where(is_positive, 0.5 * len(d) / n_positive, 0.5 * len(d) / n_negative)
+
     # Standardised decisions make the Hessian well conditioned whatever the units.
     shift, scale = float(d.mean()), float(d.std())
     if scale <= 1e-12 * max(1.0, abs(shift)):
-        rate = float(target.mean())
+        rate = float(np.average(target, weights=weights))
         return 0.0, float(np.log((1.0 - rate) / rate))
     z = (d - shift) / scale
 
     def loss(slope: float, offset: float) -> float:
         f = slope * z + offset
-        return float(np.sum(np.logaddexp(0.0, f) - (1.0 - target) * f))
+        return float(weights @ (np.logaddexp(0.0, f) - (1.0 - target) * f))
 
-    slope, offset = 0.0, float(np.log((n_negative + 1.0) / (n_positive + 1.0)))
+    rate = float(np.average(target, weights=weights))
+    slope, offset = 0.0, float(np.log((1.0 - rate) / rate))
     value = loss(slope, offset)
     for _ in range(max_iter):
         p = expit(-(slope * z + offset))
-        residual = target - p
+        residual = weights * (target - p)
         g_slope, g_offset = float(residual @ z), float(residual.sum())
         if max(abs(g_slope), abs(g_offset)) < tol * len(d):
             break
-        weight = p * (1.0 - p)
+        weight = weights * p * (1.0 - p)
         h11 = float(weight @ (z * z)) + 1e-12
         h12 = float(weight @ z)
         h22 = float(weight.sum()) + 1e-12

@@ -24,8 +24,8 @@ SHORTLIST = 1024
 class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     """Binary relevance vector machine (thesis 3.3.1.2) with the kernel exp(-gamma ||x - y||^2).
 
-    Weights w ~ N(0, diag(1/alpha)) on one basis function a training sample and a bias, logistic likelihood. The
-    evidence is maximised over alpha by adding, re-estimating and deleting one basis function at a time
+    Weights w ~ N(0, diag(1/alpha)) on one basis function a training sample and a bias, logistic likelihood.
+    The evidence is maximised over alpha by adding, re-estimating and deleting one basis function at a time
     (Tipping and Faul 2003). The Laplace approximation at the mode of w turns the problem into a Gaussian one;
     many such steps are taken between two Laplace approximations, on the functions in the model and the most
     promising outside it, and the statistics of all functions are renewed with each approximation.
@@ -257,7 +257,7 @@ def _laplace_mode(
     alpha: NDArray[np.float64],
     start: NDArray[np.float64],
 ) -> _Mode:
-    """Newton's method for the mode of w given alpha; basis (m, n), target (n,) 0 or 1, alpha and start (m,)."""
+    """Newton's method for the mode of w; basis (m, n), target (n,) 0 or 1, alpha and start (m,)."""
     narrow = basis.astype(np.float32)
     diagonal = np.diag_indices(len(alpha))
 
@@ -309,9 +309,7 @@ class _Statistics:
         self.sparsity = np.ones(len(gram) + 1)
         self.current = False
 
-    def promising(
-        self, basis: NDArray[np.float64], mode: _Mode, count: int, renew: bool
-    ) -> NDArray[np.intp]:
+    def promising(self, basis: NDArray[np.float64], mode: _Mode, count: int, renew: bool) -> NDArray[np.intp]:
         """Give the `count` functions, ascending, that would raise the evidence most if added alone."""
         gram, n = self.gram, len(self.gram)
         squared_quality = np.empty(n + 1)
@@ -339,7 +337,7 @@ class _Statistics:
 
 
 class _Surrogate:
-    """The Gaussian problem at a Laplace mode, for the functions in the model and the most promising outside it.
+    """The Gaussian problem at a Laplace mode, for the functions in the model and promising ones outside it.
 
     With C = B^-1 + sum_a phi_a phi_a' / alpha_a, a change of 1/alpha_i by d is a rank-one change of
     R = Phi' C^-1 Phi and of Q = Phi' C^-1 z for the pool's functions Phi:

@@ -83,7 +83,7 @@ class KernelScaling(TransformerMixin, BaseEstimator):
             self.offset_ = mean
             if self.kind == "standard":
                 inverse = _inverse(deviation, abs(mean))
-                self.factor_ = inverse / np.sqrt(max(np.count_nonzero(inverse), 1))
+                self.factor_ = inverse / np.sqrt(float(max(int(np.count_nonzero(inverse)), 1)))
             else:
                 n = len(samples)
                 mean_square = 2.0 * n / (n - 1) * float((deviation**2).sum()) if n > 1 else 0.0

@@ -48,8 +48,8 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
     Examples
     --------
     >>> X = np.array([[1.0, 1, 5, 0], [2, 2, 5, 1], [3, 3, 5, 2]])
-    >>> SpatialPCA(cells=2, components=1).fit_transform(X).round(4).tolist()
-    [[-1.4142, -1.0], [0.0, 0.0], [1.4142, 1.0]]
+    >>> SpatialPCA(cells=2, components=1).fit_transform(X)[:, 1].tolist()
+    [-1.0, 0.0, 1.0]
     """
 
     def __init__(

@@ -11,6 +11,7 @@ from placecat import files, listing, parallel, paths, settings
 from placecat.sequences.base import read_frames
 from placecat.stages import run
 from placecat.vision.frame import check, describe_frame
+from placecat.vision.memory import keep_freed_memory
 
 
 def main(home: str) -> None:
@@ -44,6 +45,7 @@ def describe(
     root: Path, size: tuple[int, int], frames: pd.DataFrame, options: Mapping[str, Any]
 ) -> dict[str, np.ndarray]:
     """Describe some frames of a home: each array's first axis is the frame."""
+    keep_freed_memory()
     described = [describe_frame(image, options) for image in read_frames(root, frames, size=size)]
     return {name: np.stack([one[name] for one in described]) for name in described[0]}
 

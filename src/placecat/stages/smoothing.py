@@ -46,8 +46,8 @@ def smooth_home(
     """Smooth the test home of one fold with statistics of its training homes."""
     if not (source / "cross_validated.npy").exists():
         raise PlacecatError(
-            f"smoothing.cues names {source.parent.parent.name}, whose classifier is not cross-validated: "
-            "its emission is unknown, take it out of the list"
+            f"{source / 'cross_validated.npy'} is missing: a cue in smoothing.cues must have a classifier "
+            "that is cross-validated, such as nu_svm; take it out of the list, or run `dvc repro`"
         )
     training = [
         listing.read_labels(home)[part]

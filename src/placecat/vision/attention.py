@@ -9,14 +9,11 @@ from placecat.errors import PlacecatError
 from placecat.vision.center_surround import color_contrast, intensity_contrast
 from placecat.vision.color import channels, check_frame, reduced_planes
 from placecat.vision.maps import FloatArray, FrameMaps
-from placecat.vision.memory import keep_freed_memory
 from placecat.vision.orientation import orientation_maps
 from placecat.vision.pyramid import check_scales, gaussian_pyramid, laplacian
 from placecat.vision.regions import select_regions
 from placecat.vision.saliency import saliency
 from placecat.vision.spectral_residual import spectral_residual
-
-keep_freed_memory()
 
 
 def compute_maps(
