@@ -4,6 +4,7 @@ import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Self
 
 import numpy as np
@@ -13,8 +14,8 @@ from threadpoolctl import threadpool_limits
 
 from placecat.errors import PlacecatError
 
-# Rows and columns of one tile: 1 MiB of float32.
-ROW_TILE = 256
+# Rows and columns of one tile: 2 MiB of float32.
+ROW_TILE = 512
 COLUMN_TILE = 1024
 
 _blas_lock = threading.Lock()
@@ -93,22 +94,26 @@ def encode_two_classes(y: ArrayLike, n: int) -> tuple[NDArray[Any], NDArray[np.b
     return classes, index == 1
 
 
-def _exponents(
-    X: NDArray[np.float32], Y: NDArray[np.float32], gamma: float
-) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Extend X and Y so that one matrix product gives -gamma ||x - y||^2."""
-    # Distances do not move with the origin, but cancellation does.
+# One product of rows [2 gamma x, -gamma x.x, 1] and columns [y, 1, -gamma y.y] gives -gamma ||x - y||^2.
+# Distances do not move with the origin, but cancellation does: it is put at the mean of y.
+def _columns(Y: NDArray[np.float32], gamma: float) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Give the origin (D,) and the columns (m, D + 2)."""
     origin = Y.mean(axis=0, dtype=np.float64).astype(np.float32)
-    left = np.empty((len(X), X.shape[1] + 2), dtype=np.float32)
-    right = np.empty((len(Y), Y.shape[1] + 2), dtype=np.float32)
-    np.subtract(Y, origin, out=right[:, :-2])
-    right[:, -2] = 1.0
-    right[:, -1] = -gamma * np.einsum("ij,ij->i", right[:, :-2], right[:, :-2], dtype=np.float64)
-    np.subtract(X, origin, out=left[:, :-2])
-    left[:, -2] = -gamma * np.einsum("ij,ij->i", left[:, :-2], left[:, :-2], dtype=np.float64)
-    left[:, -1] = 1.0
-    left[:, :-2] *= np.float32(2.0 * gamma)
-    return left, right
+    columns = np.empty((len(Y), Y.shape[1] + 2), dtype=np.float32)
+    np.subtract(Y, origin, out=columns[:, :-2])
+    columns[:, -2] = 1.0
+    columns[:, -1] = -gamma * np.einsum("ij,ij->i", columns[:, :-2], columns[:, :-2], dtype=np.float64)
+    return origin, columns
+
+
+def _rows(X: NDArray[np.float32], origin: NDArray[np.float32], gamma: float) -> NDArray[np.float32]:
+    """Give the rows (n, D + 2)."""
+    rows = np.empty((len(X), X.shape[1] + 2), dtype=np.float32)
+    np.subtract(X, origin, out=rows[:, :-2])
+    rows[:, -2] = -gamma * np.einsum("ij,ij->i", rows[:, :-2], rows[:, :-2], dtype=np.float64)
+    rows[:, -1] = 1.0
+    rows[:, :-2] *= np.float32(2.0 * gamma)
+    return rows
 
 
 def _tile(left: NDArray[np.float32], right: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -158,7 +163,8 @@ def rbf_gram(
     [[1.0, 0.5], [0.5, 1.0]]
     """
     samples = check_samples(X)
-    left, right = _exponents(samples, samples, _check_gamma(gamma))
+    origin, right = _columns(samples, _check_gamma(gamma))
+    left = _rows(samples, origin, gamma)
     n = len(samples)
     gram = np.empty((n, n), dtype=dtype)
 
@@ -203,7 +209,8 @@ def rbf_cross(X: ArrayLike, Y: ArrayLike, gamma: float) -> NDArray[np.float32]:
     rows, columns = check_samples(X), check_samples(Y, "Y")
     if rows.shape[1] != columns.shape[1]:
         raise PlacecatError(f"X has {rows.shape[1]} features, Y has {columns.shape[1]}; give equal widths")
-    left, right = _exponents(rows, columns, _check_gamma(gamma))
+    origin, right = _columns(columns, _check_gamma(gamma))
+    left = _rows(rows, origin, gamma)
     result = np.empty((len(rows), len(columns)), dtype=np.float32)
     with single_blas_thread():
         for start in range(0, len(rows), ROW_TILE):
@@ -247,6 +254,10 @@ class KernelExpansion:
         intercept = np.array([machine.intercept_ for machine in machines], dtype=np.float64)
         return cls(X[support], coef, intercept, float(machines[0].gamma))
 
+    @cached_property
+    def _prepared(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        return _columns(self.support_vectors, self.gamma)
+
     def decisions(self, X: ArrayLike) -> NDArray[np.float64]:
         """Evaluate all K functions: one matrix product for the kernel, one for the sums.
 
@@ -273,7 +284,8 @@ class KernelExpansion:
         if len(self.support_vectors) == 0:
             return result
         coef = self.coef.astype(np.float32)
-        left, right = _exponents(samples, self.support_vectors, self.gamma)
+        origin, right = self._prepared
+        left = _rows(samples, origin, self.gamma)
         with single_blas_thread():
             for start in range(0, len(samples), ROW_TILE):
                 for first in range(0, len(coef), COLUMN_TILE):

@@ -142,9 +142,9 @@ class FittedProblem:
     sigmoid
         A, B of p = 1 / (1 + exp(A d + B)).
     outputs
-        (n,) held-out p(o|x); NaN where no classifier could be trained for the sample's fold.
+        (n,) held-out p(o|x).
     fold_nu
-        nu of each fold's classifier where the base has one, NaN for skipped folds.
+        nu of each fold's classifier, NaN for a base without one.
     """
 
     machine: Any
@@ -164,9 +164,8 @@ def fit_problems(
 ) -> list[FittedProblem]:
     """Fit, cross-validate and calibrate two-class problems that share samples; (problem, fold) in threads.
 
-    A fold whose training part lacks positives or negatives is skipped for that problem. If what remains has
-    not held out both, that problem is cross-validated by stratified consecutive samples instead (a class that
-    only one home has cannot be judged by home).
+    A problem with a fold whose training part lacks positives or negatives (a class that only one home has
+    cannot be judged by home) is cross-validated by stratified consecutive samples instead, with a warning.
 
     Parameters
     ----------
@@ -181,7 +180,7 @@ def fit_problems(
     """
     n = len(problems[0].positive)
     everything = np.arange(n)
-    plans: list[list[Fold]] = [_usable_folds(problem, folds) for problem in problems]
+    plans: list[list[Fold]] = [_folds_for(problem, folds) for problem in problems]
     tasks: list[tuple[int, int]] = [(k, -1) for k in range(len(problems))]
     tasks += [(k, f) for k in range(len(problems)) for f in range(len(plans[k]))]
 
@@ -196,41 +195,34 @@ def fit_problems(
     results = Parallel(n_jobs=n_jobs, backend="threading")(delayed(run)(k, f) for k, f in tasks)
     fitted = []
     for k, problem in enumerate(problems):
-        decisions = np.full(n, np.nan)
+        decisions = np.empty(n)
         nus = []
         for (task, f), (machine, values) in zip(tasks, results, strict=True):
             if task == k and f >= 0:
                 decisions[plans[k][f][1]] = values
                 nus.append(float(getattr(machine, "nu_", np.nan)))
-        judged = problem.member & np.isfinite(decisions)
         sigmoid = base.own_sigmoid if own else None
         if sigmoid is None:
-            sigmoid = fit_sigmoid(decisions[judged], problem.positive[judged], balanced)
+            sigmoid = fit_sigmoid(decisions[problem.member], problem.positive[problem.member], balanced)
         fitted.append(FittedProblem(results[k][0], sigmoid, apply_sigmoid(decisions, *sigmoid), nus))
     return fitted
 
 
-def _usable_folds(problem: Problem, folds: Sequence[Fold]) -> list[Fold]:
+def _folds_for(problem: Problem, folds: Sequence[Fold]) -> list[Fold]:
     positive, member = problem.positive, problem.member
 
-    def both(rows: NDArray[np.intp]) -> bool:
+    def trainable(rows: NDArray[np.intp]) -> bool:
         labels = positive[rows[member[rows]]]
         return bool(labels.any() and not labels.all())
 
-    usable = [fold for fold in folds if both(fold[0])]
-    if usable and both(np.concatenate([test for _, test in usable])):
-        if len(usable) < len(folds):
-            logger.warning(
-                "%s: %d of %d folds have no positive or no negative training sample and are skipped",
-                problem.name,
-                len(folds) - len(usable),
-                len(folds),
-            )
-        return usable
+    if all(trainable(train) for train, _ in folds):
+        return list(folds)
     logger.warning(
-        "%s: cannot be cross-validated by group; consecutive samples are held out instead", problem.name
+        "%s: cannot be cross-validated by group, one group holds all its positive or negative samples; "
+        "consecutive samples are held out instead",
+        problem.name,
     )
-    kind = np.where(member, np.where(positive, 2, 1), 0).astype(np.intp)
+    kind = np.where(member, np.where(positive, 2, 1), 0)
     return make_folds(np.unique(kind, return_inverse=True)[1], None, max(len(folds), 2))
 
 
@@ -368,8 +360,9 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
         highest certainty decides, which 3.3.1.2 mentions as the simpler way.
     cross_validation
         Where held-out values come from: ``group`` leaves one group out; ``frame`` takes shuffled folds
-        whatever the groups, as dlib does. Neighbouring frames are near-duplicates, so ``frame`` makes every classifier
-        look nearly perfect; honest folds of weak classifiers make equation (6) lean to the frequent classes.
+        whatever the groups, as dlib does. Neighbouring frames are near-duplicates, so ``frame`` makes every
+        classifier look nearly perfect; honest folds of weak classifiers make equation (6) lean to the
+        frequent classes.
     seed
         Of the shuffle of ``frame``.
     reliability
@@ -403,8 +396,7 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
     sigmoid_
         (K, 2) A and B of p(o_k|x) = 1 / (1 + exp(A d + B)).
     cv_outputs_
-        (n, K) held-out p(o_k|x) of the training samples. Where a fold had to be skipped for a class: the
-        frequency of that class.
+        (n, K) held-out p(o_k|x) of the training samples.
     cv_proba_
         (n, K) distribution of each training sample from its held-out outputs.
     nu_
@@ -499,12 +491,11 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
         self.sigmoid_ = np.array([f.sigmoid for f in fitted])
         self.nu_ = np.array([float(getattr(f.machine, "nu_", np.nan)) for f in fitted])
         self.fold_nu_ = [np.array(f.fold_nu) for f in fitted]
-        outputs = np.stack([f.outputs for f in fitted], axis=1)
+        self.cv_outputs_ = np.stack([f.outputs for f in fitted], axis=1)
         frequency = np.bincount(index, minlength=n_classes) / n
         self.prior_ = frequency if self.prior == "training" else np.full(n_classes, 1.0 / n_classes)
-        self.reliability_ = self._reliability(outputs, index)
+        self.reliability_ = self._reliability(index)
         self._set_posterior()
-        self.cv_outputs_ = np.where(np.isnan(outputs), frequency, outputs)
         self.cv_proba_ = self.combine(self.cv_outputs_)
         return self
 
@@ -520,14 +511,13 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
         if self.folds < 2:
             raise PlacecatError(f"folds = {self.folds}; cross-validation needs 2 or more")
 
-    def _reliability(self, outputs: NDArray[np.float64], index: NDArray[np.intp]) -> NDArray[np.float64]:
-        judged = ~np.isnan(outputs)
-        says_yes = outputs >= 0.5 if self.reliability == "hard" else np.where(judged, outputs, 0.0)
-        member = (index[:, None] == np.arange(len(self.classes_))).astype(np.float64)
-        yes, total = member.T @ says_yes, member.T @ judged
+    def _reliability(self, index: NDArray[np.intp]) -> NDArray[np.float64]:
+        hard = self.reliability == "hard"
+        says_yes = (self.cv_outputs_ >= 0.5).astype(np.float64) if hard else self.cv_outputs_
+        yes = np.stack([says_yes[index == i].sum(axis=0) for i in range(len(self.classes_))])
+        total = np.bincount(index, minlength=len(self.classes_))[:, None]
         a = self.reliability_smoothing
-        # Nothing counted and nothing added: no decision is more likely than the other.
-        return np.divide(yes + a, total + 2 * a, out=np.full_like(yes, 0.5), where=total + 2 * a > 0)
+        return (yes + a) / (total + 2 * a)
 
     def _set_posterior(self) -> None:
         joint = self.reliability_ * self.prior_[:, None]

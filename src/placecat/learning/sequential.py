@@ -164,8 +164,7 @@ class Sequential(ClassifierMixin, BaseEstimator):
         self.scorer_ = base.collect([f.machine for f in fitted], samples)
         self.sigmoid_ = np.array([f.sigmoid for f in fitted])
         self.nu_ = np.array([float(getattr(f.machine, "nu_", np.nan)) for f in fitted])
-        outputs = np.stack([f.outputs for f in fitted], axis=1)
-        self.cv_outputs_ = np.where(np.isnan(outputs), np.bincount(index) / n, outputs)
+        self.cv_outputs_ = np.stack([f.outputs for f in fitted], axis=1)
         self.cv_proba_ = self.combine(self.cv_outputs_)
         return self
 
@@ -186,12 +185,10 @@ class Sequential(ClassifierMixin, BaseEstimator):
         return float(expit(-sigmoid[1])) if self.decision == "sign" else 0.5
 
     def _strength(self, outputs: NDArray[np.float64], threshold: float, positive: NDArray[np.bool_]) -> float:
-        judged = np.isfinite(outputs)
-        right = (outputs[judged] >= threshold) == positive[judged]
+        right = (outputs >= threshold) == positive
         if self.order == "error":
             return float(right.mean())
-        yes = positive[judged]
-        return float((right[yes].mean() + right[~yes].mean()) / 2.0)
+        return float((right[positive].mean() + right[~positive].mean()) / 2.0)
 
     def outputs(self, X: ArrayLike) -> NDArray[np.float64]:
         """Give p(o_k|x) of samples (n, D) as (n, K)."""

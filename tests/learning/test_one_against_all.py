@@ -1,0 +1,270 @@
+import io
+import logging
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from sklearn.base import clone
+from sklearn.calibration import CalibratedClassifierCV
+from sklearn.linear_model import LogisticRegression
+from sklearn.multiclass import OneVsRestClassifier
+from sklearn.naive_bayes import GaussianNB
+from sklearn.svm import NuSVC
+
+from placecat.errors import PlacecatError
+from placecat.learning.gentle_adaboost import GentleAdaBoost
+from placecat.learning.nu_svm import NuSVM
+from placecat.learning.one_against_all import OneAgainstAll, make_folds
+from placecat.learning.rvm import RVM
+
+BASES = [NuSVM(gamma=0.5, nu=0.2), RVM(gamma=0.5), GentleAdaBoost(n_rounds=10)]
+
+
+def homes(n=150, classes=3, homes=3, seed=0, spread=1.0):
+    rng = np.random.default_rng(seed)
+    y = np.arange(n) % classes
+    X = 2.0 * np.eye(classes)[y] + spread * rng.normal(size=(n, classes))
+    return X.astype(np.float32), y, np.arange(n) * homes // n
+
+
+@pytest.mark.parametrize("grouped", [True, False])
+def test_outputs_equal_calibrated_nusvc(grouped):
+    X, y, groups = homes(240)
+    groups = groups if grouped else None
+    ours = OneAgainstAll(NuSVM(gamma=0.5, nu=0.3, tol=1e-5)).fit(X, y, groups=groups)
+    folds = make_folds(y, groups, 5)
+    assert len(folds) == (3 if grouped else 5)
+    svm = NuSVC(gamma=0.5, nu=0.3, tol=1e-5)
+    theirs = OneVsRestClassifier(CalibratedClassifierCV(svm, method="sigmoid", ensemble=False, cv=folds))
+    theirs.fit(X.astype(float), y)
+    test = np.random.default_rng(5).normal(size=(50, 3))
+    expected = np.stack([e.predict_proba(test)[:, 1] for e in theirs.estimators_], axis=1)
+    np.testing.assert_allclose(ours.outputs(test), expected, atol=1e-3)
+
+
+def test_scheme_against_a_naive_transcription():
+    X, y, groups = homes()
+    model = OneAgainstAll(BASES[0], uncertainty=0.3, reliability="soft", reliability_smoothing=0.0)
+    model.fit(X, y, groups=groups)
+    prior = [np.mean(y == i) for i in range(3)]
+    reliability = [[model.cv_outputs_[y == i, k].mean() for k in range(3)] for i in range(3)]
+    p_o = [sum(reliability[i][k] * prior[i] for i in range(3)) for k in range(3)]
+    for outputs, proba in zip(model.cv_outputs_, model.cv_proba_, strict=True):
+        beta = 0.3 * (1 / max(outputs) - 1)
+        p = [
+            sum(reliability[i][k] * prior[i] / p_o[k] * outputs[k] for k in range(3)) + beta / 3
+            for i in range(3)
+        ]
+        np.testing.assert_allclose(proba, np.array(p) / sum(p), atol=1e-12)
+
+
+def test_hard_reliability_counts_decisions():
+    X, y, groups = homes()
+    model = OneAgainstAll(BASES[0]).fit(X, y, groups=groups)
+    for i in range(3):
+        for k in range(3):
+            yes = int((model.cv_outputs_[y == i, k] >= 0.5).sum())
+            assert model.reliability_[i, k] == pytest.approx((yes + 1) / (50 + 2))
+
+
+def test_perfect_reliabilities_return_the_outputs():
+    model = OneAgainstAll()
+    model.posterior_ = np.eye(3)
+    np.testing.assert_allclose(model.combine(np.array([[0.2, 0.1, 0.1]])), [[0.5, 0.25, 0.25]])
+    model.combination = "certainty"
+    np.testing.assert_allclose(
+        model.combine(np.array([[0.0, 0.0, 0.0], [0.3, 0.0, 0.1]]))[1], [0.75, 0.0, 0.25]
+    )
+
+
+def test_uncertainty_flattens_unsure_distributions():
+    model = OneAgainstAll(uncertainty=1.0)
+    model.posterior_ = np.eye(2)
+    # Certain to 50 %: additional mass gamma = 1, half of it to each of two classes.
+    np.testing.assert_allclose(model.combine(np.array([[0.5, 0.0]])), [[1.0 / 1.5, 0.5 / 1.5]])
+    np.testing.assert_allclose(model.combine(np.array([[1.0, 0.0]])), [[1.0, 0.0]])
+    np.testing.assert_allclose(model.combine(np.array([[1e-9, 0.0]])), [[0.5, 0.5]], atol=1e-8)
+    np.testing.assert_allclose(model.combine(np.array([[0.0, 0.0]])), [[0.5, 0.5]])
+
+
+@pytest.mark.parametrize("base", BASES, ids=lambda base: type(base).__name__)
+def test_all_bases_learn_and_do_not_depend_on_threads(base):
+    X, y, groups = homes(240)
+    one = OneAgainstAll(base, n_jobs=1).fit(X, y, groups=groups)
+    three = OneAgainstAll(base, n_jobs=3).fit(X, y, groups=groups)
+    for name, array in one.to_arrays().items():
+        if name != "settings":
+            assert array.tobytes() == three.to_arrays()[name].tobytes(), name
+    assert one.predict_proba(X).tobytes() == three.predict_proba(X).tobytes()
+    assert (one.cv_proba_.argmax(axis=1) == y).mean() > 0.8
+    assert (one.predict(X) == y).mean() > 0.85
+    assert (np.diag(one.reliability_) > 0.6).all()
+
+
+@pytest.mark.parametrize("base", BASES, ids=lambda base: type(base).__name__)
+def test_arrays_survive_a_file_without_pickle(base):
+    X, y, groups = homes()
+    model = OneAgainstAll(base, uncertainty=0.1).fit(X, np.array(["bath", "hall", "bed"])[y], groups=groups)
+    file = io.BytesIO()
+    np.savez(file, **model.to_arrays())
+    file.seek(0)
+    again = OneAgainstAll.from_arrays(np.load(file, allow_pickle=False))
+    assert np.array_equal(again.predict_proba(X), model.predict_proba(X))
+    assert np.array_equal(again.predict(X), model.predict(X))
+    assert again.base.get_params() == base.get_params()
+    assert again.uncertainty == 0.1
+
+
+@settings(max_examples=15, deadline=None)
+@given(
+    seed=st.integers(0, 99),
+    reliability=st.sampled_from(["hard", "soft"]),
+    prior=st.sampled_from(["training", "uniform"]),
+    uncertainty=st.sampled_from([0.0, 0.5]),
+    spread=st.sampled_from([0.3, 4.0]),
+)
+def test_rows_sum_to_one(seed, reliability, prior, uncertainty, spread):
+    X, y, groups = homes(60, seed=seed, spread=spread)
+    model = OneAgainstAll(BASES[0], reliability=reliability, prior=prior, uncertainty=uncertainty)
+    model.fit(X, y, groups=groups)
+    for proba in (model.predict_proba(X), model.cv_proba_):
+        assert (proba >= 0).all()
+        np.testing.assert_allclose(proba.sum(axis=1), 1.0)
+
+
+@settings(max_examples=6, deadline=None)
+@given(permutation=st.permutations([0, 1, 2]), grouped=st.booleans())
+def test_renamed_classes_permute_the_columns(permutation, grouped):
+    X, y, groups = homes(90)
+    groups = groups if grouped else None
+    plain = OneAgainstAll(BASES[0]).fit(X, y, groups=groups)
+    renamed = OneAgainstAll(BASES[0]).fit(X, np.array(permutation)[y], groups=groups)
+    np.testing.assert_allclose(
+        renamed.predict_proba(X)[:, permutation], plain.predict_proba(X), rtol=1e-9, atol=1e-12
+    )
+    np.testing.assert_allclose(renamed.cv_proba_[:, permutation], plain.cv_proba_, rtol=1e-9, atol=1e-12)
+
+
+def test_a_given_gram_changes_nothing():
+    X, y, groups = homes()
+    gram = BASES[0].prepare(X)
+    own, given_ = (
+        OneAgainstAll(BASES[0]).fit(X, y, groups),
+        OneAgainstAll(BASES[0]).fit(X, y, groups, gram=gram),
+    )
+    assert own.cv_proba_.tobytes() == given_.cv_proba_.tobytes()
+
+
+def test_folds_are_homes_unless_asked_otherwise():
+    y = np.repeat([0, 1], 10)
+    groups = np.tile([7, 8, 9, 9, 9], 4)
+    held_out = [set(groups[test]) for _, test in make_folds(y, groups, 5)]
+    assert held_out == [{7}, {8}, {9}]
+    assert len(make_folds(y, None, 5)) == 5
+    assert len(make_folds(y, np.zeros(20), 4)) == 4
+    shuffled = make_folds(y, groups, 5, by="frame", seed=1)
+    assert len(shuffled) == 5
+    again = make_folds(y, groups, 5, by="frame", seed=1)
+    assert all(np.array_equal(a[1], b[1]) for a, b in zip(shuffled, again, strict=True))
+    # Held out: consecutive samples of each class.
+    assert make_folds(y, None, 5)[0][1].tolist() == [0, 1, 10, 11]
+
+
+def test_class_missing_from_a_folds_training_part(caplog):
+    """Class 2 lives in home 0 only: it is judged by consecutive samples, the others by home."""
+    X, y, _ = homes(150)
+    groups = np.where(y == 2, 0, np.arange(150) * 3 // 150)
+    with caplog.at_level(logging.WARNING):
+        model = OneAgainstAll(BASES[0]).fit(X, y, groups=groups)
+    assert "class '2': cannot be cross-validated by group" in caplog.text
+    assert np.isfinite(model.cv_outputs_).all()
+    assert model.reliability_[2, 2] > 0.6
+    np.testing.assert_allclose(model.cv_proba_.sum(axis=1), 1.0)
+
+
+def test_nu_is_lowered_per_class_and_fold():
+    X, y, groups = homes(200)
+    y = np.where((y == 2) & (np.arange(200) % 4 > 0), 1, y)
+    model = OneAgainstAll(NuSVM(gamma=0.5, nu=0.6)).fit(X, y, groups=groups)
+    for k in range(3):
+        rare = min((y == k).sum(), (y != k).sum())
+        assert model.nu_[k] == pytest.approx(min(0.6, 2 * rare / 200))
+        for g, nu in enumerate(model.fold_nu_[k]):
+            rest = y[groups != g] == k
+            assert nu == pytest.approx(min(0.6, 2 * min(rest.sum(), (~rest).sum()) / len(rest)))
+
+
+def test_frame_folds_look_better_on_near_duplicates():
+    rng = np.random.default_rng(0)
+    views = rng.normal(size=(30, 5))
+    y, home = np.arange(30) % 3, np.arange(30) // 6
+    X = np.repeat(views, 8, axis=0) + 0.01 * rng.normal(size=(240, 5))
+    y, home = np.repeat(y, 8), np.repeat(home, 8)
+    by_home = OneAgainstAll(BASES[0]).fit(X, y, groups=home)
+    by_frame = OneAgainstAll(BASES[0], cross_validation="frame").fit(X, y, groups=home)
+    assert (by_frame.cv_proba_.argmax(1) == y).mean() > (by_home.cv_proba_.argmax(1) == y).mean() + 0.3
+
+
+def test_any_scikit_learn_classifier_can_be_the_base():
+    X, y, groups = homes()
+    for base in (LogisticRegression(), GaussianNB()):
+        model = OneAgainstAll(base).fit(X, y, groups=groups)
+        assert (model.predict(X) == y).mean() > 0.8
+        with pytest.raises(PlacecatError, match="only NuSVM, RVM and GentleAdaBoost"):
+            model.to_arrays()
+
+
+def test_calibration_settings():
+    X, y, groups = homes()
+    own = OneAgainstAll(RVM(gamma=0.5), calibration="own").fit(X, y, groups=groups)
+    assert own.sigmoid_.tolist() == [[-1.0, 0.0]] * 3
+    boosted = OneAgainstAll(GentleAdaBoost(5)).fit(X, y, groups=groups)
+    assert boosted.sigmoid_.tolist() == [[-2.0, 0.0]] * 3
+    platt = OneAgainstAll(GentleAdaBoost(5), calibration="platt").fit(X, y, groups=groups)
+    assert platt.sigmoid_.tolist() != boosted.sigmoid_.tolist()
+    balanced = OneAgainstAll(BASES[0], sigmoid_weights="balanced").fit(X, y, groups=groups)
+    plain = OneAgainstAll(BASES[0]).fit(X, y, groups=groups)
+    assert balanced.cv_outputs_.mean() > plain.cv_outputs_.mean()
+
+
+def test_clone_keeps_parameters():
+    model = OneAgainstAll(NuSVM(nu=0.1), uncertainty=0.2)
+    assert clone(model).get_params()["base__nu"] == 0.1
+    assert clone(model).uncertainty == 0.2
+
+
+X3, Y3, _ = homes(30)
+
+
+@pytest.mark.parametrize(
+    ("model", "y", "message"),
+    [
+        (OneAgainstAll(), np.ones(30), "all training samples are of class '1.0'"),
+        (OneAgainstAll(), np.arange(30) == 3, "class 'True' has 1 training sample"),
+        (OneAgainstAll(), Y3[:5], r"y has shape \(5,\) for 30 samples"),
+        (
+            OneAgainstAll(NuSVM(nu=0.9, nu_policy="refuse")),
+            Y3,
+            r"nu = 0.9 is infeasible for class '0' .*largest feasible value is 0.666667",
+        ),
+        (OneAgainstAll(NuSVM(nu=2.0)), Y3, r"nu = 2.0 is outside \(0, 1\]"),
+        (OneAgainstAll(calibration="own"), Y3, "calibration 'own' needs a base with probabilities"),
+        (OneAgainstAll(calibration="x"), Y3, "unknown calibration 'x'"),
+        (OneAgainstAll(reliability="x"), Y3, "unknown reliability 'x'"),
+        (OneAgainstAll(prior="x"), Y3, "unknown prior 'x'"),
+        (OneAgainstAll(combination="x"), Y3, "unknown combination 'x'"),
+        (OneAgainstAll(cross_validation="x"), Y3, "unknown cross_validation 'x'"),
+        (OneAgainstAll(sigmoid_weights="x"), Y3, "unknown sigmoid_weights 'x'"),
+        (OneAgainstAll(folds=1), Y3, "folds = 1; cross-validation needs 2 or more"),
+        (OneAgainstAll(uncertainty=-1.0), Y3, "must be 0 or more"),
+    ],
+)
+def test_messages(model, y, message):
+    with pytest.raises(PlacecatError, match=message):
+        model.fit(X3, y)
+
+
+def test_messages_name_the_class():
+    with pytest.raises(PlacecatError, match="infeasible for class 'bedroom'"):
+        OneAgainstAll(NuSVM(nu=0.9, nu_policy="refuse")).fit(X3, Y3, class_names=["bedroom", "bath", "hall"])

@@ -1,0 +1,61 @@
+import numpy as np
+import pytest
+from made_features import make
+
+from placecat import listing, store
+from placecat.errors import PlacecatError
+from placecat.vision import local
+
+HOG = {
+    "kind": "local",
+    "name": "hog",
+    "y_pos": True,
+    "y_weight": 2.0,
+    "color": False,
+    "max_regions": 3,
+}
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    make(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path / "data/features/H1"
+
+
+def test_shape_and_position_side_by_side(folder):
+    read = store.read_descriptors("H1", HOG)
+    hog, regions = np.load(folder / "local_hog.npy"), np.load(folder / "regions.npy")
+    counts = np.minimum(np.load(folder / "count.npy"), 3)
+    assert read.x.shape == (90, 3, 7)
+    np.testing.assert_array_equal(read.counts, counts)
+    frame = int(np.flatnonzero(counts == 2)[0])
+    expected = hog[frame, :2] / np.float32(local.load("hog").SPREAD)
+    np.testing.assert_allclose(read.x[frame, :2, :6], expected, rtol=1e-6)
+    np.testing.assert_allclose(read.x[frame, :2, 6], 2 * regions[frame, :2, 1] / 360, rtol=1e-6)
+    assert (read.x[frame, 2] == 0).all()
+
+
+def test_rows_are_those_asked_for(folder):
+    some = np.array([4, 40, 7])
+    np.testing.assert_array_equal(
+        store.read_descriptors("H1", HOG, some).x, store.read_descriptors("H1", HOG).x[some]
+    )
+
+
+def test_colour_is_appended(folder):
+    assert store.read_descriptors("H1", HOG | {"color": True, "y_pos": False}).x.shape == (90, 3, 8)
+
+
+def test_more_regions_than_there_are_is_refused(folder):
+    with pytest.raises(PlacecatError, match=r"max_regions 9, but regions\.max_regions is 4"):
+        store.read_descriptors("H1", HOG | {"max_regions": 9})
+
+
+def test_a_missing_descriptor_names_its_file(folder):
+    with pytest.raises(PlacecatError, match=r"holistic_surf\.npy is missing"):
+        store.read_descriptors("H1", {"kind": "holistic", "name": "surf"})
+
+
+def test_sequences_are_cut_where_the_name_changes(folder):
+    assert listing.sequence_slices("H1") == [slice(0, 50), slice(50, 90)]
