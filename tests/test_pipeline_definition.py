@@ -86,6 +86,7 @@ def test_there_are_few_stages():
 
 def settings_in_code():
     """Each part of params.yaml with the function or class whose settings it holds, and what is no setting."""
+    from placecat.cues import estimators
     from placecat.fusion.smoothing import smooth
     from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
     from placecat.sequences.sketch import draw_homes
@@ -104,6 +105,16 @@ def settings_in_code():
             yield f"descriptors.{kind}.{name}", params["descriptors"][kind][name], describe, given
     for name, codebook in params["codebooks"].items():
         yield f"codebooks.{name}.tree", codebook["tree"], HierarchicalKMeans, {"seed"}
+    for path in sorted((ROOT / "conf/classifier").glob("*.yaml")):
+        override = f"classifier@cues.gist.classifier={path.stem}"
+        composed = yaml.safe_load(compose.compose([override], conf=ROOT / "conf"))
+        classifier = composed["cues"]["gist"]["classifier"]
+        for part in ("base", "scheme"):
+            if part in classifier:
+                estimator = type(estimators.build(classifier[part], part))
+                options = {key: value for key, value in classifier[part].items() if key != "name"}
+                given = {"n_values", "n_jobs", "base", "codebook", "n_clusters", "seed"}
+                yield f"{path.stem}.{part}", options, estimator, given
     given = {"proba", "sequences", "training_sequences", "training_proba", "training_truth", "n_classes"}
     smoothing = {name: value for name, value in params["smoothing"].items() if name != "cues"}
     yield "smoothing", smoothing, smooth, given

@@ -106,3 +106,20 @@ def test_arrays_keep_labels():
     assert np.array_equal(again.predict(X), model.predict(X))
     assert again.nu_ == model.nu_
     assert all(array.dtype != object for array in model.to_arrays().values())
+
+
+def test_a_nu_without_margin_is_raised_or_refused():
+    """Three quarters of both classes coincide: a small nu leaves no margin, and libsvm divides by it."""
+    X = np.array([[0.0, 0.0]] * 6 + [[1.0, 1.0]] * 2 + [[0.0, 0.0]] * 6 + [[-1.0, 1.0]] * 2)
+    y = np.repeat([0, 1], 8)
+    model = NuSVM(gamma=1.0, nu=0.2).fit(X, y)
+    assert model.nu_ == pytest.approx(0.8)
+    assert np.isfinite(model.dual_coef_).all()
+    assert model.predict([[1.0, 1.0], [-1.0, 1.0]]).tolist() == [0, 1]
+    with pytest.raises(PlacecatError, match=r"nu = 0\.2 leaves no margin.*use a nu up to 1"):
+        NuSVM(gamma=1.0, nu=0.2, nu_policy="refuse").fit(X, y)
+
+
+def test_coinciding_classes_are_refused():
+    with pytest.raises(PlacecatError, match="descriptors of both classes coincide"):
+        NuSVM(gamma=1.0, nu=0.5).fit(np.zeros((8, 2)), np.repeat([0, 1], 4))

@@ -64,7 +64,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     classes_
         The two labels, sorted; the second is the positive one. Set by `fit`.
     nu_
-        The nu in force: `nu`, or the largest feasible one.
+        The nu in force: `nu`; the largest feasible one if lower; doubled as long as there is no margin.
     support_, dual_coef_, intercept_
         As in `KernelMachine`.
     support_vectors_
@@ -173,20 +173,35 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
                     f"{largest:.6g}; lower nu or set nu_policy to 'lower'"
                 )
             logger.info("nu lowered from %g to %.6g for %s (%s)", self.nu, largest, context, counts)
-        self.nu_ = min(float(self.nu), largest)
-        machine = NuSVC(
-            nu=accepted_nu(float(self.nu), n_positive, n_negative),
-            kernel="precomputed",
-            tol=self.tol,
-            cache_size=self.cache_mb,
-        )
         # A zero weight leaves a sample out while the matrix stays where it is.
         weights = None
         if len(chosen) < len(shared):
             weights = np.zeros(len(shared))
             weights[chosen] = 1.0
-        with sklearn.config_context(assume_finite=True):
-            machine.fit(shared, positive, sample_weight=weights)
+        nu = min(float(self.nu), largest)
+        while True:
+            machine = NuSVC(
+                nu=accepted_nu(nu, n_positive, n_negative),
+                kernel="precomputed",
+                tol=self.tol,
+                cache_size=self.cache_mb,
+            )
+            try:
+                with sklearn.config_context(assume_finite=True):
+                    machine.fit(shared, positive, sample_weight=weights)
+                break
+            except ValueError as error:
+                # A small nu leaves no margin where samples of both classes coincide; libsvm divides by it.
+                if "not finite" not in str(error):
+                    raise
+                if self.nu_policy == "refuse" or nu >= largest:
+                    raise PlacecatError(
+                        f"nu = {nu:.6g} leaves no margin for {context} ({counts}), since descriptors of both "
+                        f"classes coincide: use a nu up to {largest:.6g}, or another descriptor or scaling"
+                    ) from None
+                logger.info("nu raised from %g for %s: no margin", nu, context)
+                nu = min(2 * nu, largest)
+        self.nu_ = nu
         # scikit-learn's support_ counts only the samples of nonzero weight.
         self.support_ = chosen[machine.support_].astype(np.intp)
         self.dual_coef_ = np.asarray(machine.dual_coef_[0], dtype=np.float64)

@@ -22,7 +22,6 @@ logger = logging.getLogger(__name__)
 
 CALIBRATIONS = ("auto", "platt", "own")
 SIGMOID_WEIGHTS = ("none", "balanced")
-CROSS_VALIDATIONS = ("group", "frame")
 COMBINATIONS = ("parallel", "certainty")
 RELIABILITIES = ("hard", "soft")
 PRIORS = ("training", "uniform")
@@ -62,9 +61,7 @@ class TwoClassBase(Protocol):
 Fold = tuple[NDArray[np.intp], NDArray[np.intp]]
 
 
-def make_folds(
-    y: NDArray[np.intp], groups: ArrayLike | None, folds: int, by: str = "group", seed: int = 0
-) -> list[Fold]:
+def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, folds: int) -> list[Fold]:
     """Split samples into training and held-out parts.
 
     Leave one group out where there are two groups or more: neighbouring frames of a home are near-duplicates,
@@ -79,19 +76,13 @@ def make_folds(
         (n,) the home of each sample, or None.
     folds
         Number of folds where groups do not make them.
-    by
-        ``group`` as said. ``frame``: stratified folds of shuffled samples whatever the groups.
-    seed
-        Of the shuffle.
 
     Returns
     -------
     list of (train, test)
         Ascending indices.
     """
-    if by not in CROSS_VALIDATIONS:
-        raise PlacecatError(f"unknown cross_validation {by!r}; choose 'group' or 'frame'")
-    if groups is not None and by == "group":
+    if groups is not None:
         _, home = np.unique(np.asarray(groups), return_inverse=True)
         if home.shape != y.shape:
             raise PlacecatError(
@@ -106,10 +97,7 @@ def make_folds(
 
     counts = np.bincount(y)
     splits = int(max(2, min(folds, counts[counts > 0].min())))
-    splitter = (
-        StratifiedKFold(splits, shuffle=True, random_state=seed) if by == "frame" else StratifiedKFold(splits)
-    )
-    return list(splitter.split(np.zeros(len(y)), y))
+    return list(StratifiedKFold(splits).split(np.zeros(len(y)), y))
 
 
 @dataclass(frozen=True)
@@ -358,23 +346,20 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
     combination
         ``parallel``, equation (6); or ``certainty``, the p(o_k|x) normalised, so that the classifier with the
         highest certainty decides, which 3.3.1.2 mentions as the simpler way.
-    cross_validation
-        Where held-out values come from: ``group`` leaves one group out; ``frame`` takes shuffled folds
-        whatever the groups, as dlib does. Neighbouring frames are near-duplicates, so ``frame`` makes every
-        classifier look nearly perfect; honest folds of weak classifiers make equation (6) lean to the
-        frequent classes.
-    seed
-        Of the shuffle of ``frame``.
+    exclusive
+        Divide the p(o_k|x) of a sample by their sum before (6) and (7): (6) is the law of total probability
+        only if exactly one of the o_k happens. False takes them as they are.
     reliability
-        What p(o_k|l_i) counts among held-out samples of class i: ``hard``, the share with p(o_k|x) >= 0.5
-        ("decision reliability" from "statistics from cross-validating the two-class classifiers");
-        ``soft``, the mean of p(o_k|x). The thesis does not say which. With calibrated but weak classifiers
-        the soft one makes all p(l_i|o_k) resemble p(l_i), so that frequent classes swallow rare ones.
+        What p(o_k|l_i) counts among held-out samples of class i: ``soft``, the mean of p(o_k|x); ``hard``,
+        the share with p(o_k|x) >= 0.5, or, with `exclusive`, where it is the largest. The thesis says
+        "statistics from cross-validating", not which.
     reliability_smoothing
-        Added to positive and to negative decisions of each (class, classifier); 0 lets a classifier that
-        never said yes be ignored. The thesis does not give this.
+        Added to each count; 0 lets a classifier that never said yes be ignored. The thesis does not give
+        this.
     prior
-        p(l_i): ``training`` frequencies (thesis) or ``uniform``.
+        p(l_i): ``uniform``, or the ``training`` frequencies as the thesis has it. The measure is a mean over
+        places, so that none is to be preferred; and with folds by home, which show how weak the classifiers
+        are, the training frequencies make (6) name the most frequent place always.
     uncertainty
         gamma of equation (9). beta = gamma (1 / max_k p(o_k|x) - 1) is spread evenly over the classes before
         normalisation. 0 is off.
@@ -423,11 +408,10 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
         calibration: str = "auto",
         sigmoid_weights: str = "none",
         combination: str = "parallel",
-        cross_validation: str = "group",
-        seed: int = 0,
-        reliability: str = "hard",
+        exclusive: bool = True,
+        reliability: str = "soft",
         reliability_smoothing: float = 1.0,
-        prior: str = "training",
+        prior: str = "uniform",
         uncertainty: float = 0.0,
         folds: int = 5,
         n_jobs: int | None = None,
@@ -436,8 +420,7 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
         self.calibration = calibration
         self.sigmoid_weights = sigmoid_weights
         self.combination = combination
-        self.cross_validation = cross_validation
-        self.seed = seed
+        self.exclusive = exclusive
         self.reliability = reliability
         self.reliability_smoothing = reliability_smoothing
         self.prior = prior
@@ -480,7 +463,7 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
         self._check_settings()
         samples, self.classes_, index, names = encode_classes(X, y, class_names)
         n, n_classes = len(samples), len(self.classes_)
-        folds = make_folds(index, groups, self.folds, self.cross_validation, self.seed)
+        folds = make_folds(index, groups, self.folds)
         members = np.ones(n, dtype=bool)
         problems = [Problem(f"class {names[k]!r}", index == k, members) for k in range(n_classes)]
         with single_blas_thread():
@@ -512,12 +495,24 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
             raise PlacecatError(f"folds = {self.folds}; cross-validation needs 2 or more")
 
     def _reliability(self, index: NDArray[np.intp]) -> NDArray[np.float64]:
-        hard = self.reliability == "hard"
-        says_yes = (self.cv_outputs_ >= 0.5).astype(np.float64) if hard else self.cv_outputs_
-        yes = np.stack([says_yes[index == i].sum(axis=0) for i in range(len(self.classes_))])
-        total = np.bincount(index, minlength=len(self.classes_))[:, None]
+        outputs = self._exclude(self.cv_outputs_)
+        if self.reliability == "hard":
+            outputs = (
+                np.eye(outputs.shape[1])[outputs.argmax(axis=1)]
+                if self.exclusive
+                else (outputs >= 0.5).astype(np.float64)
+            )
+        n_classes = len(self.classes_)
+        yes = np.stack([outputs[index == i].sum(axis=0) for i in range(n_classes)])
+        total = np.bincount(index, minlength=n_classes)[:, None]
         a = self.reliability_smoothing
-        return (yes + a) / (total + 2 * a)
+        return (yes + a) / (total + (n_classes if self.exclusive else 2) * a)
+
+    def _exclude(self, outputs: NDArray[np.float64]) -> NDArray[np.float64]:
+        if not self.exclusive:
+            return outputs
+        total = outputs.sum(axis=1, keepdims=True)
+        return np.divide(outputs, total, out=np.full_like(outputs, 1.0 / outputs.shape[1]), where=total > 0)
 
     def _set_posterior(self) -> None:
         joint = self.reliability_ * self.prior_[:, None]
@@ -533,7 +528,7 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
         """Combine outputs p(o_k|x) (n, K) to distributions p(l_i|x) (n, K), equations (6), (7), (9)."""
         proba = outputs
         if self.combination == "parallel":
-            proba = np.einsum("nk,ik->ni", outputs, self.posterior_)
+            proba = np.einsum("nk,ik->ni", self._exclude(outputs), self.posterior_)
         if self.uncertainty > 0:
             strongest = np.maximum(outputs.max(axis=1, keepdims=True), np.finfo(float).tiny)
             proba = proba + self.uncertainty * (1.0 / strongest - 1.0) / proba.shape[1]

@@ -41,7 +41,7 @@ class Sequential(ClassifierMixin, BaseEstimator):
 
     Parameters
     ----------
-    base, calibration, sigmoid_weights, cross_validation, seed, folds, n_jobs
+    base, calibration, sigmoid_weights, folds, n_jobs
         As in `OneAgainstAll`.
     order
         Strength of a class's classifier against all others, from its held-out decisions:
@@ -97,8 +97,6 @@ class Sequential(ClassifierMixin, BaseEstimator):
         base: Any = None,
         calibration: str = "auto",
         sigmoid_weights: str = "none",
-        cross_validation: str = "group",
-        seed: int = 0,
         order: str = "balanced_accuracy",
         training: str = "all",
         decision: str = "sign",
@@ -109,8 +107,6 @@ class Sequential(ClassifierMixin, BaseEstimator):
         self.base = base
         self.calibration = calibration
         self.sigmoid_weights = sigmoid_weights
-        self.cross_validation = cross_validation
-        self.seed = seed
         self.order = order
         self.training = training
         self.decision = decision
@@ -133,7 +129,7 @@ class Sequential(ClassifierMixin, BaseEstimator):
         self._check_settings()
         samples, self.classes_, index, names = encode_classes(X, y, class_names)
         n, n_classes = len(samples), len(self.classes_)
-        folds = make_folds(index, groups, self.folds, self.cross_validation, self.seed)
+        folds = make_folds(index, groups, self.folds)
         everyone = np.ones(n, dtype=bool)
         problems = [Problem(f"class {names[k]!r}", index == k, everyone) for k in range(n_classes)]
         with single_blas_thread():
