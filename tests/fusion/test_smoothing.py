@@ -7,7 +7,7 @@ from placecat.fusion.smoothing import smooth
 SETTINGS = {
     "n_classes": 2,
     "delay_step": 0.5,
-    "evidence": "soft",
+    "evidence": "hard",
     "reliability": "hard",
     "transition_counts": 1.0,
     "emission_counts": 1.0,

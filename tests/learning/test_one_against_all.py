@@ -59,13 +59,29 @@ def test_scheme_against_a_naive_transcription(exclusive, named_prior):
         answers = np.array([row / sum(row) for row in answers])
     reliability = [[answers[y == i, k].mean() for k in range(3)] for i in range(3)]
     p_o = [sum(reliability[i][k] * prior[i] for i in range(3)) for k in range(3)]
-    for outputs, answer, proba in zip(model.cv_outputs_, answers, model.cv_proba_, strict=True):
+    for outputs, answer, proba in zip(
+        model.cv_outputs_, answers, model.combine(model.cv_outputs_), strict=True
+    ):
         beta = 0.3 * (1 / max(outputs) - 1)
         p = [
             sum(reliability[i][k] * prior[i] / p_o[k] * answer[k] for k in range(3)) + beta / 3
             for i in range(3)
         ]
         np.testing.assert_allclose(proba, np.array(p) / sum(p), atol=1e-12)
+
+
+def test_cross_validated_distributions_owe_nothing_to_their_own_home():
+    """Held-out outputs of a home, with reliabilities of the other homes only."""
+    X, y, groups = homes()
+    model = OneAgainstAll(BASES[0], reliability_smoothing=0.0).fit(X, y, groups=groups)
+    answers = model.cv_outputs_ / model.cv_outputs_.sum(axis=1, keepdims=True)
+    for home in range(3):
+        others = groups != home
+        reliability = np.array([answers[others & (y == i)].mean(axis=0) for i in range(3)])
+        expected = answers[~others] @ (reliability / reliability.sum(axis=0)).T
+        np.testing.assert_allclose(
+            model.cv_proba_[~others], expected / expected.sum(axis=1, keepdims=True), atol=1e-12
+        )
 
 
 def test_weak_classifiers_do_not_all_name_the_frequent_class():

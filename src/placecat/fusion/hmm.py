@@ -74,7 +74,7 @@ def emission_matrix(
     return counts / counts.sum(axis=1, keepdims=True)
 
 
-def likelihoods(proba: Float, emission: Float, *, evidence: str = "soft") -> Float:
+def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Float:
     """Likelihood of what was observed in each frame under each place, p(o_t | l_t = q).
 
     Parameters

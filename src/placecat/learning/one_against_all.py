@@ -383,7 +383,8 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
     cv_outputs_
         (n, K) held-out p(o_k|x) of the training samples.
     cv_proba_
-        (n, K) distribution of each training sample from its held-out outputs.
+        (n, K) distribution of each training sample, from its held-out outputs and from reliabilities of the
+        other folds.
     nu_
         (K,) nu in force of each class, NaN for a base without one.
     fold_nu_
@@ -477,9 +478,12 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
         self.cv_outputs_ = np.stack([f.outputs for f in fitted], axis=1)
         frequency = np.bincount(index, minlength=n_classes) / n
         self.prior_ = frequency if self.prior == "training" else np.full(n_classes, 1.0 / n_classes)
-        self.reliability_ = self._reliability(index)
-        self._set_posterior()
-        self.cv_proba_ = self.combine(self.cv_outputs_)
+        self.cv_proba_ = np.empty_like(self.cv_outputs_)
+        for kept, held_out in folds:
+            # Reliabilities of the other folds, so that a home's distributions owe nothing to its own labels.
+            self._set_statistics(index[kept], self.cv_outputs_[kept])
+            self.cv_proba_[held_out] = self.combine(self.cv_outputs_[held_out])
+        self._set_statistics(index, self.cv_outputs_)
         return self
 
     def _check_settings(self) -> None:
@@ -494,8 +498,12 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
         if self.folds < 2:
             raise PlacecatError(f"folds = {self.folds}; cross-validation needs 2 or more")
 
-    def _reliability(self, index: NDArray[np.intp]) -> NDArray[np.float64]:
-        outputs = self._exclude(self.cv_outputs_)
+    def _set_statistics(self, index: NDArray[np.intp], outputs: NDArray[np.float64]) -> None:
+        self.reliability_ = self._reliability(index, outputs)
+        self._set_posterior()
+
+    def _reliability(self, index: NDArray[np.intp], outputs: NDArray[np.float64]) -> NDArray[np.float64]:
+        outputs = self._exclude(outputs)
         if self.reliability == "hard":
             outputs = (
                 np.eye(outputs.shape[1])[outputs.argmax(axis=1)]
@@ -506,7 +514,8 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
         yes = np.stack([outputs[index == i].sum(axis=0) for i in range(n_classes)])
         total = np.bincount(index, minlength=n_classes)[:, None]
         a = self.reliability_smoothing
-        return (yes + a) / (total + (n_classes if self.exclusive else 2) * a)
+        total = total + (n_classes if self.exclusive else 2) * a
+        return np.divide(yes + a, total, out=np.zeros_like(yes), where=total > 0)
 
     def _exclude(self, outputs: NDArray[np.float64]) -> NDArray[np.float64]:
         if not self.exclusive:
