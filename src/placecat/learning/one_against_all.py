@@ -514,8 +514,8 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
         yes = np.stack([outputs[index == i].sum(axis=0) for i in range(n_classes)])
         total = np.bincount(index, minlength=n_classes)[:, None]
         a = self.reliability_smoothing
-        total = total + (n_classes if self.exclusive else 2) * a
-        return np.divide(yes + a, total, out=np.zeros_like(yes), where=total > 0)
+        counts = total + (n_classes if self.exclusive else 2) * a
+        return np.divide(yes + a, counts, out=np.zeros_like(yes), where=counts > 0)
 
     def _exclude(self, outputs: NDArray[np.float64]) -> NDArray[np.float64]:
         if not self.exclusive:

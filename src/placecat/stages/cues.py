@@ -7,6 +7,7 @@ import numpy as np
 
 from placecat import cues, files, listing, parallel, paths, settings, store
 from placecat.evaluation import protocol
+from placecat.evaluation.accuracy import accuracy_by_home
 from placecat.stages import run
 
 
@@ -42,15 +43,16 @@ def apply(
         codebook = cues.Codebook.from_arrays(files.read_arrays(folder / f"{fold.training_set}.npz"))
         descriptor = files.read_json(folder / "descriptor.json")
     truth = np.concatenate([labels[home][cue_frames[home]] for home in fold.cue_homes])
+    home_of_frame = np.concatenate([np.full(len(cue_frames[home]), home) for home in fold.cue_homes])
     model = cues.fit(
         store.read_training(fold.cue_homes, descriptor, cue_frames),
         truth,
-        np.concatenate([np.full(len(cue_frames[home]), home) for home in fold.cue_homes]),
+        home_of_frame,
         classifier=cue["classifier"],
         n_classes=n_classes,
         codebook=codebook,
     )
-    result: dict[str, Any] = {"facts": model.facts}
+    result: dict[str, Any] = {"facts": dict(model.facts)}
     result["test"] = model.predict_proba(store.read_descriptors(fold.test, descriptor))
     for home in fold.integration_homes:
         frames = store.read_descriptors(home, descriptor, other_frames[home])
@@ -58,6 +60,9 @@ def apply(
     if model.cross_validated is not None:
         result["cross_validated"] = model.cross_validated
         result["cross_validated_truth"] = truth
+        result["facts"]["cross_validated_accuracy"] = accuracy_by_home(
+            truth, model.cross_validated.argmax(axis=1), home_of_frame, n_classes
+        )
     return result
 
 

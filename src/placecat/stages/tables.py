@@ -16,7 +16,7 @@ from placecat.stages import run
 
 
 def main() -> None:
-    """Write every table as CSV and Markdown, and reports/accuracies.csv."""
+    """Write every table as CSV and Markdown, reports/accuracies.csv and reports/cross_validation.csv."""
     params = settings.load()
     dataset = settings.get(params, "dataset")
     homes = tuple(dataset["homes"])
@@ -43,6 +43,26 @@ def main() -> None:
             files.write_csv(folder / f"{name}.csv", filled)
             files.write_text(folder / f"{name}.md", table_markdown(table, filled, dataset))
     files.write_csv(paths.ACCURACIES, results.long_table())
+    files.write_csv(paths.CROSS_VALIDATION, _cross_validation(params))
+
+
+def _cross_validation(params: dict[str, Any]) -> pd.DataFrame:
+    """Accuracy on training homes that the model in question did not see: what settings may be chosen by."""
+    homes = settings.get(params, "dataset.homes")
+    folders = {
+        f"cues/{cue}/{scheme}": paths.CUES / cue / scheme
+        for cue, options in settings.get(params, "cues").items()
+        for scheme in options["schemes"]
+    }
+    folders |= {
+        f"integration/{system}": paths.INTEGRATION / system for system in settings.get(params, "systems")
+    }
+    rows = []
+    for name, folder in folders.items():
+        for test in homes:
+            by_home = files.read_json(folder / test / "facts.json").get("cross_validated_accuracy", {})
+            rows += [(name, test, home, accuracy) for home, accuracy in by_home.items()]
+    return pd.DataFrame(rows, columns=["result", "test_home", "training_home", "accuracy"])
 
 
 def _results(params: dict[str, Any]) -> dict[str, Callable[[str], Path]]:
