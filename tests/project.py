@@ -56,7 +56,7 @@ def copy_project(folder, overrides=SMALL):
         )
     shutil.copytree(ROOT / "data/thesis", folder / "data/thesis")
     (folder / "reports").mkdir()
-    for name in ("dvc.yaml", ".dvcignore"):
+    for name in ("dvc.yaml", ".dvcignore", ".gitignore"):
         shutil.copy(ROOT / name, folder / name)
     (folder / "params.yaml").write_text(compose(overrides, conf=folder / "conf"))
     run(folder, "git", "init", "-q")
