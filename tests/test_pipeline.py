@@ -103,8 +103,10 @@ def test_changing_one_home_describes_that_home_only(reproduced, tmp_path):
         (lambda homes: shutil.rmtree(homes / "Home3"), "Home3"),
         (lambda homes: replace(homes / "Home1/label.txt", "kitchen", "kitchn"), "kitchn"),
         (lambda homes: replace(homes / "Home1/label.txt", "bathroom", "corridor"), "bathroom"),
+        (lambda homes: drop_line(homes / "Home1/label.txt", 5), "Home1/label.txt"),
+        (lambda homes: [path.unlink() for path in (homes / "Home2").rglob("*.jpg")], "Home2"),
     ],
-    ids=["missing frame", "missing home", "unknown class", "home without a class"],
+    ids=["missing frame", "missing home", "unknown class", "home without a class", "gap", "empty home"],
 )
 def test_damaged_data_gives_one_message_and_leaves_nothing(reproduced, tmp_path, damage, message):
     folder, _, _ = reproduced
@@ -132,26 +134,39 @@ def test_an_unreadable_image_gives_one_message_and_leaves_nothing(reproduced, tm
 @pytest.mark.parametrize(
     ("override", "stage", "message"),
     [
+        ("cues.gist.classifier.base.nu=1.5", "cues", "nu = 1.5 is outside (0, 1]"),
+        (
+            "cues.gist.classifier.base={nu_policy: refuse, nu: 0.9}",
+            "cues",
+            "nu = 0.9 is infeasible for class 'bedroom'",
+        ),
         ("cues.hog_y.classifier.clusters=47", "cues", "46"),
         ("cues.hog_y.classifier.clusters=61", "cues", "46"),
         ("cues.hog_y.classifier.base.alfa=1", "cues", "'alfa'"),
         ("codebooks.hog_y.tree.max_clusters=40", "codebooks", "31 "),
     ],
-    ids=["impossible number", "more than the codebook has", "unknown setting", "impossible codebook"],
+    ids=[
+        "impossible nu",
+        "infeasible nu",
+        "impossible number",
+        "more than the codebook has",
+        "unknown setting",
+        "impossible codebook",
+    ],
 )
 def test_impossible_settings_give_one_message_and_leave_nothing(
     reproduced, tmp_path, override, stage, message
 ):
     folder, _, _ = reproduced
+    (tmp_path / "data").mkdir()
     for part in ("sequences", "features", "codebooks"):
-        (tmp_path / "data").mkdir(exist_ok=True)
-        (tmp_path / "data" / part).symlink_to(folder / "data" / part)
+        if part != stage:
+            (tmp_path / "data" / part).symlink_to(folder / "data" / part)
     (tmp_path / "params.yaml").write_text(compose([*SMALL, f"++{override}"], conf=ROOT / "conf"))
-    if stage == "codebooks":
-        (tmp_path / "data/codebooks").unlink()
-    result = run(tmp_path, "python", "-m", f"placecat.stages.{stage}", "hog_y", check=False)
+    item = override.split(".")[1]
+    result = run(tmp_path, "python", "-m", f"placecat.stages.{stage}", item, check=False)
     check_refused(result, message)
-    assert not (tmp_path / f"data/{stage}/hog_y").exists()
+    assert not any((tmp_path / f"data/{stage}").glob("*"))
 
 
 def replace(file, old, new):
@@ -159,6 +174,12 @@ def replace(file, old, new):
     text = file.read_text()
     assert old in text
     file.write_text(text.replace(old, new))
+
+
+def drop_line(file, number):
+    file.chmod(0o644)
+    lines = file.read_text().splitlines(keepends=True)
+    file.write_text("".join(lines[: number - 1] + lines[number:]))
 
 
 def check_refused(result, message):

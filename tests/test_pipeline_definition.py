@@ -122,7 +122,7 @@ def settings_in_code():
 
 
 @pytest.mark.parametrize(
-    ("name", "values", "function", "given"), settings_in_code(), ids=lambda v: str(v)[:30]
+    ("name", "values", "function", "given"), [pytest.param(*part, id=part[0]) for part in settings_in_code()]
 )
 def test_every_constant_of_the_method_is_a_setting_and_none_is_unknown(name, values, function, given):
     names = set(inspect.signature(function).parameters) - given

@@ -6,6 +6,7 @@ from placecat import cues
 from placecat.cues import Codebook, Descriptors, estimators
 from placecat.errors import PlacecatError
 
+PLACES = ["bedroom", "kitchen", "bathroom"]
 TREE = {"max_clusters": 13, "branching": 4, "max_iter": 5}
 
 
@@ -37,7 +38,7 @@ def test_activations_of_regions_reach_naive_bayes():
     """The whole chain against scikit-learn's BernoulliNB on activations made by a loop."""
     train, labels, homes = regions()
     codebook = Codebook.fit(train, cells=1, seed=3, tree=TREE)
-    model = cues.fit(train, labels, homes, classifier=naive_bayes(13), n_classes=3, codebook=codebook)
+    model = cues.fit(train, labels, homes, classifier=naive_bayes(13), classes=PLACES, codebook=codebook)
     active = np.zeros((len(train), 13), int)
     centers = codebook.trees[0].centers(13)
     for frame in range(len(train)):
@@ -51,7 +52,7 @@ def test_activations_of_regions_reach_naive_bayes():
 def test_codewords_of_cells_reach_naive_bayes():
     train, labels, homes = whole()
     codebook = Codebook.fit(train, cells=4, seed=3, tree=TREE)
-    model = cues.fit(train, labels, homes, classifier=naive_bayes(7), n_classes=3, codebook=codebook)
+    model = cues.fit(train, labels, homes, classifier=naive_bayes(7), classes=PLACES, codebook=codebook)
     words = codebook.words(train, 7)
     assert words.shape == (120, 4)
     expected = CategoricalNB(alpha=1.0, fit_prior=False, min_categories=7).fit(words, labels)
@@ -75,7 +76,7 @@ def test_boosting_on_regions_multiplies_their_distributions():
         "scheme": {"name": "one_against_all"},
         "scaling": "none",
     }
-    model = cues.fit(train, labels, homes, classifier=classifier, n_classes=3)
+    model = cues.fit(train, labels, homes, classifier=classifier, classes=PLACES)
     proba = model.predict_proba(train)
     single = model.scheme.predict_proba(model.transform(train.x[7, : train.counts[7]]))
     expected = single.prod(axis=0)
@@ -87,7 +88,7 @@ def test_nearest_neighbours_take_regions_and_whole_frames():
     for (train, labels, homes), cells in ((regions(), 1), (whole(), 1)):
         codebook = Codebook.fit(train, cells=cells, seed=0, tree=TREE)
         classifier = {"model": "knn", "base": {"name": "knn", "n_neighbors": 1}, "clusters": 13}
-        model = cues.fit(train, labels, homes, classifier=classifier, n_classes=3, codebook=codebook)
+        model = cues.fit(train, labels, homes, classifier=classifier, classes=PLACES, codebook=codebook)
         assert (model.predict_proba(train).argmax(axis=1) == labels).mean() > 0.6
 
 
@@ -106,20 +107,20 @@ def test_wrong_classifiers_are_refused(change, message):
     train, labels, homes = regions()
     codebook = None if "codebook" in message else Codebook.fit(train, cells=1, seed=0, tree=TREE)
     with pytest.raises(PlacecatError, match=message):
-        cues.fit(train, labels, homes, classifier=change, n_classes=3, codebook=codebook)
+        cues.fit(train, labels, homes, classifier=change, classes=PLACES, codebook=codebook)
 
 
 def test_impossible_cluster_numbers_name_the_nearest():
     train, labels, homes = regions()
     codebook = Codebook.fit(train, cells=1, seed=0, tree=TREE)
     with pytest.raises(PlacecatError, match=r"\b10\b.*\b13\b"):
-        cues.fit(train, labels, homes, classifier=naive_bayes(12), n_classes=3, codebook=codebook)
+        cues.fit(train, labels, homes, classifier=naive_bayes(12), classes=PLACES, codebook=codebook)
 
 
 def test_a_class_without_training_frames_is_refused():
     train, labels, homes = regions()
-    with pytest.raises(PlacecatError, match="class number 3"):
-        cues.fit(train, labels, homes, classifier=naive_bayes(13), n_classes=4)
+    with pytest.raises(PlacecatError, match="no training frame of attic"):
+        cues.fit(train, labels, homes, classifier=naive_bayes(13), classes=[*PLACES, "attic"])
 
 
 def test_a_descriptor_that_cannot_be_cut_is_refused():

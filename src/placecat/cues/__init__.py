@@ -7,7 +7,7 @@ module; there is no list to extend.
 
 import importlib
 import pkgutil
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import ModuleType
 from typing import Any
 
@@ -36,7 +36,7 @@ def fit(
     homes: NDArray[np.str_],
     *,
     classifier: Mapping[str, Any],
-    n_classes: int,
+    classes: Sequence[str],
     codebook: Codebook | None = None,
 ) -> CueModel:
     """Train one cue on the descriptors of training frames.
@@ -46,12 +46,14 @@ def fit(
     train
         Descriptors of n frames.
     labels
-        (n,) class indices in [0, n_classes), every class present.
+        (n,) class indices in [0, len(classes)), every class present.
     homes
         (n,) the home of each frame: cross-validation keeps homes together, since neighbouring frames are
         near-duplicates.
     classifier
         ``model`` names a module of this package, the rest are its settings.
+    classes
+        Names of the places, for messages.
     codebook
         Clusters of the same training homes, for the models that need them.
 
@@ -60,11 +62,11 @@ def fit(
     PlacecatError
         Unknown model, unknown or impossible settings, a class without training frames.
     """
-    missing = sorted(set(range(n_classes)) - set(np.unique(labels).tolist()))
+    missing = sorted(set(range(len(classes))) - set(np.unique(labels).tolist()))
     if missing:
         raise PlacecatError(
-            f"training homes {', '.join(sorted(set(homes.tolist())))} have no training frame of class number "
-            f"{missing[0]} (from 0) of dataset.classes: take the class out or add homes that show it"
+            f"training homes {', '.join(sorted(set(homes.tolist())))} have no training frame of "
+            f"{classes[missing[0]]}: take it out of dataset.classes or add homes that show it"
         )
     module = _load(str(settings.get(classifier, "model")))
     options = {name: value for name, value in classifier.items() if name != "model"}
@@ -74,7 +76,7 @@ def fit(
         labels,
         homes,
         codebook,
-        n_classes,
+        classes,
         settings=options,
         where=f"classifier {classifier['model']}",
     )

@@ -1,6 +1,6 @@
 """Places as the joint probability of the codewords in a frame (thesis 3.3.2, Figure 10; 4.2 for cells)."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -40,7 +40,7 @@ def fit(
     labels: NDArray[np.int16],
     homes: NDArray[np.str_],
     codebook: Codebook | None,
-    n_classes: int,
+    classes: Sequence[str],
     *,
     base: Mapping[str, Any],
     clusters: int,

@@ -1,6 +1,6 @@
 """The modified nearest-neighbour classifier on regions or on whole frames (thesis 3.3.1.1)."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -32,7 +32,7 @@ def fit(
     labels: NDArray[np.int16],
     homes: NDArray[np.str_],
     codebook: Codebook | None,
-    n_classes: int,
+    classes: Sequence[str],
     *,
     base: Mapping[str, Any],
     clusters: int,

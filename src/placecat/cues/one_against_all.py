@@ -1,6 +1,6 @@
 """Two-class classifiers, one a place, combined to a distribution (thesis 3.3.1.2, Figure 8)."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -43,7 +43,7 @@ def fit(
     labels: NDArray[np.int16],
     homes: NDArray[np.str_],
     codebook: Codebook | None,
-    n_classes: int,
+    classes: Sequence[str],
     *,
     base: Mapping[str, Any],
     scheme: Mapping[str, Any],
@@ -75,7 +75,7 @@ def fit(
     binary = estimators.build(base, "classifier.base")
     multi = estimators.build(scheme, "classifier.scheme", base=binary)
     rows = train.frame_of_row()
-    multi.fit(x, labels[rows], groups=homes[rows])
+    multi.fit(x, labels[rows], groups=homes[rows], class_names=classes)
     cue = OneAgainstAllCue(steps, multi)
     if not train.is_set:
         cue.cross_validated = getattr(multi, "cv_proba_", None)

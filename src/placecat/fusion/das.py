@@ -1,6 +1,6 @@
 """SVM-DAS, the discriminative accumulation scheme (thesis 3.3.3; Nilsback and Caputo, Pronobis et al.)."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -29,7 +29,7 @@ def fit(
     proba: NDArray[np.float64],
     labels: NDArray[np.int16],
     homes: NDArray[np.str_],
-    n_classes: int,
+    classes: Sequence[str],
     *,
     classifier: Mapping[str, Any],
 ) -> CueModel:
@@ -41,6 +41,8 @@ def fit(
         (n, cues, n_classes) distributions of the cues for training frames.
     labels, homes
         (n,) class index and home of each frame.
+    classes
+        Names of the places.
     classifier
         As for :func:`placecat.cues.fit`; nu-SVM in the parallel scheme in the thesis.
 
@@ -50,7 +52,7 @@ def fit(
         Its ``cross_validated`` holds the statistics from which the smoothing takes its emission.
     """
     frames = Descriptors(concatenate_cues(proba))
-    return cues.fit(frames, labels, homes, classifier=classifier, n_classes=n_classes)
+    return cues.fit(frames, labels, homes, classifier=classifier, classes=classes)
 
 
 def predict_proba(model: CueModel, proba: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -1,6 +1,6 @@
 """Stage `cues`: train one cue for every fold and apply it to the frames that later stages need."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -21,7 +21,7 @@ def main(name: str) -> None:
     wanted = [fold for scheme in cue["schemes"] for fold in protocol.folds(homes, scheme)]
     with files.replacing(paths.CUES / name) as folder:
         folder.mkdir(parents=True)
-        tasks = [(cue, fold, selections, len(classes)) for fold in wanted]
+        tasks = [(cue, fold, selections, classes) for fold in wanted]
         for fold, result in zip(wanted, parallel.in_parallel(apply, tasks, f"cue {name}"), strict=True):
             place = folder / fold.scheme / fold.test
             files.write_json(place / "facts.json", result.pop("facts"))
@@ -30,7 +30,7 @@ def main(name: str) -> None:
 
 
 def apply(
-    cue: Mapping[str, Any], fold: protocol.Fold, selections: Mapping[str, Any], n_classes: int
+    cue: Mapping[str, Any], fold: protocol.Fold, selections: Mapping[str, Any], classes: Sequence[str]
 ) -> dict[str, Any]:
     """Train one cue on one fold's training homes; give its distributions for the frames of later stages."""
     labels = {home: listing.read_labels(home) for home in fold.integration_homes}
@@ -49,7 +49,7 @@ def apply(
         truth,
         home_of_frame,
         classifier=cue["classifier"],
-        n_classes=n_classes,
+        classes=classes,
         codebook=codebook,
     )
     result: dict[str, Any] = {"facts": dict(model.facts)}
@@ -61,7 +61,7 @@ def apply(
         result["cross_validated"] = model.cross_validated
         result["cross_validated_truth"] = truth
         result["facts"]["cross_validated_accuracy"] = accuracy_by_home(
-            truth, model.cross_validated.argmax(axis=1), home_of_frame, n_classes
+            truth, model.cross_validated.argmax(axis=1), home_of_frame, len(classes)
         )
     return result
 

@@ -19,7 +19,7 @@ def main(name: str) -> None:
     system = settings.get(params, f"systems.{name}")
     homes = list(settings.get(params, "dataset.homes"))
     folds = protocol.folds(homes, system["scheme"])
-    n_classes = len(settings.get(params, "dataset.classes"))
+    classes = settings.get(params, "dataset.classes")
     selection = settings.get(params, "protocol.integration_frames")
     # Cues that left a second home out let the same integration be judged on training homes.
     inner = "4-5-1" in settings.get(params, "protocol.schemes") and system["scheme"] == "5-5-1"
@@ -27,7 +27,7 @@ def main(name: str) -> None:
     with files.replacing(paths.INTEGRATION / name) as folder:
         folder.mkdir(parents=True)
         tasks = [
-            (name, system, fold, kept, selection, n_classes) for fold, kept in zip(folds, within, strict=True)
+            (name, system, fold, kept, selection, classes) for fold, kept in zip(folds, within, strict=True)
         ]
         for fold, result in zip(
             folds, parallel.in_parallel(apply, tasks, f"integration {name}"), strict=True
@@ -43,20 +43,20 @@ def apply(
     fold: protocol.Fold,
     within: protocol.Fold | None,
     selection: Mapping[str, int],
-    n_classes: int,
+    classes: Sequence[str],
 ) -> dict[str, Any]:
     """Integrate one fold: distributions for the test home, and cross-validated ones for training."""
     cues = system["cues"]
     labels = {home: listing.read_labels(home) for home in fold.integration_homes}
     chosen = protocol.select_training(labels, **selection)
     truth = {home: labels[home][chosen[home]] for home in fold.integration_homes}
-    result = _integrate(name, system, cues, fold, fold.integration_homes, truth, "test", n_classes)
+    result = _integrate(name, system, cues, fold, fold.integration_homes, truth, "test", classes)
     if within is not None and all((paths.CUES / cue / within.scheme).exists() for cue in cues):
         (kept,) = set(within.integration_homes) - set(within.cue_homes)
         judged = _integrate(
-            name, system, cues, within, within.cue_homes, truth, f"integration_{kept}", n_classes
+            name, system, cues, within, within.cue_homes, truth, f"integration_{kept}", classes
         )
-        confusion = confusion_matrix(truth[kept], judged["test"].argmax(axis=1), n_classes)
+        confusion = confusion_matrix(truth[kept], judged["test"].argmax(axis=1), len(classes))
         result["facts"]["cross_validated_accuracy"] = {kept: round(home_accuracy(confusion), 2)}
     return result
 
@@ -69,7 +69,7 @@ def _integrate(
     homes: Sequence[str],
     truth: Mapping[str, np.ndarray],
     applied_to: str,
-    n_classes: int,
+    classes: Sequence[str],
 ) -> dict[str, Any]:
     test = _proba(cues, fold, applied_to)
     train = np.concatenate([_proba(cues, fold, f"integration_{home}") for home in homes])
@@ -79,7 +79,7 @@ def _integrate(
     if method == "das":
         home_of_frame = np.concatenate([np.full(len(truth[home]), home) for home in homes])
         classifier = system["integrator"]["classifier"]
-        model = das.fit(train, train_truth, home_of_frame, n_classes, classifier=classifier)
+        model = das.fit(train, train_truth, home_of_frame, classes, classifier=classifier)
         assert model.cross_validated is not None
         result["facts"] = dict(model.facts)
         return result | {"test": das.predict_proba(model, test), "cross_validated": model.cross_validated}
