@@ -13,6 +13,8 @@ from placecat.reporting.tables import CONTRADICTIONS, fill_table
 
 ROOT = Path(__file__).resolve().parents[2]
 PARAMS = yaml.safe_load((ROOT / "params.yaml").read_text())
+OTHER = {"title": "some homes", "thesis_data": None}
+SAME = {"title": "d", "thesis_data": "VPC-2009 home database"}
 CLASSES = tuple(PARAMS["dataset"]["classes"])
 
 
@@ -32,21 +34,23 @@ def results_for(table, homes):
 @pytest.mark.parametrize("name", list(PARAMS["tables"]))
 def test_every_published_cell_is_measured(name, published):
     table = PARAMS["tables"][name]
-    filled = fill_table(table, results_for(table, 6), published, data="some homes", is_thesis_data=False)
+    filled = fill_table(table, results_for(table, 6), published, OTHER)
     own = published[published["table"] == table["number"]]
     assert len(own) > 0
     assert len(filled) == len(own)
     assert filled["measured"].notna().all()
     assert filled["published"].tolist() == own["value"].tolist()
     assert (
-        filled["note"].str.startswith("measured on some homes; the published number is from other data").all()
+        filled["note"]
+        .str.startswith("measured on some homes; the published number is from the VPC-2009")
+        .all()
     )
 
 
 @pytest.mark.parametrize("name", list(PARAMS["tables"]))
 def test_with_fewer_homes_every_empty_cell_has_a_reason(name, published):
     table = PARAMS["tables"][name]
-    filled = fill_table(table, results_for(table, 4), published, data="d", is_thesis_data=True)
+    filled = fill_table(table, results_for(table, 4), published, SAME)
     empty = filled[filled["measured"].isna()]
     homes = empty["column"] + empty["row"]
     assert homes.str.contains("Home [56]").all()
@@ -55,7 +59,7 @@ def test_with_fewer_homes_every_empty_cell_has_a_reason(name, published):
 
 def test_with_more_homes_new_cells_follow_the_published(published):
     table = PARAMS["tables"]["table_05"]
-    filled = fill_table(table, results_for(table, 7), published, data="d", is_thesis_data=True)
+    filled = fill_table(table, results_for(table, 7), published, SAME)
     extra = filled[filled["column"] == "Home 7"]
     assert extra["published"].isna().all()
     assert extra["measured"].notna().all()
@@ -64,7 +68,7 @@ def test_with_more_homes_new_cells_follow_the_published(published):
 def test_the_numbers_are_those_of_the_results(published):
     table = PARAMS["tables"]["table_05"]
     results = results_for(table, 6)
-    filled = fill_table(table, results, published, data="d", is_thesis_data=True)
+    filled = fill_table(table, results, published, SAME)
     svm = filled[filled["row"] == "SVM"].set_index("column")["measured"]
     expected = results.by_home("cues/gist/5-5-1")
     assert svm["Home 2"] == pytest.approx(expected[1], abs=0.005)
@@ -80,7 +84,7 @@ def test_contradictions_of_the_thesis_are_real_and_noted(published):
         others = values.drop(column)
         assert abs(others.mean() - values[column]) > 0.02
     table = PARAMS["tables"]["table_06"]
-    filled = fill_table(table, results_for(table, 6), published, data="d", is_thesis_data=True)
+    filled = fill_table(table, results_for(table, 6), published, SAME)
     noted = filled[filled["note"].str.contains("contradicts")]
     assert noted[["row", "column", "published"]].values.tolist() == [["Home 2", "Average", 43.75]]
 
@@ -89,7 +93,7 @@ def test_a_class_without_frames_has_a_note(published):
     table = PARAMS["tables"]["table_06"]
     results = results_for(table, 6)
     results.confusion["cues/gist/5-5-1"][2, 3] = 0
-    filled = fill_table(table, results, published, data="d", is_thesis_data=True)
+    filled = fill_table(table, results, published, SAME)
     cell = filled[(filled["row"] == "Home 3") & (filled["column"] == "Living Room")].iloc[0]
     assert np.isnan(cell["measured"])
     assert cell["note"] == "H2 has no frame of living_room"
@@ -101,16 +105,16 @@ def test_every_layout_is_used_and_unknown_ones_are_refused():
         layouts.cells({"number": 7, "layout": "x"}, results_for({}, 1))
 
 
-@pytest.mark.parametrize("is_thesis_data", [True, False])
-def test_markdown_shows_both_numbers_apart(published, is_thesis_data):
+@pytest.mark.parametrize("data", [SAME, OTHER], ids=["same", "other"])
+def test_markdown_shows_both_numbers_apart(published, data):
     table = PARAMS["tables"]["table_26"]
     results = results_for(table, 6)
-    filled = fill_table(table, results, published, data="d", is_thesis_data=is_thesis_data)
-    dataset = {"title": "some homes", "homes": results.homes, "is_thesis_data": is_thesis_data}
+    dataset = data | {"homes": results.homes}
+    filled = fill_table(table, results, published, dataset)
     text = table_markdown(table, filled, dataset)
     measured, below = text.split("## Published")
     assert f"{results.by_home('integration/das_551_all').mean():.2f} |" in measured
     assert "47.53 |" in below
     assert "47.53 |" not in measured
-    assert ("do not compare" in below) is not is_thesis_data
+    assert ("do not compare" in below) is (data is OTHER)
     assert "Home 1 is H0" in measured

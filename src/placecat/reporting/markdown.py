@@ -6,6 +6,7 @@ from typing import Any
 import pandas as pd
 
 from placecat.reporting.render import environment
+from placecat.reporting.tables import comparable
 
 
 def grids(table: pd.DataFrame, value: str) -> list[dict[str, Any]]:
@@ -52,7 +53,7 @@ def table_markdown(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Ma
     table
         From :func:`placecat.reporting.tables.fill_table`.
     dataset
-        Its ``title``, ``homes`` and ``is_thesis_data``.
+        Its ``title``, ``homes`` and ``thesis_data``.
     """
     return (
         environment()
@@ -60,6 +61,8 @@ def table_markdown(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Ma
         .render(
             number=settings["number"],
             title=settings["title"],
+            thesis_data=settings["thesis_data"],
+            comparable=comparable(settings, dataset),
             dataset=dataset,
             measured=grids(table, "measured"),
             published=grids(table[table["published"].notna()], "published"),

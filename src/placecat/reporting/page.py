@@ -7,6 +7,7 @@ import pandas as pd
 
 from placecat.reporting.markdown import grids
 from placecat.reporting.render import environment
+from placecat.reporting.tables import comparable
 
 
 def page_html(
@@ -21,7 +22,7 @@ def page_html(
     tables
         Each table's configuration and its filled form.
     dataset
-        Its ``title``, ``homes``, ``classes`` and ``is_thesis_data``.
+        Its ``title``, ``homes``, ``classes`` and ``thesis_data``.
     frames
         For each home the number of frames of each place, and ``unlabelled``.
     """
@@ -29,6 +30,8 @@ def page_html(
         {
             "number": settings["number"],
             "title": settings["title"],
+            "thesis_data": settings["thesis_data"],
+            "comparable": comparable(settings, dataset),
             "measured": grids(table, "measured"),
             "published": grids(table[table["published"].notna()], "published"),
             "reasons": sorted(set(table.loc[table["measured"].isna(), "note"])),

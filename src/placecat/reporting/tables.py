@@ -21,20 +21,19 @@ CONTRADICTIONS = {
 
 
 def fill_table(
-    table: Mapping[str, Any], results: Results, published: pd.DataFrame, *, data: str, is_thesis_data: bool
+    table: Mapping[str, Any], results: Results, published: pd.DataFrame, dataset: Mapping[str, Any]
 ) -> pd.DataFrame:
     """Fill one table.
 
     Parameters
     ----------
     table
-        Its configuration: ``number``, ``layout`` and what the layout needs.
+        Its configuration: ``number``, ``thesis_data``, ``layout`` and what the layout needs.
     published
         All published cells, columns table, group, row, column, value; an empty value is an n/a.
-    data
-        What the data set is called; every measured cell's note names it.
-    is_thesis_data
-        Whether it is the data of the thesis. If not, every note says that the numbers do not compare.
+    dataset
+        ``title``, which every measured cell's note names, and ``thesis_data``; if that is not the table's
+        ``thesis_data``, every note says that the numbers do not compare.
 
     Returns
     -------
@@ -55,15 +54,20 @@ def fill_table(
         if cell is None:
             notes.append(_why_missing(key, results))
         else:
-            notes.append(cell.note or f"measured on {data}")
-            if not is_thesis_data and key in value and not cell.note:
-                notes.append("the published number is from other data (VPC-2009) and does not compare")
+            notes.append(cell.note or f"measured on {dataset['title']}")
+            if key in value and not cell.note and not comparable(table, dataset):
+                notes.append(f"the published number is from the {table['thesis_data']} and does not compare")
         contradiction = CONTRADICTIONS.get((number, *key))
         if contradiction:
             notes.append(contradiction)
         measured = np.nan if cell is None else round(cell.measured, 2)
         rows.append((number, *key, value.get(key, np.nan), measured, "; ".join(notes)))
     return pd.DataFrame(rows, columns=COLUMNS)
+
+
+def comparable(table: Mapping[str, Any], dataset: Mapping[str, Any]) -> bool:
+    """Whether the published numbers of a table were measured on the data of this run."""
+    return bool(table["thesis_data"] == dataset["thesis_data"])
 
 
 def _why_missing(key: tuple[str, str, str], results: Results) -> str:

@@ -37,9 +37,7 @@ def main() -> None:
     )
     with files.replacing(paths.TABLES) as folder:
         for name, table in settings.get(params, "tables").items():
-            filled = fill_table(
-                table, results, published, data=dataset["title"], is_thesis_data=dataset["is_thesis_data"]
-            )
+            filled = fill_table(table, results, published, dataset)
             files.write_csv(folder / f"{name}.csv", filled)
             files.write_text(folder / f"{name}.md", table_markdown(table, filled, dataset))
     files.write_csv(paths.ACCURACIES, results.long_table())
