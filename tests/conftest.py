@@ -3,6 +3,8 @@ from pathlib import Path
 
 import pytest
 
+import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
+
 for _folder in (".", "stages"):
     sys.path.insert(0, str(Path(__file__).parent / _folder))
 

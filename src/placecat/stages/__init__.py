@@ -3,10 +3,28 @@
 import argparse
 import logging
 import os
+import platform
 import sys
 from collections.abc import Callable
+from pathlib import Path
 
 from placecat.errors import PlacecatError
+
+
+def _use_common_kernels() -> None:
+    """Ask OpenBLAS for its AVX2 kernels, which all current x86-64 processors have.
+
+    By default it takes those of the processor it finds, whose sums differ in the last bits. Has to happen
+    before NumPy is imported, and so does on the import of this package. OPENBLAS_CORETYPE overrides it.
+    """
+    if os.environ.get("OPENBLAS_CORETYPE") or platform.machine() not in ("x86_64", "AMD64"):
+        return
+    processor = Path("/proc/cpuinfo")
+    if processor.exists() and " avx2 " in processor.read_text(encoding="utf-8", errors="replace"):
+        os.environ["OPENBLAS_CORETYPE"] = "Haswell"
+
+
+_use_common_kernels()
 
 
 def run(stage: Callable[..., None], *, item: str | None = None) -> None:
