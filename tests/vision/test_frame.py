@@ -91,13 +91,13 @@ def test_only_what_is_asked_for() -> None:
     ("settings", "message"),
     [
         ({"locals": {}}, "Unknown section 'locals'.*attention, regions, local, holistic, information"),
-        ({"attention": {"scale": 2}}, "section 'attention' .* has no setting 'scale': .*scales"),
-        ({"regions": {"maps": 2}}, "section 'regions' .* has no setting 'maps': .*max_regions"),
-        ({"information": {"level": 2}}, "section 'information' .* has no setting 'level': .*fine"),
+        ({"attention": {"scale": 2}}, "section 'attention' .* has no setting 'scale'.*scales"),
+        ({"regions": {"maps": 2}}, "section 'regions' .* has no setting 'maps'.*max_regions"),
+        ({"information": {"level": 2}}, "section 'information' .* has no setting 'level'.*fine"),
         ({"local": {"surf": {}}}, "Unknown local descriptor 'surf'"),
         (
             {"local": {"sift": {"upright": True}}},
-            "local descriptor 'sift' has no setting 'upright': .*orientation",
+            "local descriptor 'sift' has no setting 'upright'.*orientation",
         ),
         ({"holistic": {"gist": {"cells": 3}}}, "holistic descriptor 'gist' has no setting 'cells'"),
     ],

@@ -10,6 +10,7 @@ from types import ModuleType
 from typing import Any
 
 from placecat.errors import PlacecatError
+from placecat.settings import refuse_unknown
 
 
 def names(package: str, paths: Iterable[str]) -> list[str]:
@@ -96,8 +97,4 @@ def check_settings(function: Callable[..., Any], settings: Mapping[str, Any], ow
     PlacecatError
         Naming the owner, the first unknown setting and the valid ones.
     """
-    valid = settings_of(function)
-    for setting in settings:
-        if setting not in valid:
-            choices = f"valid settings are {', '.join(valid)}" if valid else "it has no settings"
-            raise PlacecatError(f"The {owner} has no setting '{setting}': {choices}.")
+    refuse_unknown(settings, list(settings_of(function)), f"The {owner}")
