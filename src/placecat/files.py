@@ -1,7 +1,9 @@
 """Writing results: under a temporary name first, then renamed, with the same bytes for the same content."""
 
+import io
 import json
 import shutil
+import zipfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -57,8 +59,12 @@ def write_arrays(path: Path, arrays: Mapping[str, np.ndarray]) -> None:
     for name, array in arrays.items():
         if np.asarray(array).dtype.hasobject:
             raise TypeError(f"array {name!r} holds Python objects, which only pickle could write")
-    with replacing(path) as temporary:
-        np.savez(temporary, allow_pickle=False, **dict(arrays))
+    # By hand, since the headers that numpy.savez has written depend on the version of Python.
+    with replacing(path) as temporary, zipfile.ZipFile(temporary, "w") as archive:
+        for name, array in arrays.items():
+            content = io.BytesIO()
+            np.lib.format.write_array(content, np.asarray(array), allow_pickle=False)
+            archive.writestr(zipfile.ZipInfo(f"{name}.npy"), content.getvalue())
 
 
 def read_arrays(path: Path) -> dict[str, np.ndarray]:
