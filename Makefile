@@ -1,29 +1,33 @@
 # Two commands: `make repro` regenerates every table, `make test` runs every test.
-# Both install the pinned environment into .venv first.
+# Both first install what they need, pinned, into .venv: the tests also need what renders the homes.
 PYTHON ?= python3
 # Hydra overrides that choose other data or settings, e.g. SET="dataset=vpc2009 dataset.root=PATH".
 SET ?=
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.installed
+READY_TEST := $(VENV)/.installed-test
 
 .PHONY: repro test lint ui lock clean
 
 repro: $(READY)
 	$(BIN)/placecat repro $(SET)
 
-test: $(READY) lint
+test: $(READY_TEST) lint
 	$(BIN)/python -m pytest -n 2 --dist loadgroup tests
 
-lint: $(READY)
+lint: $(READY_TEST)
 	$(BIN)/ruff format --check src tests
 	$(BIN)/ruff check src tests
 	$(BIN)/mypy
 
+# Both locks hold the same version of a package, so that the two go together in either order.
 $(READY): requirements.lock pyproject.toml
+$(READY_TEST): requirements-test.lock pyproject.toml
+$(READY) $(READY_TEST):
 	$(PYTHON) -c 'import sys; sys.exit(0 if (3, 11) <= sys.version_info[:2] < (3, 14) else "placecat needs Python 3.11, 3.12 or 3.13: make PYTHON=python3.12 ...")'
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r $<
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	touch $@
 
@@ -31,8 +35,10 @@ ui: $(READY)
 	$(BIN)/mlflow ui --backend-store-uri sqlite:///mlflow.db
 
 # Needs uv; run after changing the dependencies in pyproject.toml.
+COMPILE := uv pip compile pyproject.toml --universal --python-version 3.11 --generate-hashes --no-header --upgrade
 lock:
-	uv pip compile pyproject.toml --extra test --universal --python-version 3.11 --generate-hashes --no-header --upgrade -o requirements.lock
+	$(COMPILE) --extra build --extra render --extra test -o requirements-test.lock
+	$(COMPILE) --extra build -c requirements-test.lock -o requirements.lock
 
 clean:
 	rm -rf $(VENV)

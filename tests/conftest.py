@@ -11,7 +11,7 @@ for _folder in (".", "stages"):
 
 @pytest.fixture(scope="session")
 def reproduced(tmp_path_factory):
-    """The whole pipeline run once, through DVC, on small stand-in homes. Tests that change it copy it."""
+    """The whole pipeline run once, through DVC, on small drawn homes. Tests that change it copy it."""
     from project import copy_project, repro
 
     folder = copy_project(tmp_path_factory.mktemp("reproduced"))

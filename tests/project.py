@@ -6,15 +6,20 @@ import subprocess
 import sys
 from pathlib import Path
 
+import yaml
+
 from placecat.compose import compose
+from sketch import draw_homes
 
 ROOT = Path(__file__).resolve().parents[1]
 
-# Four small stand-in homes and small codebooks: every stage runs, quickly.
+# Four small drawn homes and small codebooks: every stage runs, quickly.
+HOMES = "data/drawn"
 SMALL = [
+    "dataset=my_homes",
+    f"dataset.root={HOMES}",
     "dataset.homes=[Home1,Home2,Home3,Home4]",
-    "sketch.homes=4",
-    "sketch.frames_per_room=6",
+    "dataset.fps=5.0",
     *(
         f"codebooks.{name}.tree.max_clusters=46"
         for name in ("orientation_mv_y", "hog_y", "sift_y", "centrist_y", "color_mv_y")
@@ -28,6 +33,12 @@ SMALL = [
     "cues.spatial_pact.classifier.reduction.components=16",
     "cues.spatial_pact_sequential.classifier.reduction.components=16",
 ]
+
+
+def rendered():
+    """Folders of the videos that come with the project, relative to it: what the stage `render` makes."""
+    render = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]["render"]
+    return [next(iter(out)) for out in render["outs"]]
 
 
 def environment(**extra):
@@ -49,12 +60,18 @@ def run(folder, *command, check=True, **extra):
 
 
 def copy_project(folder, overrides=SMALL):
-    """Copy what git holds of the pipeline, compose small settings, and initialise DVC."""
+    """Copy what git holds of the pipeline, draw small homes, compose small settings, and initialise DVC.
+
+    The videos are not copied: empty folders stand for what the frozen stage `render` once made.
+    """
     for name in ("conf", "src"):
         shutil.copytree(
             ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "*.egg-info")
         )
     shutil.copytree(ROOT / "data/thesis", folder / "data/thesis")
+    for out in rendered():
+        (folder / out).mkdir()
+    draw_homes(folder / HOMES, homes=4, frames_per_room=6)
     (folder / "reports").mkdir()
     for name in ("dvc.yaml", ".dvcignore", ".gitignore"):
         shutil.copy(ROOT / name, folder / name)

@@ -6,14 +6,14 @@ import pandas as pd
 import pytest
 import yaml
 
-from project import ROOT, SMALL, compose, contents, copy_project, repro, run
+from project import HOMES, ROOT, SMALL, compose, contents, copy_project, rendered, repro, run
 
 pytestmark = pytest.mark.xdist_group("pipeline")
 
 
 def test_every_stage_runs_once_and_every_cell_has_a_number_or_a_reason(reproduced):
     folder, ran, _ = reproduced
-    assert len(ran) == len(set(ran)) == 32
+    assert len(ran) == len(set(ran)) == 31
     params = yaml.safe_load((folder / "params.yaml").read_text())
     names = {path.stem for path in (folder / "reports/tables").glob("*.csv")}
     assert (
@@ -51,6 +51,21 @@ def test_a_second_repro_has_nothing_to_do(reproduced):
     assert ran == []
 
 
+def test_the_videos_are_checked_and_never_rendered(reproduced, tmp_path):
+    """Neither another video nor another renderer starts the frozen stage, which takes hours."""
+    folder, _, result = reproduced
+    assert "Verifying outputs in frozen stage: 'render'" in result.stdout
+    copy = tmp_path / "copy"
+    shutil.copytree(folder, copy, symlinks=True)
+    (copy / rendered()[0] / "other.mp4").write_bytes(b"")
+    for source in (copy / "src/placecat/stages/render.py", copy / "src/placecat/rendering/__init__.py"):
+        source.write_text(f"{source.read_text()}\n")
+    ran, result = repro(copy)
+    assert ran == []
+    assert "Verifying outputs in frozen stage: 'render'" in result.stdout
+    assert (copy / rendered()[0] / "other.mp4").exists()
+
+
 def test_two_runs_from_nothing_give_the_same_bytes(reproduced, tmp_path):
     """On another number of workers, and whatever kernels OpenBLAS would choose by itself, too."""
     folder, _, _ = reproduced
@@ -85,8 +100,8 @@ def test_changing_one_home_describes_that_home_only(reproduced, tmp_path):
     folder, _, _ = reproduced
     copy = tmp_path / "copy"
     shutil.copytree(folder, copy, symlinks=True)
-    frame = next((copy / "data/homes/Home2").rglob("*.jpg"))
-    content = next((copy / "data/homes/Home3").rglob("*.jpg")).read_bytes()
+    frame = next((copy / HOMES / "Home2").rglob("*.jpg"))
+    content = next((copy / HOMES / "Home3").rglob("*.jpg")).read_bytes()
     frame.unlink()
     frame.write_bytes(content)
     result = run(copy, "dvc", "repro", "--single-item", "sequences")
@@ -110,9 +125,9 @@ def test_changing_one_home_describes_that_home_only(reproduced, tmp_path):
 )
 def test_damaged_data_gives_one_message_and_leaves_nothing(reproduced, tmp_path, damage, message):
     folder, _, _ = reproduced
-    shutil.copytree(folder / "data/homes", tmp_path / "data/homes")
+    shutil.copytree(folder / HOMES, tmp_path / HOMES)
     shutil.copy(folder / "params.yaml", tmp_path / "params.yaml")
-    damage(tmp_path / "data/homes")
+    damage(tmp_path / HOMES)
     result = run(tmp_path, "python", "-m", "placecat.stages.sequences", check=False)
     check_refused(result, message)
     assert not any((tmp_path / "data/sequences").parent.glob("*sequences*"))
@@ -120,10 +135,10 @@ def test_damaged_data_gives_one_message_and_leaves_nothing(reproduced, tmp_path,
 
 def test_an_unreadable_image_gives_one_message_and_leaves_nothing(reproduced, tmp_path):
     folder, _, _ = reproduced
-    for part in ("data/homes", "data/sequences"):
+    for part in (HOMES, "data/sequences"):
         shutil.copytree(folder / part, tmp_path / part)
     shutil.copy(folder / "params.yaml", tmp_path / "params.yaml")
-    frame = next((tmp_path / "data/homes/Home2").rglob("00000003.jpg"))
+    frame = next((tmp_path / HOMES / "Home2").rglob("00000003.jpg"))
     frame.write_bytes(frame.read_bytes()[:200])
     result = run(tmp_path, "python", "-m", "placecat.stages.features", "Home2", check=False)
     check_refused(result, "00000003.jpg")

@@ -65,7 +65,7 @@ def test_a_stage_depends_on_every_module_it_uses(stage):
 @pytest.mark.parametrize("stage", list(PIPELINE))
 def test_what_a_stage_depends_on_exists(stage):
     for dep in stage_body(stage)["deps"]:
-        if dep.startswith("src/"):
+        if dep.startswith(("src/", "conf/")):
             assert (ROOT / dep).exists(), dep
 
 
@@ -89,7 +89,6 @@ def settings_in_code():
     from placecat.cues import estimators
     from placecat.fusion.smoothing import smooth
     from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
-    from placecat.sequences.sketch import draw_homes
     from placecat.vision import holistic, local
     from placecat.vision.attention import compute_maps, find_regions
     from placecat.vision.information import information
@@ -118,7 +117,6 @@ def settings_in_code():
     given = {"proba", "sequences", "training_sequences", "training_proba", "training_truth", "n_classes"}
     smoothing = {name: value for name, value in params["smoothing"].items() if name != "cues"}
     yield "smoothing", smoothing, smooth, given
-    yield "sketch", params["sketch"], draw_homes, {"out"}
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,7 @@ from pathlib import Path
 
 CONF = Path("conf")
 PARAMS = Path("params.yaml")
+DATA = Path("data")
 PUBLISHED = Path("data/thesis/published_tables.csv")
 SEQUENCES = Path("data/sequences")
 FEATURES = Path("data/features")

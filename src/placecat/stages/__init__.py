@@ -27,8 +27,8 @@ def _use_common_kernels() -> None:
 _use_common_kernels()
 
 
-def run(stage: Callable[..., None], *, item: str | None = None) -> None:
-    """Run a stage from the command line: ``python -m placecat.stages.NAME [ITEM]``.
+def run(stage: Callable[..., None], *, item: str | None = None, items: str | None = None) -> None:
+    """Run a stage from the command line: ``python -m placecat.stages.NAME [ITEM ...]``.
 
     A mistake of the user's ends with its message and status 1, without a traceback.
 
@@ -38,15 +38,19 @@ def run(stage: Callable[..., None], *, item: str | None = None) -> None:
         Takes the item, if the stage has one.
     item
         What the item is, for ``--help``, e.g. "home".
+    items
+        What the items are, of a stage that takes any number of them.
     """
     parser = argparse.ArgumentParser(description=(stage.__doc__ or "").splitlines()[0])
     if item is not None:
         parser.add_argument(item)
-    arguments = parser.parse_args()
+    if items is not None:
+        parser.add_argument(items, nargs="*")
+    arguments = vars(parser.parse_args())
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(message)s")
     os.environ.setdefault("MLFLOW_DISABLE_TELEMETRY", "true")
     try:
-        stage(*vars(arguments).values())
+        stage(*(arguments[items] if items is not None else arguments.values()))
     except PlacecatError as error:
         sys.exit(f"placecat: {error}")
     except KeyboardInterrupt:

@@ -26,8 +26,20 @@ def main() -> None:
         raise PlacecatError("dataset.homes is empty: name the homes to use")
     with files.replacing(paths.SEQUENCES) as folder:
         for name in dataset["homes"]:
-            home = open_home(dataset["layout"], root, name, fps=dataset["fps"], camera=dataset["camera"])
+            camera = _camera(dataset["camera"], name)
+            home = open_home(dataset["layout"], root, name, fps=dataset["fps"], camera=camera)
             _write(folder / name, home, dataset)
+
+
+def _camera(camera: str | dict[str, str], home: str) -> str:
+    """Name the camera of a home: one for all, or one a home."""
+    if isinstance(camera, str):
+        return camera
+    if home not in camera:
+        raise PlacecatError(
+            f"dataset.camera names none for {home}: add dataset.camera.{home}, or name one for all"
+        )
+    return camera[home]
 
 
 def _write(folder: Path, home: Home, dataset: dict) -> None:

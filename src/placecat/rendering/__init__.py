@@ -1,0 +1,1 @@
+"""Furnished rooms and walks through them, rendered: the homes that come with the project."""

@@ -1,0 +1,57 @@
+"""Frames into a video file that OpenCV decodes everywhere."""
+
+from collections.abc import Iterable
+from fractions import Fraction
+from pathlib import Path
+from typing import cast
+
+import av
+import numpy as np
+from av.video.stream import VideoStream
+from numpy.typing import NDArray
+
+
+def write_video(
+    path: Path, frames: Iterable[NDArray[np.uint8]], *, fps: int, codec: str, quality: int, preset: str
+) -> int:
+    """Encode frames.
+
+    Parameters
+    ----------
+    path
+        An .mp4 file.
+    frames
+        (height, width, 3) uint8, BGR, all of one even size.
+    fps
+        Frames a second.
+    codec
+        FFmpeg's name of the encoder.
+    quality
+        Constant rate factor: lower is better and larger.
+    preset
+        Speed of the encoder: slower is smaller.
+
+    Returns
+    -------
+    int
+        Number of frames written.
+    """
+    count = 0
+    with av.open(str(path), "w") as container:
+        stream: VideoStream | None = None
+        for frame in frames:
+            if stream is None:
+                # One thread and no version string: the same frames give the same file.
+                options = {"crf": str(quality), "preset": preset, "threads": "1"}
+                stream = cast(VideoStream, container.add_stream(codec, rate=Fraction(fps), options=options))
+                stream.height, stream.width = frame.shape[:2]
+                stream.pix_fmt = "yuv420p"
+                stream.codec_context.thread_count = 1
+            picture = av.VideoFrame.from_ndarray(np.ascontiguousarray(frame), format="bgr24")
+            for packet in stream.encode(picture):
+                container.mux(packet)
+            count += 1
+        if stream is not None:
+            for packet in stream.encode():
+                container.mux(packet)
+    return count

@@ -1,0 +1,1 @@
+"""Pieces of furniture, one kind a module."""

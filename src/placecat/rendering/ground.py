@@ -1,0 +1,79 @@
+"""Where a person or a robot can be in a building, on a lattice."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+DOORWAY = -2
+"""Index of a door opening in `Ground.room`."""
+
+
+@dataclass(frozen=True, eq=False)
+class Ground:
+    """The floor of a building.
+
+    Attributes
+    ----------
+    cell
+        Width of a lattice cell in metres.
+    origin
+        World x, y of the corner of cell (0, 0); cell (i, j) has its middle at
+        origin + (i + 0.5, j + 0.5) * cell.
+    free
+        (nx, ny), where the middle of a person of radius 0.25 m can be; connected.
+    room
+        (nx, ny), index into `names`; -1 outside and in walls, -2 in door openings.
+    names
+        Names of the rooms, unique.
+    kinds
+        Their labels.
+    rects
+        x0, y0, x1, y1 of each room.
+    doors
+        Room, other room, world x, y of the middle of each opening.
+    windows
+        Room, world x, y of the middle of each window.
+    items
+        Room, world x, y, height of each larger piece of furniture.
+    """
+
+    cell: float
+    origin: tuple[float, float]
+    free: NDArray[np.bool_]
+    room: NDArray[np.int16]
+    names: tuple[str, ...]
+    kinds: tuple[str, ...]
+    rects: tuple[tuple[float, float, float, float], ...]
+    doors: tuple[tuple[int, int, float, float], ...]
+    windows: tuple[tuple[int, float, float], ...] = ()
+    items: tuple[tuple[int, float, float, float], ...] = ()
+
+    def cells(self, points: NDArray[np.float64]) -> NDArray[np.int64]:
+        """Give the cells (n, 2) of points (n, 2), moved onto the lattice where they lie beside it."""
+        indices = np.floor((np.asarray(points) - self.origin) / self.cell).astype(np.int64)
+        return np.clip(indices, 0, np.array(self.free.shape) - 1)
+
+    def points(self, cells: NDArray[np.int64]) -> NDArray[np.float64]:
+        """Give the middles (n, 2) of cells (n, 2)."""
+        return np.asarray(self.origin) + (np.asarray(cells) + 0.5) * self.cell
+
+    def is_free(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Tell for points (n, 2) whether one can be there."""
+        i, j = self.cells(points).T
+        return self.free[i, j]
+
+    def room_at(self, points: NDArray[np.float64]) -> NDArray[np.int16]:
+        """Give the room index of points (n, 2)."""
+        i, j = self.cells(points).T
+        return self.room[i, j]
+
+    def nearest_free(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Move the points (n, 2) that are not free to the middle of the nearest free cell."""
+        moved = np.array(points, dtype=np.float64)
+        blocked = np.flatnonzero(~self.is_free(moved))
+        if len(blocked):
+            middles = self.points(np.argwhere(self.free))
+            for k in blocked:
+                moved[k] = middles[np.argmin(((middles - moved[k]) ** 2).sum(axis=1))]
+        return moved

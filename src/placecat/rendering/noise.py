@@ -1,0 +1,95 @@
+"""Seamless random fields that textures are made of."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Field = NDArray[np.floating]
+
+
+def smooth(rng: np.random.Generator, pixels: int, power: float, stretch: float = 1.0) -> Field:
+    """Draw noise with a power-law spectrum that repeats without a seam.
+
+    Parameters
+    ----------
+    rng
+        Source of randomness.
+    pixels
+        Size of the field.
+    power
+        Amplitude falls with frequency to this power: 0 is white, 1 clouds, 2 soft blots.
+    stretch
+        How much longer blots are along x than along y.
+
+    Returns
+    -------
+    numpy.ndarray
+        (pixels, pixels) float32 of mean 0 and standard deviation 1.
+    """
+    spectrum = np.fft.rfft2(rng.standard_normal((pixels, pixels)))
+    fy, fx = np.fft.fftfreq(pixels)[:, None], np.fft.rfftfreq(pixels)[None, :]
+    radius = np.hypot(fy, fx * stretch) * pixels
+    spectrum *= np.where(radius > 0, 1 / np.maximum(radius, 1) ** power, 0)
+    field = np.fft.irfft2(spectrum, s=(pixels, pixels))
+    return (field / max(float(field.std()), 1e-9)).astype(np.float32)
+
+
+def grid(pixels: int) -> tuple[Field, Field]:
+    """Give x and y of pixel centres in [0, 1), y growing downwards.
+
+    Parameters
+    ----------
+    pixels
+        Size of the field.
+
+    Returns
+    -------
+    tuple of numpy.ndarray
+        Two (pixels, pixels) float32 fields.
+    """
+    line = (np.arange(pixels, dtype=np.float32) + 0.5) / pixels
+    x, y = np.meshgrid(line, line)
+    return x.astype(np.float32), y.astype(np.float32)
+
+
+def mix(first: NDArray[np.floating], second: NDArray[np.floating], share: Field) -> Field:
+    """Blend two colours by a field.
+
+    Parameters
+    ----------
+    first, second
+        (3,) colours or (pixels, pixels, 3) pictures.
+    share
+        (pixels, pixels), 0 gives the first, 1 the second.
+
+    Returns
+    -------
+    numpy.ndarray
+        (pixels, pixels, 3) float32.
+    """
+    weight = np.clip(share, 0, 1)[..., None]
+    return (np.asarray(first) * (1 - weight) + np.asarray(second) * weight).astype(np.float32)
+
+
+def cells(pixels: int, columns: int, rows: int, shift: float = 0.0) -> tuple[NDArray[np.intp], Field, Field]:
+    """Divide a picture into cells, each second row shifted: bricks, tiles, planks.
+
+    Parameters
+    ----------
+    pixels
+        Size of the field.
+    columns, rows
+        Number of cells; `rows` is even if `shift` is not 0, or there is a seam.
+    shift
+        Of each second row, in cells.
+
+    Returns
+    -------
+    tuple of numpy.ndarray
+        Number of the cell, and distance from its nearer upright and level edge in [0, 0.5] cells.
+    """
+    x, y = grid(pixels)
+    row = np.floor(y * rows).astype(int)
+    u = x * columns + shift * (row % 2)
+    column = np.floor(u).astype(int) % columns
+    fu, fv = u - np.floor(u), y * rows - row
+    return row * columns + column, np.minimum(fu, 1 - fu), np.minimum(fv, 1 - fv)

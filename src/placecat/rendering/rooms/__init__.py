@@ -1,0 +1,1 @@
+"""What is in a room of each kind."""

@@ -1,0 +1,32 @@
+"""Signals over time: smoothing and slow random wandering."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+
+def smoothed(values: Floats, width: int) -> Floats:
+    """Average over `width` neighbours, twice; ends are continued by their value."""
+    width |= 1
+    kernel = np.full(width, 1.0 / width)
+    for _ in range(2):
+        values = np.convolve(np.pad(values, width // 2, mode="edge"), kernel, mode="valid")
+    return values
+
+
+def wander(rng: np.random.Generator, count: int, deviation: float, slowness: float) -> Floats:
+    """Draw a smooth random signal of a standard deviation that forgets itself in `slowness` steps."""
+    width = max(1, round(slowness)) | 1
+    noise = rng.normal(size=count + 2 * (width - 1))
+    kernel = np.convolve(np.ones(width), np.ones(width))
+    kernel /= np.sqrt((kernel**2).sum())
+    return deviation * np.convolve(noise, kernel, mode="valid")
+
+
+def limited(values: Floats, most: float) -> Floats:
+    """Follow a signal with steps of at most `most`."""
+    result = values.copy()
+    for index in range(1, len(result)):
+        result[index] = result[index - 1] + np.clip(values[index] - result[index - 1], -most, most)
+    return result

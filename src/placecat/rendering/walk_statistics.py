@@ -1,0 +1,102 @@
+"""Which room follows which in a walk, and how long one stays."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from placecat import settings
+
+
+@dataclass(frozen=True)
+class LogNormal:
+    """A log-normal distribution.
+
+    Attributes
+    ----------
+    mean, sigma
+        Mean and standard deviation of the logarithm.
+    """
+
+    mean: float
+    sigma: float
+
+    def draw(self, rng: np.random.Generator, spread: float) -> float:
+        """Draw a number at most `spread` sigmas from the middle."""
+        return math.exp(self.mean + self.sigma * float(np.clip(rng.normal(), -spread, spread)))
+
+
+@dataclass(frozen=True)
+class Statistics:
+    """The order and the lengths of stays.
+
+    Attributes
+    ----------
+    classes
+        Kinds that must occur in a walk, where the building has them, each with `least_share` of the frames.
+    starts
+        How often walks start in a kind of room.
+    follows
+        How often a stay in the second kind follows one in the first.
+    count
+        Number of stays in a walk.
+    stays
+        Length of a stay in a kind of room, as a multiple of the mean stay of the walk.
+    transitions
+        Length of a transition, as a multiple of the mean transition of the walk.
+    transition_share
+        Mean, standard deviation, least and most of the share of frames that are transitions; all 0: none.
+    between
+        Labels of what lies between two stays: `transition` (all of the way) or `rooms` (doorways are
+        transitions, rooms on the way have their own labels).
+    doorway
+        A transition begins so many metres before a door and ends so many behind it.
+    least_share
+        Share of the frames that each class has at least.
+    """
+
+    classes: tuple[str, ...]
+    starts: Mapping[str, float]
+    follows: Mapping[str, Mapping[str, float]]
+    count: LogNormal
+    stays: Mapping[str, LogNormal]
+    transitions: LogNormal
+    transition_share: tuple[float, float, float, float]
+    between: str
+    doorway: tuple[float, float]
+    least_share: float = 0.04
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """Kinds of rooms in which a walk can stay."""
+        return tuple(self.stays)
+
+    @classmethod
+    def of(cls, values: Mapping[str, Any], where: str = "rendering.walk") -> "Statistics":
+        """Make them of settings.
+
+        Raises
+        ------
+        PlacecatError
+            A setting that does not exist.
+        """
+        settings.check(cls, values, where)
+        given = dict(values)
+        return cls(
+            **{
+                **given,
+                "classes": tuple(given["classes"]),
+                "count": LogNormal(**given["count"]),
+                "stays": {kind: LogNormal(**stay) for kind, stay in given["stays"].items()},
+                "transitions": LogNormal(**given["transitions"]),
+                "transition_share": tuple(given["transition_share"]),
+                "doorway": tuple(given["doorway"]),
+            }
+        )
+
+    def draw_transition_share(self, rng: np.random.Generator) -> float:
+        """Draw the share of frames of a walk that are transitions."""
+        mean, deviation, least, most = self.transition_share
+        return float(np.clip(rng.normal(mean, deviation), least, most))

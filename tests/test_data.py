@@ -1,0 +1,108 @@
+"""The rendered videos that come with the project: what they promise, read as the pipeline reads them."""
+
+from pathlib import Path
+
+import pandas as pd
+import pytest
+import yaml
+
+from placecat import files
+from placecat.compose import compose
+from placecat.stages import render, sequences
+from project import ROOT, rendered
+
+pytestmark = pytest.mark.xdist_group("data")
+
+SIZES = {"homes": {(1280, 720)}, "university": {(640, 480)}, "apartments": {(640, 480), (1280, 720)}}
+"""Frame sizes of each data set, as (width, height)."""
+
+
+def settings():
+    """The data sets of conf/dataset that lie in the repository, by name."""
+    paths = sorted((ROOT / "conf/dataset").glob("*.yaml"))
+    found = {path.stem: yaml.safe_load(path.read_text()) for path in paths}
+    return {name: dataset for name, dataset in found.items() if dataset["root"] in rendered()}
+
+
+@pytest.fixture(scope="module")
+def homes(tmp_path_factory):
+    """What the stage `sequences` makes of each data set: frames with labels and facts, by home."""
+    with pytest.MonkeyPatch.context() as patch:
+        return {name: read(name, tmp_path_factory.mktemp(name), patch) for name in settings()}
+
+
+def read(name, folder, patch):
+    patch.chdir(folder)
+    (folder / "data").mkdir()
+    for out in rendered():
+        (folder / out).symlink_to(ROOT / out)
+    Path("params.yaml").write_text(compose([f"dataset={name}"], conf=ROOT / "conf"))
+    sequences.main()
+    found = {}
+    for home in settings()[name]["homes"]:
+        made = folder / "data/sequences" / home
+        found[home] = pd.read_csv(made / "labels.csv"), files.read_json(made / "home.json")
+    return found
+
+
+def test_each_folder_of_videos_is_a_data_set():
+    assert sorted(settings()) == sorted(SIZES)
+    assert sorted(dataset["root"] for dataset in settings().values()) == sorted(rendered())
+
+
+def test_every_video_is_used_and_has_labels_and_was_rendered():
+    used = {f"{dataset['root']}/{home}" for dataset in settings().values() for home in dataset["homes"]}
+    assert used == {f"data/{name}" for name in render.listed()}
+    there = {path.relative_to(ROOT).as_posix() for out in rendered() for path in (ROOT / out).rglob("*")}
+    assert there == {f"{name}.{ending}" for name in used for ending in ("mp4", "csv")}
+
+
+def test_together_they_are_small():
+    assert 0 < sum(path.stat().st_size for out in rendered() for path in (ROOT / out).rglob("*")) < 60e6
+
+
+@pytest.mark.parametrize("name", SIZES)
+def test_frames_are_as_listed(homes, name):
+    for home, (labels, facts) in homes[name].items():
+        listed = render.listed()[f"{name}/{home}"]
+        assert len(labels) == listed["frames"], home
+        assert facts["fps"] == listed["fps"], home
+        assert (facts["width"], facts["height"]) in SIZES[name], home
+        assert labels["label"].notna().all(), home
+
+
+def test_homes_are_long_enough_to_compare_with_real_ones(homes):
+    assert len(homes["homes"]) == 6
+    assert min(len(labels) for labels, _ in homes["homes"].values()) >= 600
+
+
+def test_each_home_shows_every_room_and_the_ways_between(homes):
+    for home, (labels, _) in homes["homes"].items():
+        classes = settings()["homes"]["classes"]
+        assert set(labels["label"]) == {*classes, "corridor", "transition"}, home
+
+
+def classes_of(homes, *names):
+    return {name: set(homes[name][0]["label"]) - {"transition"} for name in names}
+
+
+def test_the_university_is_passed_twice_and_tested_in_other_rooms(homes):
+    """The sequences of thesis 4.9: to train, to integrate (the other pass), and to test."""
+    university = homes["university"]
+    seen = classes_of(university, *university)
+    assert set.union(*seen.values()) == set(settings()["university"]["classes"])
+    for route in ("north_2", "south_2", "north_4"):
+        assert seen[f"{route}_cloudy_2"] == seen[f"{route}_cloudy_3"], route
+    trained = seen["north_2_cloudy_2"] | seen["south_2_cloudy_2"] | {"kitchen"}
+    tested = seen["south_3_cloudy_2"] | seen["north_4_cloudy_3"]
+    assert trained == tested == set(settings()["university"]["classes"])
+    assert "kitchen" in seen["north_4_cloudy_2"]
+
+
+def test_the_apartments_train_and_test_all_classes_with_other_cameras(homes):
+    """The sequences of thesis 4.10."""
+    apartments = homes["apartments"]
+    seen = classes_of(apartments, *apartments)
+    classes = set(settings()["apartments"]["classes"])
+    assert seen["flip"] | seen["webcam"] == seen["robot"] == classes
+    assert len({facts["camera"] for _, facts in apartments.values()}) == 3

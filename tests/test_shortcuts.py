@@ -1,0 +1,85 @@
+"""Colour, brightness or file size do not tell the rooms of the rendered homes; where they do, it is found."""
+
+import cv2
+import numpy as np
+import pytest
+
+from mp4 import frame_sizes
+from shortcuts import data_set, measure
+
+LIMIT = 35
+"""Percent that no shortcut may reach in the mean over the homes; chance is 20."""
+CLASSES = ["bedroom", "bathroom", "kitchen", "living_room", "dining_room"]
+STAY = 30
+"""Frames of each room of a made home."""
+
+
+def test_no_shortcut_tells_the_rooms_of_the_homes():
+    table = measure(data_set("homes"))
+    assert table.shape == (5 * 6, 6 + 1)
+    assert table["average"].max() <= LIMIT, table[table["average"] > LIMIT].round(1).to_string()
+
+
+def view(rng, *, tint=0.0, light=0.0, grain=0.0):
+    """A picture of random patches: its mean colour and its brightness are its own.
+
+    A tint leaves the brightness as it is.
+    """
+    patches = rng.uniform(60, 190, (6, 8, 3)) + rng.uniform(-20, 20, 3)
+    image = cv2.resize(patches, (160, 120), interpolation=cv2.INTER_LINEAR)
+    image += tint * np.array([1, 0, -0.38]) + light + rng.normal(0, 6 + grain, image.shape[:2])[:, :, None]
+    return np.clip(image, 0, 255).astype(np.uint8)
+
+
+def made_homes(root, planted):
+    """Four homes whose rooms differ in nothing but what is planted: room number to options of `view`."""
+    rng = np.random.default_rng(3)
+    homes = ["a", "b", "c", "d"]
+    for home in homes:
+        writer = cv2.VideoWriter(str(root / f"{home}.mp4"), cv2.VideoWriter.fourcc(*"mp4v"), 5, (160, 120))
+        lines = ["start,end,label"]
+        for stay, room in enumerate(rng.permutation(len(CLASSES))):
+            lines.append(f"{stay * STAY + 1},{(stay + 1) * STAY},{CLASSES[room]}")
+            for _ in range(STAY):
+                writer.write(view(rng, **planted(int(room))))
+        writer.release()
+        (root / f"{home}.csv").write_text("\n".join(lines) + "\n")
+    return data_set("homes") | {"root": root, "homes": homes}
+
+
+@pytest.mark.parametrize(
+    ("planted", "found"),
+    [
+        (lambda room: {}, set()),
+        (lambda room: {"tint": 20 * (room - 2)}, {"mean colour"}),
+        (lambda room: {"light": 20 * (room - 2)}, {"mean colour", "brightness"}),
+        (lambda room: {"grain": 4 * room}, {"JPEG size", "video size of the frame", "video size of 5 s"}),
+    ],
+    ids=["nothing", "a tint", "light", "grain"],
+)
+def test_a_planted_shortcut_is_found(tmp_path, planted, found):
+    table = measure(made_homes(tmp_path, planted))
+    best = table["average"].groupby("shortcut").max()
+    assert set(best.index[best > LIMIT]) == found, best.round(1).to_string()
+
+
+def test_the_size_of_each_frame_is_read_in_the_order_of_showing(tmp_path):
+    """A grey frame takes few bytes, a noisy one many; with frames that refer to later ones, too."""
+    av = pytest.importorskip("av")
+    rng = np.random.default_rng(5)
+    noisy = rng.random(40) < 0.4
+    path = tmp_path / "frames.mp4"
+    with av.open(str(path), "w") as container:
+        stream = container.add_stream("libx264", rate=5, options={"bf": "3", "b-adapt": "0"})
+        stream.width, stream.height, stream.pix_fmt = 64, 48, "yuv420p"
+        for loud in noisy:
+            image = rng.integers(0, 255, (48, 64, 3)) if loud else np.full((48, 64, 3), 128)
+            container.mux(stream.encode(av.VideoFrame.from_ndarray(image.astype(np.uint8), "bgr24")))
+        container.mux(stream.encode())
+    with av.open(str(path)) as container:
+        packets = [packet for packet in container.demux(video=0) if packet.size]
+    stored = [packet.size for packet in packets]
+    shown = [packet.size for packet in sorted(packets, key=lambda packet: packet.pts)]
+    assert shown != stored
+    assert frame_sizes(path).tolist() == shown
+    assert frame_sizes(path)[noisy].min() > frame_sizes(path)[1:][~noisy[1:]].max()
