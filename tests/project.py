@@ -38,7 +38,8 @@ SMALL = [
 def rendered():
     """Folders of the videos that come with the project, relative to it: what the stage `render` makes."""
     render = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]["render"]
-    return [next(iter(out)) for out in render["outs"]]
+    outs = [next(iter(out)) for out in render["outs"]]
+    return [out for out in outs if not out.endswith(".jpg")]
 
 
 def environment(**extra):

@@ -5,6 +5,7 @@ from pathlib import Path
 CONF = Path("conf")
 PARAMS = Path("params.yaml")
 DATA = Path("data")
+CONTACT_SHEET = Path("data/contact_sheet.jpg")
 PUBLISHED = Path("data/thesis/published_tables.csv")
 SEQUENCES = Path("data/sequences")
 FEATURES = Path("data/features")

@@ -1,4 +1,4 @@
-"""Every piece of furniture and every texture, found by name: in its frame, closed in, seeded, not too fine."""
+"""Every piece of furniture and every texture, found by name: whole, in its frame, seeded, not too fine."""
 
 import importlib
 import inspect
@@ -12,12 +12,14 @@ from placecat.rendering.materials import Material, Texture
 from placecat.rendering.mesh import Mesh
 from placecat.rendering.style import Style
 
+
 def makers():
     """Functions of all modules that take (rng, style), need nothing else, and give a mesh."""
     for module in pkgutil.iter_modules(furniture.__path__):
         found = importlib.import_module(f"{furniture.__name__}.{module.name}")
         for name, function in vars(found).items():
-            if name.startswith("_") or not inspect.isfunction(function) or function.__module__ != found.__name__:
+            own = inspect.isfunction(function) and function.__module__ == found.__name__
+            if name.startswith("_") or not own:
                 continue
             parameters = list(inspect.signature(function).parameters.values())
             needed = [p.name for p in parameters if p.default is p.empty]

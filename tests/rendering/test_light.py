@@ -59,7 +59,7 @@ def test_a_board_takes_the_lamp_and_the_sun_away():
     light = bake(scene, open_sky(0.0, 1.0), Quality(directions=16, bounces=0))
     floor_ = scene.vertices[:, 2] == 0
     radius = np.abs(scene.vertices[:, :2]).max(axis=1)
-    # The lamp at twice the height of the board throws a shadow twice as wide; the sun's is as wide as the board.
+    # The lamp at twice the height of the board throws a shadow twice as wide; the sun's is no wider.
     assert light[floor_ & (radius < 0.5), 0] == pytest.approx(0, abs=1e-6)
     assert (light[floor_ & (radius > 1.4), 0] > 0.02).all()
     assert light[floor_ & (radius < 0.3), 3] == pytest.approx(0, abs=1e-6)
@@ -89,7 +89,7 @@ def test_left_is_left_and_up_is_up():
     high = shapes.box(0.2, 0.2, 0.2, 0).of(blue).moved(3, -0.1, 1.6)
     scene = prepare(join(left, high), edge=1)
     daylight = open_sky(1.0)
-    picture, distance = camera(scene, daylight, bake(scene, daylight, Quality(16, 0)), Pose(0, 0, 1, 0.0))
+    picture, _ = camera(scene, daylight, bake(scene, daylight, Quality(16, 0)), Pose(0, 0, 1, 0.0))
     for material, where in ((0, (slice(10, 26), slice(0, 30))), (1, (slice(0, 16), slice(24, 40)))):
         channel = picture[..., 0 if material == 0 else 2] - picture[..., 1]
         assert (channel[where] > 0.5).sum() == (channel > 0.5).sum() > 0

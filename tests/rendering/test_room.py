@@ -77,9 +77,7 @@ def test_a_place_that_cuts_off_a_door_is_refused() -> None:
 
 
 def test_span_ends_at_doors_and_windows() -> None:
-    room = plain(
-        Opening(0, 1.0, 1.9, 0.0, 2.05, "door", False, "left", True), Opening(2, 0.5, 1.5, 0.9, 2.1)
-    )
+    room = plain(Opening(0, 1.0, 1.9, 0.0, 2.05, "door", False, "left", True), Opening(2, 0.5, 1.5, 0.9, 2.1))
     assert room.span().length == pytest.approx(4.0)
     assert room.span(tall=True).length == pytest.approx(3.0)
     assert room.span(least=4.1) is None

@@ -64,7 +64,7 @@ def doorway(
     else:
         rng = np.random.default_rng(derive("angle", plan.name, seed, *way.rooms))
         free = max(plan.corner(way, seed) - 0.12, 0.0) / way.width
-        angle = min(float(rng.uniform(84, 100)), 90.0 + math.degrees(math.asin(min(free, 1.0))))
+        angle = min(float(rng.uniform(84, 97)), 90.0 + math.degrees(math.asin(min(free, 1.0))))
         size = (way.width, way.height, thick)
         made = door(np.random.default_rng(design), style, *size, angle, hinge, way.kind == "glass")
         mesh = join(made, passage(*size, None, floor))

@@ -64,6 +64,8 @@ class Finish:
         Width of a texture in pixels.
     preview
         Width of the small frames that the automatic exposure measures.
+    glare
+        See `Viewer`.
     light
         Settings of the baking.
     """
@@ -71,6 +73,7 @@ class Finish:
     edge: float
     texture: int
     preview: int
+    glare: float
     light: Quality
 
 
@@ -174,7 +177,8 @@ class Film:
         )
         mesh = replace(join(self.building.mesh, self._roof()), lamps=self._lamps())
         scene = prepare(mesh, edge=self._finish.edge, pixels=self._finish.texture)
-        return Viewer(scene, bake(scene, daylight, self._finish.light), daylight)
+        light = bake(scene, daylight, self._finish.light)
+        return Viewer(scene, light, daylight, glare=self._finish.glare)
 
     def _roof(self) -> Mesh:
         # Else the sky would shine into the hollow walls.

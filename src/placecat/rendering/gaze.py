@@ -16,7 +16,7 @@ _GAIN = 3.0
 _PITCH_RATE = math.radians(30.0)
 _PITCH_LAG = 0.4
 _LOW, _HIGH = math.radians(-32.0), math.radians(5.0)
-_SWEEP = (math.radians(60.0), math.radians(200.0))
+_SWEEP = (math.radians(40.0), math.radians(120.0))
 _SWEEP_RATE = (math.radians(16.0), math.radians(38.0))
 _SHORTEST = 0.4
 
@@ -153,8 +153,8 @@ class Gaze:
     def _walk(self, span: Span, left: float) -> Act:
         if span.section.stay:
             items = self._items(span.section.room)
-            if items and self.rng.random() < 0.4:
-                return Act(self._between(1.0, 2.0), point=items[int(self.rng.integers(len(items)))])
+            if items and self.rng.random() < 0.7:
+                return Act(self._between(1.0, 2.0), point=self._choice(items))
         elif left > 3.0 and self.rng.random() < 0.3:
             return Act(self._between(0.7, 1.3), aside=self._between(-0.8, 0.8), tilt=self._tilt())
         return Act(self._between(1.0, 2.5), tilt=self._tilt())
@@ -162,10 +162,10 @@ class Gaze:
     def _look(self, view: Viewpoint, left: float) -> Act:
         items, windows = self._items(view.room), self._windows(view.room)
         full = left > 9.0
-        odds = np.array([3.0, 3.0 * bool(items), 1.0 * bool(windows), 1.2, 0.6 * full, 1.5])
+        odds = np.array([3.0, 8.0 * bool(items), 0.4 * bool(windows), 0.5, 0.3 * full, 1.5])
         kind = int(self.rng.choice(len(odds), p=odds / odds.sum()))
         if kind == 1:
-            return Act(self._between(1.0, 2.2), point=items[int(self.rng.integers(len(items)))])
+            return Act(self._between(1.0, 2.2), point=self._choice(items))
         if kind == 2:
             return Act(self._between(1.5, 4.0), point=windows[int(self.rng.integers(len(windows)))])
         if kind == 3:
@@ -204,6 +204,11 @@ class Gaze:
 
     def _items(self, room: int) -> list[tuple[float, float, float]]:
         return [(x, y, 0.8 * height) for index, x, y, height in self.ground.items if index == room]
+
+    def _choice(self, items: list[tuple[float, float, float]]) -> tuple[float, float, float]:
+        # What was put into a room first is what the room is for.
+        odds = (1.0 + np.arange(len(items))) ** -1.5
+        return items[int(self.rng.choice(len(items), p=odds / odds.sum()))]
 
     def _windows(self, room: int) -> list[tuple[float, float, float]]:
         return [(x, y, 1.4) for index, x, y in self.ground.windows if index == room]

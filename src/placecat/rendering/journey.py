@@ -20,7 +20,7 @@ TRANSITION = "transition"
 _HALL = "corridor"
 
 _WALKED = 0.5
-_CLOSE = 0.35
+_CLOSE = 0.15
 _SECONDS_EACH = {False: 5.0, True: 9.0}
 _MOST = 4
 

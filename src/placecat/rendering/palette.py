@@ -103,15 +103,15 @@ def fabric(rng: Rng) -> Material:
     second = colour(rng, 0.65, 0.2, 0.95)
     third = colour(rng, 0.7, 0.15, 0.95)
     kind = rng.uniform()
-    if kind < 0.25:
+    if kind < 0.35:
         texture = Texture("weave", (first, shade(first, 0.8)), (0.12, 0.12), _seed(rng))
-    elif kind < 0.5:
+    elif kind < 0.7:
         texture = Texture("carpet", (first, shade(first, 0.88)), (0.3, 0.3), _seed(rng))
-    elif kind < 0.62:
+    elif kind < 0.78:
         texture = Texture("stripes", (first, second, third), (float(rng.uniform(0.15, 0.5)),) * 2, _seed(rng))
-    elif kind < 0.74:
+    elif kind < 0.86:
         texture = Texture("checks", (first, second), (float(rng.uniform(0.15, 0.4)),) * 2, _seed(rng))
-    elif kind < 0.87:
+    elif kind < 0.93:
         texture = Texture("floral", (first, second, third), (float(rng.uniform(0.3, 0.7)),) * 2, _seed(rng))
     else:
         texture = Texture(
@@ -197,8 +197,8 @@ def tiles(rng: Rng) -> Material:
 def wallpaper(rng: Rng) -> Material:
     """Draw wallpaper: stripes, flowers, damask or a structure."""
     first = colour(rng, 0.35, 0.55, 0.93)
-    second = shade(first, float(rng.choice([0.75, 0.85, 1.15])))
-    third = colour(rng, 0.6, 0.3, 0.9)
+    second = shade(first, float(rng.choice([0.86, 0.92, 1.08])))
+    third = shade(first, 0.8)
     kind = rng.uniform()
     size = float(rng.uniform(0.35, 0.9))
     if kind < 0.3:
@@ -213,18 +213,16 @@ def wallpaper(rng: Rng) -> Material:
 
 
 def wall(rng: Rng) -> Material:
-    """Draw what covers a wall: mostly paint on plaster, else wallpaper, tiles, panels or bricks."""
+    """Draw what covers a wall: mostly light paint on plaster, else wallpaper, boards or bricks."""
     kind = rng.uniform()
-    if kind < 0.68:
-        base = paint(rng).colour
-        return Material(texture=Texture("plaster", (base,), (1.7, 1.7), _seed(rng)))
     if kind < 0.84:
+        base = colour(rng, 0.28, 0.68, 0.95)
+        return Material(texture=Texture("plaster", (base,), (1.7, 1.7), _seed(rng)))
+    if kind < 0.94:
         return wallpaper(rng)
-    if kind < 0.91:
-        return tiles(rng)
-    if kind < 0.96:
-        base = colour(rng, 0.5, 0.4, 0.85)
-        return Material(texture=Texture("brick_tiles", (base, shade(base, 1.2)), (0.9, 0.6), _seed(rng)))
+    if kind < 0.97:
+        base = colour(rng, 0.3, 0.6, 0.9)
+        return Material(texture=Texture("brick_tiles", (base, shade(base, 1.1)), (0.9, 0.6), _seed(rng)))
     return wood(rng)
 
 
@@ -249,7 +247,7 @@ def flooring(rng: Rng) -> Material:
     if kind < 0.72:
         plain = colour(rng, 0.3, 0.3, 0.92)
         joint = shade(plain, float(rng.choice([0.6, 0.8])))
-        colours = (plain, joint) if rng.uniform() < 0.75 else (plain, joint, colour(rng, 0.4, 0.15, 0.9))
+        colours = (plain, joint) if rng.uniform() < 0.9 else (plain, joint, shade(plain, 0.75))
         width = float(rng.choice([1.2, 1.8, 2.4]))
         return Material(
             texture=Texture("tiles", colours, (width, width), _seed(rng)), gloss=gloss, roughness=0.15

@@ -392,9 +392,7 @@ class Room:
         self._boxes.append(box)
         return thing
 
-    def beside(
-        self, other: Placed, model: Mesh, *, side: str = "left", gap: float = 0.05
-    ) -> Placed | None:
+    def beside(self, other: Placed, model: Mesh, *, side: str = "left", gap: float = 0.05) -> Placed | None:
         """Put a thing beside another, looking the same way, their backs in line.
 
         Parameters
@@ -451,9 +449,7 @@ class Room:
                 thing = self._at_wall(model, wall, place, 0.0, _GAP)
         return self._try(thing)
 
-    def on(
-        self, other: Placed, model: Mesh, x: float, y: float, z: float, turn: float = 0.0
-    ) -> Placed:
+    def on(self, other: Placed, model: Mesh, x: float, y: float, z: float, turn: float = 0.0) -> Placed:
         """Put a thing somewhere in the frame of another, whatever else is there.
 
         Parameters
@@ -764,9 +760,21 @@ class Room:
             x0, y0, x1, y1 = self._strip(door.wall, *ends, -_PAD * CELL, CELL)[0]
             i, j = self._cell(x0, y0), self._cell(x1, y1)
             solid[max(i[0], 0) : j[0], max(i[1], 0) : j[1]] = False
+            if door.leaf:
+                solid |= drawn(self._swing(door), (-_PAD * CELL, -_PAD * CELL), solid.shape)
             cell = self._cell(*self.point(door.wall, door.middle, -3 * CELL))
             self._sills.append((min(cell[0], solid.shape[0] - 1), min(cell[1], solid.shape[1] - 1)))
         return solid
+
+    def _swing(self, door: Opening) -> Floats:
+        """Corners of the floor where the leaf of an open door may stand, counter-clockwise."""
+        inwards = 1.0 if door.hinge == "left" else -1.0
+        hinge = door.start if door.hinge == "left" else door.end
+        tips = [(hinge + inwards * side, door.width) for side in (0.1, -0.1)]
+        foot = [(hinge + inwards * side, 0.0) for side in (0.0, 0.05)]
+        points = np.array([self.point(door.wall, along, deep) for along, deep in (*tips, *foot)])
+        (ax, ay), (bx, by) = points[1] - points[0], points[2] - points[1]
+        return points if ax * by - ay * bx > 0 else points[::-1]
 
     @staticmethod
     def _cell(x: float, y: float) -> tuple[int, int]:

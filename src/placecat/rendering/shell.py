@@ -63,17 +63,17 @@ class Finish:
         Finish
             Of one room.
         """
-        if rng.random() < 0.6:
+        if rng.random() < 0.35:
             floor = palette.flooring(rng)
-        if rng.random() < 0.75:
+        if rng.random() < 0.6:
             wall = palette.wall(rng)
         walls = [wall] * 4
-        if rng.random() < 0.2:
+        if rng.random() < 0.12:
             walls[int(rng.integers(4))] = palette.wall(rng)
         dado, height = None, 0.0
-        if rng.random() < 0.18:
-            kinds = (palette.tiles, palette.tiles, palette.wood, palette.paint)
-            dado = kinds[int(rng.integers(4))](rng)
+        if rng.random() < 0.08:
+            kinds = (palette.wood, palette.paint)
+            dado = kinds[int(rng.integers(2))](rng)
             height = float(rng.choice([0.95, 1.2, 1.5, 2.0]))
         skirting = 0.0 if rng.random() < 0.15 else float(rng.uniform(0.05, 0.13))
         moulding = float(rng.uniform(0.03, 0.08)) if rng.random() < 0.2 else 0.0

@@ -93,9 +93,12 @@ class Viewer:
         (n, 4) float32 from `bake`.
     daylight
         What the light was baked with.
+    glare
+        How many times brighter the world outside looks than the light it sheds: cameras overexpose it.
     """
 
-    def __init__(self, scene: Scene, light: Floats, daylight: Daylight) -> None:
+    def __init__(self, scene: Scene, light: Floats, daylight: Daylight, *, glare: float = 1.0) -> None:
+        self._glare = np.float32(glare)
         self._scene, self._light, self._daylight = scene, light, daylight
         self._all = Tracer(scene.vertices, scene.triangles)
         solid = scene.surface[scene.material, 3] >= 0.999
@@ -174,7 +177,7 @@ class Viewer:
         radiance = colour * received * (opacity * (1 - 0.9 * gloss))[:, None]
         outside = np.zeros((int((~hit).sum()), 3), np.float32)
         kernels.sky(rays[~hit], day.panorama, outside)
-        radiance[~hit] = outside
+        radiance[~hit] = self._glare * outside
         # Schlick's approximation; rough surfaces reflect less towards grazing angles.
         cosine = np.clip(-np.einsum("ij,ij->i", rays, normal), 0, 1)
         grazing = (1 - cosine) ** 5 * (1 - 0.8 * roughness) * (gloss > 0)

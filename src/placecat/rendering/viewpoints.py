@@ -95,8 +95,24 @@ def choose(
     open_ = wide.min(axis=1) if amid or rng.random() < 0.3 else wide.max(axis=1)
     deep = 0.6 + 0.4 * np.minimum(1.0, _far(places, near) / reach)
     liking = open_ * deep * rng.uniform(0.6, 1.0, len(places))
-    best = int(np.argmax(liking))
-    return Viewpoint(room, _pair(places[best]), _outlook(wide[best]))
+    focus = _main(ground, room)
+    if focus is None or amid:
+        best = int(np.argmax(liking))
+        return Viewpoint(room, _pair(places[best]), _outlook(wide[best]))
+    # From where the furniture is seen as a whole.
+    away_ = np.hypot(*(places - focus).T)
+    best = int(np.argmax(liking * np.minimum(away_, 3.0)))
+    x, y = focus - places[best]
+    return Viewpoint(room, _pair(places[best]), math.atan2(y, x))
+
+
+def _main(ground: Ground, room: int) -> NDArray[np.float64] | None:
+    # What was put into a room first is what the room is for.
+    items = [(x, y) for index, x, y, _ in ground.items if index == room]
+    if not items:
+        return None
+    weight = 1 / (1.0 + np.arange(len(items)))
+    return np.asarray(np.average(np.array(items), axis=0, weights=weight))
 
 
 def _close(

@@ -1,17 +1,20 @@
 """Stage `render`: make the videos that come with the project. Frozen; needs the optional extra `render`."""
 
 import csv
-import os
 import tempfile
 from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import cv2
 import yaml
 
-from placecat import paths, settings
+from placecat import files, paths, settings
 from placecat.errors import PlacecatError
 from placecat.parallel import in_parallel
+from placecat.reporting import contact_sheet
+from placecat.sequences import open_home
+from placecat.sequences.base import read_frames
 from placecat.stages import run
 
 if TYPE_CHECKING:
@@ -26,8 +29,23 @@ def main(*names: str) -> None:
     wanted = names or tuple(videos)
     for name in wanted:
         if name not in videos:
-            raise PlacecatError(f"{FOLDER / 'videos.yaml'} has no video {name!r} (valid: {', '.join(videos)})")
+            where = FOLDER / "videos.yaml"
+            raise PlacecatError(f"{where} has no video {name!r} (valid: {', '.join(videos)})")
     in_parallel(_render, [(name,) for name in wanted], "rendering videos")
+    draw_contact_sheet()
+
+
+def draw_contact_sheet() -> None:
+    """Draw a view of every place of each home into data/contact_sheet.jpg."""
+    dataset = yaml.safe_load((paths.CONF / "dataset/homes.yaml").read_text(encoding="utf-8"))
+    views = {}
+    for name in dataset["homes"]:
+        home = open_home(dataset["layout"], Path(dataset["root"]), name)
+        frames = read_frames(home.root, home.frames)
+        views[name] = contact_sheet.sharpest(frames, list(home.frames["label"]), dataset["classes"])
+    picture = contact_sheet.draw(views, dataset["classes"])
+    with files.replacing(paths.CONTACT_SHEET) as path:
+        path.write_bytes(cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, 88])[1].tobytes())
 
 
 def listed() -> dict[str, dict[str, Any]]:
@@ -109,8 +127,8 @@ def _render(name: str) -> None:
         video, labels = Path(folder) / target.name, Path(folder) / f"{target.stem}.csv"
         write_video(video, made.frames(), fps=listed()[name]["fps"], **_read("finish")["video"])
         _write_labels(labels, made.labels)
-        os.replace(video, target)
-        os.replace(labels, target.with_suffix(".csv"))
+        video.replace(target)
+        labels.replace(target.with_suffix(".csv"))
 
 
 def _write_labels(path: Path, labels: list[str]) -> None:

@@ -46,17 +46,11 @@ def furnish(room: Room) -> None:
 
 
 def _tile(room: Room, tiles: Material) -> None:
-    """Tile all walls half-high or high, or one or two walls, or none."""
+    """Tile all walls, half-high, high or up to the ceiling."""
     rng = room.rng
-    choice = rng.random()
     border = palette.paint(rng) if rng.random() < 0.35 else None
-    if choice < 0.45:
-        tile_walls(room, tiles, rng.uniform(1.0, 1.5), border=border)
-    elif choice < 0.65:
-        tile_walls(room, tiles, min(rng.uniform(1.8, 2.2), room.height - 0.1), border=border)
-    elif choice < 0.85:
-        walls = tuple(int(k) for k in rng.permutation(4)[: int(rng.integers(1, 3))])
-        tile_walls(room, tiles, rng.uniform(1.2, 2.1), walls=walls, border=border)
+    low, high = ((1.1, 1.5), (1.8, 2.2), (2.2, 3.0))[int(rng.choice(3, p=[0.25, 0.4, 0.35]))]
+    tile_walls(room, tiles, min(rng.uniform(low, high), room.height - 0.02), border=border)
 
 
 def _bath(room: Room, ceramic: Material, tiles: Material, area: float) -> Placed | None:

@@ -72,11 +72,8 @@ def _television(room: Room, area: float) -> Placed | None:
         placed = room.against(tv_bench(rng, style, min(width, longest - 0.8), hung), front=1.0)
         if placed is None:
             continue
-        if (
-            hung
-            and room.hang(wall_television(rng, style), bottom=between(rng, 0.85, 1.05), above=placed) is None
-        ):
-            continue
+        if hung:
+            room.hang(wall_television(rng, style), bottom=between(rng, 0.85, 1.05), above=placed)
         tower = speaker(rng, style, between(rng, 0.75, 1.05))
         if chance(rng, 0.25) and room.beside(placed, tower, side="left", gap=0.08) is not None:
             room.beside(placed, tower, side="right", gap=0.08)

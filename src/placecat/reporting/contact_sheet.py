@@ -1,0 +1,86 @@
+"""One picture of all homes: a view of every place in each."""
+
+from collections.abc import Iterable, Mapping, Sequence
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+Frame = NDArray[np.uint8]
+
+
+def sharpest(frames: Iterable[Frame], labels: Sequence[str], places: Sequence[str]) -> dict[str, Frame]:
+    """Choose the view of each place that shows most: the one with the strongest detail.
+
+    Parameters
+    ----------
+    frames
+        (H, W, 3) uint8 BGR, in order.
+    labels
+        Of each frame.
+    places
+        Which labels count.
+
+    Returns
+    -------
+    dict
+        Place to a copy of its frame; places without a frame are missing.
+    """
+    best: dict[str, tuple[float, Frame]] = {}
+    for frame, label in zip(frames, labels, strict=True):
+        if label not in places:
+            continue
+        grey = cv2.cvtColor(
+            cv2.resize(frame, None, fx=0.25, fy=0.25, interpolation=cv2.INTER_AREA), cv2.COLOR_BGR2GRAY
+        )
+        detail = float(np.abs(cv2.Laplacian(grey, cv2.CV_32F)).mean())
+        if label not in best or detail > best[label][0]:
+            best[label] = detail, frame.copy()
+    return {place: frame for place, (_, frame) in best.items()}
+
+
+def draw(views: Mapping[str, Mapping[str, Frame]], places: Sequence[str], width: int = 384) -> Frame:
+    """Arrange views: a row for each home, a column for each place.
+
+    Parameters
+    ----------
+    views
+        Home to place to (H, W, 3) uint8 BGR.
+    places
+        Of the columns, in order.
+    width
+        Of one view in pixels.
+
+    Returns
+    -------
+    numpy.ndarray
+        uint8 BGR; a place that a home lacks stays white.
+    """
+    height = round(width * 9 / 16)
+    head, margin = 30, 4
+    rows = []
+    for home, row in views.items():
+        cells = []
+        for place in places:
+            cell = np.full((height, width, 3), 255, np.uint8)
+            if place in row:
+                cell[:] = cv2.resize(row[place], (width, height), interpolation=cv2.INTER_AREA)
+            cells.append(
+                cv2.copyMakeBorder(cell, 0, margin, 0, margin, cv2.BORDER_CONSTANT, value=(255,) * 3)
+            )
+        turned = np.full((head, height + margin, 3), 255, np.uint8)
+        _write(turned, home)
+        rows.append(cv2.hconcat([cv2.rotate(turned, cv2.ROTATE_90_COUNTERCLOCKWISE), *cells]))
+    title = [np.full((head, head, 3), 255, np.uint8)]
+    for place in places:
+        cell = np.full((head, width + margin, 3), 255, np.uint8)
+        _write(cell, place)
+        title.append(cell)
+    return np.asarray(cv2.vconcat([cv2.hconcat(title), *rows]), np.uint8)
+
+
+def _write(picture: Frame, name: str) -> None:
+    text = name.replace("_", " ")
+    (width, height), _ = cv2.getTextSize(text, cv2.FONT_HERSHEY_SIMPLEX, 0.7, 2)
+    at = ((picture.shape[1] - width) // 2, (picture.shape[0] + height) // 2)
+    cv2.putText(picture, text, at, cv2.FONT_HERSHEY_SIMPLEX, 0.7, (60, 60, 60), 2, cv2.LINE_AA)
