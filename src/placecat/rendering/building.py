@@ -12,12 +12,12 @@ from placecat.errors import PlacecatError
 from placecat.rendering import palette
 from placecat.rendering.doorways import doorway, shut
 from placecat.rendering.floorplan import SIDES, FloorPlan, WindowPlan
-from placecat.rendering.ground import DOORWAY, Ground
 from placecat.rendering.heating import heat
 from placecat.rendering.mesh import Mesh, join
 from placecat.rendering.room import CELL, Placed, Room, drawn, room_for_person
 from placecat.rendering.shell import Finish, glaze, shell
 from placecat.rendering.style import Style
+from placecat.rendering.walking.ground import DOORWAY, Ground
 from placecat.seeds import derive
 
 _MARGIN = 0.4

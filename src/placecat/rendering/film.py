@@ -9,15 +9,15 @@ from numpy.typing import NDArray
 from placecat.rendering import outside, sensor, shapes
 from placecat.rendering.bake import Quality, bake
 from placecat.rendering.building import Building, build
-from placecat.rendering.carriage import Carriage
 from placecat.rendering.floorplan import FloorPlan
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Lamp, Mesh, join
 from placecat.rendering.scene import prepare
 from placecat.rendering.sensor import Sensor
 from placecat.rendering.view import Lens, Pose, Viewer
-from placecat.rendering.walk import Walk, walk
-from placecat.rendering.walk_statistics import Statistics
+from placecat.rendering.walking.carriage import Carriage
+from placecat.rendering.walking.walk import Walk, walk
+from placecat.rendering.walking.walk_statistics import Statistics
 from placecat.seeds import derive
 
 

@@ -90,11 +90,11 @@ def film(name: str, **changes: Any) -> "Film":
         raise PlacecatError(
             f"rendering needs the optional extra ({error.name} is missing): pip install -e '.[render]'"
         ) from None
-    from placecat.rendering.carriage import Carriage
     from placecat.rendering.floorplan import FloorPlan
     from placecat.rendering.sensor import Sensor
     from placecat.rendering.view import Lens
-    from placecat.rendering.walk_statistics import Statistics
+    from placecat.rendering.walking.carriage import Carriage
+    from placecat.rendering.walking.walk_statistics import Statistics
 
     video = dict(listed()[name])
     where = f"{FOLDER / 'videos.yaml'} {name}"

@@ -6,11 +6,11 @@ import math
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
 from placecat.rendering.furniture.blocks import between, block, chance, choose, legs
 from placecat.rendering.furniture.cushions import scatter, seat, upright
 from placecat.rendering.furniture.sofa import cover, sofa
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded
 from placecat.rendering.shapes import box, cylinder, extrude, sheet, tube
 from placecat.rendering.style import Style
 

@@ -5,11 +5,11 @@ import math
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import scattered
 from placecat.rendering.furniture.blocks import between, chance, choose
 from placecat.rendering.furniture.dishes import bottle, bowl, glass, jug, plates, wine_glass
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import scattered
 from placecat.rendering.shapes import box, cylinder, tube
 from placecat.rendering.style import Style
 

@@ -3,14 +3,14 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.fittings import tap
 from placecat.rendering.furniture.washbasin import RIM, hollow
-from placecat.rendering.lofts import loft, rounded
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.fittings import tap
+from placecat.rendering.parts.lofts import loft, rounded
+from placecat.rendering.parts.toiletries import soap_dispenser
 from placecat.rendering.shapes import box, cylinder, tube
 from placecat.rendering.style import Style
-from placecat.rendering.toiletries import soap_dispenser
 
 
 def basin_row(

@@ -5,10 +5,10 @@ import math
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
-from placecat.rendering.lofts import loft, rounded
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Lamp, Mesh, join
+from placecat.rendering.parts.arrange import grounded
+from placecat.rendering.parts.lofts import loft, rounded
 from placecat.rendering.shapes import box, cylinder, tube
 from placecat.rendering.style import Style
 

@@ -3,12 +3,12 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.fittings import FRONTS, fronts
 from placecat.rendering.furniture.towel import cloths
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.fittings import FRONTS, fronts
+from placecat.rendering.parts.toiletries import folded_towels, rolled_towel, row, standing_roll
 from placecat.rendering.shapes import box, tube
 from placecat.rendering.style import Style
-from placecat.rendering.toiletries import folded_towels, rolled_towel, row, standing_roll
 
 
 def _load(rng: np.random.Generator, style: Style, width: float, fill: float) -> Mesh:

@@ -5,13 +5,13 @@ import math
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.fittings import hand_shower, wall_mixer
-from placecat.rendering.lofts import Outline, hung, loft, rounded
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.fittings import hand_shower, wall_mixer
+from placecat.rendering.parts.lofts import Outline, hung, loft, rounded
+from placecat.rendering.parts.toiletries import bottle
 from placecat.rendering.shapes import box, curtain, cylinder, lathe, superellipsoid, tube
 from placecat.rendering.style import Style
-from placecat.rendering.toiletries import bottle
 
 WATER = Material((0.7, 0.83, 0.85), gloss=0.08, roughness=0.0)
 

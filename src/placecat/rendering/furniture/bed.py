@@ -5,11 +5,11 @@ import math
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.bedding import bedding
-from placecat.rendering.fittings import FRONTS, fronts
 from placecat.rendering.furniture.laundry_basket import heap
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.bedding import bedding
+from placecat.rendering.parts.fittings import FRONTS, fronts
 from placecat.rendering.shapes import box, curtain, lathe, superellipsoid, tube
 from placecat.rendering.style import Style
 

@@ -3,9 +3,9 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.forming import bent
 from placecat.rendering.furniture.blocks import backed, between, block, chance, choose
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.forming import bent
 from placecat.rendering.shapes import superellipsoid, tube
 from placecat.rendering.style import Style
 

@@ -3,13 +3,13 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
 from placecat.rendering.furniture.blocks import between, block, chance, choose, handle, open_box
 from placecat.rendering.furniture.books import covers
 from placecat.rendering.furniture.clutter import fill, small_thing
 from placecat.rendering.furniture.television import television
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded
 from placecat.rendering.shapes import tube
 from placecat.rendering.style import Style
 

@@ -7,12 +7,12 @@ from itertools import pairwise
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
 from placecat.rendering.furniture.blocks import between, block, chance, choose, leg
-from placecat.rendering.lofts import pillow
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import frontal, loft, rectangle, ring, sideways, textured
+from placecat.rendering.parts.arrange import grounded
+from placecat.rendering.parts.lofts import pillow
+from placecat.rendering.parts.outlines import frontal, loft, rectangle, ring, sideways, textured
 from placecat.rendering.shapes import box, extrude, lathe, sheet, tube
 from placecat.rendering.style import Style
 

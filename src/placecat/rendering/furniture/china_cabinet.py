@@ -3,12 +3,12 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import in_a_row
 from placecat.rendering.furniture.blocks import between, block, chance, choose, handle, legs
 from placecat.rendering.furniture.dishes import bottle, shelf_of_dishes, standing_plate, wine_glass
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import frontal, textured
+from placecat.rendering.parts.arrange import in_a_row
+from placecat.rendering.parts.outlines import frontal, textured
 from placecat.rendering.shapes import box
 from placecat.rendering.style import Style
 

@@ -5,10 +5,10 @@ import math
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
 from placecat.rendering.furniture.blocks import between, chance, choose
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded
 from placecat.rendering.shapes import box, lathe, sheet, superellipsoid, tube
 from placecat.rendering.style import Style
 

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from placecat.rendering.arrange import grounded
 from placecat.rendering.furniture.blocks import between, block, chance, choose
 from placecat.rendering.furniture.box import cardboard
 from placecat.rendering.furniture.clothes import bag, garment, hanging, hat, shoes
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded
 from placecat.rendering.shapes import cylinder, tube
 from placecat.rendering.style import Style
 

@@ -3,7 +3,6 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
 from placecat.rendering.furniture import books
 from placecat.rendering.furniture.blocks import between, block, chance, choose
 from placecat.rendering.furniture.box import storage_box
@@ -11,6 +10,7 @@ from placecat.rendering.furniture.plant import plant
 from placecat.rendering.furniture.vase import bowl, candle, figure, vase
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded
 from placecat.rendering.shapes import lathe, tube
 from placecat.rendering.style import Style
 

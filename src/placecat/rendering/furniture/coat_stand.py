@@ -8,7 +8,7 @@ from placecat.rendering import palette
 from placecat.rendering.furniture.blocks import between, block, chance, choose
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import loft
+from placecat.rendering.parts.outlines import loft
 from placecat.rendering.shapes import cylinder, lathe, superellipsoid, tube
 from placecat.rendering.style import Style
 

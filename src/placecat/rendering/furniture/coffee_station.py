@@ -7,7 +7,7 @@ from placecat.rendering.furniture.blocks import between, block, chance, choose, 
 from placecat.rendering.furniture.desk_things import mug
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.prints import ink
+from placecat.rendering.parts.prints import ink
 from placecat.rendering.shapes import box, cylinder, lathe, tube
 from placecat.rendering.style import Style
 

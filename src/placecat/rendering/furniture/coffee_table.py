@@ -5,12 +5,12 @@ import math
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
 from placecat.rendering.furniture import books
 from placecat.rendering.furniture.blocks import between, block, chance, choose, legs
 from placecat.rendering.furniture.box import storage_box
 from placecat.rendering.furniture.clutter import table_things
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded
 from placecat.rendering.shapes import box, cylinder, extrude, tube
 from placecat.rendering.style import Style
 

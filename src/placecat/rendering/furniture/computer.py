@@ -5,12 +5,12 @@ import math
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.forming import board
 from placecat.rendering.furniture.blocks import between, block, chance, choose
 from placecat.rendering.furniture.desk import HEIGHT
 from placecat.rendering.materials import Material, Texture
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import frontal, loft, rectangle, ring, sideways
+from placecat.rendering.parts.forming import board
+from placecat.rendering.parts.outlines import frontal, loft, rectangle, ring, sideways
 from placecat.rendering.shapes import cylinder, lathe, quad, slab, superellipsoid, tube
 from placecat.rendering.style import Style
 

@@ -5,12 +5,12 @@ import math
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.drawers import pull
 from placecat.rendering.furniture.blocks import between, block, chance, choose, legs
 from placecat.rendering.furniture.desk_things import book_pile
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Lamp, Mesh, join
-from placecat.rendering.prints import leaf
+from placecat.rendering.parts.drawers import pull
+from placecat.rendering.parts.prints import leaf
 from placecat.rendering.shapes import box, cylinder, lathe, sheet, superellipsoid, tube
 from placecat.rendering.style import Style
 

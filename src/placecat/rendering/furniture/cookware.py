@@ -5,10 +5,10 @@ import math
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import frontal, sideways
+from placecat.rendering.parts.arrange import grounded
+from placecat.rendering.parts.outlines import frontal, sideways
 from placecat.rendering.shapes import box, cylinder, lathe, tube
 from placecat.rendering.style import Style
 

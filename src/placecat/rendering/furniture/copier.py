@@ -3,12 +3,12 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.forming import board
 from placecat.rendering.furniture.blocks import between, block, chance, choose
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import sideways
-from placecat.rendering.prints import leaf, lying
+from placecat.rendering.parts.forming import board
+from placecat.rendering.parts.outlines import sideways
+from placecat.rendering.parts.prints import leaf, lying
 from placecat.rendering.shapes import box, quad, tube
 from placecat.rendering.style import Style
 

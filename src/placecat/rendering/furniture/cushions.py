@@ -6,9 +6,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from placecat.rendering.furniture.blocks import between, choose
-from placecat.rendering.lofts import pillow
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.lofts import pillow
 from placecat.rendering.shapes import sheet, superellipsoid
 from placecat.rendering.style import Style
 

@@ -3,11 +3,11 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.drawers import chest, surface
-from placecat.rendering.forming import board
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import sideways
+from placecat.rendering.parts.drawers import chest, surface
+from placecat.rendering.parts.forming import board
+from placecat.rendering.parts.outlines import sideways
 from placecat.rendering.shapes import box, tube
 from placecat.rendering.style import Style
 

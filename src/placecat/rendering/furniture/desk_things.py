@@ -5,11 +5,11 @@ import math
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import centred, scattered
 from placecat.rendering.furniture.blocks import between, block, chance, choose
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Lamp, Mesh, join
-from placecat.rendering.prints import ink, leaf, lying, stack
+from placecat.rendering.parts.arrange import centred, scattered
+from placecat.rendering.parts.prints import ink, leaf, lying, stack
 from placecat.rendering.shapes import box, cylinder, lathe, superellipsoid, tube
 from placecat.rendering.style import Style
 

@@ -9,7 +9,7 @@ from placecat.rendering import palette
 from placecat.rendering.furniture.blocks import backed, between, block, chance, choose, legs
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import loft, oval, rectangle, sideways, textured
+from placecat.rendering.parts.outlines import loft, oval, rectangle, sideways, textured
 from placecat.rendering.shapes import box, extrude, lathe, tube
 from placecat.rendering.style import Style
 

@@ -3,13 +3,13 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
-from placecat.rendering.lofts import loft, rounded
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded
+from placecat.rendering.parts.lofts import loft, rounded
+from placecat.rendering.parts.toiletries import PAPER
 from placecat.rendering.shapes import box, cylinder, tube
 from placecat.rendering.style import Style
-from placecat.rendering.toiletries import PAPER
 
 
 def _shell(rng: np.random.Generator, style: Style) -> Material:

@@ -5,7 +5,7 @@ import numpy as np
 from placecat.rendering.furniture.blocks import between, block, chance, choose
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.prints import ink, page
+from placecat.rendering.parts.prints import ink, page
 from placecat.rendering.shapes import quad
 from placecat.rendering.style import Style
 

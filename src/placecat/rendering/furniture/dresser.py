@@ -5,20 +5,20 @@ import math
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
-from placecat.rendering.fittings import FRONTS, fronts, handle
 from placecat.rendering.furniture.books import stack
 from placecat.rendering.furniture.laundry_basket import heap
 from placecat.rendering.furniture.picture import picture
 from placecat.rendering.furniture.plant import plant
 from placecat.rendering.furniture.table_lamp import table_lamp
 from placecat.rendering.furniture.vase import vase
-from placecat.rendering.lofts import loft, rounded
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded
+from placecat.rendering.parts.fittings import FRONTS, fronts, handle
+from placecat.rendering.parts.lofts import loft, rounded
+from placecat.rendering.parts.toiletries import flacon, jar
 from placecat.rendering.shapes import box, lathe, superellipsoid, tube
 from placecat.rendering.style import Style
-from placecat.rendering.toiletries import flacon, jar
 
 
 def _stand(mesh: Mesh, x: float, y: float, z: float) -> Mesh:

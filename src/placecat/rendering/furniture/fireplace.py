@@ -3,11 +3,11 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
 from placecat.rendering.furniture.blocks import between, block, chance, choose, legs
 from placecat.rendering.furniture.clutter import small_thing
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Lamp, Mesh, join
+from placecat.rendering.parts.arrange import grounded
 from placecat.rendering.shapes import cylinder, lathe, tube
 from placecat.rendering.style import Style
 

@@ -5,9 +5,9 @@ import math
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded, in_a_row
 from placecat.rendering.materials import Colour, Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded, in_a_row
 from placecat.rendering.shapes import box, cylinder, lathe, superellipsoid, tube
 from placecat.rendering.style import Style
 

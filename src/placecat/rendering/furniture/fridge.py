@@ -6,10 +6,10 @@ import numpy as np
 
 from placecat.rendering import palette
 from placecat.rendering.furniture.blocks import between, block, chance, choose
-from placecat.rendering.kitchens.design import BLACK, SHADOW, STEEL, WHITE
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import frontal, rectangle
+from placecat.rendering.parts.kitchens.design import BLACK, SHADOW, STEEL, WHITE
+from placecat.rendering.parts.outlines import frontal, rectangle
 from placecat.rendering.shapes import box, cylinder, quad, superellipsoid, tube
 from placecat.rendering.style import Style
 

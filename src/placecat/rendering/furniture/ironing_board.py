@@ -5,11 +5,11 @@ import math
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
 from placecat.rendering.furniture.blocks import between, chance
 from placecat.rendering.furniture.clothes import folded
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded
 from placecat.rendering.shapes import extrude, superellipsoid, tube
 from placecat.rendering.style import Style
 

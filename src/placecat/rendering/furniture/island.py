@@ -2,17 +2,17 @@
 
 import numpy as np
 
-from placecat.rendering.arrange import scattered
 from placecat.rendering.furniture.blocks import block, chance, choose
 from placecat.rendering.furniture.cookware import cutting_board, knife_block
 from placecat.rendering.furniture.dishes import bottle, bowl, cup, glass, plates
 from placecat.rendering.furniture.food import bread, fruit_bowl
 from placecat.rendering.furniture.vase import vase
-from placecat.rendering.kitchens.base import base
-from placecat.rendering.kitchens.design import Design
-from placecat.rendering.kitchens.layout import row
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import textured
+from placecat.rendering.parts.arrange import scattered
+from placecat.rendering.parts.kitchens.base import base
+from placecat.rendering.parts.kitchens.design import Design
+from placecat.rendering.parts.kitchens.layout import row
+from placecat.rendering.parts.outlines import textured
 from placecat.rendering.shapes import box
 from placecat.rendering.style import Style
 

@@ -5,12 +5,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from placecat.rendering.furniture.blocks import chance
-from placecat.rendering.kitchens.base import base
-from placecat.rendering.kitchens.clutter import worktop_things
-from placecat.rendering.kitchens.design import Design
-from placecat.rendering.kitchens.layout import row, sink_width
-from placecat.rendering.kitchens.overhead import Window, overhead
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.kitchens.base import base
+from placecat.rendering.parts.kitchens.clutter import worktop_things
+from placecat.rendering.parts.kitchens.design import Design
+from placecat.rendering.parts.kitchens.layout import row, sink_width
+from placecat.rendering.parts.kitchens.overhead import Window, overhead
 from placecat.rendering.style import Style
 
 

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from placecat.rendering.arrange import in_a_row
 from placecat.rendering.furniture.blocks import between, chance, choose
 from placecat.rendering.furniture.cookware import pot
 from placecat.rendering.furniture.dishes import cup, shelf_of_dishes
 from placecat.rendering.furniture.food import jar, packets
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import in_a_row
 from placecat.rendering.shapes import box, tube
 from placecat.rendering.style import Style
 

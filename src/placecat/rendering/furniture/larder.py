@@ -2,18 +2,18 @@
 
 import numpy as np
 
-from placecat.rendering.arrange import in_a_row
 from placecat.rendering.furniture.blocks import between, block, chance, choose
 from placecat.rendering.furniture.cookware import pan, pot
 from placecat.rendering.furniture.dishes import bottle, bowls, plates, shelf_of_dishes
 from placecat.rendering.furniture.food import bread_box, jar, packets
 from placecat.rendering.furniture.microwave import microwave
 from placecat.rendering.furniture.small_appliances import kettle, mixer, toaster
-from placecat.rendering.kitchens.cooker import oven_front
-from placecat.rendering.kitchens.design import SHADOW, Design
-from placecat.rendering.kitchens.fronts import doors, drawer
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import textured
+from placecat.rendering.parts.arrange import in_a_row
+from placecat.rendering.parts.kitchens.cooker import oven_front
+from placecat.rendering.parts.kitchens.design import SHADOW, Design
+from placecat.rendering.parts.kitchens.fronts import doors, drawer
+from placecat.rendering.parts.outlines import textured
 from placecat.rendering.shapes import box
 from placecat.rendering.style import Style
 

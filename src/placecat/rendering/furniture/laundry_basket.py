@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.rendering import palette
-from placecat.rendering.lofts import loft, plate, rounded
 from placecat.rendering.materials import Material, Texture
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.lofts import loft, plate, rounded
 from placecat.rendering.shapes import sheet, tube
 from placecat.rendering.style import Style
 

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from placecat.rendering.drawers import surface
 from placecat.rendering.furniture.blocks import between, block, chance, legs
 from placecat.rendering.furniture.desk import HEIGHT
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.drawers import surface
 from placecat.rendering.shapes import cylinder
 from placecat.rendering.style import Style
 

@@ -5,7 +5,7 @@ import numpy as np
 from placecat.rendering import palette
 from placecat.rendering.furniture.blocks import between, block, chance, choose
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import frontal, oval
+from placecat.rendering.parts.outlines import frontal, oval
 from placecat.rendering.shapes import box, quad
 from placecat.rendering.style import Style
 

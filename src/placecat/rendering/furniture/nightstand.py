@@ -3,16 +3,16 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
-from placecat.rendering.fittings import FRONTS, fronts
 from placecat.rendering.furniture.books import stack
 from placecat.rendering.furniture.table_lamp import table_lamp
-from placecat.rendering.lofts import plate, rounded
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded
+from placecat.rendering.parts.fittings import FRONTS, fronts
+from placecat.rendering.parts.lofts import plate, rounded
+from placecat.rendering.parts.toiletries import GLASS, jar
 from placecat.rendering.shapes import box, cylinder, lathe, superellipsoid, tube
 from placecat.rendering.style import Style
-from placecat.rendering.toiletries import GLASS, jar
 
 
 def alarm_clock(rng: np.random.Generator, style: Style) -> Mesh:

@@ -6,7 +6,7 @@ from placecat.rendering import palette
 from placecat.rendering.furniture.blocks import between, block, chance, choose
 from placecat.rendering.materials import Material, Texture
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.prints import ink, pinned
+from placecat.rendering.parts.prints import ink, pinned
 from placecat.rendering.shapes import box
 from placecat.rendering.style import Style
 

@@ -5,10 +5,10 @@ import math
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.forming import bent
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import frontal, rectangle
+from placecat.rendering.parts.forming import bent
+from placecat.rendering.parts.outlines import frontal, rectangle
 from placecat.rendering.shapes import box, lathe, superellipsoid, tube
 from placecat.rendering.style import Style
 

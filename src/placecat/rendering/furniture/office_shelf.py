@@ -3,11 +3,11 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.drawers import surface
 from placecat.rendering.furniture.blocks import between, block, chance, choose
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.prints import ink, leaf
+from placecat.rendering.parts.drawers import surface
+from placecat.rendering.parts.prints import ink, leaf
 from placecat.rendering.shapes import box, lathe, quad
 from placecat.rendering.style import Style
 

@@ -3,10 +3,10 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
 from placecat.rendering.furniture.blocks import between, block, chance, legs
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded
 from placecat.rendering.shapes import quad
 from placecat.rendering.style import Style
 

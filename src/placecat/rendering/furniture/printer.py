@@ -8,8 +8,8 @@ from placecat.rendering import palette
 from placecat.rendering.furniture.blocks import between, block, chance, choose
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import sideways
-from placecat.rendering.prints import leaf, lying, poster
+from placecat.rendering.parts.outlines import sideways
+from placecat.rendering.parts.prints import leaf, lying, poster
 from placecat.rendering.shapes import box, cylinder, quad, sheet, tube
 from placecat.rendering.style import Style
 

@@ -6,7 +6,7 @@ from placecat.rendering import palette
 from placecat.rendering.furniture.blocks import between, block, chance
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.prints import ink, leaf
+from placecat.rendering.parts.prints import ink, leaf
 from placecat.rendering.shapes import box, cylinder, lathe, slab
 from placecat.rendering.style import Style
 

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from placecat.rendering.drawers import pull
 from placecat.rendering.furniture.blocks import between, block, chance, choose
 from placecat.rendering.furniture.coat_rack import shoes
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.drawers import pull
 from placecat.rendering.shapes import tube
 from placecat.rendering.style import Style
 

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from placecat.rendering.arrange import grounded
 from placecat.rendering.furniture.blocks import between, block, chance, choose, handle, legs
 from placecat.rendering.furniture.clutter import mug, small_thing
 from placecat.rendering.furniture.table_lamp import table_lamp
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded
 from placecat.rendering.shapes import cylinder, lathe
 from placecat.rendering.style import Style
 

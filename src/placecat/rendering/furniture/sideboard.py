@@ -4,7 +4,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from placecat.rendering.arrange import in_a_row
 from placecat.rendering.furniture.blocks import between, block, chance, choose, handle, legs
 from placecat.rendering.furniture.books import stack
 from placecat.rendering.furniture.dishes import bottle, jug, plates, standing_plate, teapot
@@ -15,7 +14,8 @@ from placecat.rendering.furniture.table_setting import candlestick
 from placecat.rendering.furniture.vase import figure, vase
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import textured
+from placecat.rendering.parts.arrange import in_a_row
+from placecat.rendering.parts.outlines import textured
 from placecat.rendering.shapes import box
 from placecat.rendering.style import Style
 

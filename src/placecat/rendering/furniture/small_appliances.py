@@ -3,10 +3,10 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import loft, rectangle, ring, sideways
+from placecat.rendering.parts.arrange import grounded
+from placecat.rendering.parts.outlines import loft, rectangle, ring, sideways
 from placecat.rendering.shapes import box, cylinder, lathe, superellipsoid, tube
 from placecat.rendering.style import Style
 

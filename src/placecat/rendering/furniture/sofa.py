@@ -5,11 +5,11 @@ import math
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
 from placecat.rendering.furniture.blocks import between, block, chance, choose, legs
 from placecat.rendering.furniture.cushions import scatter, seat, thrown, upright
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded
 from placecat.rendering.shapes import box, sheet, superellipsoid, tube
 from placecat.rendering.style import Style
 

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import centred, scattered
 from placecat.rendering.furniture.blocks import between, block, chance, choose
 from placecat.rendering.furniture.dishes import (
     bottle,
@@ -23,7 +22,8 @@ from placecat.rendering.furniture.food import bread, fruit_bowl
 from placecat.rendering.furniture.vase import candle, vase
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import oval, rectangle
+from placecat.rendering.parts.arrange import centred, scattered
+from placecat.rendering.parts.outlines import oval, rectangle
 from placecat.rendering.shapes import box, cylinder, extrude, lathe, tube
 from placecat.rendering.style import Style
 

@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
 from placecat.rendering.furniture import books
 from placecat.rendering.furniture.blocks import between, block, chance, choose, handle, legs, open_box
 from placecat.rendering.furniture.clutter import small_thing
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded
 from placecat.rendering.shapes import box, cylinder, lathe, quad, tube
 from placecat.rendering.style import Style
 

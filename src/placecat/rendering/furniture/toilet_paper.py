@@ -3,9 +3,9 @@
 import numpy as np
 
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.toiletries import roll, standing_roll
 from placecat.rendering.shapes import box, cylinder, tube
 from placecat.rendering.style import Style
-from placecat.rendering.toiletries import roll, standing_roll
 
 
 def toilet_paper(rng: np.random.Generator, style: Style) -> Mesh:

@@ -6,12 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.rendering import palette
-from placecat.rendering.lofts import hung
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.lofts import hung
+from placecat.rendering.parts.toiletries import folded_towels
 from placecat.rendering.shapes import box, cylinder, sheet, tube
 from placecat.rendering.style import Style
-from placecat.rendering.toiletries import folded_towels
 
 
 def cloths(rng: np.random.Generator, style: Style, count: int) -> list[Material]:

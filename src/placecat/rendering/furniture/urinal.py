@@ -3,9 +3,9 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.lofts import loft, rounded
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.lofts import loft, rounded
 from placecat.rendering.shapes import box, cylinder, tube
 from placecat.rendering.style import Style
 

@@ -6,7 +6,7 @@ from placecat.rendering import palette
 from placecat.rendering.furniture.blocks import between, block, chance, choose
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Lamp, Mesh, join
-from placecat.rendering.prints import ink
+from placecat.rendering.parts.prints import ink
 from placecat.rendering.shapes import box, cylinder, lathe, quad
 from placecat.rendering.style import Style
 

@@ -3,12 +3,12 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.arrange import grounded
-from placecat.rendering.fittings import FRONTS, fronts, handle
 from placecat.rendering.furniture.laundry_basket import heap
-from placecat.rendering.lofts import pillow
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded
+from placecat.rendering.parts.fittings import FRONTS, fronts, handle
+from placecat.rendering.parts.lofts import pillow
 from placecat.rendering.shapes import box, cylinder, extrude, superellipsoid, tube
 from placecat.rendering.style import Style
 

@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from placecat.rendering.arrange import grounded
 from placecat.rendering.furniture.blocks import between, block, chance, choose, handle
 from placecat.rendering.furniture.box import cardboard, storage_box
 from placecat.rendering.furniture.clothes import bag, folded, hanging, hat, shoes
 from placecat.rendering.furniture.suitcase import suitcase
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import grounded
 from placecat.rendering.shapes import tube
 from placecat.rendering.style import Style
 

@@ -3,13 +3,13 @@
 import numpy as np
 
 from placecat.rendering import palette
-from placecat.rendering.fittings import FRONTS, fronts, tap
-from placecat.rendering.lofts import Outline, hung, loft, rounded
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.fittings import FRONTS, fronts, tap
+from placecat.rendering.parts.lofts import Outline, hung, loft, rounded
+from placecat.rendering.parts.toiletries import bottle, cosmetic, soap, soap_dispenser, tooth_brushes
 from placecat.rendering.shapes import box, cylinder, lathe, tube
 from placecat.rendering.style import Style
-from placecat.rendering.toiletries import bottle, cosmetic, soap, soap_dispenser, tooth_brushes
 
 RIM = 0.86
 """Height of the rim of a basin in metres."""

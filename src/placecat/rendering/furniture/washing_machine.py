@@ -8,9 +8,9 @@ from placecat.rendering import palette
 from placecat.rendering.furniture.towel import cloths
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.toiletries import bottle, folded_towels
 from placecat.rendering.shapes import box, cylinder, lathe, superellipsoid, tube
 from placecat.rendering.style import Style
-from placecat.rendering.toiletries import bottle, folded_towels
 
 
 def washing_machine(rng: np.random.Generator, style: Style) -> Mesh:

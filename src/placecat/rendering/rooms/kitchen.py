@@ -23,12 +23,12 @@ from placecat.rendering.furniture.plant import plant
 from placecat.rendering.furniture.rug import mat
 from placecat.rendering.furniture.stove import stove
 from placecat.rendering.furniture.waste_bin import waste_bin
-from placecat.rendering.kitchens.base import base
-from placecat.rendering.kitchens.clutter import worktop_things
-from placecat.rendering.kitchens.design import Design
-from placecat.rendering.kitchens.layout import Unit, row, sink_width
-from placecat.rendering.kitchens.overhead import Window, overhead
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.kitchens.base import base
+from placecat.rendering.parts.kitchens.clutter import worktop_things
+from placecat.rendering.parts.kitchens.design import Design
+from placecat.rendering.parts.kitchens.layout import Unit, row, sink_width
+from placecat.rendering.parts.kitchens.overhead import Window, overhead
 from placecat.rendering.room import Placed, Room, Span
 
 DEEP = 0.65

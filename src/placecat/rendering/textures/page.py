@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.rendering.raster import Canvas
+from placecat.rendering.parts.raster import Canvas
 
 
 def draw(rng: np.random.Generator, colours: list[NDArray[np.floating]], pixels: int) -> NDArray[np.float32]:

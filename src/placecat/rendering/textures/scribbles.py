@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.rendering.raster import Canvas
+from placecat.rendering.parts.raster import Canvas
 
 Pen = NDArray[np.floating]
 

@@ -3,10 +3,10 @@
 import numpy as np
 
 from placecat.rendering.furniture.blocks import between, block, chance
-from placecat.rendering.kitchens.design import BLACK, STEEL, WHITE
-from placecat.rendering.lofts import hung
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.kitchens.design import BLACK, STEEL, WHITE
+from placecat.rendering.parts.lofts import hung
 from placecat.rendering.shapes import box, cylinder, lathe, tube
 from placecat.rendering.style import Style
 

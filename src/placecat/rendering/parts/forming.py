@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from placecat.rendering.mesh import Mesh
-from placecat.rendering.outlines import rectangle
+from placecat.rendering.parts.outlines import rectangle
 from placecat.rendering.shapes import extrude
 
 

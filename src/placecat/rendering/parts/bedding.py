@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.rendering import palette
-from placecat.rendering.lofts import pillow, rumples
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.lofts import pillow, rumples
 from placecat.rendering.shapes import box, sheet
 from placecat.rendering.style import Style
 

@@ -4,10 +4,10 @@ import numpy as np
 
 from placecat.rendering import palette
 from placecat.rendering.furniture.blocks import between, block, chance
-from placecat.rendering.kitchens.design import SHADOW, STEEL
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import loft, rectangle, ring
+from placecat.rendering.parts.kitchens.design import SHADOW, STEEL
+from placecat.rendering.parts.outlines import loft, rectangle, ring
 from placecat.rendering.shapes import box, cylinder, lathe, tube
 from placecat.rendering.style import Style
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.rendering.journey import Piece, Section
+from placecat.rendering.walking.journey import Piece, Section
 
 _PAUSE = 0.6
 _MARGIN = 0.15

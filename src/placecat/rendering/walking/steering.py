@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from placecat.rendering.carriage import Carriage
-from placecat.rendering.journey import Journey, Piece
-from placecat.rendering.signals import Floats, smoothed
-from placecat.rendering.timetable import Span
+from placecat.rendering.walking.carriage import Carriage
+from placecat.rendering.walking.journey import Journey, Piece
+from placecat.rendering.walking.signals import Floats, smoothed
+from placecat.rendering.walking.timetable import Span
 
 _LOOK = 0.15
 _BRISK = 0.85

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.rendering.ground import Ground
+from placecat.rendering.walking.ground import Ground
 
 STEP = 0.05
 """Distance of the points of a path in metres."""

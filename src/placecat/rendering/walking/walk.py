@@ -8,16 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.rendering import itinerary, journey, timetable
-from placecat.rendering.carriage import Carriage
-from placecat.rendering.gaze import Gaze
-from placecat.rendering.ground import Ground
-from placecat.rendering.journey import Journey
-from placecat.rendering.route import Router
-from placecat.rendering.signals import Floats, limited, smoothed, wander
-from placecat.rendering.steering import Steering
-from placecat.rendering.timetable import Span
-from placecat.rendering.walk_statistics import Statistics
+from placecat.rendering.walking import itinerary, journey, timetable
+from placecat.rendering.walking.carriage import Carriage
+from placecat.rendering.walking.gaze import Gaze
+from placecat.rendering.walking.ground import Ground
+from placecat.rendering.walking.journey import Journey
+from placecat.rendering.walking.route import Router
+from placecat.rendering.walking.signals import Floats, limited, smoothed, wander
+from placecat.rendering.walking.steering import Steering
+from placecat.rendering.walking.timetable import Span
+from placecat.rendering.walking.walk_statistics import Statistics
 
 _TICK = 0.05
 _TRIES = 80

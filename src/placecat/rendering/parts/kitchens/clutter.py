@@ -4,7 +4,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from placecat.rendering.arrange import in_a_row
 from placecat.rendering.furniture.blocks import between
 from placecat.rendering.furniture.cookware import cutting_board, knife_block, pot, utensil_jar
 from placecat.rendering.furniture.dishes import bottle, bowl, cup, dish_rack, plates, teapot
@@ -19,9 +18,10 @@ from placecat.rendering.furniture.food import (
 )
 from placecat.rendering.furniture.microwave import microwave
 from placecat.rendering.furniture.small_appliances import coffee_machine, kettle, mixer, radio, toaster
-from placecat.rendering.kitchens.design import Design
-from placecat.rendering.kitchens.layout import Unit
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.arrange import in_a_row
+from placecat.rendering.parts.kitchens.design import Design
+from placecat.rendering.parts.kitchens.layout import Unit
 from placecat.rendering.style import Style
 
 Maker = Callable[[np.random.Generator, Style], Mesh]

@@ -2,18 +2,18 @@
 
 import numpy as np
 
-from placecat.rendering.arrange import centred, in_a_row
 from placecat.rendering.furniture.blocks import block, chance, choose
 from placecat.rendering.furniture.cookware import pan, pot
 from placecat.rendering.furniture.dishes import bottle, bowls, plates
 from placecat.rendering.furniture.stove import stove
-from placecat.rendering.kitchens.cooker import hob, oven_front
-from placecat.rendering.kitchens.design import BLACK, SHADOW, STEEL, WHITE, Design
-from placecat.rendering.kitchens.fronts import door, doors, drawer
-from placecat.rendering.kitchens.layout import Unit
-from placecat.rendering.kitchens.sink import sink, washing_up
 from placecat.rendering.mesh import Mesh, join
-from placecat.rendering.outlines import textured
+from placecat.rendering.parts.arrange import centred, in_a_row
+from placecat.rendering.parts.kitchens.cooker import hob, oven_front
+from placecat.rendering.parts.kitchens.design import BLACK, SHADOW, STEEL, WHITE, Design
+from placecat.rendering.parts.kitchens.fronts import door, doors, drawer
+from placecat.rendering.parts.kitchens.layout import Unit
+from placecat.rendering.parts.kitchens.sink import sink, washing_up
+from placecat.rendering.parts.outlines import textured
 from placecat.rendering.shapes import box, tube
 from placecat.rendering.style import Style
 

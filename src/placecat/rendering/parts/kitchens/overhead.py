@@ -5,17 +5,17 @@ from itertools import pairwise
 
 import numpy as np
 
-from placecat.rendering.arrange import in_a_row
 from placecat.rendering.furniture.blocks import between, block, chance, choose
 from placecat.rendering.furniture.cookware import hanging_rail
 from placecat.rendering.furniture.dishes import shelf_of_dishes
 from placecat.rendering.furniture.food import jar, packets, spice_rack
 from placecat.rendering.furniture.microwave import microwave
-from placecat.rendering.kitchens.design import BLACK, SHADOW, STEEL, WHITE, Design
-from placecat.rendering.kitchens.fronts import doors
-from placecat.rendering.kitchens.layout import Unit
 from placecat.rendering.mesh import Mesh, from_arrays, join
-from placecat.rendering.outlines import rectangle, ring, sideways, textured
+from placecat.rendering.parts.arrange import in_a_row
+from placecat.rendering.parts.kitchens.design import BLACK, SHADOW, STEEL, WHITE, Design
+from placecat.rendering.parts.kitchens.fronts import doors
+from placecat.rendering.parts.kitchens.layout import Unit
+from placecat.rendering.parts.outlines import rectangle, ring, sideways, textured
 from placecat.rendering.shapes import box, tube
 from placecat.rendering.style import Style
 

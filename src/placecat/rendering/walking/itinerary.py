@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from placecat.errors import PlacecatError
-from placecat.rendering.ground import Ground
-from placecat.rendering.walk_statistics import Statistics
+from placecat.rendering.walking.ground import Ground
+from placecat.rendering.walking.walk_statistics import Statistics
 
 _DRAWS = 300
 _FRESH = 4.0

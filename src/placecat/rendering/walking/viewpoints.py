@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.rendering.ground import Ground
+from placecat.rendering.walking.ground import Ground
 
 _DIRECTIONS = 24
 _FAR = 7.0

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from placecat.rendering.carriage import Carriage
-from placecat.rendering.ground import Ground
-from placecat.rendering.signals import Floats
-from placecat.rendering.timetable import Span
-from placecat.rendering.viewpoints import Viewpoint
+from placecat.rendering.walking.carriage import Carriage
+from placecat.rendering.walking.ground import Ground
+from placecat.rendering.walking.signals import Floats
+from placecat.rendering.walking.timetable import Span
+from placecat.rendering.walking.viewpoints import Viewpoint
 
 _GAIN = 3.0
 _PITCH_RATE = math.radians(30.0)

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from placecat.rendering.lofts import loft, rounded
 from placecat.rendering.materials import Colour, Material
 from placecat.rendering.mesh import Mesh, join
+from placecat.rendering.parts.lofts import loft, rounded
 from placecat.rendering.shapes import box, cylinder, lathe, superellipsoid, tube
 
 WHITE = Material((0.93, 0.93, 0.91), gloss=0.04)

@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.rendering import viewpoints
-from placecat.rendering.carriage import Carriage
-from placecat.rendering.ground import Ground
-from placecat.rendering.itinerary import Stop, ways
-from placecat.rendering.route import Router, lengths
-from placecat.rendering.viewpoints import Viewpoint
-from placecat.rendering.walk_statistics import Statistics
+from placecat.rendering.walking import viewpoints
+from placecat.rendering.walking.carriage import Carriage
+from placecat.rendering.walking.ground import Ground
+from placecat.rendering.walking.itinerary import Stop, ways
+from placecat.rendering.walking.route import Router, lengths
+from placecat.rendering.walking.viewpoints import Viewpoint
+from placecat.rendering.walking.walk_statistics import Statistics
 
 TRANSITION = "transition"
 

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from placecat.rendering.lofts import loft, rounded
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, empty, join
+from placecat.rendering.parts.lofts import loft, rounded
 from placecat.rendering.shapes import box, cylinder, lathe, superellipsoid, tube
 
 FRONTS = ("flat", "framed", "raised", "louvre", "beaded")

@@ -1,10 +1,10 @@
 """Doors, drawers and their handles."""
 
 from placecat.rendering.furniture.blocks import block
-from placecat.rendering.kitchens.design import SHADOW, Design
 from placecat.rendering.materials import Material
 from placecat.rendering.mesh import Mesh, empty, join
-from placecat.rendering.outlines import textured
+from placecat.rendering.parts.kitchens.design import SHADOW, Design
+from placecat.rendering.parts.outlines import textured
 from placecat.rendering.shapes import box, lathe, tube
 
 GAP = 0.004

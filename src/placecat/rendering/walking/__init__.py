@@ -1,0 +1,1 @@
+"""Walks through a building: in which order, along which path, looking where."""
