@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from placecat.reporting.contact_sheet import draw, sharpest
+from placecat.reporting.contact_sheet import draw, only, sharpest
 
 
 def plain(value):
@@ -21,6 +21,11 @@ def test_the_view_with_most_detail_of_each_place_is_chosen():
     assert set(views) == {"kitchen", "bedroom"}
     assert np.array_equal(views["kitchen"], frames[2])
     assert np.array_equal(views["bedroom"], frames[3])
+
+
+def test_a_view_can_be_chosen_by_eye():
+    labels = ["kitchen", "kitchen", "bedroom", "kitchen"]
+    assert only(labels, {"kitchen": 2}) == ["", "kitchen", "bedroom", ""]
 
 
 def test_rows_are_homes_and_columns_places():

@@ -9,6 +9,27 @@ from numpy.typing import NDArray
 Frame = NDArray[np.uint8]
 
 
+def only(labels: Sequence[str], chosen: Mapping[str, int]) -> list[str]:
+    """Keep one frame of some places.
+
+    Parameters
+    ----------
+    labels
+        Of each frame.
+    chosen
+        Place to the number of its frame, from 1; it has that label.
+
+    Returns
+    -------
+    list of str
+        The labels, empty for all other frames of these places.
+    """
+    return [
+        "" if label in chosen and chosen[label] != number else label
+        for number, label in enumerate(labels, start=1)
+    ]
+
+
 def sharpest(frames: Iterable[Frame], labels: Sequence[str], places: Sequence[str]) -> dict[str, Frame]:
     """Choose the view of each place that shows most: the one with the strongest detail.
 

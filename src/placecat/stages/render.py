@@ -38,11 +38,14 @@ def main(*names: str) -> None:
 def draw_contact_sheet() -> None:
     """Draw a view of every place of each home into data/contact_sheet.jpg."""
     dataset = yaml.safe_load((paths.CONF / "dataset/homes.yaml").read_text(encoding="utf-8"))
+    chosen = _read("contact_sheet")
     views = {}
     for name in dataset["homes"]:
         home = open_home(dataset["layout"], Path(dataset["root"]), name)
         frames = read_frames(home.root, home.frames)
-        views[name] = contact_sheet.sharpest(frames, list(home.frames["label"]), dataset["classes"])
+        by_eye = chosen.get(name, {})
+        labels = contact_sheet.only(list(home.frames["label"]), by_eye)
+        views[name] = contact_sheet.sharpest(frames, labels, dataset["classes"])
     picture = contact_sheet.draw(views, dataset["classes"])
     with files.replacing(paths.CONTACT_SHEET) as path:
         path.write_bytes(cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, 88])[1].tobytes())
