@@ -72,6 +72,7 @@ def copy_project(folder, overrides=SMALL):
     shutil.copytree(ROOT / "data/thesis", folder / "data/thesis")
     for out in rendered():
         (folder / out).mkdir()
+    shutil.copy(ROOT / "data/contact_sheet.jpg", folder / "data")
     draw_homes(folder / HOMES, homes=4, frames_per_room=6)
     (folder / "reports").mkdir()
     for name in ("dvc.yaml", ".dvcignore", ".gitignore"):
