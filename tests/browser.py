@@ -1,11 +1,16 @@
 """A real headless Chromium, for tests of what a person sees."""
 
+import html
+import json
+import re
 import shutil
 import subprocess
 
 import pytest
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
+# Pixels; Chromium makes no narrower window unless it takes a picture.
+_NARROWEST = 500
 needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason="chromium is not installed")
 
 
@@ -30,6 +35,38 @@ def open_page(url, folder, *arguments):
     result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
     console = [line for line in result.stderr.splitlines() if "CONSOLE" in line]
     return result.stdout, console
+
+
+def evaluate(page, folder, body, *, width=1200, height=900):
+    """Load a copy of a page in which a script runs after loading; gives what it returns, and the console.
+
+    `body` is the body of an async function, e.g. ``return document.title``; its value goes through JSON.
+    Timers in it take no time. It may not wait for what does, such as the decoding of an image.
+    """
+    script = f"""<script>addEventListener("load", async () => {{
+        let value;
+        try {{ value = await (async () => {{ {body} }})(); }} catch (error) {{ value = String(error); }}
+        const shown = parent.document.createElement("pre");
+        shown.id = "returned";
+        shown.textContent = JSON.stringify(value);
+        parent.document.body.append(shown);
+    }});</script>"""
+    text = page.read_text(encoding="utf-8").replace("</body>", f"{script}</body>")
+    if width < _NARROWEST:
+        # A frame can be narrower than a window.
+        frame = f'<iframe width="{width}" height="{height}" frameborder="0" srcdoc="{html.escape(text)}">'
+        text = f'<!DOCTYPE html><link rel="icon" href="data:,"><body>{frame}</iframe></body>'
+    folder.mkdir(parents=True, exist_ok=True)
+    copy = folder / "copy.html"
+    copy.write_text(text, encoding="utf-8")
+    dom, console = open_page(
+        copy.as_uri(),
+        folder,
+        "--dump-dom",
+        "--virtual-time-budget=20000",
+        f"--window-size={max(width, _NARROWEST)},{height}",
+    )
+    return json.loads(html.unescape(re.search(r'<pre id="returned">(.*?)</pre>', dom, re.DOTALL)[1])), console
 
 
 def screenshot(url, folder, name, *, width=1000, height=1400):

@@ -5,8 +5,20 @@ import pytest
 
 import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
 
-for _folder in (".", "stages"):
+# Helpers of the tests: modules without tests in these folders.
+for _folder in (".", "reporting", "sequences", "stages", "vision"):
     sys.path.insert(0, str(Path(__file__).parent / _folder))
+
+
+@pytest.fixture
+def two_workers(monkeypatch):
+    """Two new worker processes: those of an earlier test may be in a folder that this one has left."""
+    from joblib.externals.loky import get_reusable_executor
+
+    get_reusable_executor().shutdown(wait=True)
+    monkeypatch.setenv("PLACECAT_WORKERS", "2")
+    yield
+    get_reusable_executor().shutdown(wait=True)
 
 
 @pytest.fixture(scope="session")
@@ -15,5 +27,6 @@ def reproduced(tmp_path_factory):
     from project import copy_project, repro
 
     folder = copy_project(tmp_path_factory.mktemp("reproduced"))
-    ran, result = repro(folder)
+    # One worker starts faster than two where there is little to do.
+    ran, result = repro(folder, PLACECAT_WORKERS="1")
     return folder, ran, result

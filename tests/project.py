@@ -8,31 +8,58 @@ from pathlib import Path
 
 import yaml
 
-from placecat.compose import compose
+from placecat.compose import compose, found
 from sketch import draw_homes
 
 ROOT = Path(__file__).resolve().parents[1]
 
 # Four small drawn homes and small codebooks: every stage runs, quickly.
 HOMES = "data/drawn"
+SITES = {"university": "data/drawn_university", "apartments": "data/drawn_apartments"}
+PLACES = "[bedroom,bathroom,kitchen,living_room,dining_room]"
+REGION_CUES = ("orientation_mv_y", "hog_y", "sift_y", "centrist_y", "color_mv_y")
+TRACKED_CUES = ("hog_tracked", "sift_tracked", "centrist_tracked")
+_PARTS = "[{sequence: Home1, places: null}, {sequence: Home2, places: null}]"
 SMALL = [
     "dataset=my_homes",
     f"dataset.root={HOMES}",
     "dataset.homes=[Home1,Home2,Home3,Home4]",
     "dataset.fps=5.0",
-    *(
-        f"codebooks.{name}.tree.max_clusters=46"
-        for name in ("orientation_mv_y", "hog_y", "sift_y", "centrist_y", "color_mv_y")
-    ),
+    *(f"codebooks.{name}.tree.max_clusters=46" for name in (*REGION_CUES, *TRACKED_CUES)),
     *(f"codebooks.{name}.tree.max_clusters=16" for name in ("gist_cells", "centrist_cells")),
-    *(
-        f"cues.{name}.classifier.clusters=46"
-        for name in ("orientation_mv_y", "hog_y", "sift_y", "centrist_y", "color_mv_y")
-    ),
+    *(f"cues.{name}.classifier.clusters=46" for name in (*REGION_CUES, *TRACKED_CUES)),
     *(f"cues.{name}.classifier.clusters=16" for name in ("gist_naive_bayes", "centrist_naive_bayes")),
     "cues.spatial_pact.classifier.reduction.components=16",
     "cues.spatial_pact_sequential.classifier.reduction.components=16",
+    *(
+        f"splits.{split}.{setting}"
+        for split, root in SITES.items()
+        for setting in (
+            "dataset.layout=vpc2009",
+            f"dataset.root={root}",
+            "dataset.fps=5.0",
+            "dataset.camera=drawn",
+            "dataset.ignored=[transition,corridor]",
+            "dataset.homes=[Home1,Home2,Home3]",
+            f"dataset.classes={PLACES}",
+            f"cue_parts={_PARTS}",
+            f"integration_parts={_PARTS}",
+            "test=[Home3]",
+        )
+    ),
+    "protocol.extra.sequences=[Home1]",
+    "toy.training=200",
+    "toy.testing=500",
+    "toy.seeds=[0,1]",
+    "verdict.resamples=200",
 ]
+
+
+def light_conf(folder):
+    """Copy conf/ without tables and findings, which make up most of it, so that it composes quickly."""
+    shutil.copytree(ROOT / "conf", folder, ignore=shutil.ignore_patterns("table", "finding"))
+    (folder / "found.yaml").write_text(found(folder))
+    return folder
 
 
 def rendered():
@@ -74,7 +101,11 @@ def copy_project(folder, overrides=SMALL):
         (folder / out).mkdir()
     shutil.copy(ROOT / "data/contact_sheet.jpg", folder / "data")
     draw_homes(folder / HOMES, homes=4, frames_per_room=6)
+    for root in SITES.values():
+        draw_homes(folder / root, homes=3, frames_per_room=6)
     (folder / "reports").mkdir()
+    for name in ("times.csv", "times.json"):
+        shutil.copy(ROOT / "reports" / name, folder / "reports")
     for name in ("dvc.yaml", ".dvcignore", ".gitignore"):
         shutil.copy(ROOT / name, folder / name)
     (folder / "params.yaml").write_text(compose(overrides, conf=folder / "conf"))

@@ -5,19 +5,22 @@ import yaml
 
 from placecat.compose import compose, write_params
 from placecat.errors import PlacecatError
+from project import light_conf
 
 CONF = Path(__file__).resolve().parents[1] / "conf"
 
 
-def composed(*overrides):
-    return yaml.safe_load(compose(overrides, conf=CONF))
+@pytest.fixture(scope="module")
+def composed(tmp_path_factory):
+    conf = light_conf(tmp_path_factory.mktemp("light") / "conf")
+    return lambda *overrides: yaml.safe_load(compose(overrides, conf=conf))
 
 
-def test_overrides_reach_their_setting():
+def test_overrides_reach_their_setting(composed):
     assert composed("cues.gist.classifier.base.nu=0.1")["cues"]["gist"]["classifier"]["base"]["nu"] == 0.1
 
 
-def test_the_data_set_is_one_override():
+def test_the_data_set_is_one_override(composed):
     dataset = composed("dataset=my_homes", "dataset.root=somewhere")["dataset"]
     assert (dataset["layout"], dataset["root"]) == ("vpc2009", "somewhere")
 
@@ -30,14 +33,14 @@ def test_the_data_set_is_one_override():
         ("dataset=my_homes", r"dataset\.root has no value"),
     ],
 )
-def test_wrong_overrides_are_refused_in_one_line(override, message):
+def test_wrong_overrides_are_refused_in_one_line(composed, override, message):
     with pytest.raises(PlacecatError, match=message) as caught:
         composed(override)
     assert "\n" not in str(caught.value)
 
 
 @pytest.mark.parametrize("path", sorted((CONF / "dataset").glob("*.yaml")), ids=lambda path: path.stem)
-def test_every_data_set_composes_and_names_a_reader(path):
+def test_every_data_set_composes_and_names_a_reader(composed, path):
     from placecat.sequences import layouts
 
     found = composed(f"dataset={path.stem}", "dataset.root=x", "dataset.homes=[a,b,c]")["dataset"]
@@ -45,7 +48,7 @@ def test_every_data_set_composes_and_names_a_reader(path):
 
 
 @pytest.mark.parametrize("path", sorted((CONF / "classifier").glob("*.yaml")), ids=lambda path: path.stem)
-def test_every_classifier_builds(path):
+def test_every_classifier_builds(composed, path):
     """Every classifier's configuration names a way of deciding and estimators with valid settings."""
     from placecat import cues
     from placecat.cues import estimators

@@ -17,7 +17,7 @@ def pinned(lock):
 
 
 def names(lines):
-    return {re.match(r"[\w.-]+", line)[0].lower().replace("_", "-") for line in lines}
+    return {re.sub(r"[-_.]+", "-", re.match(r"[\w.-]+", line)[0].lower()) for line in lines}
 
 
 def test_what_runs_is_pinned_alike_for_the_tests():

@@ -1,3 +1,4 @@
+import json
 import shutil
 from pathlib import Path
 
@@ -5,14 +6,16 @@ import pytest
 import yaml
 
 from placecat.__main__ import main
-from project import run
+from project import light_conf, run
 
 ROOT = Path(__file__).resolve().parents[1]
+# One worker runs the small project of these tests once.
+pytestmark = pytest.mark.xdist_group("main")
 
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    shutil.copytree(ROOT / "conf", tmp_path / "conf")
+    light_conf(tmp_path / "conf")
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
@@ -23,7 +26,12 @@ def test_params_writes_the_composed_settings(folder):
 
 
 def test_params_without_overrides_are_the_committed_ones(folder):
+    shutil.rmtree(folder / "conf")
+    shutil.copytree(ROOT / "conf", folder / "conf")
+    # What is listed is written anew.
+    (folder / "conf/found.yaml").unlink()
     main(["params"])
+    assert (folder / "conf/found.yaml").read_text() == (ROOT / "conf/found.yaml").read_text()
     assert (folder / "params.yaml").read_text() == (ROOT / "params.yaml").read_text()
 
 
@@ -47,3 +55,231 @@ def test_a_missing_data_set_stops_the_first_stage(folder):
     assert result.returncode == 1
     assert "dataset.root is nowhere, but there is no such folder" in result.stderr
     assert "Traceback" not in result.stderr
+
+
+@pytest.mark.parametrize("command", ["", "params", "repro", "compare", "times"])
+def test_every_command_has_help(command, capsys):
+    with pytest.raises(SystemExit) as caught:
+        main([*command.split(), "--help"])
+    assert caught.value.code == 0
+    text = capsys.readouterr().out
+    assert text.startswith(f"usage: placecat {command}".strip())
+    assert {
+        "": "compare",
+        "params": "OVERRIDE",
+        "repro": "--force",
+        "compare": "REVISION",
+        "times": "--keep",
+    }[command] in text
+
+
+# A pipeline of the test's that takes no time: two stages of a loop, and one that writes two tables.
+CONF = """
+dataset: {title: made homes, homes: [a, b]}
+bias: 0.0
+reproducibility: {tolerance: 2.0}
+"""
+PIPELINE = """
+stages:
+  render:
+    cmd: python render.py
+    frozen: true
+    outs: [{videos: {cache: false, persist: true}}]
+  features:
+    foreach: ${dataset.homes}
+    do:
+      cmd: python features.py ${item}
+      deps: [features.py]
+      outs: ["data/features/${item}.txt"]
+  tables:
+    cmd: python tables.py
+    deps: [data/features/a.txt, data/features/b.txt, measured.txt, tables.py]
+    params: [bias, dataset]
+    outs: [{reports/tables: {cache: false}}]
+"""
+FEATURES = """
+import time
+from pathlib import Path
+
+from placecat.files import write_text
+from placecat.stages import run
+
+
+def main(home):
+    \"\"\"Describe a home.\"\"\"
+    time.sleep(0.2)
+    write_text(Path(f"data/features/{home}.txt"), home)
+
+
+run(main, item="home")
+"""
+TABLES = """
+from pathlib import Path
+
+from placecat import settings
+from placecat.errors import PlacecatError
+from placecat.files import replacing, write_text
+from placecat.stages import run
+
+HEAD = "table,group,row,column,published,measured,spread,seeds,note"
+
+
+def main():
+    \"\"\"Write the tables.\"\"\"
+    params = settings.load()
+    measured = float(Path("measured.txt").read_text()) + params["bias"]
+    if measured < 0:
+        raise PlacecatError("nothing was measured")
+    note = f"measured on {params['dataset']['title']}"
+    with replacing(Path("reports/tables")) as folder:
+        for number, value in ((26, measured), (5, 40.0)):
+            row = f"{number},,Gist,Home 1,30.0,{value},,0,{note}"
+            write_text(folder / f"table_{number:02d}.csv", f"{HEAD}\\n{row}\\n")
+        text = f"# Table 26\\n\\n| Gist | {measured} |\\n\\n## Published\\n\\n| Gist | 30.0 |\\n"
+        write_text(folder / "table_26.md", text)
+
+
+run(main)
+"""
+
+
+@pytest.fixture(scope="module")
+def ran(tmp_path_factory):
+    """A small project of which `placecat repro` has run everything, before anything was committed."""
+    folder = tmp_path_factory.mktemp("ran")
+    (folder / "conf").mkdir()
+    for name, text in {
+        "conf/config.yaml": CONF,
+        "dvc.yaml": PIPELINE,
+        "features.py": FEATURES,
+        "tables.py": TABLES,
+        "measured.txt": "31.2\n",
+        "videos": "",
+        ".gitignore": "/data\n",
+    }.items():
+        (folder / name).write_text(text)
+    run(folder, "git", "init", "-q")
+    run(folder, "dvc", "init", "-q")
+    shutil.copy(ROOT / ".dvc/config", folder / ".dvc/config")
+    return folder, placecat(folder, "repro")
+
+
+@pytest.fixture
+def committed(ran, tmp_path):
+    """A copy of it with everything in git."""
+    folder = tmp_path / "copy"
+    shutil.copytree(ran[0], folder, symlinks=True)
+    commit(folder)
+    return folder
+
+
+def placecat(folder, *arguments, **extra):
+    return run(folder, "python", "-m", "placecat", *arguments, check=False, **extra)
+
+
+def commit(folder):
+    run(folder, "git", "add", "-A")
+    run(folder, "git", "-c", "user.name=a", "-c", "user.email=a@b", "commit", "-q", "-m", "tables")
+
+
+def refused(result, message):
+    assert result.returncode == 1
+    assert result.stderr.startswith("placecat: ")
+    assert message in result.stderr
+    assert len(result.stderr.splitlines()) == 1
+
+
+def test_the_first_run_has_table_26_and_times_and_nothing_to_compare_with(ran):
+    folder, result = ran
+    assert result.returncode == 0, result.stderr
+    assert "# Table 26\n\n| Gist | 31.2 |\n\nAll tables: reports/tables" in result.stdout
+    times = result.stdout.partition("Times of the stages that ran:\n")[2].split("\n\n")[0].splitlines()
+    assert {line.split("  ")[1] for line in times[:2]} == {"features", "tables"}
+    assert "2 x" in next(line for line in times if "features" in line)
+    assert [line.split("  ")[1] for line in times[2:]] == ["3 stages", "DVC and the rest", "all"]
+    assert "Tables are not compared: git has no revision 'HEAD'" in result.stdout
+    assert (folder / "data/times.csv").read_text().startswith("stage,item,seconds\nfeatures,a,")
+    complete = json.loads((folder / "data/times.json").read_text())
+    assert complete["facts"]["stages"] == 3
+    assert complete["facts"]["data"] == "made homes"
+    assert complete["facts"]["total"] > sum(one["seconds"] for one in complete["by_stage"]) >= 0.4
+
+
+def test_a_second_run_is_equal_and_counts_no_stage(committed):
+    before = (committed / "data/times.json").read_bytes()
+    result = placecat(committed, "repro")
+    assert result.returncode == 0, result.stderr
+    assert "Times: no stage had to run; " in result.stdout
+    assert result.stdout.endswith("Tables: 2 of 2 cells equal to the kept ones (git HEAD).\n")
+    assert (committed / "data/times.json").read_bytes() == before
+
+
+def test_a_partial_run_times_what_ran_and_small_differences_are_as_kept(committed):
+    (committed / "measured.txt").write_text("31.5\n")
+    before = (committed / "data/times.json").read_bytes()
+    result = placecat(committed, "repro")
+    assert result.returncode == 0, result.stderr
+    assert "\n  1 stage " in result.stdout
+    assert "features" not in result.stdout.partition("Times of the stages")[2]
+    assert "largest difference 0.30 points in Table 26 (Gist, Home 1), within the tolerance" in result.stdout
+    assert (committed / "data/times.json").read_bytes() == before
+    assert (committed / "data/times.csv").read_text().startswith("stage,item,seconds\ntables,,")
+
+
+def test_a_large_difference_ends_with_status_3_until_it_is_kept(committed):
+    (committed / "measured.txt").write_text("36.2\n")
+    result = placecat(committed, "repro")
+    assert result.returncode == 3
+    assert "largest difference 5.00 points in Table 26 (Gist, Home 1), beyond the tolerance" in result.stdout
+    assert "commit reports/" in result.stdout
+    alone = placecat(committed, "compare")
+    assert alone.returncode == 3
+    assert result.stdout.endswith(alone.stdout)
+    commit(committed)
+    assert placecat(committed, "compare").returncode == 0
+    assert placecat(committed, "compare", "HEAD~1").returncode == 3
+
+
+def test_other_settings_are_no_failure(committed):
+    result = placecat(committed, "repro", "bias=7")
+    assert result.returncode == 0, result.stderr
+    assert "1 of 2 cells equal" in result.stdout
+    assert "Not the kept settings: bias. Differences are to be expected." in result.stdout
+
+
+def test_a_failed_run_shows_neither_times_nor_tables(committed):
+    (committed / "measured.txt").write_text("-1\n")
+    result = placecat(committed, "repro")
+    assert result.returncode not in (0, 3)
+    assert "placecat: nothing was measured" in result.stderr
+    for text in ("Times", "Table 26", "Tables:"):
+        assert text not in result.stdout
+
+
+def test_times_of_a_complete_run_are_shown_and_kept(committed):
+    result = placecat(committed, "times")
+    assert result.returncode == 0
+    assert result.stdout.startswith("Measured on made homes, ")
+    assert "  features" in result.stdout
+    assert not (committed / "reports/times.csv").exists()
+    placecat(committed, "times", "--keep")
+    assert (committed / "reports/times.csv").read_text().startswith("stage,runs,seconds\n")
+    assert json.loads((committed / "reports/times.json").read_text())["stages"] == 3
+
+
+def test_force_runs_everything_but_what_is_frozen(committed):
+    shutil.rmtree(committed / "data/times")
+    (committed / "data/times.json").unlink()
+    refused(placecat(committed, "times", "--keep"), "`placecat repro --force` is one")
+    result = placecat(committed, "repro", "--force")
+    assert result.returncode == 0, result.stderr
+    assert "\n  3 stages " in result.stdout
+    assert json.loads((committed / "data/times.json").read_text())["facts"]["stages"] == 3
+
+
+def test_mistakes_of_compare_give_one_message(committed, tmp_path):
+    refused(placecat(committed, "compare", "nowhere"), "git has no revision 'nowhere'")
+    shutil.copytree(committed, tmp_path / "bare", ignore=shutil.ignore_patterns(".git", ".dvc"))
+    refused(placecat(tmp_path / "bare", "compare"), "this folder is in no git repository")
+    shutil.rmtree(committed / "reports")
+    refused(placecat(committed, "compare"), "reports/tables has no tables: run `placecat repro`")

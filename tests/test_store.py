@@ -11,7 +11,7 @@ HOG = {
     "name": "hog",
     "y_pos": True,
     "y_weight": 2.0,
-    "color": False,
+    "color": None,
     "max_regions": 3,
 }
 
@@ -44,7 +44,24 @@ def test_rows_are_those_asked_for(folder):
 
 
 def test_colour_is_appended(folder):
-    assert store.read_descriptors("H1", HOG | {"color": True, "y_pos": False}).x.shape == (90, 3, 8)
+    read = store.read_descriptors("H1", HOG | {"color": "color_mv", "y_pos": False})
+    assert read.x.shape == (90, 3, 8)
+    color = np.load(folder / "local_color_mv.npy")[:, :3] / np.float32(local.load("color_mv").SPREAD)
+    color[np.arange(3)[None, :] >= read.counts[:, None]] = 0
+    np.testing.assert_allclose(read.x[:, :, 6:], color, rtol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"colour": "color_mv"}, "no setting 'colour'"),
+        ({"kind": "global"}, "local or holistic, not 'global'"),
+        ({"kind": "holistic"}, "no setting"),
+    ],
+)
+def test_unknown_settings_of_a_descriptor_are_refused(folder, change, message):
+    with pytest.raises(PlacecatError, match=message):
+        store.read_descriptors("H1", HOG | change)
 
 
 def test_more_regions_than_there_are_is_refused(folder):

@@ -6,6 +6,43 @@ from pathlib import Path
 from placecat import files, paths
 from placecat.errors import PlacecatError
 
+# Folders of conf/ all of whose files are used, and where their content goes.
+FOUND = {
+    "descriptor/local": "descriptors.local",
+    "descriptor/holistic": "descriptors.holistic",
+    "codebook": "codebooks",
+    "cue": "cues",
+    "system": "systems",
+    "filter": "filters",
+    "split": "splits",
+    "table": "tables",
+    "finding": "findings",
+}
+STUDIES = "table/*"
+
+
+def found(conf: Path = paths.CONF) -> str:
+    """List the files that are used because they are there, as the content of conf/found.yaml.
+
+    Hydra has no pattern for file names in its defaults, and `dvc exp run` composes from files alone.
+
+    Parameters
+    ----------
+    conf
+        The folder of conf/config.yaml.
+    """
+    places = dict(FOUND)
+    for folder in sorted(path for path in conf.glob(STUDIES) if path.is_dir()):
+        places[f"table/{folder.name}"] = f"studies.{folder.name}"
+    lines = [
+        "# Written by `placecat params`: every file of these folders. Add a file there, not a line here.",
+        "defaults:",
+    ]
+    for folder_name, package in places.items():
+        names = sorted(path.stem for path in (conf / folder_name).glob("*.yaml"))
+        lines += [f"- /{folder_name}@{package}.{name}: {name}" for name in names]
+    return "\n".join(lines) + "\n"
+
 
 def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
     """Compose the settings.
@@ -49,5 +86,10 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
 
 
 def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> None:
-    """Compose the settings and write them to params.yaml."""
+    """List what is there in conf/found.yaml, compose the settings and write them to params.yaml."""
+    listing = paths.CONF / "found.yaml"
+    if (paths.CONF / "config.yaml").is_file() and (
+        not listing.exists() or listing.read_text(encoding="utf-8") != found()
+    ):
+        files.write_text(listing, found())
     files.write_text(target, compose(overrides))

@@ -7,3 +7,7 @@ class PlacecatError(ValueError):
     Its message is one sentence or two that name the file, line or setting and what to do. The command line
     prints the message without a traceback and exits with status 1.
     """
+
+
+class NotComputable(PlacecatError):
+    """These data cannot give this number, whatever the settings: a table says so in its place."""

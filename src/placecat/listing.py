@@ -1,21 +1,24 @@
-"""The frames and labels of a home, as the stage `sequences` listed them."""
+"""The frames and labels of a home, as the stage `sequences` listed them, and what each seed left."""
+
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
 from placecat import files, paths
+from placecat.evaluation.protocol import seed_folder
 
 
 def read_labels(home: str) -> NDArray[np.int16]:
     """(frames,) class indices of a home in order of time, -1 for unlabelled."""
-    return files.read_csv(paths.SEQUENCES / home / "labels.csv")["class"].to_numpy(np.int16)
+    return files.read_csv(paths.sequences(home) / "labels.csv")["class"].to_numpy(np.int16)
 
 
 def read_frames(home: str) -> pd.DataFrame:
     """The frame table of a home (see `placecat.sequences.base.Home`), without labels."""
     return pd.read_csv(
-        paths.SEQUENCES / home / "frames.csv", dtype={"sequence": str, "source": str}, keep_default_na=False
+        paths.sequences(home) / "frames.csv", dtype={"sequence": str, "source": str}, keep_default_na=False
     )
 
 
@@ -26,3 +29,14 @@ def sequence_slices(home: str) -> list[slice]:
     return [
         slice(int(start), int(end)) for start, end in zip(starts, np.r_[starts[1:], len(names)], strict=True)
     ]
+
+
+def seeded(folder: Path, seed: int | None) -> Path:
+    """The folder of one seed in `folder`; a result that nothing random has a part in serves every seed."""
+    fixed = folder / seed_folder(None)
+    return fixed if fixed.exists() else folder / seed_folder(seed)
+
+
+def seeds_in(folder: Path) -> list[str]:
+    """Names of the seeds that left something in `folder`: ``seed-0``, ``seed-1``, or ``no-seed`` alone."""
+    return sorted(path.name for path in folder.iterdir() if path.is_dir()) if folder.is_dir() else []

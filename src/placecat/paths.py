@@ -7,14 +7,55 @@ PARAMS = Path("params.yaml")
 DATA = Path("data")
 CONTACT_SHEET = Path("data/contact_sheet.jpg")
 PUBLISHED = Path("data/thesis/published_tables.csv")
+PUBLISHED_TEXT = Path("data/thesis/published_text.csv")
 SEQUENCES = Path("data/sequences")
 FEATURES = Path("data/features")
 CODEBOOKS = Path("data/codebooks")
 CUES = Path("data/cues")
 INTEGRATION = Path("data/integration")
 SMOOTHING = Path("data/smoothing")
+TRACKS = Path("data/tracks")
+FILTERED = Path("data/filtered")
+SITES = Path("data/sites")
+SPLITS = Path("data/splits")
+TRIALS = Path("data/trials")
+TOY = Path("data/toy.csv")
+SCORES = Path("data/scores")
 TRACKING = Path("data/tracking.json")
+TIMES = Path("data/times")
+LAST_TIMES = Path("data/times.csv")
+COMPLETE_TIMES = Path("data/times.json")
+REPORTS = Path("reports")
 TABLES = Path("reports/tables")
 ACCURACIES = Path("reports/accuracies.csv")
 CROSS_VALIDATION = Path("reports/cross_validation.csv")
+IN_TEXT = Path("reports/in_text.csv")
+FINDINGS = Path("reports/findings.csv")
+COMPARISONS = Path("reports/findings_comparisons.csv")
+METRICS = Path("reports/metrics.json")
+PLOTS = Path("reports/plots")
+FIGURES = Path("reports/figures")
+KEPT_TIMES = Path("reports/times.csv")
+KEPT_TIMES_FACTS = Path("reports/times.json")
 PAGE = Path("reports/index.html")
+
+
+def sequences(home: str) -> Path:
+    """Folder of what the stage `sequences` or `site_sequences` listed of a home.
+
+    Parameters
+    ----------
+    home
+        A home of the main data set, e.g. ``home_1``, or one of another, e.g. ``university/north_2_cloudy_2``.
+    """
+    return _of_home(home, SEQUENCES, "sequences")
+
+
+def features(home: str) -> Path:
+    """Folder of the descriptors of a home; `home` as for :func:`sequences`."""
+    return _of_home(home, FEATURES, "features")
+
+
+def _of_home(home: str, main: Path, kind: str) -> Path:
+    site, _, name = home.rpartition("/")
+    return SITES / site / kind / name if site else main / name

@@ -7,7 +7,7 @@ from placecat.cues import Codebook, Descriptors, estimators
 from placecat.errors import PlacecatError
 
 PLACES = ["bedroom", "kitchen", "bathroom"]
-TREE = {"max_clusters": 13, "branching": 4, "max_iter": 5}
+TREE = {"name": "hierarchical_kmeans", "max_clusters": 13, "branching": 4, "max_iter": 5}
 
 
 def regions(seed=0, frames=120, most=5):

@@ -11,7 +11,7 @@ from sklearn.exceptions import NotFittedError
 from sklearn.utils.estimator_checks import check_estimator
 from threadpoolctl import threadpool_limits
 
-from placecat.errors import PlacecatError
+from placecat.errors import NotComputable, PlacecatError
 from placecat.learning import hierarchical_kmeans as module
 from placecat.learning.hierarchical_kmeans import HierarchicalKMeans, check_cluster_number
 
@@ -222,7 +222,7 @@ def test_too_many_clusters_name_the_largest_number():
     largest = tree.max_clusters_
     assert 16 <= largest <= 40
     assert tree.centers(largest).shape == (largest, 1)
-    with pytest.raises(PlacecatError, match=f"largest possible number is {largest}"):
+    with pytest.raises(NotComputable, match=f"split into {largest} at most"):
         tree.centers(196)
 
 

@@ -230,7 +230,7 @@ def test_wrong_updates():
         ({"smoothing": -0.1}, "smoothing=-0.1"),
         ({"class_weighting": "twice"}, "'once' or 'per_region'"),
         ({"n_clusters": 100}, "91 or 106"),
-        ({"n_clusters": 496}, "largest possible number is"),
+        ({"n_clusters": 496}, "496 clusters cannot be had"),
     ],
 )
 def test_impossible_settings(settings_, message):

@@ -1,120 +1,225 @@
-from pathlib import Path
+import dataclasses
 
 import numpy as np
-import pandas as pd
 import pytest
-import yaml
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
+from made_results import PARAMS, made, published, with_homes
 from placecat.errors import PlacecatError
 from placecat.reporting import layouts
-from placecat.reporting.markdown import table_markdown
 from placecat.reporting.results import Results
-from placecat.reporting.tables import CONTRADICTIONS, fill_table
+from placecat.reporting.tables import (
+    ADDITION,
+    COLUMNS,
+    CONTRADICTIONS,
+    dataset_of,
+    fill_table,
+    label,
+    tables_of,
+)
 
-ROOT = Path(__file__).resolve().parents[2]
-PARAMS = yaml.safe_load((ROOT / "params.yaml").read_text())
-OTHER = {"title": "some homes", "thesis_data": None}
-SAME = {"title": "d", "thesis_data": "VPC-2009 home database"}
-CLASSES = tuple(PARAMS["dataset"]["classes"])
-
-
-@pytest.fixture(scope="module")
-def published():
-    table = pd.read_csv(ROOT / "data/thesis/published_tables.csv")
-    return table.fillna({"group": "", "row": "", "column": ""})
-
-
-def results_for(table, homes):
-    names = {row["result"] for row in table.get("rows", [])} | {table.get("result")} - {None}
-    rng = np.random.default_rng(0)
-    confusion = {name: rng.integers(1, 50, (homes, 5, 5)) for name in sorted(names - {None})}
-    return Results(tuple(f"H{number}" for number in range(homes)), CLASSES, confusion)
+TABLES = tables_of(PARAMS)
+OF_THESIS = [name for name, table in TABLES.items() if table["number"] is not None]
+PUBLISHED = published()
+RESULTS = made()
+KEY = ["group", "row", "column"]
 
 
-@pytest.mark.parametrize("name", list(PARAMS["tables"]))
-def test_every_published_cell_is_measured(name, published):
-    table = PARAMS["tables"][name]
-    filled = fill_table(table, results_for(table, 6), published, OTHER)
-    own = published[published["table"] == table["number"]]
-    assert len(own) > 0
-    assert len(filled) == len(own)
-    assert filled["measured"].notna().all()
-    assert filled["published"].tolist() == own["value"].tolist()
-    assert (
-        filled["note"]
-        .str.startswith("measured on some homes; the published number is from the VPC-2009")
-        .all()
-    )
+def fill(name, results=RESULTS, params=PARAMS, **dataset):
+    table = tables_of(params)[name]
+    return fill_table(table, results, PUBLISHED, dataset_of(table, params) | dataset)
 
 
-@pytest.mark.parametrize("name", list(PARAMS["tables"]))
-def test_with_fewer_homes_every_empty_cell_has_a_reason(name, published):
-    table = PARAMS["tables"][name]
-    filled = fill_table(table, results_for(table, 4), published, SAME)
+def without(results, lost):
+    """The results without some homes of some of them, each with a reason."""
+    measured = {}
+    for name, one in results.measured.items():
+        kept = [number for number, home in enumerate(one.homes) if (name, home) not in lost]
+        if kept:
+            homes = tuple(one.homes[number] for number in kept)
+            measured[name] = dataclasses.replace(one, homes=homes, confusion=one.confusion[:, kept])
+    return Results(results.homes, results.classes, measured, dict.fromkeys(lost, "too few frames"))
+
+
+def test_every_published_table_has_one_configuration_and_all_others_are_additions():
+    numbers = [TABLES[name]["number"] for name in OF_THESIS]
+    assert numbers == list(range(1, 32)) == sorted(set(PUBLISHED["table"]))
+    assert [name for name in TABLES if name not in OF_THESIS] == list(PARAMS["studies"]["additions"])
+    assert [name for name in OF_THESIS if name != f"table_{TABLES[name]['number']:02d}"] == []
+
+
+@pytest.mark.parametrize("name", OF_THESIS)
+def test_every_published_cell_is_measured_and_no_other(name):
+    filled = fill(name)
+    own = PUBLISHED[PUBLISHED["table"] == TABLES[name]["number"]]
+    assert list(filled.columns) == COLUMNS
+    assert filled[KEY].values.tolist() == own[KEY].values.tolist()
+    assert filled["measured"].between(0, 100).all()
+    assert filled["published"].tolist() == pytest.approx(own["value"].tolist(), nan_ok=True)
+    assert filled["note"].str.startswith("measured on rendered ").all()
+    compared = filled["note"].str.contains("and does not compare")
+    assert (compared == filled["published"].notna()).all()
+    assert (filled["note"].str.contains("the published cell is n/a") == filled["published"].isna()).all()
+
+
+@pytest.mark.parametrize("name", OF_THESIS)
+def test_on_the_data_of_the_thesis_numbers_compare(name):
+    filled = fill(name, title="the same", thesis_data=TABLES[name]["thesis_data"])
+    assert not filled["note"].str.contains("compare").any()
+
+
+@pytest.mark.parametrize("count", [3, 4])
+@pytest.mark.parametrize("name", OF_THESIS)
+def test_with_fewer_homes_every_empty_cell_has_a_reason(name, count):
+    params = with_homes(count)
+    filled = fill(name, made(params), params)
     empty = filled[filled["measured"].isna()]
-    homes = empty["column"] + empty["row"]
-    assert homes.str.contains("Home [56]").all()
-    assert (empty["note"].str.split(";").str[0] == "the data set has only 4 homes").all()
+    of_lacking_home = (filled["row"] + filled["column"]).str.contains(
+        "Home [56]" if count == 4 else "Home [456]"
+    )
+    if TABLES[name].get("homes") == [6]:
+        of_lacking_home[:] = True
+    assert (filled["measured"].isna() == of_lacking_home).all()
+    assert (empty["note"].str.split("; ").str[0] == f"the data set has only {count} homes").all()
 
 
-def test_with_more_homes_new_cells_follow_the_published(published):
-    table = PARAMS["tables"]["table_05"]
-    filled = fill_table(table, results_for(table, 7), published, SAME)
-    extra = filled[filled["column"] == "Home 7"]
+def test_an_average_over_fewer_homes_than_published_says_so():
+    params = with_homes(4)
+    filled = fill("table_12", made(params), params)
+    averages = filled[filled["row"] == "Average"]
+    assert averages["note"].str.contains("; mean over Home 1 only").all()
+    firsts = filled[filled["row"] == "Home 1"]
+    assert averages["measured"].tolist() == firsts["measured"].tolist()
+
+
+@pytest.mark.parametrize("name", ["table_05", "table_06", "table_24", "addition_rvm"])
+def test_with_more_homes_new_cells_follow_the_published(name):
+    params = with_homes(7)
+    filled = fill(name, made(params), params)
+    extra = filled[(filled["column"] == "Home 7") | (filled["row"] == "Home 7")]
+    assert len(extra) > 0
     assert extra["published"].isna().all()
     assert extra["measured"].notna().all()
 
 
-def test_the_numbers_are_those_of_the_results(published):
-    table = PARAMS["tables"]["table_05"]
-    results = results_for(table, 6)
-    filled = fill_table(table, results, published, SAME)
-    svm = filled[filled["row"] == "SVM"].set_index("column")["measured"]
-    expected = results.by_home("cues/gist/5-5-1")
-    assert svm["Home 2"] == pytest.approx(expected[1], abs=0.005)
-    assert svm["Average"] == pytest.approx(expected.mean(), abs=0.005)
+def test_a_number_is_the_mean_of_the_seeds_with_their_spread():
+    one = RESULTS.of("trials/table_12/HOG + y-Pos||196")
+    filled = fill("table_12").set_index(KEY)
+    home_6 = filled.loc[("HOG + y-Pos", "Home 6", "196")]
+    values = one.by_home()[:, 1]
+    assert home_6["measured"] == pytest.approx(values.mean(), abs=0.005)
+    assert home_6["spread"] == pytest.approx(abs(values[0] - values[1]), abs=0.005)
+    assert home_6["seeds"] == 2
+    average = filled.loc[("HOG + y-Pos", "Average", "196")]
+    means = one.by_home().mean(axis=1)
+    assert average["measured"] == pytest.approx(means.mean(), abs=0.005)
+    assert average["spread"] == pytest.approx(abs(means[0] - means[1]), abs=0.005)
 
 
-def test_contradictions_of_the_thesis_are_real_and_noted(published):
-    for number, group, row, column in CONTRADICTIONS:
-        own = published[
-            (published["table"] == number) & (published["group"] == group) & (published["row"] == row)
-        ]
-        values = own.set_index("column")["value"]
-        others = values.drop(column)
-        assert abs(others.mean() - values[column]) > 0.02
-    table = PARAMS["tables"]["table_06"]
-    filled = fill_table(table, results_for(table, 6), published, SAME)
-    noted = filled[filled["note"].str.contains("contradicts")]
-    assert noted[["row", "column", "published"]].values.tolist() == [["Home 2", "Average", 43.75]]
+def test_what_is_not_random_has_no_spread():
+    filled = fill("table_03")
+    assert filled["spread"].isna().all()
+    assert (filled["seeds"] == 0).all()
 
 
-def test_a_class_without_frames_has_a_note(published):
-    table = PARAMS["tables"]["table_06"]
-    results = results_for(table, 6)
-    results.confusion["cues/gist/5-5-1"][2, 3] = 0
-    filled = fill_table(table, results, published, SAME)
-    cell = filled[(filled["row"] == "Home 3") & (filled["column"] == "Living Room")].iloc[0]
+def test_an_axis_that_is_no_home_is_the_mean_over_the_homes():
+    cell = fill("table_22").set_index(KEY).loc[("", "HOG + y-Pos", "38")]
+    one = RESULTS.of("trials/table_22/|HOG + y-Pos|38")
+    assert one.homes == ("home_6",)
+    assert cell["measured"] == pytest.approx(one.by_home().mean(), abs=0.005)
+
+
+def test_sequences_of_a_split_are_counted_together():
+    cell = fill("table_30").set_index(KEY)
+    one = RESULTS.of("splits/university/cues/gist")
+    counts = one.confusion.sum(axis=1)
+    place = one.classes.index("printer_area")
+    recall = 100 * counts[:, place, place] / counts[:, place].sum(axis=1)
+    assert cell.loc[("five cues", "Gist", "Printer Area"), "measured"] == pytest.approx(
+        recall.mean(), abs=0.005
+    )
+    row = cell["measured"].xs(("five cues", "Gist"), level=("group", "row"))
+    assert row["Average"] == pytest.approx(row.drop("Average").mean(), abs=0.01)
+    assert (fill("table_30")["note"].str.startswith("measured on rendered university; ")).all()
+    assert (fill("table_31")["note"].str.startswith("measured on rendered apartments; ")).all()
+
+
+def test_a_place_that_the_test_sequences_lack_has_a_reason():
+    results = made()
+    results.measured["splits/university/cues/gist"].confusion[:, :, 2] = 0
+    filled = fill("table_30", results).set_index(KEY)
+    cell = filled.loc[("five cues", "Gist", "Office")]
     assert np.isnan(cell["measured"])
-    assert cell["note"] == "H2 has no frame of living_room"
+    assert cell["note"] == "no test sequence shows the place office"
+    assert np.isfinite(filled.loc[("five cues", "Gist", "Average"), "measured"])
+
+
+def test_contradictions_of_the_thesis_are_real_and_noted():
+    for number, group, row, column in CONTRADICTIONS:
+        own = PUBLISHED[PUBLISHED["table"] == number].set_index(KEY)["value"]
+        own = own.xs((group, row), level=("group", "row"))
+        assert abs(own.drop(column).mean() - own[column]) > 0.02
+    for number in {number for number, *_ in CONTRADICTIONS}:
+        filled = fill(f"table_{number:02d}")
+        noted = filled[filled["note"].str.contains("; the published average contradicts its own row")]
+        keys = [tuple(key) for key in noted[["table", *KEY]].itertuples(index=False)]
+        assert keys == [key for key in CONTRADICTIONS if key[0] == number]
+
+
+def test_a_class_without_frames_has_a_note():
+    results = made()
+    results.measured["cues/gist/5-5-1"].confusion[:, 2, 3] = 0
+    filled = fill("table_06", results).set_index(KEY)
+    cell = filled.loc[("", "Home 3", "Living Room")]
+    assert np.isnan(cell["measured"])
+    assert cell["note"] == "home_3 has no frame of living_room"
+    others = [filled.loc[("", f"Home {number}", "Living Room"), "measured"] for number in (1, 2, 4, 5, 6)]
+    assert filled.loc[("", "Average", "Living Room"), "measured"] == pytest.approx(np.mean(others), abs=0.01)
+
+
+def test_a_place_that_the_data_set_lacks_has_a_reason():
+    dataset = PARAMS["dataset"] | {"classes": ["bedroom", "bathroom", "kitchen", "living_room"]}
+    params = PARAMS | {"dataset": dataset}
+    filled = fill("table_06", made(params), params)
+    lacking = filled[filled["column"] == "Dining Room"]
+    assert (lacking["note"].str.split("; ").str[0] == "the data set has no such place").all()
+
+
+@settings(max_examples=30, deadline=None)
+@given(data=st.data())
+def test_every_cell_has_a_number_or_a_reason_whatever_could_not_be_computed(data):
+    name = data.draw(st.sampled_from([name for name, table in TABLES.items() if "split" not in table]))
+    table = TABLES[name]
+    asked = {table.get("result"), *(row["result"] for row in table.get("rows", []))}
+    used = [one for one in RESULTS.measured if one in asked or one.startswith(f"trials/{name}/")]
+    pairs = [(one, home) for one in used for home in RESULTS.of(one).homes]
+    lost = data.draw(st.sets(st.sampled_from(pairs)))
+    filled = fill(name, without(RESULTS, lost))
+    measured = filled["measured"].notna()
+    assert (filled["note"] != "").all()
+    assert filled["note"][measured].str.startswith("measured on ").all()
+    assert filled["note"][~measured].str.startswith("too few frames").all()
+    assert measured.all() or lost
+
+
+def test_a_result_that_is_neither_measured_nor_explained_is_an_error():
+    results = without(RESULTS, set())
+    del results.measured["integration/das_551_best"]
+    with pytest.raises(PlacecatError, match="no result 'integration/das_551_best'"):
+        fill("table_26", results)
+
+
+def test_an_addition_has_no_number():
+    filled = fill("addition_rvm")
+    assert set(filled["table"]) == {ADDITION}
+    assert filled["published"].isna().all()
+    assert (filled["note"] == "measured on rendered homes").all()
+    assert list(dict.fromkeys(filled["row"])) == ["Gist", "Centrist", "HOG + y-Pos"]
+    assert [label(TABLES[name]) for name in ("table_12", "addition_rvm")] == ["Table 12", "Addition"]
 
 
 def test_every_layout_is_used_and_unknown_ones_are_refused():
-    assert {table["layout"] for table in PARAMS["tables"].values()} == set(layouts.names())
-    with pytest.raises(PlacecatError, match=r"tables\.table_07\.layout 'x'.*by_class, by_home"):
-        layouts.cells({"number": 7, "layout": "x"}, results_for({}, 1))
-
-
-@pytest.mark.parametrize("data", [SAME, OTHER], ids=["same", "other"])
-def test_markdown_shows_both_numbers_apart(published, data):
-    table = PARAMS["tables"]["table_26"]
-    results = results_for(table, 6)
-    dataset = data | {"homes": results.homes}
-    filled = fill_table(table, results, published, dataset)
-    text = table_markdown(table, filled, dataset)
-    measured, below = text.split("## Published")
-    assert f"{results.by_home('integration/das_551_all').mean():.2f} |" in measured
-    assert "47.53 |" in below
-    assert "47.53 |" not in measured
-    assert ("do not compare" in below) is (data is OTHER)
-    assert "Home 1 is H0" in measured
+    assert {table["layout"] for table in TABLES.values()} == set(layouts.names())
+    with pytest.raises(PlacecatError, match=r"layout 'x' of table_07.*by_class, by_home"):
+        layouts.cells({"name": "table_07", "layout": "x"}, RESULTS)

@@ -15,6 +15,8 @@ PARAMS = {
     "dataset": {"name": "made", "homes": HOMES, "classes": CLASSES},
     "protocol": {
         "schemes": ["5-5-1", "4-5-1"],
+        "seeds": [0, 1],
+        "extra": {"split": "site", "sequences": ["flip"]},
         "cue_frames": {"offset": 0, "step": 3},
         "integration_frames": {"offset": 1, "step": 3},
     },
@@ -25,24 +27,25 @@ PARAMS = {
                 "name": "hog",
                 "y_pos": True,
                 "y_weight": 1.0,
-                "color": True,
+                "color": "color_mv",
                 "max_regions": REGIONS,
             },
             "cells": 1,
-            "seed": 0,
-            "tree": {"max_clusters": 16, "branching": 4, "max_iter": 5},
+            "schemes": ["5-5-1", "4-5-1"],
+            "tree": {"name": "hierarchical_kmeans", "max_clusters": 16, "branching": 4, "max_iter": 5},
         },
         "gist_cells": {
             "descriptor": {"kind": "holistic", "name": "gist"},
             "cells": 4,
-            "seed": 0,
-            "tree": {"max_clusters": 7, "branching": 4, "max_iter": 5},
+            "schemes": ["5-5-1", "4-5-1"],
+            "tree": {"name": "hierarchical_kmeans", "max_clusters": 7, "branching": 4, "max_iter": 5},
         },
     },
     "cues": {
         "hog_y": {
             "codebook": "hog_y",
             "schemes": ["5-5-1", "4-5-1"],
+            "extra": True,
             "classifier": {
                 "model": "joint_probability",
                 "base": {"name": "naive_bayes", "alpha": 1.0},
@@ -52,11 +55,13 @@ PARAMS = {
         "hog_y_knn": {
             "codebook": "hog_y",
             "schemes": ["5-5-1"],
+            "extra": False,
             "classifier": {"model": "knn", "base": {"name": "knn"}, "clusters": 13},
         },
         "gist_tree": {
             "codebook": "gist_cells",
             "schemes": ["5-5-1"],
+            "extra": False,
             "classifier": {
                 "model": "joint_probability",
                 "base": {"name": "dependency_tree", "alpha": 1.0},
@@ -67,6 +72,7 @@ PARAMS = {
             "codebook": None,
             "descriptor": {"kind": "holistic", "name": "gist"},
             "schemes": ["5-5-1", "4-5-1"],
+            "extra": True,
             "classifier": {
                 "model": "one_against_all",
                 "base": {"name": "nu_svm", "gamma": 2.0, "nu": 0.2},
@@ -79,6 +85,7 @@ PARAMS = {
     "systems": {
         "das": {
             "scheme": "5-5-1",
+            "extra": False,
             "cues": ["hog_y", "gist"],
             "integrator": {
                 "method": "das",
@@ -92,6 +99,7 @@ PARAMS = {
         },
         "das_451": {
             "scheme": "4-5-1",
+            "extra": False,
             "cues": ["hog_y", "gist"],
             "integrator": {
                 "method": "das",
@@ -103,7 +111,65 @@ PARAMS = {
                 },
             },
         },
-        "vote": {"scheme": "5-5-1", "cues": ["hog_y", "gist"], "integrator": {"method": "vote_distribution"}},
+        "vote": {
+            "scheme": "5-5-1",
+            "extra": True,
+            "cues": ["hog_y", "gist"],
+            "integrator": {"method": "vote_distribution"},
+        },
+    },
+    "filters": {"informative": {"threshold": 0.3, "cues": ["gist"], "systems": ["das"]}},
+    "splits": {
+        "site": {
+            "dataset": {"classes": ["kitchen", "office", "bedroom", "bathroom"], "homes": ["flip", "robot"]},
+            "cue_parts": [{"sequence": "flip", "places": None}],
+            "integration_parts": [{"sequence": "flip", "places": None}],
+            "test": ["robot"],
+            "systems": {"two": ["hog_y", "gist"]},
+            "integrator": {"method": "vote_distribution"},
+        }
+    },
+    "studies": {
+        "some": {
+            "table_01": {
+                "homes": [1, 3, 9],
+                "trial": {
+                    "descriptor": {"kind": "holistic", "name": "gist"},
+                    "codebook": {
+                        "cells": 1,
+                        "tree": {
+                            "name": "hierarchical_kmeans",
+                            "max_clusters": 7,
+                            "branching": 4,
+                            "max_iter": 5,
+                        },
+                    },
+                    "classifier": {"model": "knn", "base": {"name": "knn", "smoothing": 1.0}, "clusters": 7},
+                },
+                "axes": {
+                    "row": "homes",
+                    "column": {
+                        "4": {"classifier.clusters": 4},
+                        "13": {"classifier.clusters": 13},
+                        "400": {"classifier.clusters": 400},
+                    },
+                },
+            },
+            "table_02": {
+                "homes": "all",
+                "trial": {
+                    "descriptor": {"kind": "holistic", "name": "gist"},
+                    "classifier": {
+                        "model": "one_against_all",
+                        "base": {"name": "nu_svm", "gamma": 2.0, "nu": 0.2},
+                        "scheme": {"name": "one_against_all"},
+                        "scaling": "standard",
+                        "reduction": None,
+                    },
+                },
+                "axes": {"row": {"PCA": {"classifier.reduction": {"cells": 4, "components": 3}}}},
+            },
+        }
     },
     "smoothing": {
         "delay_step": 0.2,
@@ -112,6 +178,7 @@ PARAMS = {
         "transition_counts": 1.0,
         "emission_counts": 1.0,
         "cues": ["gist"],
+        "filtered": ["informative/gist", "informative/das"],
     },
 }
 
@@ -119,12 +186,21 @@ PARAMS = {
 def make(folder, *, marked=None, params=PARAMS):
     """Write the project; with `marked`, that home gets other descriptors, labels and regions."""
     (folder / "params.yaml").write_text(yaml.safe_dump(params))
-    for number, home in enumerate(HOMES):
+    places = {home: (f"data/sequences/{home}", f"data/features/{home}", 3) for home in HOMES}
+    for sequence in params["splits"]["site"]["dataset"]["homes"]:
+        places[sequence] = (
+            f"data/sites/site/sequences/{sequence}",
+            f"data/sites/site/features/{sequence}",
+            4,
+        )
+    for number, (home, (sequences, features, classes)) in enumerate(places.items()):
         rng = np.random.default_rng([number, home == marked])
-        labels = np.repeat(rng.permutation([0, 1, 2, -1, 0, 1, 2, -1, 1]), FRAMES // 9)
+        seen = [*range(classes), -1]
+        labels = np.repeat(rng.permutation([*seen, *seen, 1][:9]), FRAMES // 9)
         shift = 0.5 * labels[:, None]
         arrays = {
             "count": rng.integers(0, REGIONS + 1, FRAMES).astype(np.int16),
+            "information": rng.random(FRAMES, np.float32),
             "regions": rng.random((FRAMES, REGIONS, 4), np.float32),
             "local_hog": (rng.normal(size=(FRAMES, REGIONS, 6)) + shift[:, None]).astype(np.float32),
             "local_color_mv": rng.normal(size=(FRAMES, REGIONS, 2)).astype(np.float32),
@@ -132,20 +208,20 @@ def make(folder, *, marked=None, params=PARAMS):
         }
         if home == marked:
             arrays = {name: array if name == "count" else array + 3 for name, array in arrays.items()}
-        (folder / "data/features" / home).mkdir(parents=True)
+        (folder / features).mkdir(parents=True)
         for name, array in arrays.items():
-            np.save(folder / "data/features" / home / f"{name}.npy", array)
-        sequences = folder / "data/sequences" / home
-        sequences.mkdir(parents=True)
+            np.save(folder / features / f"{name}.npy", array)
+        (folder / features / "descriptors.json").write_text('{"hog": "hog", "color_mv": "color_mv"}')
+        (folder / sequences).mkdir(parents=True)
         frames = pd.DataFrame({"sequence": ["1"] * 50 + ["2"] * 40, "source": "x"})
-        frames.to_csv(sequences / "frames.csv", index=False)
-        pd.DataFrame({"label": "x", "class": labels}).to_csv(sequences / "labels.csv", index=False)
-        (sequences / "home.json").write_text(json.dumps({"height": 360, "width": 640, "fps": 5}))
+        frames.to_csv(folder / sequences / "frames.csv", index=False)
+        pd.DataFrame({"label": "x", "class": labels}).to_csv(folder / sequences / "labels.csv", index=False)
+        (folder / sequences / "home.json").write_text(json.dumps({"height": 360, "width": 640, "fps": 5}))
 
 
 def run_stages(folder, monkeypatch, params=PARAMS):
-    """Run the stages from the codebooks to the smoothing in this process."""
-    from placecat.stages import codebooks, cues, integration, smoothing
+    """Run the stages from the codebooks to the trials in this process."""
+    from placecat.stages import codebooks, cues, filtering, integration, smoothing, splits, trials
 
     monkeypatch.chdir(folder)
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
@@ -155,4 +231,7 @@ def run_stages(folder, monkeypatch, params=PARAMS):
         cues.main(name)
     for name in params["systems"]:
         integration.main(name)
+    filtering.main()
     smoothing.main()
+    splits.main("site")
+    trials.main("some")

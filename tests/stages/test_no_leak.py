@@ -21,8 +21,8 @@ def runs(tmp_path_factory):
 def fitted_files(folder, home):
     """Everything fitted when `home` is the test home, and what fitted models say of training frames."""
     codebooks = list(folder.glob(f"data/codebooks/*/without-{home}*.npz"))
-    cues = [path for path in folder.glob(f"data/cues/*/*/{home}/*") if path.name != "test.npy"]
-    fused = [path for path in folder.glob(f"data/integration/*/{home}/*") if path.name != "test.npy"]
+    cues = [path for path in folder.glob(f"data/cues/*/*/{home}/*/*") if path.name != "test.npy"]
+    fused = [path for path in folder.glob(f"data/integration/*/{home}/*/*") if path.name != "test.npy"]
     return {path.relative_to(folder): path.read_bytes() for path in [*codebooks, *cues, *fused]}
 
 
@@ -54,7 +54,7 @@ def test_the_transitions_do_not_come_from_the_test_home(runs, monkeypatch):
         "emission_counts": 1.0,
     }
     fold = next(fold for fold in folds(HOMES, "5-5-1") if fold.test == MARKED)
-    source = runs["plain"] / "data/integration/das" / MARKED
+    source = runs["plain"] / "data/integration/das" / MARKED / "seed-1"
     results = []
     for name in ("plain", "marked"):
         monkeypatch.chdir(runs[name])
@@ -62,12 +62,11 @@ def test_the_transitions_do_not_come_from_the_test_home(runs, monkeypatch):
     np.testing.assert_array_equal(*results)
 
 
-def test_results_do_not_depend_on_the_number_of_workers(runs, tmp_path, monkeypatch):
+def test_results_do_not_depend_on_the_number_of_workers(runs, tmp_path, monkeypatch, two_workers):
     from placecat.stages import codebooks, cues
 
     make(tmp_path)
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("PLACECAT_WORKERS", "2")
     codebooks.main("hog_y")
     for cue in ("hog_y", "gist"):
         cues.main(cue)
@@ -76,12 +75,12 @@ def test_results_do_not_depend_on_the_number_of_workers(runs, tmp_path, monkeypa
 
 
 def test_distributions_are_distributions(runs):
-    paths = list(runs["plain"].glob("data/*/*/**/test.npy")) + list(
-        runs["plain"].glob("data/smoothing/**/*.npy")
-    )
-    assert len(paths) > 40
+    paths = [
+        path for name in ("test", "hmm", "delayed") for path in runs["plain"].glob(f"data/*/*/**/{name}.npy")
+    ]
+    assert len(paths) > 80
     for path in paths:
         proba = np.load(path)
-        assert proba.shape == (90, 3)
+        assert proba.shape == (90, 4 if "splits" in path.parts else 3)
         np.testing.assert_allclose(proba.sum(axis=1), 1.0, atol=1e-9)
         assert (proba >= 0).all()

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from placecat.errors import PlacecatError
 from placecat.vision.attention import compute_maps, find_regions
-from placecat.vision.maps import FrameMaps
+from placecat.vision.maps import FIELDS, FrameMaps
 from placecat.vision.saliency import saliency
 
 DICTS = ("grey", "color", "intensity_contrast", "color_contrast", "orientation", "residual")
@@ -51,6 +51,23 @@ def test_shapes_and_types():
         assert maps.orientation[s].shape == (4, height, width)
         assert maps.residual[s].shape == (height, width)
     assert all(a.dtype == np.float32 and a.flags.c_contiguous for a in flatten(maps))
+
+
+@pytest.mark.parametrize("clip", [False, True])
+@pytest.mark.parametrize("fields", [(), *((name,) for name in DICTS), ("orientation", "color")])
+def test_fields_not_asked_for_are_empty_and_change_no_other(fields, clip):
+    image = reference.frame(3, 75, 101)
+    every, some = (compute_maps(image, names, clip_color=clip) for names in (FIELDS, fields))
+    assert (some.width, some.height, some.scales) == (every.width, every.height, every.scales)
+    for name in DICTS:
+        expected = {s: a.tobytes() for s, a in getattr(every, name).items()} if name in fields else {}
+        assert {s: a.tobytes() for s, a in getattr(some, name).items()} == expected, name
+
+
+def test_the_regions_need_every_field_but_the_colour():
+    image = reference.frame(3, 75, 101)
+    maps = compute_maps(image, [name for name in FIELDS if name != "color"])
+    np.testing.assert_array_equal(find_regions(maps), find_regions(compute_maps(image)))
 
 
 def test_other_scales_and_radii():

@@ -62,6 +62,14 @@ def test_any_frame_is_finite_within_range_and_strips_do_not_matter(image):
     assert [p.tobytes() for p in whole[1]] == [p.tobytes() for p in planes]
 
 
+@pytest.mark.parametrize("clip", [False, True])
+def test_the_sum_alone(clip):
+    image = reference.frame(2, 61, 47)
+    total, planes = color.reduced_planes(image, color=False, clip=clip, strip_rows=16)
+    assert planes == []
+    assert total.tobytes() == color.reduced_planes(image, clip=clip)[0].tobytes()
+
+
 def test_views_are_accepted_and_left_alone():
     image = reference.frame(4, 30, 40)
     before = image.copy()

@@ -63,6 +63,22 @@ def test_unknown_descriptor(name: str) -> None:
 
 def test_refusal_names_the_descriptor() -> None:
     with pytest.raises(PlacecatError, match=r"local descriptor 'hog' has no setting 'cells'.*interpolation"):
-        local.check_settings("hog", {"cells": 3})
+        local.entry("hog", {"cells": 3})
     with pytest.raises(PlacecatError, match=r"holistic descriptor 'gist' has no setting 'colour'.*color, "):
-        holistic.check_settings("gist", {"colour": False})
+        holistic.entry("gist", {"colour": False})
+
+
+def test_an_entry_is_a_module_or_a_variant_of_one() -> None:
+    assert local.entry("hog", {"border": "reflect"}) == (local.load("hog"), {"border": "reflect"})
+    given = {"descriptor": "centrist", "width": None}
+    assert holistic.entry("centrist_full", given) == (holistic.load("centrist"), {"width": None})
+    assert given == {"descriptor": "centrist", "width": None}
+
+
+def test_refusal_names_the_variant() -> None:
+    with pytest.raises(PlacecatError, match=r"local descriptor 'short' has no setting 'cells'.*grid"):
+        local.entry("short", {"descriptor": "color_mv", "cells": 0})
+    with pytest.raises(PlacecatError, match=r"Unknown local descriptor 'surf' of entry 'short': choose one"):
+        local.entry("short", {"descriptor": "surf"})
+    with pytest.raises(PlacecatError, match=r"Unknown holistic descriptor 'None' of entry 'x'"):
+        holistic.entry("x", {"descriptor": None})

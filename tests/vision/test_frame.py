@@ -1,12 +1,20 @@
+import functools
+from pathlib import Path
+
 import numpy as np
 import pytest
+import yaml
 from makers import frame
 
 from placecat.errors import PlacecatError
 from placecat.vision import holistic, local
 from placecat.vision.attention import compute_maps, find_regions
+from placecat.vision.discovery import settings_of
 from placecat.vision.frame import check, describe_frame, extract, layout
 from placecat.vision.information import information
+from placecat.vision.maps import FIELDS, FrameMaps
+
+DESCRIPTORS = Path(__file__).resolve().parents[2] / "conf/descriptor"
 
 ALL = {
     "local": {name: {} for name in local.names()},
@@ -82,6 +90,77 @@ def test_given_regions_are_described() -> None:
         extract(picture, {"regions": {"max_regions": 5}}, regions=tracked)
 
 
+def test_a_variant_has_its_own_name_and_the_numbers_of_its_module() -> None:
+    picture = frame()
+    found = extract(
+        picture,
+        {
+            "local": {"centrist": {}, "edges": {"descriptor": "centrist", "image": "laplacian"}},
+            "holistic": {"gist_raw": {"descriptor": "gist", "center_surround": False}},
+        },
+    )
+    maps = compute_maps(picture)
+    regions = find_regions(maps)
+    assert list(found.arrays()) == [
+        "count",
+        "information",
+        "regions",
+        "local_centrist",
+        "local_edges",
+        "holistic_gist_raw",
+    ]
+    edges = local.load("centrist").describe(maps, regions, image="laplacian")
+    np.testing.assert_array_equal(found.local["edges"], edges)
+    assert (found.local["edges"] != found.local["centrist"]).any()
+    raw = holistic.load("gist").describe(picture, maps, center_surround=False)
+    np.testing.assert_array_equal(found.holistic["gist_raw"], raw)
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        {"local": {name: {} for name in ("hog", "sift", "centrist")}},
+        {"local": {"color_mv": {}}, "information": {"unit": 255}},
+        {"local": {"orientation_mv": {}}, "attention": {"use_residual": False}},
+        {"holistic": {name: {} for name in holistic.names()}},
+        {},
+    ],
+)
+def test_maps_that_nothing_reads_are_left_out_without_a_change(
+    settings: dict, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    picture = frame()
+    regions = find_regions(compute_maps(picture))
+    fewer = describe_frame(picture, settings, regions=regions)
+
+    @functools.wraps(compute_maps)
+    def compute_all(image: np.ndarray, fields: set[str], **own: object) -> FrameMaps:
+        assert fields < set(FIELDS)
+        return compute_maps(image, **own)
+
+    monkeypatch.setattr("placecat.vision.frame.compute_maps", compute_all)
+    every = describe_frame(picture, settings, regions=regions)
+    assert {name: array.tobytes() for name, array in fewer.items()} == {
+        name: array.tobytes() for name, array in every.items()
+    }
+
+
+@pytest.mark.parametrize(
+    ("kind", "path"), [(path.parent.name, path) for path in sorted(DESCRIPTORS.glob("*/*.yaml"))]
+)
+def test_every_descriptor_of_the_configuration_is_valid_and_complete(kind: str, path: Path) -> None:
+    settings = yaml.safe_load(path.read_text())
+    check({kind: {path.stem: settings}})
+    package = {"local": local, "holistic": holistic}[kind]
+    module, own = package.entry(path.stem, settings)
+    assert set(own) == set(settings_of(module.describe))
+    name = module.__name__.rpartition(".")[2]
+    if name != path.stem:
+        assert path.stem.startswith(f"{name}_")
+        base = yaml.safe_load(path.with_name(f"{name}.yaml").read_text())
+        assert len([key for key in own if own[key] != base[key]]) == 1
+
+
 def test_only_what_is_asked_for() -> None:
     assert list(describe_frame(frame(), {})) == ["count", "information", "regions"]
     assert list(describe_frame(frame(), {"holistic": {"gist": {}}}))[3:] == ["holistic_gist"]
@@ -100,6 +179,11 @@ def test_only_what_is_asked_for() -> None:
             "local descriptor 'sift' has no setting 'upright'.*orientation",
         ),
         ({"holistic": {"gist": {"cells": 3}}}, "holistic descriptor 'gist' has no setting 'cells'"),
+        (
+            {"holistic": {"gist_raw": {"descriptor": "gist", "raw": True}}},
+            "holistic descriptor 'gist_raw' has no setting 'raw'",
+        ),
+        ({"local": {"mine": {"descriptor": "surf"}}}, "Unknown local descriptor 'surf' of entry 'mine'"),
     ],
 )
 def test_refusals(settings: dict, message: str) -> None:

@@ -2,16 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import json
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat import seeds
+from placecat.cues import estimators
 from placecat.cues.descriptors import Descriptors
 from placecat.errors import PlacecatError
 from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
+
+
+def seed_of(
+    dataset: str, descriptor: Mapping[str, Any], cells: int, training_set: str, seed: int | str
+) -> int:
+    """Derive the seed of a codebook from what it clusters, so that whoever clusters the same gets the same.
+
+    Parameters
+    ----------
+    dataset
+        Name of the data set.
+    descriptor
+        What is clustered, as a cue names it.
+    cells
+        Number of cells that a holistic descriptor is cut into.
+    training_set
+        Name of the training homes.
+    seed
+        One of the numbers in ``protocol.seeds``.
+    """
+    content = json.dumps(dict(descriptor), sort_keys=True)
+    return seeds.derive("codebook", dataset, content, cells, training_set, int(seed))
 
 
 class Codebook:
@@ -23,12 +47,20 @@ class Codebook:
         One for salient regions; one a cell for a holistic descriptor whose cells lie one after the other.
     """
 
-    def __init__(self, trees: list[HierarchicalKMeans], *, of_sets: bool) -> None:
+    def __init__(self, trees: list[Any], *, of_sets: bool) -> None:
         self.trees = trees
         self.of_sets = of_sets
 
     @classmethod
-    def fit(cls, train: Descriptors, *, cells: int, seed: int, tree: Mapping[str, Any]) -> Codebook:
+    def fit(
+        cls,
+        train: Descriptors,
+        *,
+        cells: int,
+        seed: int,
+        tree: Mapping[str, Any],
+        numbers: Sequence[int] | None = None,
+    ) -> Codebook:
         """Cluster the descriptors of training frames.
 
         Parameters
@@ -40,7 +72,9 @@ class Codebook:
         seed
             The seed of each tree is derived from it and the cell.
         tree
-            Settings of :class:`~placecat.learning.hierarchical_kmeans.HierarchicalKMeans`.
+            ``name`` is a module of `placecat.learning` that clusters, the rest are its settings.
+        numbers
+            The cluster numbers that will be asked for; None leaves that to the settings.
         """
         if train.is_set:
             parts = [train.rows()]
@@ -50,12 +84,12 @@ class Codebook:
                     f"a descriptor of {train.x.shape[1]} values cannot be cut into {cells} cells"
                 )
             parts = np.split(train.x, cells, axis=1)
-        trees = [
-            HierarchicalKMeans(**tree, seed=seeds.derive("cell", seed, number)).fit(
-                np.ascontiguousarray(part)
-            )
-            for number, part in enumerate(parts)
-        ]
+        trees = []
+        for number, part in enumerate(parts):
+            clustering = estimators.build(tree, "codebook.tree", seed=seeds.derive("cell", seed, number))
+            if numbers is not None:
+                clustering.set_params(**clustering.settings_for(numbers))
+            trees.append(clustering.fit(np.ascontiguousarray(part)))
         return cls(trees, of_sets=train.is_set)
 
     def words(self, frames: Descriptors, n_clusters: int) -> NDArray[np.int32]:

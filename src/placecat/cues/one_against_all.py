@@ -49,6 +49,7 @@ def fit(
     scheme: Mapping[str, Any],
     scaling: str,
     reduction: Mapping[str, Any] | None = None,
+    max_rows: int | None = None,
 ) -> OneAgainstAllCue:
     """Train one two-class classifier a place and the scheme that combines them.
 
@@ -64,9 +65,16 @@ def fit(
     reduction
         Settings of :class:`~placecat.learning.spatial_pca.SpatialPCA`, e.g. 16 cells of 64 components for
         spatial PACT; None for no reduction.
+    max_rows
+        Rows to train on at most, taken evenly over all, for classifiers that take long; None for all. The
+        thesis does not give this.
     """
     steps: list[Any] = []
     x = train.rows()
+    rows = train.frame_of_row()
+    if max_rows is not None and max_rows < len(x):
+        kept = np.linspace(0, len(x) - 1, max_rows).round().astype(np.intp)
+        x, rows = x[kept], rows[kept]
     if reduction is not None:
         steps.append(SpatialPCA(**reduction).fit(x))
         x = steps[-1].transform(x)
@@ -74,10 +82,9 @@ def fit(
     x = steps[-1].transform(x)
     binary = estimators.build(base, "classifier.base")
     multi = estimators.build(scheme, "classifier.scheme", base=binary)
-    rows = train.frame_of_row()
     multi.fit(x, labels[rows], groups=homes[rows], class_names=classes)
     cue = OneAgainstAllCue(steps, multi)
-    if not train.is_set:
+    if not train.is_set and len(x) == len(train):
         cue.cross_validated = getattr(multi, "cv_proba_", None)
     cue.facts = facts_of(multi)
     return cue

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 SCHEMES = ("5-5-1", "4-5-1")
+NO_SEED = "no-seed"
 
 
 @dataclass(frozen=True)
@@ -38,6 +39,16 @@ class Fold:
         """Name of the cues' training set: what it leaves out. Seeds are derived from it."""
         left_out = [self.test, *(home for home in self.integration_homes if home not in self.cue_homes)]
         return "without-" + "-".join(left_out)
+
+
+def seed_folder(seed: int | None) -> str:
+    """Folder of what was computed with one seed, or without any: `seed-0`, or `no-seed`."""
+    return NO_SEED if seed is None else f"seed-{seed}"
+
+
+def codebook_file(training_set: str, seed: int) -> str:
+    """File of the codebook of one training set and seed."""
+    return f"{training_set}.{seed_folder(seed)}.npz"
 
 
 def folds(homes: Sequence[str], scheme: str) -> list[Fold]:
@@ -108,3 +119,21 @@ def select_training(
 ) -> dict[str, NDArray[np.int64]]:
     """:func:`select_frames` for every home of `labels`."""
     return {home: select_frames(values, offset=offset, step=step) for home, values in labels.items()}
+
+
+def translate(labels: NDArray[np.int16], own: Sequence[str], classes: Sequence[str]) -> NDArray[np.int16]:
+    """Number the places of one data set as another does.
+
+    Parameters
+    ----------
+    labels
+        (frames,) indices into `own`, -1 for unlabelled.
+    own, classes
+        Names of the places of the two data sets.
+
+    Returns
+    -------
+    (frames,) indices into `classes`; -1 for unlabelled frames and for places that it does not have.
+    """
+    index = [classes.index(place) if place in classes else -1 for place in own]
+    return np.array([*index, -1], dtype=np.int16)[labels]

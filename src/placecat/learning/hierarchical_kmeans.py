@@ -1,7 +1,7 @@
 """Hierarchical k-means: one tree of clusters, cut to any number of codewords."""
 
 import heapq
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Self
 
@@ -11,7 +11,7 @@ from sklearn.base import BaseEstimator
 from sklearn.utils.validation import check_array, check_is_fitted
 from threadpoolctl import threadpool_limits
 
-from placecat.errors import PlacecatError
+from placecat.errors import NotComputable, PlacecatError
 from placecat.learning.nearest import nearest_centers
 
 # Floats of one block of points: 1 MB of float32, half a level-2 cache.
@@ -119,6 +119,11 @@ class HierarchicalKMeans(BaseEstimator):
         self.max_clusters = max_clusters
         self.max_iter = max_iter
         self.seed = seed
+
+    @staticmethod
+    def settings_for(numbers: Sequence[int]) -> dict[str, Any]:
+        """Settings of an estimator that serves these cluster numbers."""
+        return {"max_clusters": max(numbers)}
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
         """Grow the tree until it can be cut to `max_clusters`.
@@ -269,9 +274,9 @@ class HierarchicalKMeans(BaseEstimator):
                     f"n_clusters={n_clusters}: this tree was grown to max_clusters={self.max_clusters}: "
                     "raise max_clusters and fit again"
                 )
-            raise PlacecatError(
-                f"n_clusters={n_clusters}: the training data split no further, no cluster has "
-                f"{self.branching} distinct points; the largest possible number is {self.max_clusters_}"
+            raise NotComputable(
+                f"{n_clusters} clusters cannot be had: the training data split into {self.max_clusters_} at "
+                f"most, of which none has {self.branching} distinct points"
             )
         n_splits = (n_clusters - 1) // (self.branching - 1)
         in_cut = np.ones(1 + self.branching * n_splits, bool)

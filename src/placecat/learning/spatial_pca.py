@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator, TransformerMixin
 
-from placecat.errors import PlacecatError
+from placecat.errors import NotComputable, PlacecatError
 from placecat.learning.kernels import check_samples, single_blas_thread
 
 
@@ -95,7 +95,7 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
         width = total // self.cells
         kept = self._kept(width)
         if n <= kept:
-            raise PlacecatError(f"PCA to {kept} components needs more than {kept} training samples, not {n}")
+            raise NotComputable(f"PCA to {kept} components needs more than {kept} training samples, not {n}")
         self.n_features_in_ = total
         self.mean_ = np.empty((self.cells, width))
         self.components_ = np.empty((self.cells, kept, width))

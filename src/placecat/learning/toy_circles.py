@@ -4,6 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 CENTRES = ((-2.0, -2.0), (-2.0, 2.0), (2.0, -2.0), (2.0, 2.0))
+# Of the classes in order.
+NAMES = ("circle_1", "circle_2", "circle_3", "circle_4", "around")
 
 
 def toy_circles(

@@ -5,42 +5,17 @@ from typing import Any
 
 import pandas as pd
 
+from placecat.reporting.grid import homes_sentence, make_grid, seeds_sentence
 from placecat.reporting.render import environment
 from placecat.reporting.tables import comparable
 
-
-def grids(table: pd.DataFrame, value: str) -> list[dict[str, Any]]:
-    """Turn the long form of a table into one grid a group.
-
-    Parameters
-    ----------
-    table
-        Columns group, row, column and `value`.
-    value
-        "published" or "measured".
-
-    Returns
-    -------
-    list of dict
-        ``group``, ``columns`` (names) and ``rows`` (name and cells as text, "" for none), in table order.
-    """
-    found = []
-    for group, part in table.groupby("group", sort=False):
-        columns = list(dict.fromkeys(part["column"]))
-        cells = {
-            (row, column): number
-            for row, column, number in part[["row", "column", value]].itertuples(index=False)
-        }
-        rows = [
-            {"name": row, "cells": [_text(cells.get((row, column))) for column in columns]}
-            for row in dict.fromkeys(part["row"])
-        ]
-        found.append({"group": group, "columns": columns, "rows": rows})
-    return found
+# Characters that would end a cell or begin markup.
+_SPECIAL = str.maketrans({character: f"\\{character}" for character in "\\|*`<"})
 
 
-def _text(value: float | None) -> str:
-    return "" if value is None or pd.isna(value) else f"{value:.2f}"
+def markdown_text(text: str) -> str:
+    """Escape a text for a cell of a Markdown table."""
+    return text.translate(_SPECIAL).replace("\n", " ")
 
 
 def table_markdown(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]) -> str:
@@ -49,23 +24,25 @@ def table_markdown(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Ma
     Parameters
     ----------
     settings
-        The table's configuration (``number``, ``title``).
+        The table's configuration (``number``, None for what is no table of the thesis; ``title``,
+        ``thesis_data``).
     table
         From :func:`placecat.reporting.tables.fill_table`.
     dataset
         Its ``title``, ``homes`` and ``thesis_data``.
     """
-    return (
-        environment()
-        .get_template("table.md.j2")
-        .render(
-            number=settings["number"],
-            title=settings["title"],
-            thesis_data=settings["thesis_data"],
-            comparable=comparable(settings, dataset),
-            dataset=dataset,
-            measured=grids(table, "measured"),
-            published=grids(table[table["published"].notna()], "published"),
-            reasons=sorted(set(table.loc[table["measured"].isna(), "note"])),
-        )
+    template = environment().overlay(finalize=_escaped).get_template("table.md.j2")
+    return template.render(
+        number=settings["number"],
+        title=settings["title"],
+        thesis_data=settings["thesis_data"],
+        comparable=comparable(settings, dataset),
+        data=dataset["title"],
+        homes=homes_sentence(table, dataset["homes"]),
+        grid=make_grid(table),
+        seeds=seeds_sentence(table),
     )
+
+
+def _escaped(value: Any) -> Any:
+    return markdown_text(value) if isinstance(value, str) else value

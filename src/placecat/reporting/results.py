@@ -1,7 +1,8 @@
-"""Measured accuracies, in the form that tables ask for them."""
+"""Everything that was measured: how often frames of a place were decided to be which place."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,48 +11,160 @@ from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import class_accuracies, home_accuracy
+from placecat.evaluation.protocol import NO_SEED
+
+SCORE_COLUMNS = ["result", "home", "seed", "truth", "decision", "frames"]
+MISSING_COLUMNS = ["result", "home", "reason"]
 
 
 @dataclass(frozen=True)
-class Results:
-    """Confusion matrices of everything that was measured.
+class Measured:
+    """One result: decisions on the frames of some test homes, once for each seed.
 
     Attributes
     ----------
     homes
-        Names of the test homes in order.
+        Names of the test homes, in the order of the data set.
+    seeds
+        Names of the seeds, e.g. ``("seed-0", "seed-1")``; ``("no-seed",)`` where nothing is random.
     classes
         Names of the places in order.
     confusion
-        For each result (e.g. ``cues/gist/5-5-1``) the (homes, classes, classes) counts; a row a true class.
+        (seeds, homes, classes, classes) counts; row a true class, column a decided one.
+    """
+
+    homes: tuple[str, ...]
+    seeds: tuple[str, ...]
+    classes: tuple[str, ...]
+    confusion: NDArray[np.int64]
+
+    @property
+    def is_random(self) -> bool:
+        """Whether the result depends on a seed."""
+        return self.seeds != (NO_SEED,)
+
+    def by_home(self) -> NDArray[np.float64]:
+        """(seeds, homes) accuracies in percent: the mean over the classes present (thesis 4.2)."""
+        return np.array([[home_accuracy(of_home) for of_home in of_seed] for of_seed in self.confusion])
+
+    def by_class(self) -> NDArray[np.float64]:
+        """(seeds, homes, classes) percentages, NaN where a home has no frame of a class."""
+        return np.array([[class_accuracies(of_home) for of_home in of_seed] for of_seed in self.confusion])
+
+    def pooled(self) -> Measured:
+        """The same with the frames of all homes counted as one."""
+        return Measured(("all",), self.seeds, self.classes, self.confusion.sum(axis=1, keepdims=True))
+
+
+@dataclass(frozen=True)
+class Results:
+    """All results of a run.
+
+    Attributes
+    ----------
+    homes
+        Names of the homes of the main data set in order.
+    classes
+        Names of its places in order.
+    measured
+        Name of the result, e.g. ``cues/gist/5-5-1``, to what was measured.
+    missing
+        (result, home) to the reason why it could not be computed on this data.
     """
 
     homes: tuple[str, ...]
     classes: tuple[str, ...]
-    confusion: dict[str, NDArray[np.int64]]
+    measured: dict[str, Measured]
+    missing: dict[tuple[str, str], str]
 
-    def _of(self, result: str) -> NDArray[np.int64]:
-        if result not in self.confusion:
-            raise PlacecatError(
-                f"a table asks for result {result!r}, but there is {', '.join(sorted(self.confusion))}"
-            )
-        return self.confusion[result]
+    def of(self, name: str) -> Measured:
+        """Look up one result.
 
-    def by_home(self, result: str) -> NDArray[np.float64]:
-        """(homes,) accuracies in percent."""
-        return np.array([home_accuracy(confusion) for confusion in self._of(result)])
+        Raises
+        ------
+        PlacecatError
+            If there is none of this name; the message has the nearest names.
+        """
+        if name not in self.measured:
+            import difflib
 
-    def by_class(self, result: str) -> NDArray[np.float64]:
-        """(homes, classes) percentages, NaN where a home has no frame of a class."""
-        return np.stack([class_accuracies(confusion) for confusion in self._of(result)])
+            near = difflib.get_close_matches(name, self.measured, n=3) or sorted(self.measured)[:5]
+            raise PlacecatError(f"there is no result {name!r}: did you mean {' or '.join(near)}?")
+        return self.measured[name]
 
-    def long_table(self) -> pd.DataFrame:
-        """All accuracies as rows of result, home, place, frames, accuracy; `all` is the mean over places."""
+    def accuracy_table(self) -> pd.DataFrame:
+        """All accuracies: result, home, place, frames, accuracy (mean over seeds), spread, seeds.
+
+        ``place`` is "all" for the mean over places; ``spread`` is the largest minus the smallest of the
+        seeds, empty where nothing is random.
+        """
         rows = []
-        for result, confusions in self.confusion.items():
-            for home, confusion in zip(self.homes, confusions, strict=True):
-                percent = class_accuracies(confusion)
-                for place, frames, value in zip(self.classes, confusion.sum(axis=1), percent, strict=True):
-                    rows.append((result, home, place, int(frames), round(float(value), 2)))
-                rows.append((result, home, "all", int(confusion.sum()), round(home_accuracy(confusion), 2)))
-        return pd.DataFrame(rows, columns=["result", "home", "place", "frames", "accuracy"])
+        for name, one in self.measured.items():
+            percent = np.concatenate([one.by_class(), one.by_home()[:, :, None]], axis=2)
+            frames = one.confusion[0].sum(axis=2)
+            frames = np.concatenate([frames, frames.sum(axis=1, keepdims=True)], axis=1)
+            for h, home in enumerate(one.homes):
+                for c, place in enumerate([*one.classes, "all"]):
+                    mean, spread = mean_and_spread(percent[:, h, c], random=one.is_random)
+                    seeds = len(one.seeds) if one.is_random else 0
+                    rows.append((name, home, place, int(frames[h, c]), mean, spread, seeds))
+        columns = ["result", "home", "place", "frames", "accuracy", "spread", "seeds"]
+        return pd.DataFrame(rows, columns=columns)
+
+
+def mean_and_spread(values: NDArray[np.float64], *, random: bool) -> tuple[float, float]:
+    """Mean over seeds, and the largest minus the smallest (NaN if not random); rounded to 2 decimals."""
+    spread = round(float(values.max() - values.min()), 2) if random else float("nan")
+    return round(float(values.mean()), 2), spread
+
+
+def score_rows(name: str, one: Measured) -> list[tuple[str, str, str, str, str, int]]:
+    """Rows of the score file (`SCORE_COLUMNS`) of one result; pairs that never occurred are left out."""
+    return [
+        (name, home, seed, true, decided, int(one.confusion[s, h, i, k]))
+        for s, seed in enumerate(one.seeds)
+        for h, home in enumerate(one.homes)
+        for i, true in enumerate(one.classes)
+        for k, decided in enumerate(one.classes)
+        if one.confusion[s, h, i, k]
+    ]
+
+
+def from_scores(
+    scores: pd.DataFrame,
+    missing: pd.DataFrame,
+    homes: Sequence[str],
+    classes: Sequence[str],
+    other_classes: Iterable[Sequence[str]] = (),
+) -> Results:
+    """Build the results from the rows that `score_rows` gives.
+
+    Parameters
+    ----------
+    scores, missing
+        Columns `SCORE_COLUMNS` and `MISSING_COLUMNS`.
+    homes, classes
+        Of the main data set, in order.
+    other_classes
+        Lists of places of the other data sets, in order; a result gets the first list that has all its
+        places, the main one first.
+    """
+    measured = {}
+    for name, rows in scores.groupby("result", sort=False):
+        seen = set(rows["truth"]) | set(rows["decision"])
+        own = next((tuple(one) for one in (classes, *other_classes) if seen <= set(one)), tuple(sorted(seen)))
+        own_homes, seeds = tuple(dict.fromkeys(rows["home"])), tuple(dict.fromkeys(rows["seed"]))
+        confusion = np.zeros((len(seeds), len(own_homes), len(own), len(own)), np.int64)
+        index = [
+            pd.Categorical(rows[column], categories).codes
+            for column, categories in (
+                ("seed", seeds),
+                ("home", own_homes),
+                ("truth", own),
+                ("decision", own),
+            )
+        ]
+        confusion[tuple(index)] = rows["frames"]
+        measured[str(name)] = Measured(own_homes, seeds, own, confusion)
+    reasons = {(str(row.result), str(row.home)): str(row.reason) for row in missing.itertuples(index=False)}
+    return Results(tuple(homes), tuple(classes), measured, reasons)

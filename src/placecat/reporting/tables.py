@@ -6,10 +6,13 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
+from placecat import settings
 from placecat.reporting import layouts
+from placecat.reporting.number import joined, nothing
 from placecat.reporting.results import Results
 
-COLUMNS = ["table", "group", "row", "column", "published", "measured", "note"]
+ADDITION = "Addition"
+COLUMNS = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "note"]
 _KEY = ["group", "row", "column"]
 
 # Averages that contradict their own rows in the thesis; the published number stays.
@@ -20,6 +23,31 @@ CONTRADICTIONS = {
 }
 
 
+def tables_of(params: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+    """Every table of a run by name, e.g. ``table_12``: those of the thesis by number, then additions.
+
+    Each is its configuration and its ``name``. Studies without a layout are no tables (:mod:`in_text`).
+    """
+    found = dict(settings.get(params, "tables"))
+    for study in settings.get(params, "studies").values():
+        found |= {name: table for name, table in study.items() if table["layout"] is not None}
+    order = sorted(found, key=lambda name: (found[name]["number"] is None, found[name]["number"], name))
+    return {name: {**found[name], "name": name} for name in order}
+
+
+def dataset_of(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, Any]:
+    """The data set that a table is measured on: the main one, or its split's with the test sequences."""
+    if "split" not in table:
+        return dict(settings.get(params, "dataset"))
+    split = settings.get(params, f"splits.{table['split']}")
+    return {**split["dataset"], "homes": split["test"]}
+
+
+def label(table: Mapping[str, Any]) -> str:
+    """What a table is called: "Table 12", or "Addition" for what is no table of the thesis."""
+    return ADDITION if table["number"] is None else f"Table {table['number']}"
+
+
 def fill_table(
     table: Mapping[str, Any], results: Results, published: pd.DataFrame, dataset: Mapping[str, Any]
 ) -> pd.DataFrame:
@@ -28,55 +56,65 @@ def fill_table(
     Parameters
     ----------
     table
-        Its configuration: ``number``, ``thesis_data``, ``layout`` and what the layout needs.
+        Its configuration: ``name``, ``number`` (None for an addition), ``thesis_data``, ``layout`` and what
+        the layout needs.
     published
         All published cells, columns table, group, row, column, value; an empty value is an n/a.
     dataset
-        ``title``, which every measured cell's note names, and ``thesis_data``; if that is not the table's
-        ``thesis_data``, every note says that the numbers do not compare.
+        What the table is measured on (:func:`dataset_of`): ``homes``, ``classes``, ``title``, which every
+        measured cell's note names, and ``thesis_data``; if that is not the table's ``thesis_data``, every
+        note says that the numbers do not compare.
 
     Returns
     -------
     DataFrame
-        Columns table, group, row, column, published, measured, note: first the published cells in their
-        order, then cells that only this run has. ``measured`` (percent, 2 decimals) is NaN only with a note
-        that says why.
+        Columns table ("Addition" for an addition), group, row, column, published, measured, spread, seeds,
+        note: first the published cells in their order, then cells that only this run has. ``measured``
+        (percent, mean over seeds, 2 decimals) is NaN only with a note that says why. ``spread`` is the
+        largest minus the smallest of the seeds in points, NaN where nothing is random; ``seeds`` is their
+        number, then 0.
     """
-    number = int(table["number"])
+    number = table["number"]
     known = published[published["table"] == number]
     order = [tuple(key) for key in known[_KEY].itertuples(index=False)]
     value = dict(zip(order, known["value"], strict=True))
     cells = {(cell.group, cell.row, cell.column): cell for cell in layouts.cells(table, results)}
     rows = []
     for key in [*order, *(key for key in cells if key not in value)]:
-        cell = cells.get(key)
-        notes = []
-        if cell is None:
-            notes.append(_why_missing(key, results))
-        else:
-            notes.append(cell.note or f"measured on {dataset['title']}")
-            if key in value and not cell.note and not comparable(table, dataset):
+        cell = cells.get(key) or layouts.cell(key, nothing(_why_missing(key, dataset)))
+        notes = [cell.note]
+        if np.isfinite(cell.measured):
+            notes.insert(0, f"measured on {dataset['title']}")
+            if np.isfinite(value.get(key, np.nan)) and not comparable(table, dataset):
                 notes.append(f"the published number is from the {table['thesis_data']} and does not compare")
-        contradiction = CONTRADICTIONS.get((number, *key))
-        if contradiction:
-            notes.append(contradiction)
-        measured = np.nan if cell is None else round(cell.measured, 2)
-        rows.append((number, *key, value.get(key, np.nan), measured, "; ".join(notes)))
+        if key in value and np.isnan(value[key]):
+            notes.append("the published cell is n/a")
+        notes.append(CONTRADICTIONS.get((number, *key), ""))
+        rows.append(
+            (
+                ADDITION if number is None else number,
+                *key,
+                value.get(key, np.nan),
+                cell.measured,
+                cell.spread,
+                cell.seeds,
+                joined(notes),
+            )
+        )
     return pd.DataFrame(rows, columns=COLUMNS)
 
 
 def comparable(table: Mapping[str, Any], dataset: Mapping[str, Any]) -> bool:
     """Whether the published numbers of a table were measured on the data of this run."""
-    return bool(table["thesis_data"] == dataset["thesis_data"])
+    return table["thesis_data"] is not None and bool(table["thesis_data"] == dataset["thesis_data"])
 
 
-def _why_missing(key: tuple[str, str, str], results: Results) -> str:
+def _why_missing(key: tuple[str, str, str], dataset: Mapping[str, Any]) -> str:
+    """Why the layout has no cell of a published key: the data lack a home or a place."""
     _, row, column = key
-    for name in (row, column):
-        if name.startswith("Home "):
-            return f"the data set has only {len(results.homes)} homes"
-    return (
-        "this data set has no such class"
-        if column.replace(" ", "_").lower() not in results.classes
-        else ("the run has no such row")
-    )
+    homes = len(dataset["homes"])
+    if any(name.startswith("Home ") and int(name.removeprefix("Home ")) > homes for name in (row, column)):
+        return f"the data set has only {homes} homes"
+    if column in map(layouts.place_column, dataset["classes"]):
+        return "no tested frame shows this place"
+    return "the data set has no such place"

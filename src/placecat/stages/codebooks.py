@@ -1,16 +1,16 @@
-"""Stage `codebooks`: one tree a training set serves every cluster number and classifier."""
+"""Stage `codebooks`: one tree a training set and seed serves every cluster number and classifier."""
 
 from collections.abc import Mapping
 from typing import Any
 
-from placecat import files, listing, parallel, paths, seeds, settings, store
-from placecat.cues.codebook import Codebook
+from placecat import files, listing, parallel, paths, settings, store
+from placecat.cues.codebook import Codebook, seed_of
 from placecat.evaluation import protocol
 from placecat.stages import run
 
 
 def main(name: str) -> None:
-    """Cluster one kind of descriptor for every training set of the protocol."""
+    """Cluster one kind of descriptor for every training set of its schemes, once for each seed."""
     params = settings.load()
     codebook = settings.get(params, f"codebooks.{name}")
     homes = list(settings.get(params, "dataset.homes"))
@@ -18,24 +18,25 @@ def main(name: str) -> None:
     selection = protocol.select_training(labels, **settings.get(params, "protocol.cue_frames"))
     training_sets = {
         fold.training_set: fold.cue_homes
-        for scheme in settings.get(params, "protocol.schemes")
+        for scheme in codebook["schemes"]
         for fold in protocol.folds(homes, scheme)
     }
     dataset = settings.get(params, "dataset.name")
-    tasks = [
-        (
+    tasks = {
+        protocol.codebook_file(training_set, seed): (
             codebook,
             train_homes,
             selection,
-            seeds.derive("codebook", dataset, name, training_set, codebook["seed"]),
+            seed_of(dataset, codebook["descriptor"], codebook["cells"], training_set, seed),
         )
         for training_set, train_homes in training_sets.items()
-    ]
+        for seed in settings.get(params, "protocol.seeds")
+    }
     with files.replacing(paths.CODEBOOKS / name) as folder:
         folder.mkdir(parents=True)
-        results = parallel.in_parallel(cluster, tasks, f"codebook {name}")
-        for training_set, arrays in zip(training_sets, results, strict=True):
-            files.write_arrays(folder / f"{training_set}.npz", arrays)
+        results = parallel.in_parallel(cluster, list(tasks.values()), f"codebook {name}")
+        for file, arrays in zip(tasks, results, strict=True):
+            files.write_arrays(folder / file, arrays)
         files.write_json(folder / "descriptor.json", codebook["descriptor"])
 
 

@@ -1,4 +1,4 @@
-"""Stage `cues`: train one cue for every fold and apply it to the frames that later stages need."""
+"""Stage `cues`: train one cue for every fold and seed and apply it to the frames that later stages need."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -18,29 +18,48 @@ def main(name: str) -> None:
     homes = list(settings.get(params, "dataset.homes"))
     classes = settings.get(params, "dataset.classes")
     selections = settings.get(params, "protocol")
-    wanted = [fold for scheme in cue["schemes"] for fold in protocol.folds(homes, scheme)]
+    seeds = selections["seeds"] if cue["codebook"] is not None else [None]
+    extra = _extra_homes(params) if cue["extra"] else []
     with files.replacing(paths.CUES / name) as folder:
         folder.mkdir(parents=True)
-        tasks = [(cue, fold, selections, classes) for fold in wanted]
-        for fold, result in zip(wanted, parallel.in_parallel(apply, tasks, f"cue {name}"), strict=True):
-            place = folder / fold.scheme / fold.test
+        tasks = [
+            (cue, fold, seed, selections, classes, extra if fold.scheme == "5-5-1" else [])
+            for scheme in cue["schemes"]
+            for fold in protocol.folds(homes, scheme)
+            for seed in seeds
+        ]
+        results = parallel.in_parallel(apply, tasks, f"cue {name}")
+        for (_, fold, seed, *_), result in zip(tasks, results, strict=True):
+            place = folder / fold.scheme / fold.test / protocol.seed_folder(seed)
             files.write_json(place / "facts.json", result.pop("facts"))
             for array_name, array in result.items():
                 files.write_array(place / f"{array_name}.npy", array)
 
 
+def _extra_homes(params: Mapping[str, Any]) -> list[str]:
+    """Sequences of another data set that the integration may train on in addition (thesis 4.5)."""
+    extra = settings.get(params, "protocol.extra")
+    return [f"{extra['split']}/{sequence}" for sequence in extra["sequences"]]
+
+
 def apply(
-    cue: Mapping[str, Any], fold: protocol.Fold, selections: Mapping[str, Any], classes: Sequence[str]
+    cue: Mapping[str, Any],
+    fold: protocol.Fold,
+    seed: int | None,
+    selections: Mapping[str, Any],
+    classes: Sequence[str],
+    extra: Sequence[str],
 ) -> dict[str, Any]:
     """Train one cue on one fold's training homes; give its distributions for the frames of later stages."""
     labels = {home: listing.read_labels(home) for home in fold.integration_homes}
     cue_frames = protocol.select_training(labels, **selections["cue_frames"])
     other_frames = protocol.select_training(labels, **selections["integration_frames"])
-    if cue["codebook"] is None:
+    if seed is None:
         codebook, descriptor = None, cue["descriptor"]
     else:
         folder = paths.CODEBOOKS / cue["codebook"]
-        codebook = cues.Codebook.from_arrays(files.read_arrays(folder / f"{fold.training_set}.npz"))
+        file = folder / protocol.codebook_file(fold.training_set, seed)
+        codebook = cues.Codebook.from_arrays(files.read_arrays(file))
         descriptor = files.read_json(folder / "descriptor.json")
     truth = np.concatenate([labels[home][cue_frames[home]] for home in fold.cue_homes])
     home_of_frame = np.concatenate([np.full(len(cue_frames[home]), home) for home in fold.cue_homes])
@@ -57,6 +76,9 @@ def apply(
     for home in fold.integration_homes:
         frames = store.read_descriptors(home, descriptor, other_frames[home])
         result[f"integration_{home}"] = model.predict_proba(frames)
+    for home in extra:
+        frames = store.read_descriptors(home, descriptor)
+        result[f"extra_{home.rpartition('/')[2]}"] = model.predict_proba(frames)
     if model.cross_validated is not None:
         result["cross_validated"] = model.cross_validated
         result["cross_validated_truth"] = truth

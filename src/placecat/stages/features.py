@@ -17,26 +17,52 @@ from placecat.vision.memory import keep_freed_memory
 def main(home: str) -> None:
     """Describe all frames of one home."""
     params = settings.load()
-    frames = listing.read_frames(home)
     root = Path(settings.get(params, "dataset.root"))
-    options = {
-        "attention": settings.get(params, "attention"),
-        "regions": settings.get(params, "regions"),
-        "information": settings.get(params, "information"),
-        **settings.get(params, "descriptors"),
-    }
+    describe_home(home, root, feature_options(params, settings.get(params, "descriptors")))
+
+
+def feature_options(params: Mapping[str, Any], descriptors: Mapping[str, Any]) -> dict[str, Any]:
+    """Gather the settings of :func:`placecat.vision.frame.describe_frame`.
+
+    Parameters
+    ----------
+    params
+        All settings.
+    descriptors
+        ``local`` and ``holistic``: the descriptors to compute, with their settings.
+    """
+    sections = ("attention", "regions", "information")
+    options = {name: settings.get(params, name) for name in sections} | dict(descriptors)
     check(options)
+    return options
+
+
+def describe_home(home: str, root: Path, options: Mapping[str, Any]) -> None:
+    """Write the descriptors of all frames of a home.
+
+    Parameters
+    ----------
+    home
+        As for :func:`placecat.paths.features`.
+    root
+        Folder of the data set.
+    options
+        From :func:`feature_options`.
+    """
+    frames = listing.read_frames(home)
     # A video is decoded from its start, so that it is cut into few parts only.
     is_video = bool((frames["position"] >= 0).any())
     chunk = max(32, -(-len(frames) // (4 * parallel.workers()))) if is_video else 32
-    facts = files.read_json(paths.SEQUENCES / home / "home.json")
+    facts = files.read_json(paths.sequences(home) / "home.json")
     size = (facts["width"], facts["height"])
     tasks = [
         (root, size, frames.iloc[start : start + chunk], options) for start in range(0, len(frames), chunk)
     ]
-    with files.replacing(paths.FEATURES / home) as folder:
+    with files.replacing(paths.features(home)) as folder:
         folder.mkdir(parents=True)
         parts = parallel.in_parallel(describe, tasks, f"features of {home}")
+        modules = {name: own.get("descriptor", name) for name, own in options["local"].items()}
+        files.write_json(folder / "descriptors.json", modules)
         for name in parts[0]:
             files.write_array(folder / f"{name}.npy", np.concatenate([part[name] for part in parts]))
 

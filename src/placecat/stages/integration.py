@@ -9,40 +9,61 @@ from placecat import files, listing, parallel, paths, settings
 from placecat.errors import PlacecatError
 from placecat.evaluation import protocol
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
-from placecat.fusion import das, votes
+from placecat.fusion.integrate import integrate
 from placecat.stages import run
 
 
 def main(name: str) -> None:
-    """Train and apply one system's integration in every fold of its scheme."""
+    """Train and apply one system's integration in every fold of its scheme, once for each seed."""
     params = settings.load()
     system = settings.get(params, f"systems.{name}")
     homes = list(settings.get(params, "dataset.homes"))
     folds = protocol.folds(homes, system["scheme"])
     classes = settings.get(params, "dataset.classes")
     selection = settings.get(params, "protocol.integration_frames")
+    random = [cue for cue in system["cues"] if settings.get(params, f"cues.{cue}.codebook") is not None]
+    seeds = settings.get(params, "protocol.seeds") if random else [None]
+    extra = _extra(params, selection, classes) if system["extra"] else {}
     # Cues that left a second home out let the same integration be judged on training homes.
     inner = "4-5-1" in settings.get(params, "protocol.schemes") and system["scheme"] == "5-5-1"
     within = protocol.folds(homes, "4-5-1") if inner else [None] * len(folds)
     with files.replacing(paths.INTEGRATION / name) as folder:
         folder.mkdir(parents=True)
         tasks = [
-            (name, system, fold, kept, selection, classes) for fold, kept in zip(folds, within, strict=True)
+            (system, fold, kept, seed, selection, extra, classes)
+            for fold, kept in zip(folds, within, strict=True)
+            for seed in seeds
         ]
-        for fold, result in zip(
-            folds, parallel.in_parallel(apply, tasks, f"integration {name}"), strict=True
-        ):
-            files.write_json(folder / fold.test / "facts.json", result.pop("facts"))
+        results = parallel.in_parallel(apply, tasks, f"integration {name}")
+        for (_, fold, _, seed, *_), result in zip(tasks, results, strict=True):
+            place = folder / fold.test / protocol.seed_folder(seed)
+            files.write_json(place / "facts.json", result.pop("facts"))
             for array_name, array in result.items():
-                files.write_array(folder / fold.test / f"{array_name}.npy", array)
+                files.write_array(place / f"{array_name}.npy", array)
+
+
+def _extra(
+    params: Mapping[str, Any], selection: Mapping[str, int], classes: Sequence[str]
+) -> dict[str, tuple[np.ndarray, np.ndarray]]:
+    """Chosen frames of further sequences, by `split/sequence`, and their classes among those of the homes."""
+    extra = settings.get(params, "protocol.extra")
+    own = settings.get(params, f"splits.{extra['split']}.dataset.classes")
+    found = {}
+    for sequence in extra["sequences"]:
+        name = f"{extra['split']}/{sequence}"
+        labels = protocol.translate(listing.read_labels(name), own, classes)
+        chosen = protocol.select_frames(labels, **selection)
+        found[name] = chosen, labels[chosen]
+    return found
 
 
 def apply(
-    name: str,
     system: Mapping[str, Any],
     fold: protocol.Fold,
     within: protocol.Fold | None,
+    seed: int | None,
     selection: Mapping[str, int],
+    extra: Mapping[str, tuple[np.ndarray, np.ndarray]],
     classes: Sequence[str],
 ) -> dict[str, Any]:
     """Integrate one fold: distributions for the test home, and cross-validated ones for training."""
@@ -50,57 +71,33 @@ def apply(
     labels = {home: listing.read_labels(home) for home in fold.integration_homes}
     chosen = protocol.select_training(labels, **selection)
     truth = {home: labels[home][chosen[home]] for home in fold.integration_homes}
-    result = _integrate(name, system, cues, fold, fold.integration_homes, truth, "test", classes)
+    train = {home: _proba(cues, fold, seed, f"integration_{home}") for home in fold.integration_homes}
+    for name, (rows, own) in extra.items():
+        proba = _proba(cues, fold, seed, f"extra_{name.rpartition('/')[2]}")
+        train[name], truth[name] = proba[rows], own
+    test = _proba(cues, fold, seed, "test")
+    result = integrate(train, truth, test, classes, **system["integrator"])
     if within is not None and all((paths.CUES / cue / within.scheme).exists() for cue in cues):
         (kept,) = set(within.integration_homes) - set(within.cue_homes)
-        judged = _integrate(
-            name, system, cues, within, within.cue_homes, truth, f"integration_{kept}", classes
+        inner = {home: _proba(cues, within, seed, f"integration_{home}") for home in within.cue_homes}
+        judged = integrate(
+            inner, truth, _proba(cues, within, seed, f"integration_{kept}"), classes, **system["integrator"]
         )
         confusion = confusion_matrix(truth[kept], judged["test"].argmax(axis=1), len(classes))
         result["facts"]["cross_validated_accuracy"] = {kept: round(home_accuracy(confusion), 2)}
     return result
 
 
-def _integrate(
-    name: str,
-    system: Mapping[str, Any],
-    cues: Sequence[str],
-    fold: protocol.Fold,
-    homes: Sequence[str],
-    truth: Mapping[str, np.ndarray],
-    applied_to: str,
-    classes: Sequence[str],
-) -> dict[str, Any]:
-    test = _proba(cues, fold, applied_to)
-    train = np.concatenate([_proba(cues, fold, f"integration_{home}") for home in homes])
-    train_truth = np.concatenate([truth[home] for home in homes])
-    method = system["integrator"]["method"]
-    result: dict[str, Any] = {"facts": {}, "cross_validated_truth": train_truth}
-    if method == "das":
-        home_of_frame = np.concatenate([np.full(len(truth[home]), home) for home in homes])
-        classifier = system["integrator"]["classifier"]
-        model = das.fit(train, train_truth, home_of_frame, classes, classifier=classifier)
-        assert model.cross_validated is not None
-        result["facts"] = dict(model.facts)
-        return result | {"test": das.predict_proba(model, test), "cross_validated": model.cross_validated}
-    if method in ("vote_distribution", "vote_decision"):
-        vote = getattr(votes, method)
-        # A vote has nothing to train, so that its statistics need no cross-validation of its own.
-        return result | {"test": vote(test), "cross_validated": vote(train)}
-    raise PlacecatError(
-        f"systems.{name}.integrator.method {method!r} does not exist: "
-        "use das, vote_distribution or vote_decision"
-    )
-
-
-def _proba(cues: Sequence[str], fold: protocol.Fold, array: str) -> np.ndarray:
+def _proba(cues: Sequence[str], fold: protocol.Fold, seed: int | None, array: str) -> np.ndarray:
     """(frames, cues, classes) distributions of the cues."""
     parts = []
     for cue in cues:
-        path = paths.CUES / cue / fold.scheme / fold.test / f"{array}.npy"
+        place = listing.seeded(paths.CUES / cue / fold.scheme / fold.test, seed)
+        path = place / f"{array}.npy"
         if not path.exists():
             raise PlacecatError(
-                f"{path} is missing: add {fold.scheme} to cues.{cue}.schemes and run `dvc repro`"
+                f"{path} is missing: add {fold.scheme} to cues.{cue}.schemes, or set cues.{cue}.extra where "
+                "a system asks for extra training data, and run `dvc repro`"
             )
         parts.append(files.read_array(path, memory_map=False))
     return np.stack(parts, axis=1)

@@ -1,30 +1,74 @@
-"""Stage `report`: one page with every table."""
+"""Stage `report`: one page with everything."""
+
+from pathlib import Path
+from typing import Any
 
 import pandas as pd
 
 from placecat import files, listing, paths, settings
-from placecat.reporting.page import page_html
+from placecat.errors import PlacecatError
+from placecat.lockfile import data_version
+from placecat.reporting.page import Figure, Report, Table, Times, page_html
+from placecat.reporting.tables import dataset_of, tables_of
 from placecat.stages import run
+
+# Columns that are text even where all of it looks like numbers, e.g. the section 4.10.
+_TEXT = dict.fromkeys(["group", "row", "column", "name", "section", "quantity", "home", "note"], str)
 
 
 def main() -> None:
     """Write reports/index.html."""
     params = settings.load()
     dataset = settings.get(params, "dataset")
-    tables = [(table, _read_table(name)) for name, table in settings.get(params, "tables").items()]
-    frames = {}
-    for home in dataset["homes"]:
-        labels = listing.read_labels(home)
-        frames[home] = {
-            place: int((labels == number).sum()) for number, place in enumerate(dataset["classes"])
-        }
-        frames[home]["unlabelled"] = int((labels < 0).sum())
-    files.write_text(paths.PAGE, page_html(tables, dataset, frames))
+    report = Report(
+        dataset=dataset,
+        frames={home: _frames(home, dataset["classes"]) for home in dataset["homes"]},
+        data_version=data_version(),
+        tables=[
+            Table(table, _read(paths.TABLES / f"{name}.csv"), dataset_of(table, params))
+            for name, table in tables_of(params).items()
+        ],
+        figures=[_figure(one) for one in files.read_json(_existing(paths.FIGURES / "figures.json"))],
+        in_text=_read(paths.IN_TEXT),
+        findings=_read(paths.FINDINGS),
+        comparisons=_read(paths.COMPARISONS),
+        settings=paths.PARAMS.read_text(encoding="utf-8"),
+        times=_times(),
+    )
+    files.write_text(paths.PAGE, page_html(report))
 
 
-def _read_table(name: str) -> pd.DataFrame:
-    text = dict.fromkeys(("group", "row", "column", "note"), str)
-    return pd.read_csv(paths.TABLES / f"{name}.csv", dtype=text).fillna(dict.fromkeys(text, ""))
+def _existing(path: Path) -> Path:
+    if not path.is_file():
+        raise PlacecatError(f"{path} is missing: run `dvc repro` to make it")
+    return path
+
+
+def _read(path: Path) -> pd.DataFrame:
+    """Read a report's CSV; empty cells of text are "", others NaN."""
+    table = pd.read_csv(_existing(path), dtype=_TEXT)
+    return table.fillna({name: "" for name in table.columns if name in _TEXT})
+
+
+def _frames(home: str, places: list[str]) -> dict[str, int]:
+    labels = listing.read_labels(home)
+    counts = {place: int((labels == number).sum()) for number, place in enumerate(places)}
+    return counts | {"unlabelled": int((labels < 0).sum())}
+
+
+def _figure(entry: dict[str, Any]) -> Figure:
+    png = None if entry["file"] is None else _existing(paths.FIGURES / entry["file"]).read_bytes()
+    return Figure(entry["number"], entry["title"], png, entry["reason"] or "")
+
+
+def _times() -> Times | None:
+    """The kept record of times, None if there is none or it is empty."""
+    if not (paths.KEPT_TIMES.is_file() and paths.KEPT_TIMES_FACTS.is_file()):
+        return None
+    by_stage, facts = files.read_csv(paths.KEPT_TIMES), files.read_json(paths.KEPT_TIMES_FACTS)
+    if by_stage.empty:
+        return None
+    return Times(by_stage, facts["data"], facts["cores"], facts["total"])
 
 
 if __name__ == "__main__":

@@ -1,7 +1,9 @@
 """Stage `sequences`: read the data set's layout and label files; check them."""
 
 import hashlib
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -15,16 +17,30 @@ from placecat.stages import run
 
 def main() -> None:
     """Write frames.csv, labels.csv and home.json of every home."""
-    dataset = settings.get(settings.load(), "dataset")
+    list_homes(settings.get(settings.load(), "dataset"), paths.SEQUENCES, "dataset")
+
+
+def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
+    """List and check every home of a data set.
+
+    Parameters
+    ----------
+    dataset
+        As in conf/dataset.
+    target
+        The folder to write, a folder a home in it.
+    setting
+        Where the data set stands in params.yaml, for messages.
+    """
     root = Path(dataset["root"])
     if not root.is_dir():
         raise PlacecatError(
-            f"dataset.root is {root}, but there is no such folder: put the homes there, or choose other data "
-            "with `make repro SET='dataset=my_homes dataset.root=PATH'`"
+            f"{setting}.root is {root}, but there is no such folder: put the homes there, or choose other "
+            f"data with `make repro SET='dataset=my_homes {setting}.root=PATH'`"
         )
     if not dataset["homes"]:
-        raise PlacecatError("dataset.homes is empty: name the homes to use")
-    with files.replacing(paths.SEQUENCES) as folder:
+        raise PlacecatError(f"{setting}.homes is empty: name the homes to use")
+    with files.replacing(target) as folder:
         for name in dataset["homes"]:
             camera = _camera(dataset["camera"], name)
             home = open_home(dataset["layout"], root, name, fps=dataset["fps"], camera=camera)
@@ -42,7 +58,7 @@ def _camera(camera: str | dict[str, str], home: str) -> str:
     return camera[home]
 
 
-def _write(folder: Path, home: Home, dataset: dict) -> None:
+def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:
     classes = list(dataset["classes"])
     labels = place_labels(
         home.frames["label"], classes, list(dataset["ignored"]), dict(dataset["aliases"]), home=home

@@ -14,30 +14,32 @@ from placecat.stages import run
 
 
 def main() -> None:
-    """Smooth every system and every cue that is wanted smoothed."""
+    """Smooth every system, and every cue and filtered result that is wanted smoothed."""
     params = settings.load()
     smoothing = settings.get(params, "smoothing")
     homes = list(settings.get(params, "dataset.homes"))
     n_classes = len(settings.get(params, "dataset.classes"))
-    sources = {
-        name: (paths.INTEGRATION / name, system["scheme"])
-        for name, system in settings.get(params, "systems").items()
-    }
+    systems = settings.get(params, "systems")
+    sources = {name: (paths.INTEGRATION / name, system["scheme"]) for name, system in systems.items()}
     for cue in smoothing["cues"]:
         scheme = settings.get(params, f"cues.{cue}.schemes")[0]
         sources[cue] = (paths.CUES / cue / scheme, scheme)
-    model = {name: value for name, value in smoothing.items() if name != "cues"}
+    for name in smoothing["filtered"]:
+        result = name.rpartition("/")[2]
+        scheme = systems[result]["scheme"] if result in systems else params["cues"][result]["schemes"][0]
+        sources[name] = (paths.FILTERED / name, scheme)
+    model = {name: value for name, value in smoothing.items() if name not in ("cues", "filtered")}
     tasks = [
-        (source / fold.test, fold, model, n_classes)
-        for source, scheme in sources.values()
+        (source / fold.test / seed, fold, model, n_classes, Path(name) / fold.test / seed)
+        for name, (source, scheme) in sources.items()
         for fold in protocol.folds(homes, scheme)
+        for seed in listing.seeds_in(source / fold.test)
     ]
     with files.replacing(paths.SMOOTHING) as folder:
-        results = iter(parallel.in_parallel(smooth_home, tasks, "smoothing"))
-        for name, (_, scheme) in sources.items():
-            for fold in protocol.folds(homes, scheme):
-                for array_name, array in next(results).items():
-                    files.write_array(folder / name / fold.test / f"{array_name}.npy", array)
+        results = parallel.in_parallel(smooth_home, [task[:-1] for task in tasks], "smoothing")
+        for (*_, place), result in zip(tasks, results, strict=True):
+            for array_name, array in result.items():
+                files.write_array(folder / place / f"{array_name}.npy", array)
 
 
 def smooth_home(

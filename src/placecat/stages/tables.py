@@ -1,84 +1,71 @@
-"""Stage `tables`: accuracies of everything in every home, and the thesis's tables filled with them."""
+"""Stage `tables`: accuracies of everything, and the numbers of the thesis beside those of this run."""
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pandas as pd
 
-from placecat import files, listing, paths, settings
-from placecat.evaluation.accuracy import confusion_matrix
+from placecat import files, paths, settings
+from placecat.reporting.collect import read_results
+from placecat.reporting.in_text import in_text
+from placecat.reporting.latex import table_latex
 from placecat.reporting.markdown import table_markdown
+from placecat.reporting.metrics import nested_metrics, plot_data
 from placecat.reporting.results import Results
-from placecat.reporting.tables import fill_table
+from placecat.reporting.sources import sources
+from placecat.reporting.tables import dataset_of, fill_table, tables_of
 from placecat.stages import run
+
+# Results whose models were judged on training homes, in facts.json beside their distributions.
+TRAINED = ("cues/", "integration/")
 
 
 def main() -> None:
-    """Write every table as CSV and Markdown, reports/accuracies.csv and reports/cross_validation.csv."""
+    """Write every table as CSV, Markdown and LaTeX, and reports/*.csv, metrics.json and plots/."""
     params = settings.load()
-    dataset = settings.get(params, "dataset")
-    homes = tuple(dataset["homes"])
-    n_classes = len(dataset["classes"])
-    labels = {home: listing.read_labels(home) for home in homes}
-    confusion = {}
-    for name, path_of in _results(params).items():
-        decisions = [files.read_array(path_of(home), memory_map=False).argmax(axis=1) for home in homes]
-        confusion[name] = np.stack(
-            [
-                confusion_matrix(labels[home], decision, n_classes)
-                for home, decision in zip(homes, decisions, strict=True)
-            ]
-        )
-    results = Results(homes, tuple(dataset["classes"]), confusion)
-    published = pd.read_csv(paths.PUBLISHED, dtype={"group": str, "row": str, "column": str}).fillna(
-        {"group": "", "row": "", "column": ""}
-    )
+    results = read_results(params)
+    published = _read(paths.PUBLISHED, ["group", "row", "column"])
+    filled = {}
     with files.replacing(paths.TABLES) as folder:
-        for name, table in settings.get(params, "tables").items():
-            filled = fill_table(table, results, published, dataset)
-            files.write_csv(folder / f"{name}.csv", filled)
-            files.write_text(folder / f"{name}.md", table_markdown(table, filled, dataset))
-    files.write_csv(paths.ACCURACIES, results.long_table())
+        for name, table in tables_of(params).items():
+            dataset = dataset_of(table, params)
+            filled[name] = fill_table(table, results, published, dataset)
+            files.write_csv(folder / f"{name}.csv", filled[name])
+            files.write_text(folder / f"{name}.md", table_markdown(table, filled[name], dataset))
+            files.write_text(folder / f"{name}.tex", table_latex(table, filled[name], dataset))
+    files.write_csv(paths.ACCURACIES, results.accuracy_table())
     files.write_csv(paths.CROSS_VALIDATION, _cross_validation(params))
+    files.write_csv(paths.IN_TEXT, _in_text(params, results))
+    files.write_json(paths.METRICS, nested_metrics(filled))
+    with files.replacing(paths.PLOTS) as folder:
+        for name, rows in plot_data(results, settings.get(params, "plots")).items():
+            files.write_csv(folder / name, rows)
+
+
+def _in_text(params: dict[str, Any], results: Results) -> pd.DataFrame:
+    entries = settings.get(params, "in_text")
+    published = _read(paths.PUBLISHED_TEXT, ["name", "section", "quantity", "home", "quote"])
+    return in_text(entries, results, published, settings.get(params, "dataset"))
 
 
 def _cross_validation(params: dict[str, Any]) -> pd.DataFrame:
     """Accuracy on training homes that the model in question did not see: what settings may be chosen by."""
-    homes = settings.get(params, "dataset.homes")
-    folders = {
-        f"cues/{cue}/{scheme}": paths.CUES / cue / scheme
-        for cue, options in settings.get(params, "cues").items()
-        for scheme in options["schemes"]
-    }
-    folders |= {
-        f"integration/{system}": paths.INTEGRATION / system for system in settings.get(params, "systems")
-    }
-    rows = []
-    for name, folder in folders.items():
-        for test in homes:
-            by_home = files.read_json(folder / test / "facts.json").get("cross_validated_accuracy", {})
-            rows += [(name, test, home, accuracy) for home, accuracy in by_home.items()]
-    return pd.DataFrame(rows, columns=["result", "test_home", "training_home", "accuracy"])
+    rows = [
+        (name, test, seed, home, accuracy)
+        for name, source in sources(params).items()
+        if name.startswith(TRAINED)
+        for test in source.homes
+        for seed in source.seeds()
+        for home, accuracy in files.read_json(source.folder / test / seed / "facts.json")
+        .get("cross_validated_accuracy", {})
+        .items()
+    ]
+    return pd.DataFrame(rows, columns=["result", "test_home", "seed", "training_home", "accuracy"])
 
 
-def _results(params: dict[str, Any]) -> dict[str, Callable[[str], Path]]:
-    """Every result that the pipeline leaves on disk: its name, and where a home's distributions are."""
-    found: dict[str, Callable[[str], Path]] = {}
-
-    def add(name: str, folder: Path, array: str) -> None:
-        found[name] = lambda home: folder / home / f"{array}.npy"
-
-    for cue, options in settings.get(params, "cues").items():
-        for scheme in options["schemes"]:
-            add(f"cues/{cue}/{scheme}", paths.CUES / cue / scheme, "test")
-    for system in settings.get(params, "systems"):
-        add(f"integration/{system}", paths.INTEGRATION / system, "test")
-    for name in [*settings.get(params, "systems"), *settings.get(params, "smoothing.cues")]:
-        add(f"hmm/{name}", paths.SMOOTHING / name, "hmm")
-        add(f"smoothing/{name}", paths.SMOOTHING / name, "delayed")
-    return found
+def _read(path: Path, text: list[str]) -> pd.DataFrame:
+    """Read published numbers; an empty cell of a column of text is ""."""
+    return pd.read_csv(path, dtype=dict.fromkeys(text, str)).fillna(dict.fromkeys(text, ""))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Visual attention: from a frame to its maps and salient regions (thesis 3.1.1)."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 from placecat.vision.center_surround import color_contrast, intensity_contrast
 from placecat.vision.color import channels, check_frame, reduced_planes
-from placecat.vision.maps import FloatArray, FrameMaps
+from placecat.vision.maps import FIELDS, FloatArray, FrameMaps
 from placecat.vision.orientation import orientation_maps
 from placecat.vision.pyramid import check_scales, gaussian_pyramid, laplacian
 from placecat.vision.regions import select_regions
@@ -18,6 +18,7 @@ from placecat.vision.spectral_residual import spectral_residual
 
 def compute_maps(
     frame_bgr: NDArray[np.uint8],
+    fields: Collection[str] = FIELDS,
     *,
     scales: Sequence[int] = (2, 3, 4, 5),
     radii: Sequence[int] = (1, 3),
@@ -39,6 +40,9 @@ def compute_maps(
     ----------
     frame_bgr
         (H, W, 3) uint8, BGR.
+    fields
+        The fields of `FrameMaps` that are needed; the others stay empty. It changes no value. `find_regions`
+        needs all but ``color``.
     scales
         Pyramid levels in use, ascending, from 1 on; (2, 3, 4, 5) in the thesis.
     radii
@@ -71,7 +75,8 @@ def compute_maps(
     sizes = tuple(radii)
     if not sizes or any(r < 1 for r in sizes):
         raise PlacecatError(f"radii must be whole numbers from 1 on, such as (1, 3), not {sizes}")
-    total, planes = reduced_planes(frame, clip=clip_color)
+    in_color = "color" in fields or "color_contrast" in fields
+    total, planes = reduced_planes(frame, color=in_color, clip=clip_color)
     # The sum of the colours is whole, so a flat frame stays flat to the last bit; thirds only at the end.
     totals = gaussian_pyramid(total, 1, levels[-1] + 1)
     grey = {s: totals[s] / np.float32(3) for s in sorted({*levels, *(s + 1 for s in levels)})}
@@ -80,10 +85,16 @@ def compute_maps(
         width=width,
         height=height,
         scales=levels,
-        grey={s: grey[s] for s in levels},
-        color={s: channels([pyramid[s] for pyramid in pyramids]) for s in levels},
-        intensity_contrast={s: intensity_contrast(grey[s], sizes) for s in levels},
-        color_contrast={s: color_contrast([pyramid[s] for pyramid in pyramids], sizes) for s in levels},
+        grey={s: grey[s] for s in levels if "grey" in fields},
+        color={s: channels([pyramid[s] for pyramid in pyramids]) for s in levels if "color" in fields},
+        intensity_contrast={
+            s: intensity_contrast(grey[s], sizes) for s in levels if "intensity_contrast" in fields
+        },
+        color_contrast={
+            s: color_contrast([pyramid[s] for pyramid in pyramids], sizes)
+            for s in levels
+            if "color_contrast" in fields
+        },
         orientation={
             s: orientation_maps(
                 laplacian(grey, s),
@@ -94,6 +105,7 @@ def compute_maps(
                 gabor_phase=gabor_phase,
             )
             for s in levels
+            if "orientation" in fields
         },
         residual={
             s: spectral_residual(
@@ -104,7 +116,7 @@ def compute_maps(
                 residual_floor=residual_floor,
             )
             for s in levels
-            if use_residual
+            if use_residual and "residual" in fields
         },
     )
 

@@ -55,7 +55,7 @@ def check_frame(frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 def reduced_planes(
-    frame: NDArray[np.uint8], *, clip: bool = False, strip_rows: int = STRIP_ROWS
+    frame: NDArray[np.uint8], *, color: bool = True, clip: bool = False, strip_rows: int = STRIP_ROWS
 ) -> tuple[FloatArray, list[FloatArray]]:
     """Return level 1 of the sum r + g + b and of the colour planes (thesis 3.1.1.1).
 
@@ -65,6 +65,8 @@ def reduced_planes(
     ----------
     frame
         (H, W, 3) uint8, BGR.
+    color
+        False: only the sum, and no planes.
     clip
         False: the planes are R, G, D. True: negative colour values of single pixels become 0, as in Itti
         et al.; the planes are then R, G, B, Y. The thesis does not give this.
@@ -77,12 +79,13 @@ def reduced_planes(
         (ceil(H / 2), ceil(W / 2)) float32, three times the intensity, 0 to 765.
     planes
         3 or 4 float32 planes of the same size: R and G from -1.5 to 3, D from 0 to 4.5; or R, G, B, Y from 0
-        to 3.
+        to 3. None without `color`.
     """
     frame = check_frame(frame)
     height, width = frame.shape[:2]
     out_width, out_height = level_size(width, height, 1)
-    reduced = [np.empty((out_height, out_width), np.float32) for _ in range(5 if clip else 4)]
+    number = 1 if not color else 5 if clip else 4
+    reduced = [np.empty((out_height, out_width), np.float32) for _ in range(number)]
     # Two rows more above and below, as far as the 5x5 kernel reaches.
     work = np.empty((5, min(strip_rows + 4, height), width), np.float32)
     split = np.empty((3, *work.shape[1:]), np.uint8)
@@ -90,7 +93,7 @@ def reduced_planes(
         top = max(start - 2, 0)
         bottom = min(start + strip_rows + 2, height)
         count = bottom - top
-        planes = _opponent_planes(frame[top:bottom], list(split[:, :count]), work[:, :count], clip)
+        planes = _full_planes(frame[top:bottom], list(split[:, :count]), work[:, :count], color, clip)
         rows = slice(top // 2, (bottom + 1) // 2)
         for target, plane in zip(reduced, planes, strict=True):
             # The strip's outermost rows lack pixels: the lower one is written again by the next strip, the
@@ -146,10 +149,10 @@ def blue_yellow(
     np.negative(blue, out=blue)
 
 
-def _opponent_planes(
-    strip: NDArray[np.uint8], colors: list[NDArray[np.uint8]], work: FloatArray, clip: bool
+def _full_planes(
+    strip: NDArray[np.uint8], colors: list[NDArray[np.uint8]], work: FloatArray, color: bool, clip: bool
 ) -> list[FloatArray]:
-    """Return r + g + b and R + 1.5, G + 1.5, D (or the clipped R, G, B, Y) of full-size rows."""
+    """Return r + g + b and, in color, R + 1.5, G + 1.5, D (or the clipped R, G, B, Y) of full-size rows."""
     cv2.split(strip, colors)
     b, g, r = colors
     total, red, green, difference, scale = work
@@ -158,6 +161,8 @@ def _opponent_planes(
     np.copyto(difference, b)
     np.add(red, green, out=total)
     total += difference
+    if not color:
+        return [total]
     if total.min() > 0:
         np.divide(SHIFT * 3, total, out=scale)
     else:

@@ -32,7 +32,9 @@ def names(package: str, paths: Iterable[str]) -> list[str]:
     return [name for name in found if hasattr(importlib.import_module(f"{package}.{name}"), "describe")]
 
 
-def load(package: str, paths: Iterable[str], name: str, kind: str) -> ModuleType:
+def load(
+    package: str, paths: Iterable[str], name: str, kind: str, *, wanted_by: str | None = None
+) -> ModuleType:
     """Import a descriptor by name.
 
     Parameters
@@ -43,6 +45,8 @@ def load(package: str, paths: Iterable[str], name: str, kind: str) -> ModuleType
         The descriptor's module name.
     kind
         What a message calls it, e.g. "local descriptor".
+    wanted_by
+        The entry of the settings that a message names, if it has another name.
 
     Raises
     ------
@@ -53,7 +57,8 @@ def load(package: str, paths: Iterable[str], name: str, kind: str) -> ModuleType
     if module is None or not hasattr(module, "describe"):
         known = names(package, paths)
         if name not in known:
-            raise PlacecatError(f"Unknown {kind} '{name}': choose one of {', '.join(known)}.")
+            place = f" of entry '{wanted_by}'" if wanted_by is not None else ""
+            raise PlacecatError(f"Unknown {kind} '{name}'{place}: choose one of {', '.join(known)}.")
         module = importlib.import_module(f"{package}.{name}")
     return module
 
@@ -98,3 +103,37 @@ def check_settings(function: Callable[..., Any], settings: Mapping[str, Any], ow
         Naming the owner, the first unknown setting and the valid ones.
     """
     refuse_unknown(settings, list(settings_of(function)), f"The {owner}")
+
+
+def entry(
+    package: str, paths: Iterable[str], name: str, settings: Mapping[str, Any], kind: str
+) -> tuple[ModuleType, dict[str, Any]]:
+    """Find the module of a descriptor that the settings name, and check its own settings.
+
+    An entry ``name: settings`` means the module of this name. A variant has a name of its own and says of
+    which module it is: ``centrist_laplacian: {descriptor: centrist, image: laplacian}``.
+
+    Parameters
+    ----------
+    package, paths, kind
+        As for `load`.
+    name
+        Name of the entry.
+    settings
+        Settings of the module's ``describe``, and ``descriptor`` for a variant.
+
+    Returns
+    -------
+    module, settings
+        The settings without ``descriptor``.
+
+    Raises
+    ------
+    PlacecatError
+        Naming the entry, the unknown module or setting, and the valid ones.
+    """
+    own = dict(settings)
+    wanted = own.pop("descriptor", name)
+    module = load(package, paths, wanted, kind, wanted_by=name if wanted != name else None)
+    check_settings(module.describe, own, f"{kind} '{name}'")
+    return module, own

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -12,10 +13,13 @@ from placecat.vision import holistic, local
 from placecat.vision.attention import compute_maps, find_regions
 from placecat.vision.discovery import check_settings, settings_of
 from placecat.vision.information import information
+from placecat.vision.maps import FIELDS
 
 SECTIONS = ("attention", "regions", "local", "holistic", "information")
 
 _Section = Mapping[str, Any]
+# Name of an array to the module that fills it and the settings for that.
+_Entries = dict[str, tuple[ModuleType, dict[str, Any]]]
 
 
 @dataclass(frozen=True)
@@ -91,10 +95,15 @@ def check(settings: Mapping[str, _Section | None]) -> None:
         ("information", information),
     ):
         check_settings(function, settings.get(section) or {}, f"section '{section}' of the features")
-    for name, own in (settings.get("local") or {}).items():
-        local.check_settings(name, own or {})
-    for name, own in (settings.get("holistic") or {}).items():
-        holistic.check_settings(name, own or {})
+    _entries(settings)
+
+
+def _entries(settings: Mapping[str, _Section | None]) -> tuple[_Entries, _Entries]:
+    """Modules and settings of the local and of the holistic descriptors."""
+    return (
+        {name: local.entry(name, own or {}) for name, own in (settings.get("local") or {}).items()},
+        {name: holistic.entry(name, own or {}) for name, own in (settings.get("holistic") or {}).items()},
+    )
 
 
 def extract(
@@ -112,9 +121,11 @@ def extract(
     settings
         Sections, each optional: ``attention`` (settings of `compute_maps`), ``regions`` (of `find_regions`),
         ``information`` (of `information`), ``local`` and ``holistic`` (descriptor name to its settings;
-        only the descriptors named are computed).
+        only the descriptors named are computed). A variant has any name and, among its settings,
+        ``descriptor``, whose variant it is: ``{"centrist_full": {"descriptor": "centrist", "width": None}}``.
     regions
-        (n, 4) float32 regions to describe, such as tracked ones (thesis 4.7); None to find them here.
+        (n, 4) float32 regions to describe, such as tracked ones (thesis 4.7); None to find them here. Where
+        they are given, maps that no descriptor reads are not computed.
 
     Returns
     -------
@@ -128,7 +139,11 @@ def extract(
     check(settings)
     own = {section: settings.get(section) or {} for section in SECTIONS}
     most = int(own["regions"].get("max_regions", settings_of(find_regions)["max_regions"]))
-    maps = compute_maps(frame_bgr, **own["attention"])
+    locals_, holistics = _entries(settings)
+    fields = set(FIELDS)
+    if regions is not None:
+        fields = {"grey"}.union(*(module.MAPS for module, _ in (*locals_.values(), *holistics.values())))
+    maps = compute_maps(frame_bgr, fields, **own["attention"])
     if regions is None:
         # Without a descriptor that needs them the search is still done: the regions are a feature.
         regions = find_regions(maps, **own["regions"])
@@ -136,13 +151,9 @@ def extract(
         raise PlacecatError(f"{len(regions)} regions were given, but max_regions is {most}: raise it.")
     return FrameFeatures(
         regions=regions,
-        local={
-            name: local.load(name).describe(maps, regions, **(chosen or {}))
-            for name, chosen in own["local"].items()
-        },
+        local={name: module.describe(maps, regions, **chosen) for name, (module, chosen) in locals_.items()},
         holistic={
-            name: holistic.load(name).describe(frame_bgr, maps, **(chosen or {}))
-            for name, chosen in own["holistic"].items()
+            name: module.describe(frame_bgr, maps, **chosen) for name, (module, chosen) in holistics.items()
         },
         information=information(maps, **own["information"]),
         max_regions=most,

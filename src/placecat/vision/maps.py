@@ -7,12 +7,15 @@ from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float32]
 
+FIELDS = ("grey", "color", "intensity_contrast", "color_contrast", "orientation", "residual")
+"""The fields of `FrameMaps` that hold maps."""
+
 
 @dataclass(frozen=True)
 class FrameMaps:
     """Pyramids and feature maps of one frame (thesis 3.1.1); all arrays float32.
 
-    Level ``s`` has size (ceil(height / 2**s), ceil(width / 2**s)).
+    Level ``s`` has size (ceil(height / 2**s), ceil(width / 2**s)). A field that was not asked for is empty.
 
     Attributes
     ----------

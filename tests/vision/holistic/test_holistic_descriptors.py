@@ -1,10 +1,15 @@
 """Runs over every holistic descriptor that is found; a new one is tested without a new test."""
 
+import dataclasses
+import itertools
+
 import numpy as np
 import pytest
 from makers import frame, maps
 
 from placecat.vision import holistic
+from placecat.vision.discovery import settings_of
+from placecat.vision.maps import FIELDS
 
 EVERY = pytest.mark.parametrize("name", holistic.names())
 SIZES = pytest.mark.parametrize("size", [(320, 240), (640, 360), (333, 217), (66, 50)])
@@ -28,6 +33,18 @@ def test_deterministic_and_free_of_side_effects(name: str) -> None:
     first = holistic.load(name).describe(image, maps())
     np.testing.assert_array_equal(first, holistic.load(name).describe(frame(), maps()))
     np.testing.assert_array_equal(image, frame())
+
+
+@EVERY
+def test_reads_the_maps_it_names_only(name: str) -> None:
+    module, made = holistic.load(name), maps()
+    others = {field: {} for field in FIELDS if field not in module.MAPS}
+    bare = dataclasses.replace(made, **others)
+    booleans = [key for key, value in settings_of(module.describe).items() if isinstance(value, bool)]
+    for values in itertools.product([False, True], repeat=len(booleans)):
+        chosen = dict(zip(booleans, values, strict=True))
+        found = module.describe(frame(), bare, **chosen)
+        np.testing.assert_array_equal(found, module.describe(frame(), made, **chosen))
 
 
 @EVERY

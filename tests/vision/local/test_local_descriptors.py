@@ -8,6 +8,7 @@ from makers import maps, regions
 
 from placecat.errors import PlacecatError
 from placecat.vision import local
+from placecat.vision.maps import FIELDS
 
 EVERY = pytest.mark.parametrize("name", local.names())
 
@@ -70,6 +71,17 @@ def test_flat_image_gives_finite_values(name: str) -> None:
     found = local.load(name).describe(flat, regions())
     assert np.isfinite(found).all()
     np.testing.assert_array_equal(found, np.broadcast_to(found[0], found.shape))
+
+
+@EVERY
+def test_reads_the_maps_it_names_only(name: str) -> None:
+    module, made, chosen = local.load(name), maps(), regions()
+    others = {field: {} for field in FIELDS if field not in module.MAPS}
+    bare = dataclasses.replace(made, **others)
+    np.testing.assert_array_equal(module.describe(bare, chosen), module.describe(made, chosen))
+    for field in module.MAPS:
+        with pytest.raises((PlacecatError, StopIteration)):
+            module.describe(dataclasses.replace(made, **{field: {}}), chosen)
 
 
 @EVERY

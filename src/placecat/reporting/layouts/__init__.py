@@ -6,20 +6,35 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from placecat.errors import PlacecatError
+from placecat.reporting.number import Number
 from placecat.reporting.results import Results
 
 
 class Cell(NamedTuple):
     """One cell of a table: its key in the published tables, and what was measured for it.
 
-    `measured` is a percentage, or NaN with a `note` that says why there is none.
+    `measured` is a percentage, the mean over the seeds, or NaN with a `note` that says why there is none.
+    `spread` is the largest minus the smallest of the seeds, NaN where nothing is random; `seeds` is their
+    number, then 0.
     """
 
     group: str
     row: str
     column: str
     measured: float
+    spread: float
+    seeds: int
     note: str
+
+
+def cell(key: tuple[str, str, str], number: Number) -> Cell:
+    """Put a number into the cell of a group, row and column."""
+    return Cell(*key, number.measured, number.spread, number.seeds, number.note)
+
+
+def place_column(place: str) -> str:
+    """Name of a place in the published tables, e.g. ``living_room`` is "Living Room"."""
+    return place.replace("_", " ").title()
 
 
 def names() -> list[str]:
@@ -28,16 +43,16 @@ def names() -> list[str]:
 
 
 def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
-    """Fill the cells of one table by its ``layout``."""
+    """Fill the cells of one table by its ``layout``.
+
+    Raises
+    ------
+    PlacecatError
+        An unknown layout, or a result that the run does not have.
+    """
     name = str(table["layout"])
     if name not in names():
         raise PlacecatError(
-            f"tables.table_{table['number']:02d}.layout {name!r} does not exist: "
-            f"use one of {', '.join(names())}"
+            f"the layout {name!r} of {table['name']} does not exist: use one of {', '.join(names())}"
         )
     return importlib.import_module(f"{__name__}.{name}").cells(table, results)
-
-
-def home_column(number: int) -> str:
-    """Name of the n-th home (from 0) in the published tables."""
-    return f"Home {number + 1}"

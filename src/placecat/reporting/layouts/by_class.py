@@ -5,29 +5,46 @@ from typing import Any
 
 import numpy as np
 
-from placecat.reporting.layouts import Cell, home_column
+from placecat.reporting.layouts import Cell, cell, place_column
+from placecat.reporting.number import AVERAGE, Number, home_label, in_home, in_homes, mean, nothing
 from placecat.reporting.results import Results
 
 
-def place_column(place: str) -> str:
-    """Name of a place in the published tables, e.g. ``living_room`` is "Living Room"."""
-    return place.replace("_", " ").title()
-
-
 def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
-    """Cells of the one result in ``table["result"]``."""
-    percent = results.by_class(table["result"])
-    of_home = results.by_home(table["result"])
+    """Cells of the one result in ``table["result"]``.
+
+    An average over homes is one over the homes that show the place; that of the averages is the mean over
+    homes, as everywhere.
+    """
+    name = table["result"]
+    numbers = range(1, len(results.homes) + 1)
+    of_place = {
+        place: [_in_place(results, name, number, place) for number in numbers] for place in results.classes
+    }
+    rows = dict(in_homes(results, name, numbers))
     filled = []
-    for number, home in enumerate(results.homes):
-        for place, value in zip(results.classes, percent[number], strict=True):
-            note = "" if np.isfinite(value) else f"{home} has no frame of {place}"
-            filled.append(Cell("", home_column(number), place_column(place), float(value), note))
-        filled.append(Cell("", home_column(number), "Average", float(of_home[number]), ""))
-    for number, place in enumerate(results.classes):
-        present = percent[np.isfinite(percent[:, number]), number]
-        value = float(present.mean()) if len(present) else float("nan")
-        note = "" if len(present) else f"no home has a frame of {place}"
-        filled.append(Cell("", "Average", place_column(place), value, note))
-    filled.append(Cell("", "Average", "Average", float(np.mean(of_home)), ""))
+    for number in numbers:
+        row = home_label(number)
+        filled += [
+            cell(("", row, place_column(place)), found[number - 1]) for place, found in of_place.items()
+        ]
+        filled.append(cell(("", row, AVERAGE), rows[row]))
+    for place, found in of_place.items():
+        filled.append(cell(("", AVERAGE, place_column(place)), mean(found)))
+    # With one home it is its own average.
+    filled.append(cell(("", AVERAGE, AVERAGE), rows.get(AVERAGE, rows[home_label(1)])))
     return filled
+
+
+def _in_place(results: Results, name: str, number: int, place: str) -> Number:
+    """Percentage of one home's frames of a place that were decided to be it."""
+    whole = in_home(results, name, number)
+    if not len(whole.values):
+        return whole
+    one, home = results.of(name), results.homes[number - 1]
+    values = one.by_class()[:, one.homes.index(home), one.classes.index(place)]
+    return (
+        Number(values, one.is_random)
+        if np.isfinite(values).all()
+        else nothing(f"{home} has no frame of {place}")
+    )

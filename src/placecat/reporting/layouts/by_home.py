@@ -3,18 +3,16 @@
 from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
-
-from placecat.reporting.layouts import Cell, home_column
+from placecat.reporting.layouts import Cell, cell
+from placecat.reporting.number import in_homes
 from placecat.reporting.results import Results
 
 
 def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
     """Cells of every row in ``table["rows"]``, each with `group`, `row` and `result`."""
-    filled = []
-    for row in table["rows"]:
-        accuracies = results.by_home(row["result"])
-        for number, value in enumerate(accuracies):
-            filled.append(Cell(row["group"], row["row"], home_column(number), float(value), ""))
-        filled.append(Cell(row["group"], row["row"], "Average", float(np.mean(accuracies)), ""))
-    return filled
+    numbers = range(1, len(results.homes) + 1)
+    return [
+        cell((row["group"], row["row"], column), number)
+        for row in table["rows"]
+        for column, number in in_homes(results, row["result"], numbers)
+    ]

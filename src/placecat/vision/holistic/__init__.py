@@ -1,6 +1,7 @@
 """The descriptors of whole frames (thesis 3.2), one module each.
 
-A new one is one module with ``describe`` and ``size``; its name is the module name.
+A new one is one module with ``describe``, ``size`` and ``MAPS``, the fields of `FrameMaps` that it reads; its
+name is the module name.
 
 Every one has
 
@@ -31,12 +32,12 @@ def load(name: str) -> ModuleType:
     return discovery.load(__name__, __path__, name, "holistic descriptor")
 
 
-def check_settings(name: str, settings: Mapping[str, Any]) -> None:
-    """Refuse settings that a holistic descriptor does not have.
+def entry(name: str, settings: Mapping[str, Any]) -> tuple[ModuleType, dict[str, Any]]:
+    """Find the module of an entry ``name: settings`` and check its settings, see `discovery.entry`.
 
     Raises
     ------
     PlacecatError
-        Naming the descriptor, the setting and the valid ones.
+        Naming the entry, what is unknown and what is valid.
     """
-    discovery.check_settings(load(name).describe, settings, f"holistic descriptor '{name}'")
+    return discovery.entry(__name__, __path__, name, settings, "holistic descriptor")

@@ -8,6 +8,9 @@ from placecat.errors import PlacecatError
 from placecat.vision.census import CODES, cell_histograms, census, check_kernel, laplacian
 from placecat.vision.maps import FrameMaps
 
+# The fields of `FrameMaps` that it reads.
+MAPS: tuple[str, ...] = ()
+
 CELLS = 4
 IMAGES = ("laplacian", "intensity")
 INTERPOLATIONS = {"area": cv2.INTER_AREA, "linear": cv2.INTER_LINEAR}

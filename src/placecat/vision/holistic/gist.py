@@ -6,6 +6,9 @@ from numpy.typing import NDArray
 from placecat.vision.grid import cell_means
 from placecat.vision.maps import FrameMaps
 
+# The fields of `FrameMaps` that it reads.
+MAPS = ("grey", "color", "intensity_contrast", "color_contrast", "orientation")
+
 CELLS = 4
 
 

@@ -1,7 +1,7 @@
 """The descriptors of salient regions (thesis 3.1.2), one module each.
 
-A new one is one module with ``describe``, ``size`` and ``SPREAD``, the fixed unit in which `concatenate`
-measures it; its name is the module name.
+A new one is one module with ``describe``, ``size``, ``MAPS``, the fields of `FrameMaps` that it reads, and
+``SPREAD``, the fixed unit in which `concatenate` measures it; its name is the module name.
 
 Every one has
 
@@ -32,12 +32,12 @@ def load(name: str) -> ModuleType:
     return discovery.load(__name__, __path__, name, "local descriptor")
 
 
-def check_settings(name: str, settings: Mapping[str, Any]) -> None:
-    """Refuse settings that a local descriptor does not have.
+def entry(name: str, settings: Mapping[str, Any]) -> tuple[ModuleType, dict[str, Any]]:
+    """Find the module of an entry ``name: settings`` and check its settings, see `discovery.entry`.
 
     Raises
     ------
     PlacecatError
-        Naming the descriptor, the setting and the valid ones.
+        Naming the entry, what is unknown and what is valid.
     """
-    discovery.check_settings(load(name).describe, settings, f"local descriptor '{name}'")
+    return discovery.entry(__name__, __path__, name, settings, "local descriptor")

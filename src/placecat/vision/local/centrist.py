@@ -10,6 +10,8 @@ from placecat.vision.patches import cut, region_side, to_bytes
 
 # The fixed unit of `concatenate`: the total standard deviation over regions of indoor frames, rounded.
 SPREAD = 0.3
+# The fields of `FrameMaps` that it reads.
+MAPS = ("grey",)
 
 IMAGES = ("intensity", "laplacian")
 

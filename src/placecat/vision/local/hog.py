@@ -12,6 +12,8 @@ from placecat.vision.patches import cut, region_side, to_bytes
 
 # The fixed unit of `concatenate`: the total standard deviation over regions of indoor frames, rounded.
 SPREAD = 0.7
+# The fields of `FrameMaps` that it reads.
+MAPS = ("grey",)
 
 WINDOW = 64
 INTERPOLATIONS = {"nearest": cv2.INTER_NEAREST, "linear": cv2.INTER_LINEAR, "cubic": cv2.INTER_CUBIC}

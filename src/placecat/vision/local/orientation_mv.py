@@ -10,6 +10,8 @@ from placecat.vision.patches import cut, region_side
 
 # The fixed unit of `concatenate`: the total standard deviation over regions of indoor frames, rounded.
 SPREAD = 65.0
+# The fields of `FrameMaps` that it reads.
+MAPS = ("orientation",)
 
 
 def size(*, grid: int = 3) -> int:

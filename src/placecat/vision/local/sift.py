@@ -13,6 +13,8 @@ from placecat.vision.patches import cut, region_side
 
 # The fixed unit of `concatenate`: the total standard deviation over regions of indoor frames, rounded.
 SPREAD = 430.0
+# The fields of `FrameMaps` that it reads.
+MAPS = ("grey",)
 
 ORIENTATIONS = ("upright", "dominant")
 CELLS = 4

@@ -1,0 +1,105 @@
+"""Intervals from a paired bootstrap over a handful of units."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+
+@dataclass(frozen=True)
+class Interval:
+    """An estimate, and the ends of its interval, in the unit of the estimate."""
+
+    estimate: float
+    low: float
+    high: float
+
+    def rounded(self, decimals: int = 2) -> "Interval":
+        """The same with rounded numbers, never -0."""
+        # Twice, since the last bits of equal numbers may lie on different sides of a half.
+        return Interval(
+            *(round(round(x, decimals + 6), decimals) + 0.0 for x in (self.estimate, self.low, self.high))
+        )
+
+
+def paired_bootstrap(
+    statistic: Callable[[NDArray[np.float64]], NDArray[np.float64]],
+    n_units: int,
+    seed: int,
+    *,
+    level: float = 0.95,
+    resamples: int = 10000,
+) -> Interval:
+    """Interval of a statistic of units, e.g. of the mean difference of two results over homes.
+
+    Units are drawn with replacement, and a drawn unit brings all that was measured on it, so that what is
+    common to both sides of a difference cancels.
+
+    With six units the plain percentile interval is far too narrow, for two reasons that are known exactly
+    for a mean: the bootstrap's variance divides by n instead of n - 1, and a quantile of the normal stands
+    where one of Student's t with n - 1 degrees of freedom belongs. So both arms of the percentile interval
+    are stretched about the estimate by sqrt(n / (n - 1)) t / z. Hesterberg corrects for the same two by
+    asking for more extreme quantiles (the expanded percentile interval), but four or six units do not have
+    them: his interval ends at the smallest and the largest unit. BCa corrects for skewness, not for n. The
+    bootstrap-t divides by standard errors that vanish where units tie, as the seeds of one home can: its
+    intervals are then endless.
+
+    How often an interval of a mean covers the truth, `level` 0.95, in 4000 simulations each:
+
+    ==== ============= ========== ======== ========= ===== ===========
+    n    units are     percentile expanded stretched BCa   bootstrap-t
+    ==== ============= ========== ======== ========= ===== ===========
+    4    normal        0.81       0.88     0.95      0.81  0.95
+    4    exponential   0.75       0.83     0.88      0.76  0.93
+    4    Student, 3 df 0.79       0.87     0.95      0.78  0.95
+    6    normal        0.85       0.93     0.95      0.86  0.95
+    6    exponential   0.81       0.89     0.90      0.83  0.93
+    6    Student, 3 df 0.84       0.93     0.95      0.83  0.93
+    ==== ============= ========== ======== ========= ===== ===========
+
+    The stretched interval, which this is, has 0.85 (n = 6) and 0.54 (n = 4) of the bootstrap-t's median
+    length.
+
+    Two homes with two seeds are four units that are not independent. Where homes and seeds vary alike, the
+    interval covers the mean over these two homes in 0.96 of the simulations, and more often the less seeds
+    matter; but the mean over all homes in 0.89 only, and in 0.70 where seeds do not matter. It is an interval
+    for the homes at hand.
+
+    Parameters
+    ----------
+    statistic
+        Takes (resamples, n) weights of the units, each row summing to 1, and gives (resamples,) values.
+    n_units
+        n, at least 2.
+    seed
+        Of the resampling, in [0, 2**32).
+    level
+        Of the interval, between 0 and 1.
+    resamples
+        How many are drawn.
+
+    Returns
+    -------
+    Interval
+        `estimate` has all units weigh the same, and lies within the interval unless the statistic is very
+        biased. Units that are all alike give a point.
+
+    References
+    ----------
+    T. Hesterberg, What Teachers Should Know About the Bootstrap, The American Statistician 69, 2015.
+    """
+    if n_units < 2:
+        raise ValueError(f"{n_units} units have no interval; it takes 2 or more")
+    drawn = np.random.default_rng(seed).multinomial(n_units, [1.0 / n_units] * n_units, size=resamples)
+    estimate = float(statistic(np.full((1, n_units), 1.0 / n_units))[0])
+    arms = np.quantile(statistic(drawn / n_units), [(1.0 - level) / 2.0, (1.0 + level) / 2.0]) - estimate
+    low, high = estimate + stretch(n_units, level) * arms
+    return Interval(estimate, float(low), float(high))
+
+
+def stretch(n_units: int, level: float) -> float:
+    """What the arms of a percentile interval are multiplied by, at least 1: sqrt(n / (n - 1)) t / z."""
+    upper = (1.0 + level) / 2.0
+    return float(np.sqrt(n_units / (n_units - 1.0)) * stats.t.ppf(upper, n_units - 1) / stats.norm.ppf(upper))

@@ -1,0 +1,102 @@
+"""Trials: what a table's cells ask for, one cue with some of its settings changed."""
+
+import copy
+import itertools
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from placecat.errors import PlacecatError
+
+AXES = ("group", "row", "column")
+HOMES = "homes"
+
+
+@dataclass(frozen=True)
+class Trial:
+    """One cue to train and test in some homes.
+
+    Attributes
+    ----------
+    name
+        E.g. ``trials/table_12/HOG + y-Pos||196``: the table, then the labels of its axes; the axis of the
+        homes is empty.
+    settings
+        ``descriptor``, ``classifier`` and, for classifiers on clusters, ``codebook``.
+    homes
+        Names of the test homes.
+    """
+
+    name: str
+    settings: dict[str, Any]
+    homes: tuple[str, ...]
+
+    def key(self) -> str:
+        """What is computed, as text: equal trials of several tables are computed once."""
+        return json.dumps(self.settings, sort_keys=True)
+
+
+def trial_name(table: str, group: str, row: str, column: str) -> str:
+    """Name of the result of one trial."""
+    return f"trials/{table}/{group}|{row}|{column}"
+
+
+def homes_of(table: Mapping[str, Any], homes: list[str]) -> list[tuple[int, str]]:
+    """Number (from 1) and name of each home that a table tests on and the data set has.
+
+    Parameters
+    ----------
+    table
+        Its ``homes`` are numbers from 1, or ``all``.
+    homes
+        Names of the data set's homes.
+    """
+    numbers = range(1, len(homes) + 1) if table["homes"] == "all" else table["homes"]
+    return [(int(number), homes[number - 1]) for number in numbers if 1 <= number <= len(homes)]
+
+
+def expand(name: str, table: Mapping[str, Any], homes: list[str]) -> list[Trial]:
+    """List the trials of one table.
+
+    Parameters
+    ----------
+    name
+        Of the table, e.g. ``table_12``.
+    table
+        Its configuration: ``trial``, ``homes`` and ``axes`` (see conf/table).
+    homes
+        Names of the data set's homes.
+
+    Raises
+    ------
+    PlacecatError
+        An unknown axis, or an override of a setting that the trial does not have.
+    """
+    unknown = set(table["axes"]) - set(AXES)
+    if unknown:
+        raise PlacecatError(f"{name} has an axis {sorted(unknown)[0]!r}: an axis is one of {', '.join(AXES)}")
+    choices: list[list[tuple[str, Mapping[str, Any]]]] = []
+    for axis in AXES:
+        labels = table["axes"].get(axis)
+        choices.append([("", {})] if labels in (None, HOMES) else list(labels.items()))
+    tested = tuple(home for _, home in homes_of(table, homes))
+    trials = []
+    for combination in itertools.product(*choices):
+        settings = copy.deepcopy(dict(table["trial"]))
+        for _, overrides in combination:
+            for setting, value in overrides.items():
+                _override(settings, setting, value, name)
+        trials.append(Trial(trial_name(name, *(label for label, _ in combination)), settings, tested))
+    return trials
+
+
+def _override(settings: dict[str, Any], setting: str, value: Any, table: str) -> None:
+    *parents, last = setting.split(".")
+    place: Any = settings
+    for part in parents:
+        place = place.get(part) if isinstance(place, dict) else None
+    if not isinstance(place, dict) or last not in place:
+        raise PlacecatError(f"{table} changes {setting}, but its trial has no such setting")
+    # Of its own, since a later override may change a part of it.
+    place[last] = copy.deepcopy(value)

@@ -1,0 +1,146 @@
+"""The tables of a run beside those kept in git."""
+
+import io
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+import yaml
+
+from placecat import paths, settings
+from placecat.errors import PlacecatError
+from placecat.reporting import kept as differences
+from placecat.reporting.kept_text import sentences
+from placecat.reporting.tracking import flatten
+
+HEAD = "HEAD"
+# libyaml's loader where PyYAML was built with it: ten times faster.
+_Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+# Settings that no table depends on.
+_WITHOUT_EFFECT = ("reproducibility", "figures", "plots")
+
+
+@dataclass(frozen=True)
+class Kept:
+    """What is compared of a run, every value of a table as text.
+
+    Attributes
+    ----------
+    tables
+        Name to filled table, e.g. ``table_26``; ``in_text`` for the numbers of the thesis's text.
+    findings
+        Columns number and verdict among others; None if there is no such file.
+    settings
+        Content of params.yaml; None if there is no such file.
+    """
+
+    tables: dict[str, pd.DataFrame]
+    findings: pd.DataFrame | None
+    settings: dict[str, Any] | None
+
+
+def compare(revision: str = HEAD) -> tuple[list[str], bool]:
+    """Compare the tables in this folder with those of a git revision.
+
+    Returns
+    -------
+    lines, is_as_kept
+        What to tell, and whether the tables are the kept ones as far as they can be: False if, with the same
+        settings on the same data, a number differs by more than ``reproducibility.tolerance``.
+
+    Raises
+    ------
+    PlacecatError
+        No tables here or there, no git, no repository, or no such revision.
+    """
+    tolerance = float(settings.get(settings.load(), "reproducibility.tolerance"))
+    now, kept = read_folder(), read_revision(revision)
+    comparison = differences.compare(now.tables, kept.tables, now.findings, kept.findings)
+    changed = changed_settings(now.settings, kept.settings)
+    lines = sentences(comparison, tolerance, f"git {revision}", changed)
+    return lines, bool(changed) or comparison.grade(tolerance) is not differences.Grade.BEYOND
+
+
+def read_folder() -> Kept:
+    """Read what the last run left.
+
+    Raises
+    ------
+    PlacecatError
+        If there are no tables.
+    """
+    found = {}
+    for path in [*sorted(paths.TABLES.glob("*.csv")), paths.IN_TEXT, paths.FINDINGS, paths.PARAMS]:
+        if path.is_file():
+            found[path.as_posix()] = path.read_text(encoding="utf-8")
+    return _parse(found, f"{paths.TABLES} has no tables: run `placecat repro` to make them")
+
+
+def read_revision(revision: str = HEAD) -> Kept:
+    """Read what git holds of a revision.
+
+    Parameters
+    ----------
+    revision
+        Anything that git takes, e.g. ``HEAD``, ``HEAD~1``, a tag.
+
+    Raises
+    ------
+    PlacecatError
+        No git, no repository, no such revision, or no tables in it.
+    """
+    _git("rev-parse", "--git-dir", message="this folder is in no git repository that has kept tables")
+    unknown = f"git has no revision {revision!r}, `git log --oneline` lists those there are"
+    # The end of it makes git look for a commit, so that a revision is never taken for an option.
+    commit = _git("rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}", message=unknown).strip()
+    wanted = [path.as_posix() for path in (paths.TABLES, paths.IN_TEXT, paths.FINDINGS, paths.PARAMS)]
+    listed = _git("ls-tree", "-r", "-z", "--name-only", commit, "--", *wanted)
+    names = [name for name in listed.split("\0") if Path(name).suffix in (".csv", ".yaml")]
+    content = {name: _git("show", f"{commit}:./{name}") for name in names}
+    return _parse(content, f"git {revision} has no tables in {paths.TABLES}: commit them to keep them")
+
+
+def _git(*arguments: str, message: str = "git failed") -> str:
+    """Output of a git command; if it fails, the message and what git says."""
+    try:
+        done = subprocess.run(["git", *arguments], capture_output=True, check=False)
+    except FileNotFoundError:
+        raise PlacecatError("git is not installed, so that no tables can be compared: install it") from None
+    if done.returncode != 0:
+        said = " ".join(done.stderr.decode("utf-8", errors="replace").split())
+        raise PlacecatError(f"{message} ({said})" if said else message)
+    return done.stdout.decode("utf-8")
+
+
+def _parse(content: dict[str, str], if_empty: str) -> Kept:
+    """Make tables of the text of files, by their paths."""
+    tables = {
+        Path(name).stem: _table(text)
+        for name, text in content.items()
+        if Path(name).parent == paths.TABLES and name.endswith(".csv")
+    }
+    if not tables:
+        raise PlacecatError(if_empty)
+    if paths.IN_TEXT.as_posix() in content:
+        tables[paths.IN_TEXT.stem] = _table(content[paths.IN_TEXT.as_posix()])
+    findings, params = (content.get(path.as_posix()) for path in (paths.FINDINGS, paths.PARAMS))
+    return Kept(
+        tables,
+        None if findings is None else _table(findings),
+        None if params is None else yaml.load(params, Loader=_Loader),
+    )
+
+
+def _table(text: str) -> pd.DataFrame:
+    return pd.read_csv(io.StringIO(text), dtype=str, keep_default_na=False)
+
+
+def changed_settings(now: dict[str, Any] | None, kept: dict[str, Any] | None) -> list[str]:
+    """Dotted names of settings that differ, without those that no table depends on."""
+    new, old = (
+        flatten({name: value for name, value in (one or {}).items() if name not in _WITHOUT_EFFECT})
+        for one in (now, kept)
+    )
+    return [name for name in dict.fromkeys([*new, *old]) if new.get(name) != old.get(name)]

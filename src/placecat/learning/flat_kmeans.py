@@ -1,0 +1,112 @@
+"""Flat k-means: what thesis 4.2 compares hierarchical clustering with."""
+
+from collections.abc import Sequence
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from sklearn.base import BaseEstimator
+from sklearn.utils.validation import check_array, check_is_fitted
+from threadpoolctl import threadpool_limits
+
+from placecat.errors import NotComputable, PlacecatError
+from placecat.learning.nearest import nearest_centers
+
+
+class FlatKMeans(BaseEstimator):
+    """Lloyd's k-means with k-means++ seeds (scikit-learn's), one clustering for each cluster number.
+
+    Has the interface of :class:`~placecat.learning.hierarchical_kmeans.HierarchicalKMeans` that classifiers
+    use.
+
+    Parameters
+    ----------
+    numbers : sequence of int
+        The cluster numbers to serve.
+    max_iter : int
+        Most Lloyd iterations. The thesis does not give it; 11 as for the hierarchical clustering, so that
+        the two differ in the hierarchy only.
+    seed : int
+        At least 0. The clusterings of different numbers draw independently.
+
+    Attributes
+    ----------
+    centers_ : dict of int to ndarray of shape (number, D), float32
+        Numbers that exceed the training points are missing.
+    n_points_ : int
+        Training points.
+    n_features_in_ : int
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> X = np.array([[0.0], [0.1], [5.0], [5.1]], dtype=np.float32)
+    >>> codes = FlatKMeans(numbers=(2,)).fit(X).assign(X, 2)
+    >>> bool(codes[0] == codes[1] != codes[2] == codes[3])
+    True
+    """
+
+    def __init__(self, numbers: Sequence[int] = (46,), max_iter: int = 11, seed: int = 0) -> None:
+        self.numbers = numbers
+        self.max_iter = max_iter
+        self.seed = seed
+
+    @staticmethod
+    def settings_for(numbers: Sequence[int]) -> dict[str, Any]:
+        """Settings of an estimator that serves these cluster numbers."""
+        return {"numbers": tuple(sorted(set(numbers)))}
+
+    def fit(self, X: ArrayLike, y: object = None) -> Self:
+        """Cluster (n, D) finite descriptors, in float32, once for each number.
+
+        Raises
+        ------
+        PlacecatError
+            An impossible setting.
+        """
+        from sklearn.cluster import KMeans
+
+        if self.max_iter < 1 or not self.numbers or min(self.numbers) < 1:
+            raise PlacecatError(
+                f"flat k-means needs cluster numbers and max_iter of at least 1, not {list(self.numbers)} "
+                f"and {self.max_iter}"
+            )
+        points = check_array(X, dtype=np.float32, order="C", estimator=self)
+        self.n_features_in_ = points.shape[1]
+        self.n_points_ = len(points)
+        self.centers_: dict[int, NDArray[np.float32]] = {}
+        # The number of threads can change the last bits of a sum.
+        with threadpool_limits(limits=1):
+            for number in self.numbers:
+                if number > len(points):
+                    continue
+                state = np.random.RandomState(np.random.MT19937(np.random.SeedSequence([self.seed, number])))
+                found = KMeans(
+                    number, init="k-means++", n_init=1, max_iter=self.max_iter, random_state=state
+                ).fit(points)
+                self.centers_[number] = np.asarray(found.cluster_centers_, np.float32)
+        return self
+
+    def centers(self, n_clusters: int) -> NDArray[np.float32]:
+        """Centres of one clustering, (n_clusters, D) float32.
+
+        Raises
+        ------
+        NotComputable
+            If there are fewer training points than clusters.
+        PlacecatError
+            If the number was not asked for.
+        """
+        check_is_fitted(self)
+        if n_clusters in self.centers_:
+            return self.centers_[n_clusters]
+        if n_clusters in self.numbers:
+            raise NotComputable(f"{n_clusters} clusters need as many points, but there are {self.n_points_}")
+        raise PlacecatError(
+            f"n_clusters={n_clusters} was not clustered: use one of {', '.join(map(str, self.numbers))}"
+        )
+
+    def assign(self, X: ArrayLike, n_clusters: int) -> NDArray[np.int32]:
+        """Nearest centre of each of (n, D) points: (n,) int32 in [0, n_clusters)."""
+        points = check_array(X, dtype=np.float32, order="C", ensure_min_samples=0, estimator=self)
+        return nearest_centers(points, self.centers(n_clusters))[:, 0]

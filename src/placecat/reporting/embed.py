@@ -1,0 +1,43 @@
+"""Pictures inside a page."""
+
+import base64
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+# Our choice: figures look the same at this quality and are a tenth as large as in PNG.
+QUALITY = 90
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture as a data URI, with its width and height in pixels."""
+
+    source: str
+    width: int
+    height: int
+
+
+def embed(png: bytes, quality: int = QUALITY) -> Picture:
+    """Turn a PNG into a data URI, as WebP where that is shorter.
+
+    Parameters
+    ----------
+    png
+        Content of the file.
+    quality
+        Of WebP, 1 to 100.
+
+    Raises
+    ------
+    ValueError
+        If it is no picture.
+    """
+    pixels = cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_UNCHANGED) if png else None
+    if pixels is None:
+        raise ValueError("no picture")
+    _, encoded = cv2.imencode(".webp", pixels, [cv2.IMWRITE_WEBP_QUALITY, quality])
+    kind, content = min((("webp", encoded.tobytes()), ("png", png)), key=lambda pair: len(pair[1]))
+    height, width = pixels.shape[:2]
+    return Picture(f"data:image/{kind};base64,{base64.b64encode(content).decode('ascii')}", width, height)

@@ -1,0 +1,68 @@
+"""The thesis's figures, drawn from a run: one module a figure, found by name.
+
+A module ``figure_NN`` has ``TITLE``, its caption, and ``draw(run)``, which gives the figure or raises
+PlacecatError where this run has not what it shows. All share one style, `placecat.mplstyle`.
+"""
+
+import importlib
+import pkgutil
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING
+
+from matplotlib import style
+from matplotlib.figure import Figure
+
+from placecat import files
+from placecat.errors import PlacecatError
+
+if TYPE_CHECKING:
+    from placecat.reporting.run import Run
+
+STYLE = Path(__file__).with_name("placecat.mplstyle")
+PREFIX = "figure_"
+
+
+def names() -> list[str]:
+    """Names of the figures, ``figure_NN``, in order."""
+    return sorted(module.name for module in pkgutil.iter_modules(__path__) if module.name.startswith(PREFIX))
+
+
+def load(name: str) -> ModuleType:
+    """Import a figure's module."""
+    if name not in names():
+        raise PlacecatError(f"there is no figure {name!r}: choose one of {', '.join(names())}")
+    return importlib.import_module(f"{__name__}.{name}")
+
+
+def number(name: str) -> int:
+    """Number of a figure in the thesis."""
+    return int(name.removeprefix(PREFIX))
+
+
+def render(name: str, run: "Run", target: Path) -> None:
+    """Draw one figure in the house's style and write it.
+
+    Parameters
+    ----------
+    name
+        One of `names`.
+    run
+        What to draw from.
+    target
+        A PNG.
+
+    Raises
+    ------
+    PlacecatError
+        If this run has not what the figure shows; nothing is written.
+    """
+    # From the defaults of matplotlib, whatever the user's own settings are.
+    with style.context([STYLE], after_reset=True):
+        save(load(name).draw(run), target)
+
+
+def save(figure: Figure, target: Path) -> None:
+    """Write a figure as PNG at the style's resolution; the same figure gives the same bytes."""
+    with files.replacing(target) as temporary:
+        figure.savefig(temporary, format="png", metadata={"Software": None})

@@ -1,0 +1,58 @@
+"""Colours that mean the same in every figure; told apart by colour-blind readers and in grey print."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.colors import to_hex
+
+# After the palettes of Okabe and Ito and of Tol, so that the places of one data set differ in lightness.
+PLACES = {
+    "bedroom": "#332288",
+    "bathroom": "#7cc0ee",
+    "kitchen": "#b8430f",
+    "living_room": "#3aac7f",
+    "dining_room": "#f6dc5c",
+    "corridor": "#8c8c8c",
+    "office": "#882255",
+    "printer_area": "#c7d98a",
+    "closet": "#cc79a7",
+}
+OTHERS = ("#0072b2", "#661100", "#b3b3b3", "#117733", "#e69f00", "#aa4499", "#000000", "#c8e0f0")
+
+INK = "#222222"
+MUTED = "#8a8a8a"
+TRUTH = "#0033cc"
+MAP = "Greys"
+AMOUNT = "Greys"
+
+
+def place_colors(classes: Sequence[str]) -> dict[str, str]:
+    """Colour of each place.
+
+    Parameters
+    ----------
+    classes
+        Names of the places in order.
+
+    Returns
+    -------
+    dict
+        Place to "#rrggbb"; a place that has no colour of its own takes the next free one, by its order.
+    """
+    unknown = [place for place in classes if place not in PLACES]
+    spare = {place: OTHERS[number % len(OTHERS)] for number, place in enumerate(unknown)}
+    return {place: PLACES.get(place) or spare[place] for place in classes}
+
+
+def place_title(place: str) -> str:
+    """Name of a place as a figure writes it, e.g. "living room"."""
+    return place.replace("_", " ")
+
+
+def steps(count: int) -> list[str]:
+    """Colours of `count` ordered things, from light to dark."""
+    chosen = ("#f0c93a", "#56b4e9", "#d55e00", "#332288")
+    if count <= len(chosen):
+        return list(chosen[len(chosen) - count :])
+    return [to_hex(color) for color in colormaps["viridis_r"](np.linspace(0.05, 1.0, count))]

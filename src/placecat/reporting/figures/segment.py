@@ -1,0 +1,64 @@
+"""The stretch of a film that shows best what smoothing does (Figure 11)."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def most_smoothed(
+    before: NDArray[np.float64],
+    after: NDArray[np.float64],
+    truth: NDArray[np.int16],
+    sequences: Sequence[slice],
+    *,
+    frames: int,
+) -> tuple[int, slice]:
+    """Find the window in which smoothing removes most changes of the decision.
+
+    Changes count between two labelled frames without a cut between them. Of equal windows the first is taken.
+
+    Parameters
+    ----------
+    before, after
+        (n, classes) distributions of the same frames; a decision is the most probable place.
+    truth
+        (n,) class indices, -1 for unlabelled.
+    sequences
+        Stretches of frames without a cut; a window lies in one of them.
+    frames
+        Length of the window; a shorter sequence is a window as it is.
+
+    Returns
+    -------
+    removed
+        Changes in `before` minus changes in `after`; -1 * n or more.
+    window
+        The frames.
+    """
+    removed = changes(before, truth) - changes(after, truth)
+    best: tuple[int, slice] | None = None
+    for part in sequences:
+        # Position i of `removed` is the change from frame i to frame i + 1.
+        total = np.r_[0, np.cumsum(removed[part.start : part.stop - 1])]
+        length = min(frames, part.stop - part.start)
+        sums = total[length - 1 :] - total[: len(total) - length + 1]
+        start = int(np.argmax(sums))
+        if best is None or sums[start] > best[0]:
+            best = int(sums[start]), slice(part.start + start, part.start + start + length)
+    return best or (0, slice(0, 0))
+
+
+def changes(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> NDArray[np.int64]:
+    """(n - 1,) 1 where the decision changes between two frames that follow each other and are labelled."""
+    decision = proba.argmax(axis=1)
+    labelled = truth >= 0
+    return ((decision[1:] != decision[:-1]) & labelled[1:] & labelled[:-1]).astype(np.int64)
+
+
+def stretches(places: NDArray[np.integer]) -> list[slice]:
+    """The stretches of equal values in (n,) places, in order."""
+    if not len(places):
+        return []
+    starts = np.flatnonzero(np.r_[True, places[1:] != places[:-1]]).tolist()
+    return [slice(start, stop) for start, stop in zip(starts, [*starts[1:], len(places)], strict=True)]

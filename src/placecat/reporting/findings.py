@@ -1,0 +1,142 @@
+"""The findings ledger: what the thesis claims, what was measured, and whether it holds."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from placecat import settings
+from placecat.evaluation.bootstrap import Interval
+from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED, combine
+from placecat.reporting.claims import Comparison, Finding, read_finding
+from placecat.reporting.judging import Judged, judge_comparison
+from placecat.reporting.published import Published
+from placecat.reporting.results import Results
+from placecat.reporting.rules import Rules
+
+_VERDICTS = (HOLDS, FAILS, UNDECIDED)
+_NOTHING = Interval(float("nan"), float("nan"), float("nan"))
+
+
+def ledger(
+    findings: Mapping[str, Any], verdict: Mapping[str, Any], results: Results, published: Published
+) -> tuple[pd.DataFrame, pd.DataFrame]:
+    """Judge every finding.
+
+    Parameters
+    ----------
+    findings
+        Name of a finding to its settings, see `read_finding`.
+    verdict
+        Settings of `Rules`.
+
+    Returns
+    -------
+    findings, comparisons
+        One row a finding, in order of their numbers: number, section, claim, published, measured, difference,
+        low, high, units, verdict, reason. A finding of several comparisons shows the one that decides it;
+        `difference` is the ratio if that one is of a ratio.
+        And one row a comparison: finding, left, right, compare, published_left, published_right, published,
+        measured_left, measured_right, measured, low, high, range, units, verdict, reason, left_results,
+        right_results; `published` and `measured` are the difference, or the ratio where `compare` says so.
+        Numbers are percent and points with 2 decimals, NaN for none.
+
+    Raises
+    ------
+    PlacecatError
+        For settings that are wrong; what was not measured only makes a finding undecided.
+    """
+    rules: Rules = settings.call(Rules, settings=verdict, where="verdict")
+    read = sorted((read_finding(name, one) for name, one in findings.items()), key=lambda one: one.number)
+    rows, details = [], []
+    for finding in read:
+        judged = [
+            judge_comparison(finding.name, one, rules, results, published) for one in finding.comparisons
+        ]
+        rows.append(_finding_row(finding, judged))
+        details += [_comparison_row(finding, one) for one in judged]
+    return pd.DataFrame(rows), pd.DataFrame(details)
+
+
+def _finding_row(finding: Finding, judged: Sequence[Judged]) -> dict[str, Any]:
+    verdict, reasons = combine([one.verdict for one in judged]), []
+    if all(one.claimed is None for one in judged):
+        measured = [one.measurement for one in judged if one.measurement]
+        worse, better = sum(one.worse for one in measured), sum(one.better for one in measured)
+        verdict = HOLDS if worse and better else UNDECIDED
+        reasons.append(f"worse in {worse}, better in {better} of {sum(one.cases for one in measured)} cases")
+    shown = min((one for one in judged if one.verdict == verdict), key=_margin, default=judged[0])
+    if len(judged) > 1:
+        counts = {kind: sum(one.verdict == kind for one in judged) for kind in _VERDICTS}
+        listed = ", ".join(f"{kind} {count}" for kind, count in counts.items() if count)
+        reasons.append(f"of {len(judged)} comparisons: {listed}; shown is {_names(shown.comparison)}")
+    return {
+        "number": finding.number,
+        "section": finding.section,
+        "claim": finding.claim,
+        "published": _text(shown.comparison, shown.thesis.numbers, shown.thesis.difference),
+        "measured": _text(shown.comparison, shown.measurement.numbers) if shown.measurement else "",
+        **_interval("difference", shown),
+        "units": shown.measurement.units if shown.measurement else "",
+        "verdict": verdict,
+        "reason": "; ".join([*reasons, shown.reason]),
+    }
+
+
+def _margin(judged: Judged) -> tuple[bool, float]:
+    """Smallest for the comparison that decides; one without an interval says less than any with one."""
+    if judged.measurement is None or np.isnan(judged.measurement.interval.low):
+        return True, 0.0
+    return False, judged.claimed.margin(judged.measurement.interval) if judged.claimed else 0.0
+
+
+def _comparison_row(finding: Finding, judged: Judged) -> dict[str, Any]:
+    comparison, measurement = judged.comparison, judged.measurement
+    results = measurement.results if measurement else tuple(side.results for side in comparison.sides)
+    return {
+        "finding": finding.number,
+        "left": comparison.left.label,
+        "right": _right_label(comparison),
+        "compare": comparison.compare,
+        **_sides("published", judged.thesis.numbers),
+        "published": _round(judged.thesis.difference),
+        **_sides("measured", measurement.numbers if measurement else ()),
+        **_interval("measured", judged),
+        "range": "both signs" if judged.claimed is None else str(judged.claimed),
+        "units": measurement.units if measurement else "",
+        "verdict": judged.verdict,
+        "reason": judged.reason,
+        "left_results": "; ".join(results[0]),
+        "right_results": "; ".join(results[1]) if len(results) > 1 else "",
+    }
+
+
+def _sides(kind: str, numbers: Sequence[float]) -> dict[str, float]:
+    left, right = [*numbers, np.nan, np.nan][:2]
+    return {f"{kind}_left": _round(left), f"{kind}_right": _round(right)}
+
+
+def _interval(name: str, judged: Judged) -> dict[str, float]:
+    interval = judged.measurement.interval if judged.measurement else _NOTHING
+    return {name: interval.estimate, "low": interval.low, "high": interval.high}
+
+
+def _text(comparison: Comparison, numbers: Sequence[float], difference: float = float("nan")) -> str:
+    if not np.isnan(numbers).any():
+        pairs = zip(comparison.sides, numbers, strict=True)
+        text = ", ".join(f"{side.label} {number:.2f}" for side, number in pairs)
+        return f"{text} against {_right_label(comparison)}" if comparison.right is None else text
+    return "" if np.isnan(difference) else f"{comparison.compare} {difference:.2f}"
+
+
+def _names(comparison: Comparison) -> str:
+    return f"{comparison.left.label} against {_right_label(comparison)}"
+
+
+def _right_label(comparison: Comparison) -> str:
+    return comparison.right.label if comparison.right else f"{comparison.range[1]:g}"
+
+
+def _round(number: float) -> float:
+    return round(float(number), 2) + 0.0

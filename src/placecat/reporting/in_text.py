@@ -1,0 +1,103 @@
+"""Numbers that the thesis gives in its text only: what was measured beside what was published."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+import pandas as pd
+
+from placecat import settings
+from placecat.errors import PlacecatError
+from placecat.reporting.comparison import Line, compare
+from placecat.reporting.number import Number, joined, nothing
+from placecat.reporting.results import Results
+from placecat.reporting.tables import comparable
+
+COLUMNS = ["name", "section", "quantity", "home", "published", "measured", "spread", "seeds", "note"]
+_OF_THE_DATA = ("thesis_data", "data")
+
+
+class _Said(NamedTuple):
+    """What the thesis says of one quantity: the number, NaN where it has only words, and the words."""
+
+    value: float = np.nan
+    quote: str = ""
+
+
+def in_text(
+    entries: Mapping[str, Mapping[str, Any]],
+    results: Results,
+    published: pd.DataFrame,
+    dataset: Mapping[str, Any],
+) -> pd.DataFrame:
+    """Put the measured numbers beside those of the text.
+
+    Parameters
+    ----------
+    entries
+        Name of an entry to its settings, see conf/in_text/thesis.yaml: a comparison of two results
+        (:func:`~placecat.reporting.comparison.compare`) with ``thesis_data`` and, if it is not the main data
+        set, what it was measured on (``data``); or a ``reference``, the reason why it was not measured.
+    published
+        Columns name, section, quantity, home, value (NaN where the thesis gives only words) and quote.
+    dataset
+        ``title`` and ``thesis_data`` of the main data set.
+
+    Returns
+    -------
+    DataFrame
+        Columns name, section, quantity, home ("Home 6", "Average", or "" for neither), published, measured,
+        spread, seeds, note. Of a comparison both sides and their difference, variant minus baseline, in
+        points. ``spread`` and ``seeds`` as in :func:`~placecat.reporting.tables.fill_table`.
+
+    Raises
+    ------
+    PlacecatError
+        An unknown setting, an entry without a published line or the reverse, or a result that does not exist.
+    """
+    sections = dict(zip(published["name"], published["section"], strict=True))
+    _same_names(list(entries), list(sections))
+    columns = [published[name] for name in ("name", "quantity", "home", "value", "quote")]
+    said = {
+        (name, quantity, home): _Said(float(value), quote)
+        for name, quantity, home, value, quote in zip(*columns, strict=True)
+    }
+    rows = []
+    for name, entry in entries.items():
+        known = [(quantity, home) for own, quantity, home in said if own == name]
+        for quantity, home, number in _lines(name, entry, results, known):
+            words = said.get((name, quantity, home), _Said())
+            measured = (number.measured, number.spread, number.seeds, _note(entry, number, words, dataset))
+            rows.append((name, str(sections[name]), quantity, home, words.value, *measured))
+    return pd.DataFrame(rows, columns=COLUMNS)
+
+
+def _same_names(entries: Sequence[str], published: Sequence[str]) -> None:
+    for name in entries:
+        if name not in published:
+            raise PlacecatError(f"in_text has an entry {name!r} of which the thesis says nothing")
+    for name in published:
+        if name not in entries:
+            raise PlacecatError(f"the thesis's number {name!r} has no entry in in_text")
+
+
+def _lines(
+    name: str, entry: Mapping[str, Any], results: Results, known: Sequence[tuple[str, str]]
+) -> list[Line]:
+    where = f"in_text.{name}"
+    if "reference" in entry:
+        settings.refuse_unknown(entry, ["reference"], where)
+        return [Line(quantity, home, nothing(str(entry["reference"]))) for quantity, home in known]
+    return compare({key: value for key, value in entry.items() if key not in _OF_THE_DATA}, results, where)
+
+
+def _note(entry: Mapping[str, Any], number: Number, words: _Said, dataset: Mapping[str, Any]) -> str:
+    notes = [number.note]
+    if len(number.values):
+        notes.insert(0, f"measured on {entry.get('data') or dataset['title']}")
+        thesis_data = entry.get("thesis_data")
+        if np.isfinite(words.value) and thesis_data is not None and not comparable(entry, dataset):
+            notes.append(f"the published number is from the {thesis_data} and does not compare")
+    if words.quote:
+        notes.append(f'the thesis says "{words.quote}"')
+    return joined(notes)

@@ -1,0 +1,32 @@
+"""A row a result, a column a place, frames of all test sequences counted together (Tables 30 and 31)."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from placecat.reporting.layouts import Cell, cell, place_column
+from placecat.reporting.number import AVERAGE, Number, nothing
+from placecat.reporting.results import Results
+
+
+def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
+    """Cells of every row in ``table["rows"]``, each with `group`, `row` and `result`."""
+    filled = []
+    for row in table["rows"]:
+        for column, number in _by_class(results, row["result"]):
+            filled.append(cell((row["group"], row["row"], column), number))
+    return filled
+
+
+def _by_class(results: Results, name: str) -> list[tuple[str, Number]]:
+    one = results.of(name).pooled()
+    found = []
+    for place, values in zip(one.classes, one.by_class()[:, 0].T, strict=True):
+        number = (
+            Number(values, one.is_random)
+            if np.isfinite(values).all()
+            else nothing(f"no test sequence shows the place {place}")
+        )
+        found.append((place_column(place), number))
+    return [*found, (AVERAGE, Number(one.by_home()[:, 0], one.is_random))]

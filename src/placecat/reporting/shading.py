@@ -1,0 +1,35 @@
+"""How strongly a cell is shaded by the difference between measured and published."""
+
+import itertools
+
+# Points; our choice: below the first a difference is within what one seed more or less changes.
+STEPS = (2.0, 5.0, 10.0, 20.0)
+
+
+def shade(difference: float | None) -> str:
+    """Name of a cell's shade.
+
+    Parameters
+    ----------
+    difference
+        Measured minus published in points; None for no comparison.
+
+    Returns
+    -------
+    str
+        "above-1" to "above-4" or "below-1" to "below-4", the larger the difference the higher; "" for a small
+        difference or none.
+    """
+    if difference is None:
+        return ""
+    level = sum(abs(difference) >= step for step in STEPS)
+    return f"{'above' if difference > 0 else 'below'}-{level}" if level else ""
+
+
+def legend() -> list[tuple[str, str]]:
+    """(shade, meaning) of every shade, from far below to far above."""
+    bounds = [f"{low:g} to {high:g}" for low, high in itertools.pairwise(STEPS)]
+    bounds.append(f"{STEPS[-1]:g} or more")
+    below = [(f"below-{level}", f"{text} below") for level, text in enumerate(bounds, start=1)]
+    above = [(f"above-{level}", f"{text} above") for level, text in enumerate(bounds, start=1)]
+    return [*reversed(below), ("", f"within {STEPS[0]:g}"), *above]

@@ -1,0 +1,101 @@
+"""Where the distributions of every result lie, by the result's name."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from placecat import listing, paths, settings
+
+
+@dataclass(frozen=True)
+class Source:
+    """The distributions of one result.
+
+    Attributes
+    ----------
+    folder
+        Has a folder for each test home, and in it one for each seed.
+    name
+        Of the array in there.
+    homes
+        Test homes in order, as their folders are called.
+    site
+        Name of the further data set that they are of, or "" for the main one.
+    classes
+        Names of the places in order.
+    """
+
+    folder: Path
+    name: str
+    homes: tuple[str, ...]
+    site: str
+    classes: tuple[str, ...]
+
+    def seeds(self) -> tuple[str, ...]:
+        """Names of the seeds on disk."""
+        return tuple(listing.seeds_in(self.folder / self.homes[0]))
+
+    def array(self, home: str, seed: str) -> Path:
+        """File of the (frames, classes) distributions of a test home."""
+        return self.folder / home / seed / f"{self.name}.npy"
+
+    def listed(self, home: str) -> str:
+        """The test home as `placecat.listing` takes it."""
+        return f"{self.site}/{home}" if self.site else home
+
+
+def sources(params: Mapping[str, Any]) -> dict[str, Source]:
+    """Name every result that has distributions.
+
+    Parameters
+    ----------
+    params
+        All settings.
+
+    Returns
+    -------
+    dict
+        E.g. ``cues/gist/5-5-1``, ``integration/das_551_all``, ``hmm/...`` and ``smoothing/...`` (before and
+        after the delay), ``filtered/informative/gist``, ``splits/university/cues/gist``.
+    """
+    homes = tuple(settings.get(params, "dataset.homes"))
+    classes = tuple(settings.get(params, "dataset.classes"))
+    found: dict[str, Source] = {}
+
+    def add(name: str, folder: Path, array: str) -> None:
+        found[name] = Source(folder, array, homes, "", classes)
+
+    for cue, options in settings.get(params, "cues").items():
+        for scheme in options["schemes"]:
+            add(f"cues/{cue}/{scheme}", paths.CUES / cue / scheme, "test")
+    systems = settings.get(params, "systems")
+    for system in systems:
+        add(f"integration/{system}", paths.INTEGRATION / system, "test")
+    for name, options in settings.get(params, "filters").items():
+        for result in [*options["cues"], *options["systems"]]:
+            add(f"filtered/{name}/{result}", paths.FILTERED / name / result, "test")
+    smoothing = settings.get(params, "smoothing")
+    for name in [*systems, *smoothing["cues"], *smoothing["filtered"]]:
+        add(f"hmm/{name}", paths.SMOOTHING / name, "hmm")
+        add(f"smoothing/{name}", paths.SMOOTHING / name, "delayed")
+    for split, own in settings.get(params, "splits").items():
+        found |= _of_split(split, own)
+    return found
+
+
+def _of_split(split: str, own: Mapping[str, Any]) -> dict[str, Source]:
+    tests, places = tuple(own["test"]), tuple(own["dataset"]["classes"])
+    root = paths.SPLITS / split
+    found = {}
+    for cue in dict.fromkeys(cue for system in own["systems"].values() for cue in system):
+        found[f"splits/{split}/cues/{cue}"] = Source(root / "cues" / cue, "test", tests, split, places)
+    for system in own["systems"]:
+        for kind, folder, array in (
+            ("integration", "integration", "test"),
+            ("hmm", "smoothing", "hmm"),
+            ("smoothing", "smoothing", "delayed"),
+        ):
+            name = f"splits/{split}/{kind}/{system}"
+            found[name] = Source(root / folder / system, array, tests, split, places)
+    return found

@@ -1,0 +1,44 @@
+"""Stage `figures`: every figure of the thesis that this data can give."""
+
+import logging
+
+from placecat import files, paths, settings
+from placecat.errors import PlacecatError
+from placecat.reporting import figures
+from placecat.reporting.run import Run
+from placecat.stages import run
+
+
+def main() -> None:
+    """Write reports/figures/: a PNG each, and figures.json with captions, and reasons for what is missing."""
+    of_run = Run(settings.load())
+    settings.refuse_unknown(
+        settings.get(of_run.params, "figures"), ["example", "clusters", *figures.names()], "figures"
+    )
+    entries = []
+    with files.replacing(paths.FIGURES) as folder:
+        folder.mkdir(parents=True)
+        for name in figures.names():
+            file: str | None = f"{name}.png"
+            reason: str | None = None
+            try:
+                figures.render(name, of_run, folder / f"{name}.png")
+            except PlacecatError as error:
+                # What the data lack leaves a figure out; a mistake in its settings, which it names, is one.
+                if str(error).startswith("figures."):
+                    raise
+                logging.warning("%s is left out: %s", name, error)
+                file, reason = None, str(error)
+            entries.append(
+                {
+                    "number": figures.number(name),
+                    "file": file,
+                    "title": figures.load(name).TITLE,
+                    "reason": reason,
+                }
+            )
+        files.write_json(folder / "figures.json", entries)
+
+
+if __name__ == "__main__":
+    run(main)

@@ -1,0 +1,81 @@
+"""Stage `tracks`: follow the salient regions of a home and describe them (thesis 4.7)."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from placecat import files, listing, parallel, paths, settings
+from placecat.sequences.base import read_frames
+from placecat.stages import run
+from placecat.vision.frame import check, describe_frame
+from placecat.vision.memory import keep_freed_memory
+from placecat.vision.tracking import RegionTracker
+
+
+def main(home: str) -> None:
+    """Write the tracked regions of all frames of one home and their descriptors."""
+    params = settings.load()
+    tracking = dict(settings.get(params, "tracking"))
+    wanted = {name: settings.get(params, f"descriptors.local.{name}") for name in tracking.pop("descriptors")}
+    options = {
+        "attention": settings.get(params, "attention"),
+        "regions": {"max_regions": settings.get(params, "tracking.max_regions")},
+        "local": wanted,
+    }
+    check(options)
+    settings.check(RegionTracker, tracking, "tracking")
+    frames = listing.read_frames(home)
+    facts = files.read_json(paths.sequences(home) / "home.json")
+    found = _found_regions(home, tracking["max_regions"])
+    tasks = [
+        (
+            Path(settings.get(params, "dataset.root")),
+            (facts["width"], facts["height"]),
+            frames.iloc[part],
+            found[part],
+            tracking,
+            options,
+        )
+        for part in listing.sequence_slices(home)
+    ]
+    with files.replacing(paths.TRACKS / home) as folder:
+        folder.mkdir(parents=True)
+        parts = parallel.in_parallel(track, tasks, f"tracks of {home}")
+        modules = {name: own.get("descriptor", name) for name, own in wanted.items()}
+        files.write_json(folder / "descriptors.json", modules)
+        for name in parts[0]:
+            files.write_array(folder / f"{name}.npy", np.concatenate([part[name] for part in parts]))
+
+
+def _found_regions(home: str, max_regions: int) -> list[np.ndarray]:
+    """The salient regions of each frame, (n, 4), as the stage `features` found them; the strongest only."""
+    folder = paths.features(home)
+    regions = files.read_array(folder / "regions.npy")
+    counts = files.read_array(folder / "count.npy")
+    return [np.array(rows[: min(count, max_regions)]) for rows, count in zip(regions, counts, strict=True)]
+
+
+def track(
+    root: Path,
+    size: tuple[int, int],
+    frames: pd.DataFrame,
+    found: Sequence[np.ndarray],
+    tracking: Mapping[str, Any],
+    options: Mapping[str, Any],
+) -> dict[str, np.ndarray]:
+    """Track and describe the regions of one sequence: each array's first axis is the frame."""
+    keep_freed_memory()
+    tracker = RegionTracker(**tracking)
+    described = []
+    for image, regions in zip(read_frames(root, frames, size=size), found, strict=True):
+        described.append(describe_frame(image, options, regions=tracker.step(image, regions)))
+    # The information of a frame does not depend on the regions: it is among the features.
+    names = [name for name in described[0] if name != "information"]
+    return {name: np.stack([one[name] for one in described]) for name in names}
+
+
+if __name__ == "__main__":
+    run(main, item="home")

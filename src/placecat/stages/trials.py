@@ -1,0 +1,143 @@
+"""Stage `trials`: the cues that one study's tables try out, each in its test homes (thesis 4.2 and 4.4)."""
+
+import json
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from placecat import cues, files, listing, parallel, paths, settings, store
+from placecat.cues.codebook import Codebook, seed_of
+from placecat.errors import NotComputable
+from placecat.evaluation import protocol
+from placecat.evaluation.accuracy import confusion_matrix
+from placecat.evaluation.trials import Trial, expand
+from placecat.reporting.results import MISSING_COLUMNS, SCORE_COLUMNS, Measured, score_rows
+from placecat.stages import run
+
+Outcome = np.ndarray | str
+
+
+def main(study: str) -> None:
+    """Train and test every trial of a study; write the decisions' counts."""
+    params = settings.load()
+    homes = list(settings.get(params, "dataset.homes"))
+    classes = list(settings.get(params, "dataset.classes"))
+    trials = [
+        trial
+        for name, table in settings.get(params, f"studies.{study}").items()
+        for trial in expand(name, table, homes)
+    ]
+    wanted = _group(trials, settings.get(params, "protocol.seeds"))
+    folds = {fold.test: fold for fold in protocol.folds(homes, "5-5-1")}
+    tasks = [
+        (
+            [json.loads(key) for key in keys],
+            folds[home],
+            seed,
+            settings.get(params, "dataset.name"),
+            settings.get(params, "protocol.cue_frames"),
+            classes,
+        )
+        for (_, home, seed), keys in wanted.items()
+    ]
+    outcomes: dict[tuple[str, str, int | None], Outcome] = {}
+    done = parallel.in_parallel(run_together, tasks, f"trials {study}")
+    for ((_, home, seed), keys), results in zip(wanted.items(), done, strict=True):
+        outcomes |= {(key, home, seed): result for key, result in zip(keys, results, strict=True)}
+    scores, missing = _collect(trials, outcomes, settings.get(params, "protocol.seeds"), classes)
+    with files.replacing(paths.TRIALS / study) as folder:
+        folder.mkdir(parents=True)
+        files.write_csv(folder / "scores.csv", scores)
+        files.write_csv(folder / "missing.csv", missing)
+
+
+def _group(trials: Sequence[Trial], seeds: Sequence[int]) -> dict[tuple[str, str, int | None], list[str]]:
+    """Put trials on the same clusters together, in the order of the tables; others stay by themselves."""
+    wanted: dict[tuple[str, str, int | None], list[str]] = {}
+    for trial in trials:
+        shared = trial.settings.get("codebook")
+        clusters = json.dumps([trial.settings["descriptor"], shared], sort_keys=True)
+        for home in trial.homes:
+            for seed in seeds if shared is not None else [None]:
+                group = wanted.setdefault((clusters if shared is not None else trial.key(), home, seed), [])
+                if trial.key() not in group:
+                    group.append(trial.key())
+    return wanted
+
+
+def run_together(
+    trials: Sequence[Mapping[str, Any]],
+    fold: protocol.Fold,
+    seed: int | None,
+    dataset: str,
+    selection: Mapping[str, int],
+    classes: Sequence[str],
+) -> list[Outcome]:
+    """Run trials that share descriptor and clusters; give each confusion matrix, or why there is none."""
+    descriptor = trials[0]["descriptor"]
+    labels = {home: listing.read_labels(home) for home in (*fold.cue_homes, fold.test)}
+    chosen = protocol.select_training({home: labels[home] for home in fold.cue_homes}, **selection)
+    truth = np.concatenate([labels[home][chosen[home]] for home in fold.cue_homes])
+    home_of_frame = np.concatenate([np.full(len(chosen[home]), home) for home in fold.cue_homes])
+    train = store.read_training(fold.cue_homes, descriptor, chosen)
+    scored = np.flatnonzero(labels[fold.test] >= 0)
+    test = store.read_descriptors(fold.test, descriptor, scored)
+    codebook = None
+    if seed is not None:
+        shared = trials[0]["codebook"]
+        codebook = Codebook.fit(
+            train,
+            cells=shared["cells"],
+            seed=seed_of(dataset, descriptor, shared["cells"], fold.training_set, seed),
+            tree=shared["tree"],
+            numbers=[trial["classifier"]["clusters"] for trial in trials],
+        )
+    outcomes: list[Outcome] = []
+    for trial in trials:
+        try:
+            model = cues.fit(
+                train,
+                truth,
+                home_of_frame,
+                classifier=trial["classifier"],
+                classes=classes,
+                codebook=codebook,
+            )
+            decision = model.predict_proba(test).argmax(axis=1)
+        except NotComputable as error:
+            outcomes.append(str(error))
+        else:
+            outcomes.append(confusion_matrix(labels[fold.test][scored], decision, len(classes)))
+    return outcomes
+
+
+def _collect(
+    trials: Sequence[Trial],
+    outcomes: Mapping[tuple[str, str, int | None], Outcome],
+    seeds: Sequence[int],
+    classes: Sequence[str],
+) -> tuple[pd.DataFrame, pd.DataFrame]:
+    """Rows of counts, and of reasons, of every trial; a home counts where every seed gave a number."""
+    scores, missing = [], []
+    for trial in trials:
+        own_seeds = list(seeds) if trial.settings.get("codebook") is not None else [None]
+        measured = []
+        for home in trial.homes:
+            of_seeds = [outcomes[trial.key(), home, seed] for seed in own_seeds]
+            reasons = [outcome for outcome in of_seeds if isinstance(outcome, str)]
+            if reasons:
+                missing.append((trial.name, home, reasons[0]))
+            else:
+                measured.append((home, of_seeds))
+        if measured:
+            confusion = np.array([counts for _, counts in measured]).swapaxes(0, 1)
+            names = tuple(protocol.seed_folder(seed) for seed in own_seeds)
+            homes = tuple(home for home, _ in measured)
+            scores += score_rows(trial.name, Measured(homes, names, tuple(classes), confusion))
+    return pd.DataFrame(scores, columns=SCORE_COLUMNS), pd.DataFrame(missing, columns=MISSING_COLUMNS)
+
+
+if __name__ == "__main__":
+    run(main, item="study")

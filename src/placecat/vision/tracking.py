@@ -1,0 +1,185 @@
+"""Salient regions followed from frame to frame (thesis 4.7)."""
+
+from functools import partial
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.vision.maps import FloatArray
+from placecat.vision.regions import accept
+
+
+class RegionTracker:
+    """Follow salient regions until they leave the image (thesis 4.7), one sequence without a cut.
+
+    The thesis does not give its tracker. This one is the pyramidal Lucas-Kanade method on the grey frame at a
+    reduced width. In every frame
+
+    1. each region moves on. It is given up when its centre leaves the image, when it is not found, or when
+       following it back does not lead to where it was (a forward-backward check). Closer to the border than
+       half a window it may be lost a little before its centre leaves;
+    2. the tracked regions, those followed longest first, and then the newly found ones, strongest first, have
+       to satisfy the acceptance inequality of 3.1.1.3. So a found region enters only where nothing is
+       tracked, and of two tracked ones that come too close the younger is given up;
+    3. they fill at most `max_regions` places. Tracked regions never make room for stronger new ones: an
+       object keeps its file (Kahneman and Treisman) for as long as it is seen.
+
+    A region keeps the scale and the strength with which it was found. Its look may change while it is
+    followed, since each frame is compared with the one before.
+
+    Parameters
+    ----------
+    max_regions
+        Largest number of regions, 25 in the thesis.
+    width
+        The frame is reduced to this width in pixels, its sides in proportion; a narrower one is left as it
+        is.
+    window
+        Side of the window that is compared, pixels of the reduced frame, odd, at least 3. At a width of 320,
+        21 is the size of the smallest regions.
+    levels
+        How often the reduced frame is halved for large motions; fewer where a level would be smaller than the
+        window.
+    iterations, epsilon
+        The search on a level ends after so many steps, or with a step shorter than `epsilon` pixels.
+    min_eigenvalue
+        Smallest eigenvalue, over the window's pixels, of the gradient matrix; flat windows have less and are
+        lost.
+    forward_backward
+        Largest distance, in pixels of the reduced frame, between where a region was and where following it
+        back leads.
+    scale_distance, min_distance
+        Factors of the acceptance inequality, see `placecat.vision.regions.accept`.
+
+    Raises
+    ------
+    PlacecatError
+        An impossible setting.
+
+    Attributes
+    ----------
+    ages
+        (m,) int64, for each region of the last frame the number of frames it has been followed through, 0 for
+        a new one.
+
+    References
+    ----------
+    J.-Y. Bouguet, Pyramidal implementation of the Lucas Kanade feature tracker, Intel 2000.
+    Z. Kalal, K. Mikolajczyk and J. Matas, Forward-backward error, ICPR 2010.
+    D. Kahneman, A. Treisman and B. Gibbs, The reviewing of object files, Cognitive Psychology 1992.
+    """
+
+    def __init__(
+        self,
+        *,
+        max_regions: int = 25,
+        width: int = 320,
+        window: int = 21,
+        levels: int = 3,
+        iterations: int = 30,
+        epsilon: float = 0.01,
+        min_eigenvalue: float = 1e-4,
+        forward_backward: float = 1.0,
+        scale_distance: float = 1 / 256,
+        min_distance: float = 1 / 40,
+    ) -> None:
+        if max_regions < 1:
+            raise PlacecatError(f"tracking.max_regions must be at least 1, not {max_regions}")
+        if width < 16 or window < 3 or window % 2 == 0 or levels < 0 or iterations < 1:
+            raise PlacecatError(
+                "tracking.width must be at least 16, window an odd number from 3 on, levels at least 0 and "
+                f"iterations at least 1, not {width}, {window}, {levels} and {iterations}"
+            )
+        if not (epsilon > 0 and min_eigenvalue >= 0 and forward_backward > 0):
+            raise PlacecatError(
+                "tracking.epsilon and forward_backward must be positive and min_eigenvalue at least 0, not "
+                f"{epsilon}, {forward_backward} and {min_eigenvalue}"
+            )
+        self.width = width
+        self.forward_backward = forward_backward
+        self._accept = partial(
+            accept, max_regions=max_regions, scale_distance=scale_distance, min_distance=min_distance
+        )
+        self._follow = partial(
+            cv2.calcOpticalFlowPyrLK,
+            winSize=(window, window),
+            maxLevel=levels,
+            criteria=(cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, iterations, epsilon),
+            minEigThreshold=min_eigenvalue,
+        )
+        self._image: NDArray[np.uint8] | None = None
+        self._regions = np.zeros((0, 4), np.float32)
+        self.ages = np.zeros(0, np.int64)
+
+    def step(self, frame: NDArray[np.uint8], found: FloatArray) -> FloatArray:
+        """Follow the regions into the next frame, and fill the free places.
+
+        Parameters
+        ----------
+        frame
+            (H, W, 3) uint8 BGR, of one size in a sequence.
+        found
+            (n, 4) float32, the salient regions of this frame: x, y (pixels of the frame), scale, strength;
+            strongest first.
+
+        Returns
+        -------
+        ndarray
+            (m, 4) float32, m <= `max_regions`, in the same form: those followed longest first, then the new
+            ones, strongest first.
+        """
+        image = reduced_grey(frame, self.width)
+        size = np.array(frame.shape[1::-1])
+        if self._image is not None and len(self._regions):
+            self._move(self._image, image, size)
+        candidates = np.concatenate([self._regions, np.asarray(found, np.float32).reshape(-1, 4)])
+        ages = np.concatenate([self.ages, np.zeros(len(found), np.int64)])
+        accepted = self._accept(candidates[:, :3], int(size[0]))
+        self._image, self._regions, self.ages = image, candidates[accepted], ages[accepted]
+        return self._regions.copy()
+
+    def _move(self, last: NDArray[np.uint8], image: NDArray[np.uint8], size: NDArray[np.int64]) -> None:
+        """Take the regions along, and drop those that are lost or have left the image."""
+        # The centre of a pixel of the frame lies in the reduced one where its area lies.
+        factor = np.array(image.shape[::-1]) / size
+        points = ((self._regions[:, :2] + 0.5) * factor - 0.5).astype(np.float32)
+        moved, seen = self._flow(last, image, points)
+        back, seen_back = self._flow(image, last, moved)
+        apart = np.linalg.norm(back - points, axis=1)
+        places = (moved + 0.5) / factor - 0.5
+        inside = ((places >= 0) & (places <= size - 1)).all(axis=1)
+        kept = seen & seen_back & (apart <= self.forward_backward) & inside
+        self._regions = self._regions[kept]
+        self._regions[:, :2] = places[kept]
+        self.ages = self.ages[kept] + 1
+
+    def _flow(
+        self, first: NDArray[np.uint8], second: NDArray[np.uint8], points: FloatArray
+    ) -> tuple[FloatArray, NDArray[np.bool_]]:
+        """Where (n, 2) points of one image are in another, and whether they were found there."""
+        moved, status, _ = self._follow(first, second, points[:, None], np.empty_like(points[:, None]))
+        return np.asarray(moved, np.float32).reshape(-1, 2), np.asarray(status).reshape(-1) == 1
+
+
+def reduced_grey(frame: NDArray[np.uint8], width: int) -> NDArray[np.uint8]:
+    """Return the grey frame reduced to a width, its sides in proportion; a narrower one keeps its size.
+
+    Parameters
+    ----------
+    frame
+        (H, W, 3) uint8 BGR.
+    width
+        Width in pixels.
+
+    Returns
+    -------
+    ndarray
+        (max(1, round(H width / W)), width) uint8, OpenCV's grey value averaged over the area of each pixel.
+    """
+    grey = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
+    height, full = grey.shape
+    if width < full:
+        grey = cv2.resize(grey, (width, max(1, round(height * width / full))), interpolation=cv2.INTER_AREA)
+    return np.asarray(grey, np.uint8)

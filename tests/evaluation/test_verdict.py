@@ -1,0 +1,62 @@
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from placecat.evaluation.bootstrap import Interval
+from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED, Range, combine, judge
+
+INFINITE = float("inf")
+NUMBER = st.floats(-100, 100)
+
+
+def interval(low, high):
+    return Interval((low + high) / 2, low, high)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "claimed", "verdict"),
+    [
+        (0.1, 3.0, Range(0.0, INFINITE), HOLDS),
+        (0.0, 3.0, Range(0.0, INFINITE), UNDECIDED),
+        (-1.0, 3.0, Range(0.0, INFINITE), UNDECIDED),
+        (-3.0, -1.0, Range(0.0, INFINITE), FAILS),
+        (0.0, 0.0, Range(0.0, INFINITE), FAILS),
+        (-1.9, 1.9, Range(-2.0, 2.0), HOLDS),
+        (-1.9, 2.1, Range(-2.0, 2.0), UNDECIDED),
+        (-9.0, 9.0, Range(-2.0, 2.0), UNDECIDED),
+        (2.5, 9.0, Range(-2.0, 2.0), FAILS),
+        (-9.0, 1.0, Range(-INFINITE, 2.0), HOLDS),
+    ],
+)
+def test_judge(low, high, claimed, verdict):
+    assert judge(interval(low, high), claimed) == verdict
+
+
+@given(NUMBER, NUMBER, NUMBER, NUMBER, st.floats(0, 50), st.floats(0, 50))
+def test_a_wider_range_never_makes_a_verdict_worse(low, high, start, end, more_left, more_right):
+    assume(low <= high and start < end)
+    order = [FAILS, UNDECIDED, HOLDS]
+    narrow = judge(interval(low, high), Range(start, end))
+    wide = judge(interval(low, high), Range(start - more_left, end + more_right))
+    assert order.index(wide) >= order.index(narrow)
+
+
+@given(NUMBER, NUMBER, NUMBER, NUMBER)
+def test_margin_is_positive_exactly_where_a_claim_holds(low, high, start, end):
+    assume(low <= high and start < end)
+    claimed, found = Range(start, end), interval(low, high)
+    assert (claimed.margin(found) > 0) == (judge(found, claimed) == HOLDS)
+
+
+@given(st.lists(st.sampled_from([HOLDS, FAILS, UNDECIDED]), min_size=1, max_size=6))
+def test_combine(verdicts):
+    combined = combine(verdicts)
+    assert (combined == HOLDS) == all(one == HOLDS for one in verdicts)
+    assert (combined == FAILS) == any(one == FAILS for one in verdicts)
+    assert combine(verdicts[::-1]) == combined
+
+
+def test_ranges_in_words():
+    assert str(Range(0.0, INFINITE)) == "above 0"
+    assert str(Range(-INFINITE, 2.0)) == "below 2"
+    assert str(Range(1.63, 4.89)) == "between 1.63 and 4.89"

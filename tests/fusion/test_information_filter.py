@@ -1,0 +1,74 @@
+import itertools
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+
+from placecat.errors import PlacecatError
+from placecat.fusion.information_filter import hold
+
+
+def by_hand(proba, information, threshold, sequences):
+    """The same as a loop over the frames."""
+    held = proba.copy()
+    for part in sequences:
+        last = None
+        for t in range(part.start, part.stop):
+            if information[t] >= threshold:
+                last = proba[t]
+            elif last is not None:
+                held[t] = last
+    return held
+
+
+@st.composite
+def walks(draw):
+    frames = draw(st.integers(0, 40))
+    levels = st.sampled_from([0.0, 0.05, 0.09766, 0.1, 0.2, float("nan")])
+    information = draw(hnp.arrays(np.float32, frames, elements=levels.map(lambda x: float(np.float32(x)))))
+    cuts = sorted(draw(st.sets(st.integers(1, max(1, frames - 1)), max_size=4)) if frames > 1 else [])
+    edges = [0, *cuts, frames]
+    parts = [slice(a, b) for a, b in itertools.pairwise(edges) if b > a]
+    return np.random.default_rng(frames).dirichlet(np.ones(5), frames), information, parts
+
+
+@given(walks(), st.sampled_from([0.0, 0.09766, 0.13021, 9.0]))
+@settings(max_examples=150, deadline=None)
+def test_equals_a_loop(walk, threshold):
+    proba, information, parts = walk
+    before = proba.copy()
+    # float32 measures are compared with the threshold in float32, in both.
+    held = hold(proba, information, threshold=threshold, sequences=parts)
+    np.testing.assert_array_equal(held, by_hand(proba, information, threshold, parts))
+    np.testing.assert_array_equal(proba, before)
+
+
+@given(walks(), st.integers(0, 40))
+@settings(max_examples=80, deadline=None)
+def test_is_causal(walk, end):
+    proba, information, parts = walk
+    end = min(end, len(proba))
+    early = [slice(part.start, min(part.stop, end)) for part in parts if part.start < end]
+    held = hold(proba, information, threshold=0.09766, sequences=parts)
+    first = hold(proba[:end], information[:end], threshold=0.09766, sequences=early)
+    np.testing.assert_array_equal(held[:end], first)
+
+
+def test_a_frame_below_the_threshold_repeats_the_last_accepted_one_of_its_sequence():
+    proba = np.eye(7)
+    information = np.array([0.05, 0.2, 0.05, 0.0, 0.1, 0.0, 0.3])
+    held = hold(proba, information, threshold=0.1, sequences=[slice(0, 5), slice(5, 7)])
+    # Frames 0 and 5 have nothing to repeat; frame 4 reaches the threshold exactly.
+    assert np.argmax(held, axis=1).tolist() == [0, 1, 1, 1, 4, 5, 6]
+
+
+def test_without_a_threshold_nothing_changes():
+    proba = np.random.default_rng(0).dirichlet(np.ones(3), 9)
+    np.testing.assert_array_equal(hold(proba, np.zeros(9), threshold=0.0, sequences=[slice(0, 9)]), proba)
+
+
+def test_another_number_of_measures_is_refused():
+    with pytest.raises(PlacecatError, match="5 distributions have 4 measures"):
+        hold(np.eye(5), np.zeros(4), threshold=0.1, sequences=[slice(0, 5)])

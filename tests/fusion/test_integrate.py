@@ -1,0 +1,52 @@
+import numpy as np
+import pytest
+
+from placecat.errors import PlacecatError
+from placecat.fusion.integrate import integrate
+from placecat.fusion.votes import vote_distribution
+
+RNG = np.random.default_rng(3)
+CLASSES = ["bath", "hall"]
+SVM = {
+    "model": "one_against_all",
+    "base": {"name": "nu_svm", "gamma": 2.0, "nu": 0.2},
+    "scheme": {"name": "one_against_all"},
+    "scaling": "none",
+}
+
+
+def outputs(n, flipped):
+    """Two cues: the first says the opposite of the truth where `flipped`, the second says nothing."""
+    truth = RNG.integers(0, 2, n).astype(np.int16)
+    first = np.where((truth == 0) != flipped, 0.9, 0.1) + RNG.uniform(-0.05, 0.05, n)
+    proba = np.stack([np.stack([first, 1 - first], axis=1), RNG.dirichlet([9, 9], n)], axis=1)
+    return proba, truth
+
+
+@pytest.fixture(scope="module")
+def data():
+    train, truth = {}, {}
+    for home in ("a", "b", "c"):
+        train[home], truth[home] = outputs(40, flipped=True)
+    truth["unused"] = np.zeros(3, np.int16)
+    return train, truth, *outputs(50, flipped=True)
+
+
+def test_das_learns_what_a_cue_means_and_a_vote_does_not(data):
+    train, truth, test, expected = data
+    fused = integrate(train, truth, test, CLASSES, method="das", classifier=SVM)
+    assert (fused["test"].argmax(axis=1) == expected).mean() > 0.95
+    assert fused["cross_validated"].shape == (120, 2)
+    np.testing.assert_array_equal(
+        fused["cross_validated_truth"], np.concatenate([truth[home] for home in train])
+    )
+    vote = integrate(train, truth, test, CLASSES, method="vote_distribution")
+    assert (vote["test"].argmax(axis=1) == expected).mean() < 0.1
+    np.testing.assert_array_equal(vote["test"], vote_distribution(test))
+
+
+def test_unknown_methods_and_a_missing_classifier_are_refused(data):
+    with pytest.raises(PlacecatError, match=r"integrator\.method 'mean' does not exist: use one of das"):
+        integrate(*data[:3], CLASSES, method="mean")
+    with pytest.raises(PlacecatError, match=r"integrator\.classifier is missing"):
+        integrate(*data[:3], CLASSES, method="das")

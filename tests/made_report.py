@@ -1,0 +1,166 @@
+"""A report made up for tests: every published table with numbers near it, figures and findings."""
+
+from functools import cache
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pandas as pd
+
+from placecat.reporting.page import Figure, Report, Table, Times
+
+ROOT = Path(__file__).resolve().parents[1]
+CLASSES = ["bedroom", "bathroom", "kitchen", "living_room", "dining_room"]
+HOMES = [f"home_{number}" for number in range(1, 7)]
+DATASET = {"name": "homes", "title": "made-up homes", "thesis_data": None, "homes": HOMES, "classes": CLASSES}
+THESIS_DATA = "VPC-2009 home database"
+ON_OTHER_DATA = (
+    f"measured on made-up homes; the published number is from the {THESIS_DATA} and does not compare"
+)
+QUOTE = 'the thesis says "over 3% lower"'
+VERDICTS = ["holds", "does not hold", "undecided"]
+
+
+@cache
+def published_tables():
+    table = pd.read_csv(ROOT / "data/thesis/published_tables.csv", dtype={"row": str, "column": str})
+    return table.fillna({"group": "", "row": "", "column": ""})
+
+
+def settings(number, title="A title"):
+    name = f"table_{number:02d}"
+    return {"name": name, "number": number, "title": title, "thesis_data": THESIS_DATA}
+
+
+def cells(number, rng=None):
+    """One filled table; with `rng` measured numbers near the published ones, otherwise the same numbers."""
+    own = published_tables()
+    own = own[own["table"] == number].rename(columns={"value": "published"}).reset_index(drop=True)
+    noise = np.zeros(len(own)) if rng is None else rng.normal(0, 8, len(own)).clip(-20, 30)
+    own["measured"] = (own["published"].fillna(30) + noise).clip(0, 100).round(2)
+    own["spread"] = np.nan if rng is None else rng.uniform(0, 3, len(own)).round(2)
+    own["seeds"] = 0 if rng is None else 2
+    own["note"] = ON_OTHER_DATA
+    own.loc[own["published"].isna(), "note"] = "measured on made-up homes; the published cell is n/a"
+    return own[["table", "group", "row", "column", "published", "measured", "spread", "seeds", "note"]]
+
+
+def addition():
+    rows = [
+        ("Addition", "", "RVM", "Home 1", np.nan, 30.5, np.nan, 0, "measured on made-up homes"),
+        ("Addition", "", "RVM", "Average", np.nan, 31.25, np.nan, 0, "measured on made-up homes"),
+        ("Addition", "", "SVM", "Home 1", np.nan, 33.0, np.nan, 0, "measured on made-up homes"),
+        ("Addition", "", "SVM", "Average", np.nan, np.nan, np.nan, 0, "too few frames"),
+    ]
+    columns = list(cells(5).columns)
+    named = {"name": "rvm", "number": None, "title": "RVM beside SVM", "thesis_data": None}
+    return Table(named, pd.DataFrame(rows, columns=columns), DATASET)
+
+
+def png(width=260, height=160, seed=0):
+    picture = np.random.default_rng(seed).integers(0, 255, (height // 20, width // 20, 3), np.uint8)
+    picture = cv2.resize(picture, (width, height), interpolation=cv2.INTER_NEAREST)
+    return cv2.imencode(".png", picture)[1].tobytes()
+
+
+def findings(count=34):
+    rng = np.random.default_rng(1)
+    rows = []
+    for number in range(1, count + 1):
+        verdict = VERDICTS[number % 3]
+        difference = round(float(rng.normal(1, 5)), 2)
+        low, high = round(difference - 4, 2), round(difference + 3, 2)
+        claim = f"Claim {number}: this beats that on every cluster number, whatever else is set."
+        reason = "the interval is only partly above 0"
+        if number % 4 == 0:
+            reason = f"of 6 comparisons 4 hold, 2 are undecided; shown: this against that; {reason}"
+        said, seen = "this 42.26, that 39.66", f"this {40 + difference:.2f}, that 40.00"
+        rows.append((number, "4.10", claim, said, seen, difference, low, high, "6 homes", verdict, reason))
+    missing = ("difference -3.00", "", *[np.nan] * 3, "", "undecided", "this data has no such cue")
+    rows[-1] = (count, "4.4", "Nothing measured.", *missing)
+    names = [
+        "number",
+        "section",
+        "claim",
+        "published",
+        "measured",
+        "difference",
+        "low",
+        "high",
+        "units",
+        "verdict",
+        "reason",
+    ]
+    return pd.DataFrame(rows, columns=names)
+
+
+def comparisons():
+    rows = [
+        (1, "this", "that", 42.26, 39.66, 2.6, 41.0, 40.0, 1.0, -3.0, 4.0, "above 0", "6 homes", "undecided"),
+        (34, "this", "", np.nan, np.nan, -3.0, *[np.nan] * 5, "-4.5 to -1.5", "", "undecided"),
+    ]
+    names = (
+        "finding left right published_left published_right published_difference measured_left measured_right "
+    )
+    names += "measured_difference low high range units verdict"
+    return pd.DataFrame(rows, columns=names.split()).assign(
+        reason="a reason", left_results="a/b", right_results=""
+    )
+
+
+def in_text():
+    rows = [
+        ("gist_without_color", "4.2", "without colour", "Home 6", 35.41, 30.11, np.nan, 0, ON_OTHER_DATA),
+        (
+            "gist_without_color",
+            "4.2",
+            "difference",
+            "Home 6",
+            -3.0,
+            -1.0,
+            np.nan,
+            0,
+            f"{ON_OTHER_DATA}; {QUOTE}",
+        ),
+        (
+            "flat_k_means",
+            "4.10",
+            "flat < hierarchical & more",
+            "Home 1",
+            30.0,
+            np.nan,
+            np.nan,
+            0,
+            "no such home",
+        ),
+        ("short", "4.4", "short colour descriptor", "Average", 28.0, 27.0, 1.5, 2, ""),
+    ]
+    names = ["name", "section", "quantity", "home", "published", "measured", "spread", "seeds", "note"]
+    return pd.DataFrame(rows, columns=names)
+
+
+def report(*, tables=range(1, 32), figures=range(1, 21)):
+    rng = np.random.default_rng(0)
+    shown = [Table(settings(number), cells(number, rng), DATASET) for number in tables]
+    drawn = [
+        Figure(number, f"What figure {number} shows.", png(seed=number)) for number in figures if number != 20
+    ]
+    drawn += [Figure(20, "The probability.", None, "this run has no university")] * (20 in figures)
+    times = Times(
+        pd.DataFrame({"stage": ["sequences", "features"], "runs": [1, 6], "seconds": [3.25, 63.0]}),
+        "made-up homes",
+        2,
+        243.4,
+    )
+    return Report(
+        dataset=DATASET,
+        frames={home: dict.fromkeys(CLASSES, 100) | {"unlabelled": 20} for home in HOMES},
+        data_version="0123456789abcdef0123456789abcdef.dir",
+        tables=[*shown, addition()],
+        figures=drawn,
+        in_text=in_text(),
+        findings=findings(),
+        comparisons=comparisons(),
+        settings="dataset:\n  name: homes\n  title: a < b & c\nsmoothing:\n  step: 1\n",
+        times=times,
+    )

@@ -1,0 +1,20 @@
+import pytest
+
+from made_run import build, parameters
+
+
+@pytest.fixture(scope="session")
+def made_folder(tmp_path_factory):
+    """Folder of a small finished run."""
+    folder = tmp_path_factory.mktemp("run")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        build(folder, parameters())
+    return folder
+
+
+@pytest.fixture
+def made(made_folder, monkeypatch):
+    """Settings of that run, with its folder the current one."""
+    monkeypatch.chdir(made_folder)
+    return parameters()

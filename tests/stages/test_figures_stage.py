@@ -1,0 +1,49 @@
+import json
+from pathlib import Path
+
+import pytest
+import yaml
+
+import made_run
+from placecat.errors import PlacecatError
+from placecat.reporting import figures
+from placecat.stages import figures as stage
+
+
+@pytest.fixture
+def project(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    params = made_run.parameters()
+    made_run.build(tmp_path, params)
+    # The rest is left out here: it takes the time of all frames.
+    monkeypatch.setattr(figures, "names", lambda: ["figure_02", "figure_11", "figure_19"])
+    own = {name: params["figures"][name] for name in ("example", "clusters", "figure_11", "figure_19")}
+    return params | {"figures": own}
+
+
+def save(params):
+    Path("params.yaml").write_text(yaml.safe_dump(params), encoding="utf-8")
+
+
+def test_what_the_data_lack_is_left_out_with_its_reason(project, tmp_path):
+    save(project)
+    stage.main()
+    entries = json.loads((tmp_path / "reports/figures/figures.json").read_text())
+    assert [entry["number"] for entry in entries] == [2, 11, 19]
+    assert [entry["file"] for entry in entries] == ["figure_02.png", None, "figure_19.png"]
+    assert "was not computed" in entries[1]["reason"] and entries[0]["reason"] is None
+    assert entries[2]["title"] == figures.load("figure_19").TITLE
+    written = {path.name for path in (tmp_path / "reports/figures").iterdir()}
+    assert written == {"figure_02.png", "figure_19.png", "figures.json"}
+
+
+@pytest.mark.parametrize(
+    ("section", "message"),
+    [("figure_19", r"figures\.figure_19 has no setting 'hose'"), ("figure_91", "has no setting 'figure_91'")],
+)
+def test_a_mistake_in_the_settings_stops_it(project, tmp_path, section, message):
+    project["figures"].setdefault(section, {})["hose"] = 1
+    save(project)
+    with pytest.raises(PlacecatError, match=message):
+        stage.main()
+    assert not (tmp_path / "reports/figures").exists()

@@ -1,0 +1,43 @@
+import sys
+from pathlib import Path
+
+import pandas as pd
+import pytest
+import yaml
+
+from placecat import paths
+from placecat.stages import findings
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests/reporting"))
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    from made_results import PARAMS, made
+    from placecat.reporting.results import MISSING_COLUMNS, SCORE_COLUMNS, score_rows
+
+    own = {
+        path.stem: yaml.safe_load(path.read_text()) for path in sorted((ROOT / "conf/finding").glob("*.yaml"))
+    }
+    verdict = yaml.safe_load((ROOT / "conf/verdict/bootstrap.yaml").read_text()) | {"resamples": 200}
+    (tmp_path / paths.PARAMS).write_text(yaml.safe_dump(PARAMS | {"findings": own, "verdict": verdict}))
+    (tmp_path / paths.SCORES).mkdir(parents=True)
+    rows = [row for name, one in made().measured.items() for row in score_rows(name, one)]
+    pd.DataFrame(rows, columns=SCORE_COLUMNS).to_csv(tmp_path / paths.SCORES / "scores.csv", index=False)
+    pd.DataFrame([], columns=MISSING_COLUMNS).to_csv(tmp_path / paths.SCORES / "missing.csv", index=False)
+    (tmp_path / paths.PUBLISHED).parent.mkdir(parents=True)
+    for path in (paths.PUBLISHED, paths.PUBLISHED_TEXT):
+        (tmp_path / path).write_bytes((ROOT / path).read_bytes())
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_both_files_are_written_and_repeat(folder):
+    findings.main()
+    written = [(folder / path).read_bytes() for path in (paths.FINDINGS, paths.COMPARISONS)]
+    ledger = pd.read_csv(folder / paths.FINDINGS)
+    assert ledger["number"].tolist() == list(range(1, 35))
+    assert len(pd.read_csv(folder / paths.COMPARISONS)) > 34
+    findings.main()
+    assert [(folder / path).read_bytes() for path in (paths.FINDINGS, paths.COMPARISONS)] == written

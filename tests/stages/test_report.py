@@ -1,0 +1,110 @@
+"""The stage `report`, on reports that were made up."""
+
+import json
+import re
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+import made_report
+from placecat import files, paths, settings
+from placecat.errors import PlacecatError
+from placecat.reporting.tables import tables_of
+from placecat.stages import report
+
+LOCK = "stages:\n  sequences:\n    outs:\n    - md5: 00ff.dir\n"
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """A folder with everything that the stage reads."""
+    monkeypatch.chdir(tmp_path)
+    paths.PARAMS.write_text((made_report.ROOT / "params.yaml").read_text())
+    Path("dvc.lock").write_text(LOCK)
+    params = settings.load()
+    for home in params["dataset"]["homes"]:
+        files.write_csv(paths.SEQUENCES / home / "labels.csv", pd.DataFrame({"class": [0, 0, 1, -1]}))
+    for name, table in tables_of(params).items():
+        number = table["number"]
+        cells = made_report.addition().cells if number is None else made_report.cells(number)
+        files.write_csv(paths.TABLES / f"{name}.csv", cells)
+    figures = [
+        {"number": 2, "file": "figure_02.png", "title": "Two", "reason": None},
+        {"number": 20, "file": None, "title": "Twenty", "reason": "there is no university"},
+    ]
+    files.write_json(paths.FIGURES / "figures.json", figures)
+    (paths.FIGURES / "figure_02.png").write_bytes(made_report.png())
+    files.write_csv(paths.IN_TEXT, made_report.in_text())
+    files.write_csv(paths.FINDINGS, made_report.findings())
+    files.write_csv(paths.COMPARISONS, made_report.comparisons())
+    return tmp_path
+
+
+def page():
+    return paths.PAGE.read_text(encoding="utf-8")
+
+
+def test_it_reads_everything_and_writes_the_page(folder):
+    report.main()
+    text = page()
+    assert re.findall(r'<section class="table" id="table-(\d+)"', text) == [str(n) for n in range(1, 32)]
+    assert '<figure id="figure-2">\n<img src="data:image/' in text
+    assert "Not drawn: there is no university." in text
+    assert (
+        '<th scope="row">Home 1: home_1</th><td>2</td><td>1</td><td>0</td><td>0</td><td>0</td><td>1</td>'
+        in text
+    )
+    assert "<code>00ff.dir</code>" in text
+    # Text that looks like a number stays as it is.
+    assert '<td class="f-section">4.10</td>' in text
+    assert "<span>4.10 flat k means</span>" in text
+    assert 'colspan="2">0.1</th>' in text
+    assert "No record of times is kept" in text
+    assert not re.search(r">\s*(?:nan|None)\s*<", text)
+
+
+def test_a_kept_record_of_times_is_shown(folder):
+    times = pd.DataFrame({"stage": ["sequences", "toy"], "runs": [1, 2], "seconds": [61.04, 2.0]})
+    files.write_csv(paths.KEPT_TIMES, times)
+    files.write_json(paths.KEPT_TIMES_FACTS, {"data": "rendered homes", "cores": 2, "total": 150.0})
+    report.main()
+    assert "2 min 30 s on 2 cores, on rendered homes" in page()
+    assert '<tr><th scope="row">sequences</th><td>1</td><td>61.0</td></tr>' in page()
+
+
+def test_an_empty_record_of_times_is_none(folder):
+    files.write_csv(paths.KEPT_TIMES, pd.DataFrame(columns=["stage", "runs", "seconds"]))
+    files.write_json(paths.KEPT_TIMES_FACTS, {"data": "rendered homes", "cores": 2, "total": 0.0})
+    report.main()
+    assert "No record of times is kept" in page()
+
+
+def test_it_writes_the_same_bytes_again(folder):
+    report.main()
+    first = paths.PAGE.read_bytes()
+    report.main()
+    assert paths.PAGE.read_bytes() == first
+
+
+@pytest.mark.parametrize("path", [paths.FINDINGS, paths.IN_TEXT, paths.TABLES / "table_07.csv"])
+def test_what_is_missing_is_named(folder, path):
+    path.unlink()
+    with pytest.raises(PlacecatError, match=f"{path} is missing: run `dvc repro`"):
+        report.main()
+
+
+def test_a_missing_figure_or_list_is_named(folder):
+    (paths.FIGURES / "figure_02.png").unlink()
+    with pytest.raises(PlacecatError, match=r"figure_02\.png is missing"):
+        report.main()
+    (paths.FIGURES / "figures.json").unlink()
+    with pytest.raises(PlacecatError, match=r"figures\.json is missing"):
+        report.main()
+
+
+def test_figures_are_those_of_the_list(folder):
+    entries = json.loads((paths.FIGURES / "figures.json").read_text())
+    files.write_json(paths.FIGURES / "figures.json", entries[1:])
+    report.main()
+    assert 'figure-2"' not in page()

@@ -1,0 +1,76 @@
+"""The stage `tables`, on results that were drawn at random."""
+
+import pandas as pd
+import pytest
+
+from made_results import PARAMS, ROOT, made
+from placecat import files, paths
+from placecat.reporting.results import MISSING_COLUMNS, SCORE_COLUMNS, score_rows
+from placecat.stages import tables
+from project import contents
+
+LOST = ("trials/table_04/First-Order Dependency Tree||991", "home_1")
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    """The folder in which the stage has run."""
+    folder = tmp_path_factory.mktemp("run")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        prepare(folder)
+        tables.main()
+    return folder
+
+
+def prepare(folder):
+    """Write what the stage reads."""
+    (folder / "data").mkdir()
+    (folder / "data/thesis").symlink_to(ROOT / "data/thesis")
+    paths.PARAMS.write_text((ROOT / "params.yaml").read_text())
+    results = made()
+    del results.measured[LOST[0]]
+    rows = [row for name, one in results.measured.items() for row in score_rows(name, one)]
+    paths.SCORES.mkdir()
+    files.write_csv(paths.SCORES / "scores.csv", pd.DataFrame(rows, columns=SCORE_COLUMNS))
+    reasons = [(LOST[0], home, "too few frames") for home in ("home_1", "home_6")]
+    files.write_csv(paths.SCORES / "missing.csv", pd.DataFrame(reasons, columns=MISSING_COLUMNS))
+    for home in PARAMS["dataset"]["homes"]:
+        for seed in ("seed-0", "seed-1"):
+            facts = {"cross_validated_accuracy": {"home_2": 30.5}} if seed == "seed-0" else {}
+            files.write_json(paths.CUES / "hog_y/5-5-1" / home / seed / "facts.json", facts)
+
+
+def test_every_table_is_written_in_three_forms_with_all_other_reports(run):
+    names = {f"table_{number:02d}" for number in range(1, 32)} | {"addition_rvm"}
+    written = {path.name for path in (run / paths.TABLES).iterdir()}
+    assert written == {f"{name}.{ending}" for name in names for ending in ("csv", "md", "tex")}
+    for path in (paths.ACCURACIES, paths.CROSS_VALIDATION, paths.IN_TEXT, paths.METRICS):
+        assert (run / path).stat().st_size > 0
+    plots = {path.relative_to(run / paths.PLOTS).as_posix() for path in (run / paths.PLOTS).rglob("*.csv")}
+    assert plots == {f"{kind}/{panel}.csv" for kind, panels in PARAMS["plots"].items() for panel in panels}
+
+
+def test_no_cell_of_any_table_is_empty_without_a_reason(run):
+    for path in sorted((run / paths.TABLES).glob("*.csv")):
+        table = pd.read_csv(path, keep_default_na=False)
+        assert (table["note"] != "").all()
+        lost = table[table["measured"] == ""]
+        assert (lost["note"].str.startswith("too few frames")).all()
+        assert len(lost) == (3 if path.stem == "table_04" else 0)
+
+
+def test_cross_validation_has_a_row_a_fold_and_seed(run):
+    table = pd.read_csv(run / paths.CROSS_VALIDATION)
+    assert list(table.columns) == ["result", "test_home", "seed", "training_home", "accuracy"]
+    assert table["test_home"].tolist() == PARAMS["dataset"]["homes"]
+    assert set(table["seed"]) == {"seed-0"}
+    assert set(table["accuracy"]) == {30.5}
+
+
+def test_the_same_scores_give_the_same_bytes(run, monkeypatch):
+    monkeypatch.chdir(run)
+    first = contents(run, "reports")
+    tables.main()
+    assert contents(run, "reports") == first
+    assert len(first) > 100

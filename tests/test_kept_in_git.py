@@ -1,0 +1,166 @@
+"""Tables in a folder against those in a real git repository."""
+
+import shutil
+from pathlib import Path
+
+import pandas as pd
+import pytest
+import yaml
+
+from placecat import files, kept_in_git, paths
+from placecat.errors import PlacecatError
+from project import run
+
+SETTINGS = {
+    "dataset": {"title": "made homes"},
+    "cues": {"gist": {"nu": 0.2, "gamma": 2.0}},
+    "reproducibility": {"tolerance": 2.0},
+    "plots": {"confusion": {}},
+}
+
+
+def write_tables(*numbers, data="made homes"):
+    for table, number in enumerate(numbers, start=1):
+        filled = pd.DataFrame(
+            {
+                "table": table,
+                "group": "",
+                "row": ["SVM", "KNN"],
+                "column": "Home 1",
+                "published": 30.0,
+                "measured": [number, 25.0],
+                "spread": [0.5, None],
+                "seeds": [2, 0],
+                "note": f"measured on {data}",
+            }
+        )
+        files.write_csv(paths.TABLES / f"table_{table:02d}.csv", filled)
+        files.write_text(paths.TABLES / f"table_{table:02d}.md", "no table\n")
+    files.write_csv(paths.IN_TEXT, filled.drop(columns="table").assign(measured=[number + 1, 24.0]))
+    verdict = "holds" if numbers[0] > 30 else "does not hold"
+    files.write_csv(paths.FINDINGS, pd.DataFrame({"number": [1, 2], "verdict": [verdict, "undecided"]}))
+
+
+def write_settings(**changed):
+    files.write_text(paths.PARAMS, yaml.safe_dump(SETTINGS | changed))
+
+
+def commit(folder):
+    run(folder, "git", "add", "-A")
+    run(folder, "git", "-c", "user.name=a", "-c", "user.email=a@b", "commit", "-q", "-m", "tables")
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """A project below the root of a repository, with two tables and what belongs to them in HEAD."""
+    project = tmp_path / "project"
+    project.mkdir()
+    monkeypatch.chdir(project)
+    for name in ("GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE"):
+        monkeypatch.delenv(name, raising=False)
+    write_settings()
+    write_tables(31.2, 40.0)
+    run(tmp_path, "git", "init", "-q")
+    commit(tmp_path)
+    return project
+
+
+def test_what_was_not_changed_is_equal(folder):
+    assert kept_in_git.compare() == (
+        [
+            "Tables: 6 of 6 cells equal to the kept ones (git HEAD).",
+            "Findings: 2 of 2 verdicts equal to the kept ones.",
+        ],
+        True,
+    )
+
+
+def test_a_change_within_the_tolerance_is_as_kept(folder):
+    write_tables(29.7, 40.0)
+    lines, is_as_kept = kept_in_git.compare()
+    assert is_as_kept
+    assert lines[0].startswith(
+        "Tables: 5 of 6 cells equal to the kept ones (git HEAD); largest difference 1.50 points in Table 1 "
+        "(SVM, Home 1), within the tolerance"
+    )
+    assert lines[-1].endswith(
+        "1 of 2 verdicts equal to the kept ones; finding 1 was 'holds', is 'does not hold'."
+    )
+
+
+def test_the_tolerance_is_a_setting(folder):
+    write_tables(29.7, 40.0)
+    write_settings(reproducibility={"tolerance": 1.4})
+    lines, is_as_kept = kept_in_git.compare()
+    assert not is_as_kept
+    assert "beyond the tolerance of 1.4 points" in lines[0]
+    assert "Not the kept settings" not in " ".join(lines)
+
+
+def test_other_settings_explain_any_change(folder):
+    write_tables(29.7, 10.0)
+    write_settings(cues={"gist": {"nu": 0.1, "gamma": 2.0}}, plots={"confusion": {"a": "b"}})
+    lines, is_as_kept = kept_in_git.compare()
+    assert is_as_kept
+    assert lines[-1] == "Not the kept settings: cues.gist.nu. Differences are to be expected."
+
+
+def test_a_table_more_or_less_is_not_as_kept(folder):
+    (paths.TABLES / "table_01.csv").unlink()
+    lines, is_as_kept = kept_in_git.compare()
+    assert not is_as_kept
+    assert "; 2 had a number and have none now." in lines[0]
+
+
+def test_an_older_revision_has_its_own_tables(folder):
+    write_tables(35.0, 40.0)
+    commit(folder)
+    assert kept_in_git.compare()[0][0] == "Tables: 6 of 6 cells equal to the kept ones (git HEAD)."
+    lines, is_as_kept = kept_in_git.compare("HEAD~1")
+    assert not is_as_kept
+    assert "largest difference 3.80 points in Table 1" in lines[0]
+    assert "(git HEAD~1)" in lines[0]
+
+
+def test_tables_of_other_data_are_not_compared(folder):
+    write_tables(80.0, 90.0, data="my homes")
+    assert kept_in_git.compare() == (
+        [
+            "Tables are not compared: the kept ones (git HEAD) were measured on made homes, these on "
+            "my homes.",
+        ],
+        True,
+    )
+
+
+@pytest.mark.parametrize("revision", ["nowhere", "HEAD~1", "--all", "HEAD:project/params.yaml", ""])
+def test_an_unknown_revision_is_refused(folder, revision):
+    with pytest.raises(
+        PlacecatError, match=f"git has no revision {revision!r}, `git log --oneline` lists those there are$"
+    ):
+        kept_in_git.read_revision(revision)
+
+
+def test_a_repository_without_tables_says_so(folder):
+    shutil.rmtree(paths.TABLES)
+    commit(folder)
+    with pytest.raises(PlacecatError, match="git HEAD has no tables in reports/tables: commit them"):
+        kept_in_git.read_revision()
+
+
+def test_a_folder_without_tables_says_what_to_run(folder):
+    shutil.rmtree(paths.TABLES)
+    with pytest.raises(PlacecatError, match="reports/tables has no tables: run `placecat repro`"):
+        kept_in_git.compare()
+
+
+def test_outside_a_repository_it_says_so(folder):
+    shutil.rmtree(Path("../.git"))
+    with pytest.raises(PlacecatError, match="this folder is in no git repository"):
+        kept_in_git.compare()
+
+
+def test_without_git_it_says_so(folder, monkeypatch):
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(PlacecatError, match="git is not installed"):
+        kept_in_git.compare()

@@ -1,0 +1,67 @@
+"""The report page of a whole run, in a real browser."""
+
+import json
+import re
+
+import pytest
+
+from browser import evaluate, needs_chromium
+
+pytestmark = pytest.mark.xdist_group("pipeline")
+
+
+@needs_chromium
+def test_the_page_shows_every_table_and_figure_and_its_console_is_clean(reproduced, tmp_path):
+    folder, _, _ = reproduced
+    found, console = evaluate(
+        folder / "reports/index.html",
+        tmp_path,
+        """
+        const tables = {};
+        for (const one of document.querySelectorAll("section.table:is([id^=table-], [id^=addition-])"))
+            tables[one.id] = [...one.querySelectorAll("td:not(.thesis)")].map((cell) =>
+                [cell.textContent, cell.dataset.mark ?? ""]);
+        return {
+            tables,
+            figures: [...document.querySelectorAll("figure")].map((one) => one.id),
+            images: [...document.images].filter((one) => one.naturalWidth > 100).length,
+            findings: document.querySelectorAll("#ledger tbody tr").length,
+        };
+        """,
+    )
+    assert console == []
+    written = {path.stem for path in (folder / "reports/tables").glob("*.csv")}
+    assert len(found["tables"]) == len(written) >= 31
+    assert {f"table-{number}" for number in range(1, 32)} <= set(found["tables"])
+    for cells in found["tables"].values():
+        assert cells
+        # A number, or the letter of the footnote that says why there is none.
+        assert all(re.fullmatch(r"\d{1,3}\.\d\d", number) or mark for number, mark in cells)
+    assert sum(number != "" for cells in found["tables"].values() for number, _ in cells) > 500
+    figures = json.loads((folder / "reports/figures/figures.json").read_text())
+    assert sorted(found["figures"]) == sorted(f"figure-{figure['number']}" for figure in figures)
+    assert found["images"] == sum(figure["file"] is not None for figure in figures) > 0
+    assert found["findings"] == 34
+
+
+@needs_chromium
+@pytest.mark.parametrize("width", [390, 1200])
+def test_the_page_fits_its_window(reproduced, tmp_path, width):
+    """Wide tables scroll inside the page; the page itself does not."""
+    folder, _, _ = reproduced
+    script = "const root = document.documentElement; return [innerWidth, root.clientWidth, root.scrollWidth];"
+    (window, inner, needed), _ = evaluate(folder / "reports/index.html", tmp_path, script, width=width)
+    assert window == width
+    assert needed == inner
+
+
+def test_the_page_says_that_the_data_differ(reproduced):
+    folder, _, _ = reproduced
+    text = (folder / "reports/index.html").read_text()
+    assert text.count("other data, so the shading shows a difference of the data as well") == 31
+
+
+def test_the_page_needs_no_server(reproduced):
+    folder, _, _ = reproduced
+    text = (folder / "reports/index.html").read_text()
+    assert re.findall(r'(?:src|href)="(?!#|data:)[^"]*"', text) == []
