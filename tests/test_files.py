@@ -3,6 +3,7 @@ import pandas as pd
 import pytest
 
 from placecat import files
+from placecat.errors import PlacecatError
 
 
 def test_a_failing_block_leaves_what_was_there(tmp_path):
@@ -54,3 +55,15 @@ def test_objects_are_never_pickled(tmp_path):
 def test_csv_keeps_empty_text(tmp_path):
     files.write_csv(tmp_path / "t.csv", pd.DataFrame({"label": ["", "x"], "n": [1, 2]}))
     assert files.read_csv(tmp_path / "t.csv")["label"].tolist() == ["", "x"]
+
+
+def test_a_table_of_text_and_numbers_keeps_them_apart(tmp_path):
+    path = tmp_path / "table.csv"
+    path.write_text("row,section,measured\n46,4.10,1.5\n,4.2,\n")
+    table = files.read_table(path, ["row", "section", "note"])
+    assert table["row"].tolist() == ["46", ""]
+    assert table["section"].tolist() == ["4.10", "4.2"]
+    assert table["measured"].tolist()[0] == 1.5
+    assert table["measured"].isna().tolist() == [False, True]
+    with pytest.raises(PlacecatError, match=r"other\.csv is missing"):
+        files.read_table(tmp_path / "other.csv", [])

@@ -4,7 +4,7 @@ import io
 import json
 import shutil
 import zipfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -96,6 +96,14 @@ def read_csv(path: Path) -> pd.DataFrame:
         return pd.read_csv(path, keep_default_na=False)
     except FileNotFoundError:
         raise PlacecatError(f"{path} is missing: run `dvc repro` to make it") from None
+
+
+def read_table(path: Path, text: Collection[str]) -> pd.DataFrame:
+    """Read a CSV of numbers and text: empty cells of the columns in `text` are "", others NaN."""
+    if not path.is_file():
+        raise PlacecatError(f"{path} is missing: run `dvc repro` to make it, or restore it from git")
+    table = pd.read_csv(path, dtype=dict.fromkeys(text, str))
+    return table.fillna({name: "" for name in table.columns if name in text})
 
 
 def write_text(path: Path, text: str) -> None:

@@ -226,4 +226,4 @@ def test_the_addition_is_marked_and_limits_what_regions_train_on():
         row: TRIALS[f"trials/addition_rvm/|{row}|"]["classifier"]["max_rows"]
         for row in ("Gist", "HOG + y-Pos")
     }
-    assert limits == {"Gist": None, "HOG + y-Pos": 1500}
+    assert limits == {"Gist": None, "HOG + y-Pos": 1000}

@@ -1,9 +1,5 @@
 """Stage `findings`: what the thesis claims, judged on what was measured."""
 
-from pathlib import Path
-
-import pandas as pd
-
 from placecat import files, paths, settings
 from placecat.reporting.collect import read_results
 from placecat.reporting.findings import ledger
@@ -27,14 +23,9 @@ def main() -> None:
 def read_published() -> Published:
     """Read the numbers of the thesis's tables and of its text."""
     return Published(
-        _read(paths.PUBLISHED, ["group", "row", "column"]),
-        _read(paths.PUBLISHED_TEXT, ["name", "section", "quantity", "home", "quote"]),
+        files.read_table(paths.PUBLISHED, ["group", "row", "column"]),
+        files.read_table(paths.PUBLISHED_TEXT, ["name", "section", "quantity", "home", "quote"]),
     )
-
-
-def _read(path: Path, text: list[str]) -> pd.DataFrame:
-    """Read published numbers; an empty cell of a column of text is ""."""
-    return pd.read_csv(path, dtype=dict.fromkeys(text, str)).fillna(dict.fromkeys(text, ""))
 
 
 if __name__ == "__main__":

@@ -3,8 +3,6 @@
 from pathlib import Path
 from typing import Any
 
-import pandas as pd
-
 from placecat import files, listing, paths, settings
 from placecat.errors import PlacecatError
 from placecat.lockfile import data_version
@@ -13,7 +11,7 @@ from placecat.reporting.tables import dataset_of, tables_of
 from placecat.stages import run
 
 # Columns that are text even where all of it looks like numbers, e.g. the section 4.10.
-_TEXT = dict.fromkeys(["group", "row", "column", "name", "section", "quantity", "home", "note"], str)
+_TEXT = ("group", "row", "column", "name", "section", "quantity", "home", "note")
 
 
 def main() -> None:
@@ -25,13 +23,13 @@ def main() -> None:
         frames={home: _frames(home, dataset["classes"]) for home in dataset["homes"]},
         data_version=data_version(),
         tables=[
-            Table(table, _read(paths.TABLES / f"{name}.csv"), dataset_of(table, params))
+            Table(table, files.read_table(paths.TABLES / f"{name}.csv", _TEXT), dataset_of(table, params))
             for name, table in tables_of(params).items()
         ],
         figures=[_figure(one) for one in files.read_json(_existing(paths.FIGURES / "figures.json"))],
-        in_text=_read(paths.IN_TEXT),
-        findings=_read(paths.FINDINGS),
-        comparisons=_read(paths.COMPARISONS),
+        in_text=files.read_table(paths.IN_TEXT, _TEXT),
+        findings=files.read_table(paths.FINDINGS, _TEXT),
+        comparisons=files.read_table(paths.COMPARISONS, _TEXT),
         settings=paths.PARAMS.read_text(encoding="utf-8"),
         times=_times(),
     )
@@ -42,12 +40,6 @@ def _existing(path: Path) -> Path:
     if not path.is_file():
         raise PlacecatError(f"{path} is missing: run `dvc repro` to make it")
     return path
-
-
-def _read(path: Path) -> pd.DataFrame:
-    """Read a report's CSV; empty cells of text are "", others NaN."""
-    table = pd.read_csv(_existing(path), dtype=_TEXT)
-    return table.fillna({name: "" for name in table.columns if name in _TEXT})
 
 
 def _frames(home: str, places: list[str]) -> dict[str, int]:

@@ -1,6 +1,5 @@
 """Stage `tables`: accuracies of everything, and the numbers of the thesis beside those of this run."""
 
-from pathlib import Path
 from typing import Any
 
 import pandas as pd
@@ -24,7 +23,7 @@ def main() -> None:
     """Write every table as CSV, Markdown and LaTeX, and reports/*.csv, metrics.json and plots/."""
     params = settings.load()
     results = read_results(params)
-    published = _read(paths.PUBLISHED, ["group", "row", "column"])
+    published = files.read_table(paths.PUBLISHED, ["group", "row", "column"])
     filled = {}
     with files.replacing(paths.TABLES) as folder:
         for name, table in tables_of(params).items():
@@ -44,7 +43,7 @@ def main() -> None:
 
 def _in_text(params: dict[str, Any], results: Results) -> pd.DataFrame:
     entries = settings.get(params, "in_text")
-    published = _read(paths.PUBLISHED_TEXT, ["name", "section", "quantity", "home", "quote"])
+    published = files.read_table(paths.PUBLISHED_TEXT, ["name", "section", "quantity", "home", "quote"])
     return in_text(entries, results, published, settings.get(params, "dataset"))
 
 
@@ -61,11 +60,6 @@ def _cross_validation(params: dict[str, Any]) -> pd.DataFrame:
         .items()
     ]
     return pd.DataFrame(rows, columns=["result", "test_home", "seed", "training_home", "accuracy"])
-
-
-def _read(path: Path, text: list[str]) -> pd.DataFrame:
-    """Read published numbers; an empty cell of a column of text is ""."""
-    return pd.read_csv(path, dtype=dict.fromkeys(text, str)).fillna(dict.fromkeys(text, ""))
 
 
 if __name__ == "__main__":

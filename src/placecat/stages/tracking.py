@@ -8,8 +8,6 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import pandas as pd
-
 from placecat import files, paths, settings
 from placecat.lockfile import data_version
 from placecat.reporting.tables import label, tables_of
@@ -34,11 +32,10 @@ def main() -> None:
 
 
 def _table_run(name: str, table: Mapping[str, Any], params: Mapping[str, Any]) -> TableRun:
-    text = dict.fromkeys(("group", "row", "column", "note"), str)
     return TableRun(
         name=name,
         title=f"{label(table)}: {table['title']}",
-        cells=pd.read_csv(paths.TABLES / f"{name}.csv", dtype=text).fillna(dict.fromkeys(text, "")),
+        cells=files.read_table(paths.TABLES / f"{name}.csv", ["group", "row", "column", "note"]),
         settings=flatten(_settings(table, params)),
         files=[paths.TABLES / f"{name}.{ending}" for ending in ("csv", "md", "tex")],
     )
