@@ -1,8 +1,8 @@
 import numpy as np
 import pandas as pd
 import pytest
-from made_report import CLASSES, HOMES, addition, cells
 
+from made_report import CLASSES, HOMES, addition, cells
 from placecat.reporting.grid import homes_sentence, make_cell, make_grid, number_text, seeds_sentence
 from placecat.reporting.tables import CONTRADICTIONS
 

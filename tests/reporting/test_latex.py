@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from made_report import DATASET, addition, cells, settings
 
+from made_report import DATASET, addition, cells, settings
 from placecat.reporting.latex import latex_text, table_latex
 
 ESCAPED = {

@@ -1,6 +1,6 @@
 import numpy as np
-from made_report import DATASET, addition, cells, settings
 
+from made_report import DATASET, addition, cells, settings
 from placecat.reporting.markdown import markdown_text, table_markdown
 
 

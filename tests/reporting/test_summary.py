@@ -1,7 +1,7 @@
 import numpy as np
 import pandas as pd
-from made_report import cells
 
+from made_report import cells
 from placecat.reporting.summary import count_verdicts, headlines
 
 
