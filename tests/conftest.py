@@ -10,6 +10,11 @@ for _folder in (".", "reporting", "sequences", "stages", "vision"):
     sys.path.insert(0, str(Path(__file__).parent / _folder))
 
 
+def pytest_collection_modifyitems(items):
+    """Put the longest group first, so that the other worker does the rest meanwhile."""
+    items.sort(key=lambda item: ("pipeline",) not in [mark.args for mark in item.iter_markers("xdist_group")])
+
+
 @pytest.fixture
 def two_workers(monkeypatch):
     """Two new worker processes: those of an earlier test may be in a folder that this one has left."""
