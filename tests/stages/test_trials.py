@@ -110,3 +110,59 @@ def test_filtered_frames_repeat_the_last_accepted_decision(folder):
     assert len(rejected) > 10
     np.testing.assert_array_equal(held[information >= 0.3], plain[information >= 0.3])
     np.testing.assert_array_equal(held[rejected], held[rejected - 1])
+
+
+def fitted_on(monkeypatch, stage, call):
+    """What a stage hands to the training of a cue: descriptors, labels, homes and clusters, as bytes."""
+    seen = []
+    fit = stage.cues.fit
+
+    def recorded(train, labels, homes, *, codebook=None, **options):
+        clusters = [] if codebook is None else [array.tobytes() for array in codebook.to_arrays().values()]
+        seen.append((train.x.tobytes(), labels.tobytes(), homes.tobytes(), *clusters))
+        return fit(train, labels, homes, codebook=codebook, **options)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(stage.cues, "fit", recorded)
+        call()
+    return seen
+
+
+@pytest.mark.parametrize(("test_home", "differs"), [("H3", False), ("H1", True)])
+def test_a_marker_in_the_test_home_reaches_no_training_of_a_trial(tmp_path, monkeypatch, test_home, differs):
+    """Its labelled frames, too; where the marked home trains, the marker is seen."""
+    from placecat.evaluation import protocol
+    from placecat.stages import trials
+
+    table = PARAMS["studies"]["some"]["table_01"]["trial"]
+    fold = next(fold for fold in protocol.folds(HOMES, "5-5-1") if fold.test == test_home)
+    selection = PARAMS["protocol"]["cue_frames"]
+    found = []
+    for name, marked in (("plain", None), ("marked", "H3")):
+        (tmp_path / name).mkdir()
+        make(tmp_path / name, marked=marked)
+        monkeypatch.chdir(tmp_path / name)
+        found.append(
+            fitted_on(
+                monkeypatch,
+                trials,
+                lambda: trials.run_together([table], fold, 0, "made", selection, CLASSES),
+            )
+        )
+    assert len(found[0]) == 1
+    assert (found[0] != found[1]) is differs
+
+
+@pytest.mark.parametrize(("marked", "differs"), [("robot", False), ("flip", True)])
+def test_a_marker_in_the_test_sequence_reaches_no_training_of_a_split(tmp_path, monkeypatch, marked, differs):
+    from placecat.stages import splits
+
+    monkeypatch.setenv("PLACECAT_WORKERS", "1")
+    found = []
+    for name, home in (("plain", None), ("marked", marked)):
+        (tmp_path / name).mkdir()
+        make(tmp_path / name, marked=home)
+        monkeypatch.chdir(tmp_path / name)
+        found.append(fitted_on(monkeypatch, splits, lambda: splits.main("site")))
+    assert len(found[0]) >= 3
+    assert (found[0] != found[1]) is differs
