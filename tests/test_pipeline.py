@@ -22,7 +22,7 @@ RANDOM_TABLES = {5, 8, 11, 12, 13, *range(16, 29), 30, 31}
 
 def test_every_stage_runs_once_and_every_cell_has_a_number_or_a_reason(reproduced):
     folder, ran, _ = reproduced
-    assert len(ran) == len(set(ran)) == 60
+    assert len(ran) == len(set(ran)) == 61
     assert {path.stem for path in (folder / "reports/tables").glob("*.csv")} == TABLES
     published = files.read_table(ROOT / "data/thesis/published_tables.csv", KEY)
     for name in TABLES:
@@ -104,7 +104,7 @@ def test_the_features_are_memory_mappable_and_nothing_is_pickled(reproduced):
     frames = pd.read_csv(folder / "data/sequences/Home1/frames.csv")
     assert hog.shape == (len(frames), 38, 128)
     endings = {path.suffix for path in (folder / "data").rglob("*") if path.is_file()}
-    assert endings <= {".npy", ".npz", ".json", ".csv", ".jpg", ".txt", ""}, endings
+    assert endings <= {".npy", ".npz", ".placecat", ".json", ".csv", ".jpg", ".txt", ""}, endings
 
 
 def test_a_second_repro_has_nothing_to_do(reproduced):
@@ -136,10 +136,42 @@ def test_two_runs_from_nothing_give_the_same_bytes(reproduced, tmp_path):
     shutil.copy(folder / "dvc.lock", again)
     run(again, "python", ROOT / "tests/every_stage.py", PLACECAT_WORKERS="2", OPENBLAS_CORETYPE="")
     computed = ("features", "tracks", "codebooks", "cues", "smoothing", "sites", "splits", "trials", "scores")
-    parts = ("reports", *(f"data/{part}" for part in computed))
+    parts = ("reports", "data/model.placecat", *(f"data/{part}" for part in computed))
     first, second = contents(folder, *parts), contents(again, *parts)
     assert first.keys() == second.keys()
     assert [name for name in first if first[name] != second[name]] == []
+
+
+@pytest.mark.parametrize("system", ["das_551_best", "das_451_all", "das_551_tracked", "das_551_extra"])
+def test_frame_by_frame_gives_the_bits_of_the_pipeline(reproduced, tmp_path, monkeypatch, system):
+    """A system trained without a home and read from its file names that home's frames as the stages do."""
+    import numpy as np
+
+    from placecat import listing, settings
+    from placecat.categorizer import Categorizer, model_file
+    from placecat.categorizer.train import train
+    from placecat.sequences.base import read_frames
+
+    folder, _, _ = reproduced
+    monkeypatch.chdir(folder)
+    monkeypatch.setenv("PLACECAT_WORKERS", "1")
+    params = settings.load()
+    model_file.write(tmp_path / "model.placecat", train(params, system, without="Home4", seed=1))
+    categorizer = Categorizer.load(tmp_path / "model.placecat", classes=params["dataset"]["classes"])
+    frames = listing.read_frames("Home4")
+    decisions = []
+    for part in listing.sequence_slices("Home4"):
+        categorizer.reset()
+        for image in read_frames(folder / HOMES, frames.iloc[part], size=categorizer.frame_size):
+            decisions.append(categorizer.update(image))
+    place = f"{system}/Home4/seed-1"
+    for stage, name, attribute in (
+        ("integration", "test", "integrated"),
+        ("smoothing", "hmm", "hmm"),
+        ("smoothing", "delayed", "proba"),
+    ):
+        expected = np.load(folder / "data" / stage / place / f"{name}.npy")
+        np.testing.assert_array_equal([getattr(one, attribute) for one in decisions], expected)
 
 
 def test_changing_one_cue_runs_that_cue_and_what_follows_only(reproduced, tmp_path):

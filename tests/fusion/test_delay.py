@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from placecat.errors import PlacecatError
-from placecat.fusion.delay import delay
+from placecat.fusion.delay import Delay, delay
 
 
 def test_follows_equation_16():
@@ -18,6 +18,16 @@ def test_step_one_passes_through():
 def test_is_causal():
     target = np.random.default_rng(0).random((9, 3))
     np.testing.assert_array_equal(delay(target, step=0.3)[:4], delay(target[:4], step=0.3))
+
+
+def test_frame_by_frame_is_the_whole_sequence():
+    """Bit for bit, and as equation (16) is written."""
+    target = np.random.default_rng(0).dirichlet(np.ones(5), 50)
+    whole, follower, state = delay(target, step=0.3), Delay(0.3), target[0]
+    for t in range(50):
+        state = state + 0.3 * (target[t] - state)
+        np.testing.assert_array_equal(whole[t], state)
+        np.testing.assert_array_equal(follower.step(target[t]), state)
 
 
 def test_closed_form_of_a_step():

@@ -6,7 +6,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from placecat.errors import PlacecatError
-from placecat.fusion.hmm import emission_matrix, forward_filter, likelihoods, transition_matrix
+from placecat.fusion.hmm import (
+    ForwardFilter,
+    emission_matrix,
+    forward_filter,
+    likelihoods,
+    transition_matrix,
+)
 
 
 def random_rows(rng, shape):
@@ -46,6 +52,29 @@ def test_filter_is_causal_and_normalised(seed, frames, cut):
     whole = forward_filter(likelihood, transition)
     np.testing.assert_allclose(whole.sum(axis=1), 1.0)
     np.testing.assert_array_equal(forward_filter(likelihood[:cut], transition), whole[:cut])
+
+
+def test_frame_by_frame_is_the_whole_sequence():
+    """Bit for bit, and as the plain recursion of equation (13)."""
+    rng = np.random.default_rng(7)
+    proba, transition = random_rows(rng, (200, 5)), random_rows(rng, (5, 5))
+    emission, initial = random_rows(rng, (5, 5)), random_rows(rng, 5)
+    for evidence in ("hard", "soft"):
+        likelihood = likelihoods(proba, emission, evidence=evidence)
+        whole = forward_filter(likelihood, transition, initial=initial)
+        forwards = ForwardFilter(transition, initial=initial)
+        predicted = initial
+        for t in range(200):
+            alone = likelihoods(proba[t : t + 1], emission, evidence=evidence)
+            np.testing.assert_array_equal(alone[0], likelihood[t])
+            np.testing.assert_array_equal(forwards.step(alone[0]), whole[t])
+            joint = likelihood[t] * predicted
+            np.testing.assert_array_equal(joint / joint.sum(), whole[t])
+            predicted = whole[t] @ transition
+
+
+def test_filter_of_no_frames():
+    assert forward_filter(np.zeros((0, 3)), np.eye(3)).shape == (0, 3)
 
 
 def test_filter_overrules_a_single_odd_frame():

@@ -56,8 +56,8 @@ def test_distant_origin_does_not_cancel():
 
 
 def test_expansion_against_sum(monkeypatch):
-    monkeypatch.setattr(kernels, "ROW_TILE", 5)
-    monkeypatch.setattr(kernels, "COLUMN_TILE", 4)
+    monkeypatch.setattr(kernels, "PREDICTION_ROWS", 5)
+    monkeypatch.setattr(kernels, "PREDICTION_COLUMNS", 4)
     rng = np.random.default_rng(3)
     V, coef, X = (
         rng.normal(size=(11, 3)).astype(np.float32),

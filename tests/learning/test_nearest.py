@@ -37,3 +37,13 @@ def test_blocks_do_not_matter(monkeypatch):
 
 def test_no_points():
     assert nearest_centers(np.empty((0, 2)), np.zeros((3, 2))).shape == (0, 1)
+
+
+def test_a_point_halfway_is_given_away_alone_as_among_others():
+    rng = np.random.default_rng(0)
+    centers = rng.normal(size=(91, 130)).astype(np.float32)
+    pairs = rng.integers(0, 91, (400, 2))
+    halfway = ((centers[pairs[:, 0]] + centers[pairs[:, 1]]) / 2).astype(np.float32)
+    together = nearest_centers(halfway, centers, 2)
+    for place in range(400):
+        assert np.array_equal(nearest_centers(halfway[place : place + 1], centers, 2)[0], together[place])

@@ -17,10 +17,13 @@ from placecat.learning.spatial_pca import SpatialPCA
 class OneAgainstAllCue:
     """Reduction and scaling of the descriptor, then the multi-class scheme."""
 
+    #: What prediction does without: a stored system leaves it out.
+    TRAINING_ONLY = ("cross_validated",)
+    cross_validated: NDArray[np.float64] | None = None
+
     def __init__(self, steps: list[Any], scheme: Any) -> None:
         self.steps = steps
         self.scheme = scheme
-        self.cross_validated: NDArray[np.float64] | None = None
         self.facts: dict[str, Any] = {}
 
     def transform(self, x: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -31,7 +34,12 @@ class OneAgainstAllCue:
 
     def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
         """(n, n_classes) distributions over places; for regions the product over a frame's regions."""
-        proba = self.scheme.predict_proba(self.transform(frames.rows()))
+        rows = frames.rows()
+        if len(rows) == 0:
+            # Frames without regions, or no frames: estimators refuse an empty matrix.
+            proba = np.empty((0, len(self.scheme.classes_)))
+        else:
+            proba = self.scheme.predict_proba(self.transform(rows))
         if not frames.is_set:
             return proba
         log_proba = np.log(np.maximum(proba, np.finfo(np.float64).tiny))

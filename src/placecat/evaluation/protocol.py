@@ -22,7 +22,7 @@ class Fold:
         "5-5-1": cues and integration train on all other homes, on different frames. "4-5-1": one of the
         other homes is kept from the cues and seen by the integration only.
     test
-        The home that nothing fitted has seen.
+        The home that nothing fitted has seen; "" if all homes train.
     cue_homes
         Homes that codebooks, scalings and cue classifiers train on.
     integration_homes
@@ -37,8 +37,9 @@ class Fold:
     @property
     def training_set(self) -> str:
         """Name of the cues' training set: what it leaves out. Seeds are derived from it."""
-        left_out = [self.test, *(home for home in self.integration_homes if home not in self.cue_homes)]
-        return "without-" + "-".join(left_out)
+        kept = [home for home in self.integration_homes if home not in self.cue_homes]
+        left_out = [self.test, *kept] if self.test else kept
+        return "without-" + "-".join(left_out) if left_out else "all"
 
 
 def seed_folder(seed: int | None) -> str:
@@ -87,6 +88,18 @@ def folds(homes: Sequence[str], scheme: str) -> list[Fold]:
         cue_homes = tuple(home for home in others if home != kept)
         result.append(Fold(scheme, test, cue_homes, others))
     return result
+
+
+def fold_of_all(homes: Sequence[str], scheme: str) -> Fold:
+    """Let every home train, for use on other footage; in 4-5-1 the first home is kept from the cues.
+
+    Parameters
+    ----------
+    homes, scheme
+        As for :func:`folds`, which has to accept them.
+    """
+    folds(homes, scheme)
+    return Fold(scheme, "", tuple(homes[1:] if scheme == "4-5-1" else homes), tuple(homes))
 
 
 def select_frames(labels: NDArray[np.int16], *, offset: int, step: int) -> NDArray[np.int64]:

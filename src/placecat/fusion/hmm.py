@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
+from placecat.learning.products import sum_products
 
 Float = NDArray[np.float64]
 
@@ -95,33 +96,49 @@ def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Flo
     if evidence == "hard":
         return emission.T[np.argmax(proba, axis=1)]
     if evidence == "soft":
-        return np.asarray(proba, dtype=np.float64) @ emission.T
+        return sum_products(np.asarray(proba, dtype=np.float64), emission)
     raise PlacecatError(f"smoothing.evidence must be 'hard' or 'soft', not {evidence!r}")
 
 
+class ForwardFilter:
+    """Filter one sequence forwards, frame by frame: equation (13). Frame t uses frames up to t only.
+
+    Parameters
+    ----------
+    transition
+        (n_classes, n_classes), rows sum to 1.
+    initial
+        (n_classes,) distribution of the first place; uniform if not given (the thesis does not give it).
+    """
+
+    def __init__(self, transition: Float, *, initial: Float | None = None) -> None:
+        n_classes = len(transition)
+        self.transition = transition
+        self._predicted: Float = (
+            np.full(n_classes, 1.0 / n_classes) if initial is None else np.asarray(initial, dtype=np.float64)
+        )
+
+    def step(self, likelihood: Float) -> Float:
+        """Take the next frame's p(o_t | l_t = q), (n_classes,), one above 0; give p(l_t = q | o_1 .. o_t)."""
+        joint = likelihood * self._predicted
+        filtered: Float = joint / joint.sum()
+        self._predicted = filtered @ self.transition
+        return filtered
+
+
 def forward_filter(likelihood: Float, transition: Float, *, initial: Float | None = None) -> Float:
-    """Filter one sequence forwards: equation (13). Frame t uses frames up to t only.
+    """Filter one whole sequence, see :class:`ForwardFilter`.
 
     Parameters
     ----------
     likelihood
         (frames, n_classes), p(o_t | l_t = q) up to a factor per frame; no row all zero.
-    transition
-        (n_classes, n_classes), rows sum to 1.
-    initial
-        (n_classes,) distribution of the first place; uniform if not given (the thesis does not give it).
+    transition, initial
+        As for :class:`ForwardFilter`.
 
     Returns
     -------
     (frames, n_classes), p(l_t = q | o_1 .. o_t); rows sum to 1.
     """
-    frames, n_classes = likelihood.shape
-    filtered = np.empty((frames, n_classes))
-    predicted = (
-        np.full(n_classes, 1.0 / n_classes) if initial is None else np.asarray(initial, dtype=np.float64)
-    )
-    for t in range(frames):
-        joint = likelihood[t] * predicted
-        filtered[t] = joint / joint.sum()
-        predicted = filtered[t] @ transition
-    return filtered
+    forwards = ForwardFilter(transition, initial=initial)
+    return np.array([forwards.step(row) for row in likelihood]).reshape(likelihood.shape)

@@ -116,7 +116,8 @@ class DependencyTree(DiscreteBayes):
         """Number the cell of each (variable, parent value, value), and of each (variable, parent value)."""
         narrow = self.n_features_in_ * self.n_values_**2 < 2**31
         wide_codes: NDArray[np.integer] = codes.astype(np.int32 if narrow else np.int64)
-        parent_cells = wide_codes[:, self.parents_[label]]
+        # An index list would give an array in the order of columns, on which depends how numpy sums its rows.
+        parent_cells = np.take(wide_codes, self.parents_[label], axis=1)
         parent_cells[:, self.root] = 0
         parent_cells += np.arange(self.n_features_in_, dtype=wide_codes.dtype) * self.n_values_
         return parent_cells * self.n_values_ + wide_codes, parent_cells

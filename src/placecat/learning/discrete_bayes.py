@@ -113,7 +113,7 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
     def _log_likelihood(self, codes: NDArray[np.integer]) -> NDArray[np.float64]: ...
 
     def _read_codes(self, X: ArrayLike) -> NDArray[np.integer]:
-        codes = check_array(X, dtype=None, estimator=self)
+        codes = check_array(X, dtype=None, order="C", estimator=self)
         if codes.dtype.kind in "iu":
             return codes
         if codes.dtype.kind == "b":

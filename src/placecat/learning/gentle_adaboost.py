@@ -121,8 +121,9 @@ class StumpEnsembles:
             )
         result = np.empty((len(samples), len(self.feature)))
         for k in range(len(self.feature)):
-            above = samples[:, self.feature[k]] > self.threshold[k]
-            result[:, k] = np.where(above, self.high[k], self.low[k]).sum(axis=1)
+            above = np.take(samples, self.feature[k], axis=1) > self.threshold[k]
+            # One stump after the other, as in `decide_rows`; a sum over rows may take another order.
+            result[:, k] = np.cumsum(np.where(above, self.high[k], self.low[k]), axis=1)[:, -1]
         return result
 
     def to_arrays(self) -> dict[str, NDArray[Any]]:

@@ -112,6 +112,10 @@ class HierarchicalKMeans(BaseEstimator):
     (3, 2)
     """
 
+    #: Attributes that prediction does without: a stored system leaves them out.
+    TRAINING_ONLY = ("training_nodes_",)
+    training_nodes_: NDArray[np.int32] | None = None
+
     def __init__(
         self, branching: int = 16, max_clusters: int = 991, max_iter: int = 11, seed: int = 0
     ) -> None:
@@ -185,9 +189,9 @@ class HierarchicalKMeans(BaseEstimator):
         self.node_sse_ = np.array([node.sse for node in nodes], np.float64)
         self.split_nodes_ = np.array(split_nodes, np.int32)
         self.max_clusters_ = 1 + (self.branching - 1) * len(split_nodes)
-        self.training_nodes_: NDArray[np.int32] | None = np.empty(len(points), np.int32)
+        self.training_nodes_ = training_nodes = np.empty(len(points), np.int32)
         for index in self._cut(self.max_clusters_):
-            self.training_nodes_[nodes[index].members] = index
+            training_nodes[nodes[index].members] = index
 
     def centers(self, n_clusters: int) -> NDArray[np.float32]:
         """Return the centres of the cut to `n_clusters`, in the order of the tree's nodes.

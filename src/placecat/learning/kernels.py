@@ -1,8 +1,6 @@
 """The RBF kernel in cache-sized blocks, and expansions in it that several classifiers share."""
 
-import threading
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Self
@@ -10,37 +8,17 @@ from typing import Any, Self
 import numpy as np
 from joblib import Parallel, delayed
 from numpy.typing import ArrayLike, DTypeLike, NDArray
-from threadpoolctl import threadpool_limits
 
 from placecat.errors import PlacecatError
+from placecat.learning.products import RowProducts, row_products, squared_lengths
+from placecat.learning.single_thread import single_blas_thread
 
 # Rows and columns of one tile: 2 MiB of float32.
 ROW_TILE = 512
 COLUMN_TILE = 1024
-
-_blas_lock = threading.Lock()
-_blas_users = 0
-_blas_limit: Any = None
-
-
-@contextmanager
-def single_blas_thread() -> Iterator[None]:
-    """Hold BLAS at one thread, so that sums do not depend on the number of cores.
-
-    The limit belongs to the process: the first of several concurrent users sets it, the last restores it.
-    """
-    global _blas_users, _blas_limit
-    with _blas_lock:
-        if _blas_users == 0:
-            _blas_limit = threadpool_limits(limits=1, user_api="blas")
-        _blas_users += 1
-    try:
-        yield
-    finally:
-        with _blas_lock:
-            _blas_users -= 1
-            if _blas_users == 0:
-                _blas_limit.restore_original_limits()
+# The same for predictions, of which each row is as if it were alone.
+PREDICTION_ROWS = 480
+PREDICTION_COLUMNS = 912
 
 
 def check_samples(X: ArrayLike, name: str = "X") -> NDArray[np.float32]:
@@ -107,19 +85,20 @@ def _columns(Y: NDArray[np.float32], gamma: float) -> tuple[NDArray[np.float32],
 
 
 def _rows(X: NDArray[np.float32], origin: NDArray[np.float32], gamma: float) -> NDArray[np.float32]:
-    """Give the rows (n, D + 2)."""
+    """Give the rows (n, D + 2), each as if it were alone."""
     rows = np.empty((len(X), X.shape[1] + 2), dtype=np.float32)
     np.subtract(X, origin, out=rows[:, :-2])
-    rows[:, -2] = -gamma * np.einsum("ij,ij->i", rows[:, :-2], rows[:, :-2], dtype=np.float64)
+    rows[:, -2] = -gamma * squared_lengths(rows[:, :-2])
     rows[:, -1] = 1.0
     rows[:, :-2] *= np.float32(2.0 * gamma)
     return rows
 
 
-def _tile(left: NDArray[np.float32], right: NDArray[np.float32]) -> NDArray[np.float32]:
-    block = left @ right.T
-    np.minimum(block, 0.0, out=block)
-    return np.exp(block, out=block)
+def _to_kernel(products: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Give exp of -gamma ||x - y||^2, in place."""
+    # Rounding may have made a distance negative.
+    np.minimum(products, 0.0, out=products)
+    return np.exp(products, out=products)
 
 
 def _check_gamma(gamma: float) -> float:
@@ -172,7 +151,7 @@ def rbf_gram(
         stop = min(start + ROW_TILE, n)
         for first in range(start, n, COLUMN_TILE):
             last = min(first + COLUMN_TILE, n)
-            block = _tile(left[start:stop], right[first:last])
+            block = _to_kernel(left[start:stop] @ right[first:last].T)
             if first == start:
                 size = stop - start
                 corner = np.tril(block[:, :size], -1)
@@ -211,14 +190,7 @@ def rbf_cross(X: ArrayLike, Y: ArrayLike, gamma: float) -> NDArray[np.float32]:
         raise PlacecatError(f"X has {rows.shape[1]} features, Y has {columns.shape[1]}; give equal widths")
     origin, right = _columns(columns, _check_gamma(gamma))
     left = _rows(rows, origin, gamma)
-    result = np.empty((len(rows), len(columns)), dtype=np.float32)
-    with single_blas_thread():
-        for start in range(0, len(rows), ROW_TILE):
-            for first in range(0, len(columns), COLUMN_TILE):
-                result[start : start + ROW_TILE, first : first + COLUMN_TILE] = _tile(
-                    left[start : start + ROW_TILE], right[first : first + COLUMN_TILE]
-                )
-    return result
+    return _to_kernel(row_products(left, right))
 
 
 @dataclass(frozen=True)
@@ -243,6 +215,8 @@ class KernelExpansion:
     gamma: float
 
     kind = "kernel"
+    #: Attributes that prediction does without: a stored system leaves them out.
+    TRAINING_ONLY = ("_prepared",)
 
     @classmethod
     def union(cls, machines: Sequence["KernelMachine"], X: NDArray[np.float32]) -> Self:
@@ -255,11 +229,19 @@ class KernelExpansion:
         return cls(X[support], coef, intercept, float(machines[0].gamma))
 
     @cached_property
-    def _prepared(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-        return _columns(self.support_vectors, self.gamma)
+    def _prepared(self) -> tuple[NDArray[np.float32], list[tuple[RowProducts, RowProducts]]]:
+        """The origin; and for some vectors at a time, what rows and their kernels are multiplied by."""
+        origin, right = _columns(self.support_vectors, self.gamma)
+        coef = self.coef.astype(np.float32)
+        parts = [
+            slice(first, first + PREDICTION_COLUMNS) for first in range(0, len(coef), PREDICTION_COLUMNS)
+        ]
+        return origin, [(RowProducts(right[part]), RowProducts(coef[part].T)) for part in parts]
 
     def decisions(self, X: ArrayLike) -> NDArray[np.float64]:
         """Evaluate all K functions: one matrix product for the kernel, one for the sums.
+
+        What a row gives does not depend on the others, to the bit.
 
         Parameters
         ----------
@@ -283,14 +265,11 @@ class KernelExpansion:
         result = np.tile(self.intercept, (len(samples), 1))
         if len(self.support_vectors) == 0:
             return result
-        coef = self.coef.astype(np.float32)
-        origin, right = self._prepared
-        left = _rows(samples, origin, self.gamma)
-        with single_blas_thread():
-            for start in range(0, len(samples), ROW_TILE):
-                for first in range(0, len(coef), COLUMN_TILE):
-                    block = _tile(left[start : start + ROW_TILE], right[first : first + COLUMN_TILE])
-                    result[start : start + ROW_TILE] += block @ coef[first : first + COLUMN_TILE]
+        origin, parts = self._prepared
+        for start in range(0, len(samples), PREDICTION_ROWS):
+            left = _rows(samples[start : start + PREDICTION_ROWS], origin, self.gamma)
+            for kernels, sums in parts:
+                result[start : start + PREDICTION_ROWS] += sums(_to_kernel(kernels(left)))
         return result
 
     def to_arrays(self) -> dict[str, NDArray[Any]]:

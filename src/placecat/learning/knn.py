@@ -70,6 +70,11 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     ['bathroom', 'kitchen']
     """
 
+    #: Attributes that prediction does without: a stored system leaves them out.
+    TRAINING_ONLY = ("codebook", "_pair_distances")
+    codebook: HierarchicalKMeans | None = None
+    _pair_distances: NDArray[np.float64] | None = None
+
     def __init__(
         self,
         n_clusters: int = 196,
@@ -117,7 +122,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         self.frequencies_ = np.bincount(cells, minlength=self.n_clusters * n_classes).reshape(-1, n_classes)
         self.centers_ = codebook.centers(self.n_clusters).astype(np.float64)
         self.n_features_in_ = points.shape[1]
-        self._pair_distances: NDArray[np.float64] | None = None
+        self._pair_distances = None
         return self
 
     def _check_settings(self) -> None:

@@ -2,10 +2,10 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from threadpoolctl import threadpool_limits
 
 from placecat.learning.contingency import value_counts
 from placecat.learning.discrete_bayes import DiscreteBayes
+from placecat.learning.products import row_products
 
 # Table look-ups made at once.
 _BLOCK = 1 << 18
@@ -64,8 +64,7 @@ class NaiveBayes(DiscreteBayes):
         absent = self.feature_log_prob_[:, :, 0]
         if self.n_values_ == 2:
             gain = self.feature_log_prob_[:, :, 1] - absent
-            with threadpool_limits(limits=1, user_api="blas"):
-                return codes.astype(np.float64) @ gain.T + absent.sum(axis=1)
+            return row_products(codes, gain) + absent.sum(axis=1)
         n, n_variables = codes.shape
         # One row for each (variable, value), so that a look-up reads all classes at once.
         table = np.ascontiguousarray(self.feature_log_prob_.reshape(len(self.classes_), -1).T)

@@ -2,7 +2,8 @@
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from threadpoolctl import threadpool_limits
+
+from placecat.learning.products import RowProducts
 
 # Floats of one block of scores: 4 MB of float32, about a level-2 cache and a level-3 slice.
 _BLOCK = 1 << 20
@@ -13,7 +14,8 @@ def nearest_centers(X: ArrayLike, centers: NDArray[np.floating], n_neighbors: in
 
     Every centre is compared (no tree descent, no approximation). The comparison is in float32 after the
     centres' mean is taken off both sides, so centres whose distances differ by less than float32 resolves
-    count as equal; of equal ones the lowest index comes first.
+    count as equal; of equal ones the lowest index comes first. What a point gets does not depend on the
+    other points.
 
     Parameters
     ----------
@@ -42,17 +44,15 @@ def nearest_centers(X: ArrayLike, centers: NDArray[np.floating], n_neighbors: in
     origin = centers.mean(axis=0, dtype=np.float64).astype(np.float32)
     shifted = centers.astype(np.float64) - origin
     half_norms = (0.5 * np.einsum("ij,ij->i", shifted, shifted)).astype(np.float32)
-    directions = np.ascontiguousarray(shifted.T, dtype=np.float32)
+    products = RowProducts(shifted.astype(np.float32))
     found = np.empty((len(points), n_neighbors), np.int32)
     rows = max(1, _BLOCK // max(centers.shape))
-    with threadpool_limits(limits=1, user_api="blas"):
-        for start in range(0, len(points), rows):
-            block = points[start : start + rows] - origin
-            scores = block @ directions
-            scores -= half_norms
-            for rank in range(n_neighbors):
-                best = scores.argmax(axis=1)
-                found[start : start + rows, rank] = best
-                if rank + 1 < n_neighbors:
-                    scores[np.arange(len(best)), best] = -np.inf
+    for start in range(0, len(points), rows):
+        scores = products(points[start : start + rows] - origin)
+        scores -= half_norms
+        for rank in range(n_neighbors):
+            best = scores.argmax(axis=1)
+            found[start : start + rows, rank] = best
+            if rank + 1 < n_neighbors:
+                scores[np.arange(len(best)), best] = -np.inf
     return found

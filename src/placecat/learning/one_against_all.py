@@ -13,10 +13,12 @@ from sklearn.base import BaseEstimator, ClassifierMixin, clone
 
 from placecat.errors import PlacecatError
 from placecat.learning.gentle_adaboost import GentleAdaBoost, StumpEnsembles
-from placecat.learning.kernels import KernelExpansion, check_samples, single_blas_thread
+from placecat.learning.kernels import KernelExpansion, check_samples
 from placecat.learning.nu_svm import NuSVM
 from placecat.learning.platt import apply_sigmoid, fit_sigmoid
+from placecat.learning.products import sum_products
 from placecat.learning.rvm import RVM
+from placecat.learning.single_thread import single_blas_thread
 
 logger = logging.getLogger(__name__)
 
@@ -403,6 +405,9 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
     ['bath', 'kitchen']
     """
 
+    #: Attributes that prediction does without: a stored system leaves them out.
+    TRAINING_ONLY = ("cv_outputs_", "cv_proba_")
+
     def __init__(
         self,
         base: Any = None,
@@ -537,7 +542,7 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
         """Combine outputs p(o_k|x) (n, K) to distributions p(l_i|x) (n, K), equations (6), (7), (9)."""
         proba = outputs
         if self.combination == "parallel":
-            proba = np.einsum("nk,ik->ni", self._exclude(outputs), self.posterior_)
+            proba = sum_products(self._exclude(outputs), self.posterior_)
         if self.uncertainty > 0:
             strongest = np.maximum(outputs.max(axis=1, keepdims=True), np.finfo(float).tiny)
             proba = proba + self.uncertainty * (1.0 / strongest - 1.0) / proba.shape[1]

@@ -10,8 +10,9 @@ from scipy.special import expit
 from sklearn.base import BaseEstimator, ClassifierMixin
 
 from placecat.errors import PlacecatError
-from placecat.learning.kernels import KernelMachine, check_samples, encode_two_classes, single_blas_thread
+from placecat.learning.kernels import KernelMachine, check_samples, encode_two_classes
 from placecat.learning.platt import apply_sigmoid
+from placecat.learning.single_thread import single_blas_thread
 
 logger = logging.getLogger(__name__)
 

@@ -8,6 +8,7 @@ from sklearn.base import BaseEstimator, TransformerMixin
 
 from placecat.errors import PlacecatError
 from placecat.learning.kernels import check_samples
+from placecat.learning.products import squared_lengths
 
 KINDS = ("none", "minmax", "standard", "distance", "unit")
 
@@ -106,7 +107,7 @@ class KernelScaling(TransformerMixin, BaseEstimator):
         if self.kind == "none":
             return samples
         if self.kind == "unit":
-            length = np.sqrt(np.einsum("ij,ij->i", samples, samples, dtype=np.float64))
+            length = np.sqrt(squared_lengths(samples))
             inverse = np.divide(1.0, length, out=np.zeros_like(length), where=length > 0)
             return samples * inverse[:, None].astype(np.float32)
         scaled = samples - self.offset_.astype(np.float32)

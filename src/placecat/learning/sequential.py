@@ -9,7 +9,6 @@ from scipy.special import expit
 from sklearn.base import BaseEstimator, ClassifierMixin
 
 from placecat.errors import PlacecatError
-from placecat.learning.kernels import single_blas_thread
 from placecat.learning.one_against_all import (
     Problem,
     as_base,
@@ -23,6 +22,7 @@ from placecat.learning.one_against_all import (
     uses_own,
 )
 from placecat.learning.platt import apply_sigmoid
+from placecat.learning.single_thread import single_blas_thread
 
 ORDERS = ("balanced_accuracy", "error")
 TRAINING = ("all", "remaining")
@@ -91,6 +91,9 @@ class Sequential(ClassifierMixin, BaseEstimator):
     >>> Sequential(NuSVM(gamma=2.0, nu=0.2), folds=2).fit(X, y).predict([[0.1], [1.9]]).tolist()
     ['bath', 'kitchen']
     """
+
+    #: Attributes that prediction does without: a stored system leaves them out.
+    TRAINING_ONLY = ("cv_outputs_", "cv_proba_")
 
     def __init__(
         self,

@@ -7,7 +7,9 @@ from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator, TransformerMixin
 
 from placecat.errors import NotComputable, PlacecatError
-from placecat.learning.kernels import check_samples, single_blas_thread
+from placecat.learning.kernels import check_samples
+from placecat.learning.products import row_products
+from placecat.learning.single_thread import single_blas_thread
 
 
 class SpatialPCA(TransformerMixin, BaseEstimator):
@@ -131,16 +133,13 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
             )
         cells, kept, width = self.components_.shape
         result = np.empty((len(samples), cells * kept), dtype=np.float32)
-        with single_blas_thread():
-            for cell in range(cells):
-                axes = self.components_[cell]
-                if self.whiten:
-                    deviation = np.sqrt(self.explained_variance_[cell])
-                    axes = (
-                        axes * np.divide(1.0, deviation, out=np.zeros(kept), where=deviation > 1e-12)[:, None]
-                    )
-                part = samples[:, cell * width : (cell + 1) * width] - self.mean_[cell].astype(np.float32)
-                result[:, cell * kept : (cell + 1) * kept] = part @ axes.T.astype(np.float32)
+        for cell in range(cells):
+            axes = self.components_[cell]
+            if self.whiten:
+                deviation = np.sqrt(self.explained_variance_[cell])
+                axes = axes * np.divide(1.0, deviation, out=np.zeros(kept), where=deviation > 1e-12)[:, None]
+            part = samples[:, cell * width : (cell + 1) * width] - self.mean_[cell].astype(np.float32)
+            result[:, cell * kept : (cell + 1) * kept] = row_products(part, axes.astype(np.float32))
         return result
 
     def to_arrays(self) -> dict[str, NDArray[Any]]:

@@ -3,9 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import numpy as np
-
-from placecat import cues, files, listing, parallel, paths, settings, store
+from placecat import cue_training, cues, files, listing, parallel, paths, settings, store
 from placecat.evaluation import protocol
 from placecat.evaluation.accuracy import accuracy_by_home
 from placecat.stages import run
@@ -52,7 +50,6 @@ def apply(
 ) -> dict[str, Any]:
     """Train one cue on one fold's training homes; give its distributions for the frames of later stages."""
     labels = {home: listing.read_labels(home) for home in fold.integration_homes}
-    cue_frames = protocol.select_training(labels, **selections["cue_frames"])
     other_frames = protocol.select_training(labels, **selections["integration_frames"])
     if seed is None:
         codebook, descriptor = None, cue["descriptor"]
@@ -61,15 +58,13 @@ def apply(
         file = folder / protocol.codebook_file(fold.training_set, seed)
         codebook = cues.Codebook.from_arrays(files.read_arrays(file))
         descriptor = files.read_json(folder / "descriptor.json")
-    truth = np.concatenate([labels[home][cue_frames[home]] for home in fold.cue_homes])
-    home_of_frame = np.concatenate([np.full(len(cue_frames[home]), home) for home in fold.cue_homes])
-    model = cues.fit(
-        store.read_training(fold.cue_homes, descriptor, cue_frames),
-        truth,
-        home_of_frame,
+    model, truth, home_of_frame = cue_training.train(
+        fold.cue_homes,
+        descriptor,
         classifier=cue["classifier"],
-        classes=classes,
         codebook=codebook,
+        frames=selections["cue_frames"],
+        classes=classes,
     )
     result: dict[str, Any] = {"facts": dict(model.facts)}
     result["test"] = model.predict_proba(store.read_descriptors(fold.test, descriptor))

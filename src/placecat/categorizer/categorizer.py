@@ -1,0 +1,220 @@
+"""Feed a frame, get a distribution over places (thesis, Figure 1); causal."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from threadpoolctl import ThreadpoolController
+
+from placecat import cue_input
+from placecat.categorizer import model_file
+from placecat.categorizer.system import TrainedSystem
+from placecat.errors import PlacecatError
+from placecat.fusion.smoothing import Smoother
+from placecat.vision.frame import check, describe_frame
+from placecat.vision.tracking import RegionTracker
+
+
+@dataclass(frozen=True)
+class Decision:
+    """What is known of a place after a frame. Distributions are (n_classes,) float64 and sum to 1.
+
+    Attributes
+    ----------
+    place
+        The most probable class of `proba`.
+    confidence
+        Its probability.
+    proba
+        After the hidden Markov model and the delay (thesis 3.4).
+    hmm
+        Before the delay.
+    integrated
+        Of this frame alone, all cues together (3.3.3).
+    cues
+        Of this frame alone, cue by cue.
+    regions
+        (n, 4) float32, the salient regions: x, y (pixels of the frame), scale, strength; strongest first. The
+        tracked ones if any cue follows regions.
+    """
+
+    place: str
+    confidence: float
+    proba: NDArray[np.float64]
+    hmm: NDArray[np.float64]
+    integrated: NDArray[np.float64]
+    cues: dict[str, NDArray[np.float64]]
+    regions: NDArray[np.float32]
+
+
+class Categorizer:
+    """Name the place of every frame of a video or a camera.
+
+    Gives the numbers of the batch pipeline, bit for bit, if NumPy's OpenBLAS runs the same kernels (the
+    pipeline asks for those of Haswell: ``OPENBLAS_CORETYPE=Haswell``, before NumPy is imported).
+
+    Parameters
+    ----------
+    system
+        From `placecat.categorizer.train`, or see :meth:`load`.
+
+    Attributes
+    ----------
+    classes
+        Names of the places, in the order of the distributions.
+    frame_sizes
+        (width, height) of the frames it was trained on; others are refused.
+    card
+        What is known of the system: data, accuracy, settings, versions.
+
+    Examples
+    --------
+    >>> categorizer = Categorizer.load("data/model.placecat")  # doctest: +SKIP
+    >>> for frame in camera:  # doctest: +SKIP
+    ...     decision = categorizer.update(frame)
+    ...     print(decision.place, decision.confidence)
+    """
+
+    def __init__(self, system: TrainedSystem) -> None:
+        self.card: dict[str, Any] = system.card
+        self.classes: tuple[str, ...] = tuple(system.card["classes"])
+        self.frame_sizes: tuple[tuple[int, int], ...] = tuple(
+            (int(width), int(height)) for width, height in system.card["frame_sizes"]
+        )
+        self._system = system
+        self._tracked = [cue.name for cue in system.cues if cue.descriptor.get("tracked", False)]
+        own = [cue.descriptor for cue in system.cues if cue.name not in self._tracked]
+        followed = [cue.descriptor for cue in system.cues if cue.name in self._tracked]
+        self._vision = _only(system.vision, own)
+        self._track_vision = _only(system.vision, followed)
+        check(self._vision)
+        self._modules = {
+            name: settings.get("descriptor", name) for name, settings in system.vision["local"].items()
+        }
+        self._blas = ThreadpoolController()
+        self.reset()
+
+    @classmethod
+    def load(cls, path: str | Path, *, classes: Sequence[str] | None = None) -> Categorizer:
+        """Read a trained system from its file.
+
+        Parameters
+        ----------
+        path
+            Written by `placecat train`, or by the stage `model`.
+        classes
+            The places that the caller expects, in this order; None takes what the model has.
+
+        Raises
+        ------
+        PlacecatError
+            If the file is missing, damaged, of another version, or has other classes.
+        """
+        system = model_file.read(Path(path))
+        known = list(system.card["classes"])
+        if classes is not None and list(classes) != known:
+            raise PlacecatError(
+                f"{path} tells {', '.join(known)} apart, not {', '.join(classes)}: use these classes in this "
+                "order, or train a model for yours"
+            )
+        return cls(system)
+
+    @property
+    def frame_size(self) -> tuple[int, int]:
+        """(width, height) that frames may be scaled to."""
+        return self.frame_sizes[0]
+
+    def reset(self) -> None:
+        """Forget what was seen: call it at a cut, before the first frame of another sequence."""
+        self._smoother = Smoother(self._system.smoothing)
+        tracking = self._system.tracking
+        self._tracker = RegionTracker(**tracking) if tracking is not None and self._tracked else None
+
+    def update(self, frame: NDArray[np.uint8]) -> Decision:
+        """Take the next frame.
+
+        Parameters
+        ----------
+        frame
+            (height, width, 3) uint8 BGR, as OpenCV gives it, of one of `frame_sizes`.
+
+        Raises
+        ------
+        PlacecatError
+            If the frame is of another size or type.
+        """
+        self._check(frame)
+        with self._blas.limit(limits=1, user_api="blas"):
+            arrays, followed = self._describe(frame)
+            cues = {}
+            for cue in self._system.cues:
+                seen = cue_input.assemble(
+                    cue.descriptor,
+                    followed if cue.name in self._tracked else arrays,
+                    height=frame.shape[0],
+                    modules=self._modules,
+                )
+                cues[cue.name] = cue.model.predict_proba(seen)[0]
+            integrated = self._system.integrator.predict_proba(np.stack(list(cues.values()))[None])[0]
+            hmm, proba = self._smoother.step(integrated)
+        best = int(proba.argmax())
+        shown = followed if self._tracker is not None else arrays
+        return Decision(
+            place=self.classes[best],
+            confidence=float(proba[best]),
+            proba=proba,
+            hmm=hmm,
+            integrated=integrated,
+            cues=cues,
+            regions=shown["regions"][0, : int(shown["count"][0])],
+        )
+
+    def _check(self, frame: NDArray[np.uint8]) -> None:
+        if frame.dtype != np.uint8 or frame.ndim != 3 or frame.shape[2] != 3:
+            raise PlacecatError(
+                f"a frame has shape {frame.shape} and type {frame.dtype}: give (height, width, 3) uint8, BGR"
+            )
+        size = (frame.shape[1], frame.shape[0])
+        if size not in self.frame_sizes:
+            known = " or ".join(f"{width}x{height}" for width, height in self.frame_sizes)
+            raise PlacecatError(
+                f"a frame has {size[0]}x{size[1]} pixels, but the model was trained on {known}: scale frames "
+                "to that, or train on footage of this size"
+            )
+
+    def _describe(self, frame: NDArray[np.uint8]) -> tuple[dict[str, NDArray[Any]], dict[str, NDArray[Any]]]:
+        """Features of the frame's own regions and of the followed ones, with one frame as the first axis."""
+        arrays = describe_frame(frame, self._vision)
+        followed: dict[str, NDArray[Any]] = {}
+        if self._tracker is not None:
+            most = int((self._system.tracking or {})["max_regions"])
+            found = arrays["regions"][: min(int(arrays["count"]), most)]
+            regions = self._tracker.step(frame, found)
+            settings = {
+                "attention": self._vision["attention"],
+                "regions": {"max_regions": most},
+                "local": self._track_vision["local"],
+            }
+            followed = describe_frame(frame, settings, regions=regions)
+        return _batch(arrays), _batch(followed)
+
+
+def _batch(arrays: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+    return {name: array[None] for name, array in arrays.items()}
+
+
+def _only(vision: dict[str, Any], descriptors: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """The settings of the vision, with the descriptors that are wanted only."""
+    wanted = {
+        kind: {own["name"] for own in descriptors if own["kind"] == kind} for kind in ("local", "holistic")
+    }
+    wanted["local"] |= {own["color"] for own in descriptors if own.get("color")}
+    chosen = {
+        kind: {name: own for name, own in vision[kind].items() if name in wanted[kind]} for kind in wanted
+    }
+    return vision | chosen

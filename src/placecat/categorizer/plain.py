@@ -1,0 +1,121 @@
+"""Trained models as JSON and arrays, and back, without pickle.
+
+A model is what its attributes are: numbers, text, arrays, containers of these, and objects of classes that
+`placecat.learning`, `placecat.cues` and `placecat.fusion` define. No code is called to rebuild one.
+"""
+
+import importlib
+import math
+import pkgutil
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import cues, fusion, learning
+from placecat.errors import PlacecatError
+
+_PACKAGES = (learning, cues, fusion)
+# What stands for anything that JSON has no type for.
+_KIND = "$"
+
+
+def to_plain(value: Any, arrays: list[NDArray[Any]]) -> Any:
+    """Write a value as JSON types.
+
+    Parameters
+    ----------
+    value
+        As the module says. Attributes that a class lists as ``TRAINING_ONLY`` are left out.
+    arrays
+        Arrays are appended here, and referred to by their index.
+
+    Raises
+    ------
+    TypeError
+        If the value is, or holds, anything else.
+    """
+    if value is None or isinstance(value, bool | int | str):
+        return value
+    if isinstance(value, float) and not isinstance(value, np.generic):
+        return value if math.isfinite(value) else {_KIND: "float", "text": repr(value)}
+    if isinstance(value, np.ndarray | np.generic):
+        if np.asarray(value).dtype.hasobject:
+            raise TypeError("an array of Python objects cannot be stored without pickle")
+        arrays.append(np.asarray(value))
+        return {_KIND: "array" if isinstance(value, np.ndarray) else "scalar", "index": len(arrays) - 1}
+    if isinstance(value, list):
+        return [to_plain(item, arrays) for item in value]
+    if isinstance(value, tuple):
+        return {_KIND: "tuple", "items": [to_plain(item, arrays) for item in value]}
+    if isinstance(value, dict):
+        items = [[to_plain(key, arrays), to_plain(item, arrays)] for key, item in value.items()]
+        return {_KIND: "dict", "items": items}
+    kind = type(value)
+    if f"{kind.__module__}:{kind.__qualname__}" not in _classes(kind.__module__):
+        raise TypeError(f"{kind.__module__}.{kind.__qualname__} is no class of a trained model")
+    skipped = getattr(kind, "TRAINING_ONLY", ())
+    state = {name: to_plain(item, arrays) for name, item in vars(value).items() if name not in skipped}
+    return {_KIND: "object", "class": f"{kind.__module__}:{kind.__qualname__}", "state": state}
+
+
+def from_plain(plain: Any, arrays: Sequence[NDArray[Any]]) -> Any:
+    """Inverse of :func:`to_plain`.
+
+    Raises
+    ------
+    PlacecatError
+        If something is described that a trained model cannot hold.
+    """
+    if plain is None or isinstance(plain, bool | int | float | str):
+        return plain
+    if isinstance(plain, list):
+        return [from_plain(item, arrays) for item in plain]
+    try:
+        kind = plain[_KIND]
+        if kind == "float":
+            return float(plain["text"])
+        if kind in ("array", "scalar"):
+            array = arrays[plain["index"]]
+            return array if kind == "array" else array[()]
+        if kind == "tuple":
+            return tuple(from_plain(item, arrays) for item in plain["items"])
+        if kind == "dict":
+            return {from_plain(key, arrays): from_plain(item, arrays) for key, item in plain["items"]}
+        if kind == "object":
+            return _rebuild(
+                plain["class"], {name: from_plain(item, arrays) for name, item in plain["state"].items()}
+            )
+    except (KeyError, IndexError, TypeError, ValueError, AttributeError) as error:
+        raise PlacecatError(f"a part of the model cannot be read ({error!r})") from None
+    raise PlacecatError(f"a part of the model is of the unknown kind {kind!r}")
+
+
+def _rebuild(name: str, state: dict[str, Any]) -> Any:
+    kind = _classes(name.partition(":")[0]).get(name)
+    if kind is None:
+        raise PlacecatError(f"a part of the model is a {name}, which this version of placecat does not have")
+    if not all(attribute.isidentifier() and not attribute.startswith("__") for attribute in state):
+        raise PlacecatError(f"a part of the model, a {name}, has an attribute that cannot be one")
+    rebuilt: Any = object.__new__(kind)
+    # Past __setattr__, which frozen classes refuse.
+    rebuilt.__dict__.update(state)
+    return rebuilt
+
+
+def _classes(module_name: str) -> dict[str, type]:
+    """Classes that a module of the allowed packages defines itself, by ``module:name``."""
+    for package in _PACKAGES:
+        names = [
+            package.__name__,
+            *(f"{package.__name__}.{m.name}" for m in pkgutil.iter_modules(package.__path__)),
+        ]
+        if module_name in names:
+            module = importlib.import_module(module_name)
+            return {
+                f"{module_name}:{name}": member
+                for name, member in vars(module).items()
+                if isinstance(member, type) and member.__module__ == module_name
+            }
+    return {}

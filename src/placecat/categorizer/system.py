@@ -1,0 +1,51 @@
+"""A trained system: everything that names the place of a frame."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from placecat.cues import CueModel
+from placecat.fusion.integrate import Integrator
+from placecat.fusion.smoothing import SmoothingModel
+
+
+@dataclass(frozen=True)
+class TrainedCue:
+    """One cue.
+
+    Attributes
+    ----------
+    name
+        Its name in conf/cue.
+    descriptor
+        What it sees, as for :func:`placecat.cue_input.check`.
+    model
+        What it has learned.
+    """
+
+    name: str
+    descriptor: dict[str, Any]
+    model: CueModel
+
+
+@dataclass(frozen=True)
+class TrainedSystem:
+    """Cues, their integration, and its smoothing.
+
+    Attributes
+    ----------
+    card
+        What is known of it, JSON types only: see :mod:`placecat.categorizer.card`.
+    vision
+        Settings of :func:`placecat.vision.frame.describe_frame` for the frame's own regions.
+    tracking
+        Settings of :class:`placecat.vision.tracking.RegionTracker`; None if no cue follows regions.
+    cues, integrator, smoothing
+        The parts, in the order of their use.
+    """
+
+    card: dict[str, Any]
+    vision: dict[str, Any]
+    tracking: dict[str, Any] | None
+    cues: tuple[TrainedCue, ...]
+    integrator: Integrator
+    smoothing: SmoothingModel

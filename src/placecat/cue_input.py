@@ -1,0 +1,104 @@
+"""What a cue gets to see of the features of frames; the same for a batch of frames and for a single one."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.cues.descriptors import Descriptors
+from placecat.errors import PlacecatError
+from placecat.vision import local
+from placecat.vision.local.concatenate import concatenate
+
+LOCAL = {"kind", "name", "y_pos", "y_weight", "color", "max_regions", "tracked"}
+HOLISTIC = {"kind", "name"}
+
+
+def check(descriptor: Mapping[str, Any]) -> None:
+    """Refuse a descriptor of an unknown kind or with an unknown setting.
+
+    Parameters
+    ----------
+    descriptor
+        ``kind`` (local or holistic) and ``name``; for local ones also ``y_pos``, ``y_weight``, ``color`` (the
+        colour descriptor to append, or None), ``max_regions`` and, for tracked regions, ``tracked: true``.
+
+    Raises
+    ------
+    PlacecatError
+        Naming the setting and the valid ones.
+    """
+    kind, name = descriptor["kind"], descriptor["name"]
+    valid = {"local": LOCAL, "holistic": HOLISTIC}.get(kind)
+    if valid is None:
+        raise PlacecatError(f"descriptor.kind must be local or holistic, not {kind!r}")
+    unknown = sorted(set(descriptor) - valid)
+    if unknown:
+        raise PlacecatError(
+            f"{kind} descriptor {name} has no setting {unknown[0]!r} (valid: {', '.join(sorted(valid))})"
+        )
+
+
+def array_names(descriptor: Mapping[str, Any]) -> list[str]:
+    """Name the arrays of :func:`placecat.vision.frame.describe_frame` that :func:`assemble` needs."""
+    if descriptor["kind"] == "holistic":
+        return [f"holistic_{descriptor['name']}"]
+    names = [f"local_{descriptor['name']}", "count"]
+    if descriptor["y_pos"]:
+        names.append("regions")
+    return [*names, f"local_{descriptor['color']}"] if descriptor["color"] else names
+
+
+def assemble(
+    descriptor: Mapping[str, Any],
+    arrays: Mapping[str, NDArray[Any]],
+    *,
+    height: int,
+    modules: Mapping[str, str],
+) -> Descriptors:
+    """Put together one descriptor of n frames.
+
+    Parameters
+    ----------
+    descriptor
+        As for :func:`check`.
+    arrays
+        Those of :func:`array_names`, each with the n frames as its first axis.
+    height
+        Of the frames, in pixels.
+    modules
+        Region descriptor to the module of `placecat.vision.local` that computed it.
+
+    Raises
+    ------
+    PlacecatError
+        More regions than there are.
+    """
+    if descriptor["kind"] == "holistic":
+        return Descriptors(np.array(arrays[f"holistic_{descriptor['name']}"], np.float32))
+    name, color_name, limit = descriptor["name"], descriptor["color"], int(descriptor["max_regions"])
+    found = arrays[f"local_{name}"]
+    if limit > found.shape[1]:
+        raise PlacecatError(
+            f"a cue asks for max_regions {limit}, but regions.max_regions is {found.shape[1]}: "
+            "raise the latter"
+        )
+    counts = np.minimum(arrays["count"], limit).astype(np.int64)
+    x = np.array(found[:, :limit], np.float32)
+    n, m, _ = x.shape
+    y = color = None
+    if descriptor["y_pos"]:
+        y = (np.array(arrays["regions"][:, :limit, 1], np.float32) / np.float32(height)).reshape(-1)
+    if color_name:
+        color = np.array(arrays[f"local_{color_name}"][:, :limit], np.float32).reshape(n * m, -1)
+    joined = concatenate(
+        x.reshape(n * m, -1),
+        y,
+        color,
+        y_weight=float(descriptor["y_weight"]),
+        shape_spread=local.load(modules[name]).SPREAD,
+        color_spread=local.load(modules[color_name]).SPREAD if color_name else 1.0,
+    ).reshape(n, m, -1)
+    joined[np.arange(m)[None, :] >= counts[:, None]] = 0.0
+    return Descriptors(joined, counts)
