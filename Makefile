@@ -37,7 +37,7 @@ ui: $(READY)
 # Needs uv; run after changing the dependencies in pyproject.toml.
 COMPILE := uv pip compile pyproject.toml --universal --python-version 3.11 --generate-hashes --no-header --upgrade
 lock:
-	$(COMPILE) --extra build --extra render --extra test -o requirements-test.lock
+	$(COMPILE) --extra build --extra cluster --extra render --extra search --extra test -o requirements-test.lock
 	$(COMPILE) --extra build -c requirements-test.lock -o requirements.lock
 
 clean:

@@ -26,13 +26,14 @@ def test_what_runs_is_pinned_alike_for_the_tests():
     assert run.items() <= test.items()
 
 
-def test_what_runs_needs_neither_tests_nor_renderer():
+def test_what_runs_needs_no_extra():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     extras = project["optional-dependencies"]
     run, test = (names(pinned(lock)) for lock in LOCKS)
     assert names(project["dependencies"] + extras["build"]) <= run
-    assert names(extras["test"] + extras["render"]) <= test
-    assert not names(extras["test"] + extras["render"]) & run
+    further = names(extra for name in ("cluster", "render", "search", "test") for extra in extras[name])
+    assert further <= test
+    assert not further & run
 
 
 @pytest.mark.parametrize("lock", LOCKS)

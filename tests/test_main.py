@@ -57,7 +57,7 @@ def test_a_missing_data_set_stops_the_first_stage(folder):
     assert "Traceback" not in result.stderr
 
 
-@pytest.mark.parametrize("command", ["", "params", "repro", "compare", "times"])
+@pytest.mark.parametrize("command", ["", "params", "repro", "compare", "times", "train", "predict"])
 def test_every_command_has_help(command, capsys):
     with pytest.raises(SystemExit) as caught:
         main([*command.split(), "--help"])
@@ -70,7 +70,14 @@ def test_every_command_has_help(command, capsys):
         "repro": "--force",
         "compare": "REVISION",
         "times": "--keep",
+        "train": "--without HOME",
+        "predict": "--labels CSV",
     }[command] in text
+
+
+def test_without_a_model_predict_says_how_to_make_one(folder):
+    result = placecat(folder, "predict", "walk.mp4")
+    refused(result, "there is no model data/model.placecat: `make repro` or `placecat train` makes one")
 
 
 # A pipeline of the test's that takes no time: two stages of a loop, and one that writes two tables.

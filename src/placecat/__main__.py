@@ -1,10 +1,12 @@
-"""The command line: ``placecat params``, ``repro``, ``compare`` and ``times``."""
+"""The command line: ``placecat params``, ``repro``, ``compare``, ``times``, ``train`` and ``predict``."""
 
 import argparse
 import sys
 import time
 from collections.abc import Sequence
+from pathlib import Path
 
+import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
 from placecat import paths
 from placecat.compose import write_params
 from placecat.errors import PlacecatError
@@ -83,7 +85,90 @@ def _parser() -> argparse.ArgumentParser:
         help=f"copy them to {paths.KEPT_TIMES} and {paths.KEPT_TIMES_FACTS}, which git keeps",
     )
     times.set_defaults(run=_times)
+    _add_train(commands)
+    _add_predict(commands)
     return parser
+
+
+def _add_train(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    train = commands.add_parser(
+        "train",
+        help="train a system and write it as one file",
+        description="Train a system, from features to smoothing, on the homes that `placecat repro` has "
+        "described, and write it as one file for `placecat predict`.",
+    )
+    train.add_argument(
+        "system", nargs="?", metavar="SYSTEM", help="one of conf/system; by default model.system"
+    )
+    train.add_argument("--without", metavar="HOME", help="leave a home out of all training, to judge on it")
+    train.add_argument("--seed", type=int, help="one of protocol.seeds; by default model.seed")
+    train.add_argument(
+        "--output", type=Path, metavar="FILE", help=f"by default {paths.MODEL}, or a name in {paths.MODELS}"
+    )
+    train.set_defaults(run=_train)
+
+
+def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    predict = commands.add_parser(
+        "predict",
+        help="apply a trained system to a video, a folder of images or a camera",
+        description="Name the place of every frame of new footage. Writes a table of frames, a table of "
+        "segments (which, corrected, is a label file), a timeline and a summary.",
+    )
+    predict.add_argument(
+        "source",
+        metavar="SOURCE",
+        help="a video, a folder of images, camera, camera:NUMBER, or the address of a stream",
+    )
+    predict.add_argument(
+        "--model", type=Path, default=paths.MODEL, metavar="FILE", help=f"by default {paths.MODEL}"
+    )
+    predict.add_argument(
+        "--output", type=Path, metavar="FOLDER", help="by default predictions/ and the name of the source"
+    )
+    film = predict.add_mutually_exclusive_group()
+    film.add_argument(
+        "--video",
+        dest="film",
+        action="store_const",
+        const=".mp4",
+        help="also an annotated video: place, confidence, probabilities, salient regions",
+    )
+    film.add_argument(
+        "--webm",
+        dest="film",
+        action="store_const",
+        const=".webm",
+        help="the same as WebM, which browsers show, too; slower",
+    )
+    predict.add_argument(
+        "--resize",
+        action="store_true",
+        help="scale frames to a size that the model knows; of another shape the middle is taken",
+    )
+    predict.add_argument(
+        "--labels", type=Path, metavar="CSV", help="the true places (start,end,label), to compare with"
+    )
+    predict.add_argument(
+        "--ignore",
+        action="append",
+        default=[],
+        metavar="LABEL",
+        help="a label in CSV whose frames are not scored, as those of transition are; may be repeated",
+    )
+    predict.add_argument(
+        "--every", type=int, default=1, metavar="N", help="take one frame of N; 1 by default"
+    )
+    predict.add_argument(
+        "--seconds", type=float, metavar="S", help="take the first S seconds; a camera is stopped then"
+    )
+    predict.add_argument(
+        "--fps", type=float, help="frames/s of the footage, where it does not say or is wrong"
+    )
+    predict.add_argument(
+        "--force", action="store_true", help="replace a prediction of another source, or one that was edited"
+    )
+    predict.set_defaults(run=_predict)
 
 
 def _params(options: argparse.Namespace) -> int:
@@ -142,6 +227,18 @@ def _times(options: argparse.Namespace) -> int:
         times.keep()
         print(f"Copied to {paths.KEPT_TIMES} and {paths.KEPT_TIMES_FACTS}: commit both.")
     return 0
+
+
+def _train(options: argparse.Namespace) -> int:
+    from placecat.categorizer.train import train_command
+
+    return train_command(options.system, options.without, options.seed, options.output)
+
+
+def _predict(options: argparse.Namespace) -> int:
+    from placecat.predict.command import Options, predict_command
+
+    return predict_command(Options(**{name: value for name, value in vars(options).items() if name != "run"}))
 
 
 if __name__ == "__main__":

@@ -1,5 +1,7 @@
-"""What dvc.lock knows of the data of a run."""
+"""What dvc.lock and git know of a run."""
 
+import re
+import subprocess
 from pathlib import Path
 
 import yaml
@@ -27,3 +29,13 @@ def data_version(stage: str = "sequences") -> str:
         return str(lock["stages"][stage]["outs"][0]["md5"])
     except (FileNotFoundError, KeyError, TypeError):
         raise PlacecatError(f"{LOCK} has no stage {stage}: run `dvc repro` to make it") from None
+
+
+def git_commit() -> str:
+    """Hash of the commit that is checked out, "" outside a git repository."""
+    try:
+        result = subprocess.run(["git", "rev-parse", "HEAD"], capture_output=True, text=True, check=False)
+    except OSError:
+        return ""
+    commit = result.stdout.strip()
+    return commit if re.fullmatch(r"[0-9a-f]{40,64}", commit) else ""

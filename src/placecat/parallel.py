@@ -36,12 +36,13 @@ def in_parallel(
         The results in the order of `tasks`.
     """
     jobs = min(n_jobs or workers(), max(len(tasks), 1))
-    calls = (delayed(_single_threaded)(function, task) for task in tasks)
+    calls = (delayed(single_threaded)(function, task) for task in tasks)
     results = Parallel(n_jobs=jobs, return_as="generator")(calls)
     return list(tqdm(results, total=len(tasks), desc=description, unit="task", mininterval=1.0))
 
 
-def _single_threaded(function: Callable[..., Any], task: tuple[Any, ...]) -> Any:
+def single_threaded(function: Callable[..., Any], task: tuple[Any, ...]) -> Any:
+    """Call ``function(*task)`` with one thread in BLAS, OpenMP and OpenCV."""
     import cv2
 
     cv2.setNumThreads(1)

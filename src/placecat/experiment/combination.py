@@ -1,0 +1,317 @@
+"""One combination of settings: what it means, and whether it can be computed, before anything is."""
+
+import importlib
+import inspect
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from placecat import cues, files, paths, settings
+from placecat.cues import estimators
+from placecat.errors import NotComputable, PlacecatError
+from placecat.evaluation import protocol
+from placecat.experiment import data as data_sets
+from placecat.experiment.data import Data
+from placecat.experiment.options import JUDGES, TEST_HOME, classifiers
+from placecat.learning.hierarchical_kmeans import check_cluster_number
+from placecat.learning.kernels import KernelMachine
+from placecat.learning.scaling import KernelScaling
+from placecat.learning.spatial_pca import SpatialPCA
+
+_LOCAL: dict[str, tuple[tuple[type, ...], str]] = {
+    "y_pos": ((bool,), "true or false"),
+    "y_weight": ((int, float), "a number"),
+    "max_regions": ((int,), "a whole number"),
+    "tracked": ((bool,), "true or false"),
+}
+
+
+@dataclass(frozen=True)
+class Experiment:
+    """One experiment, checked.
+
+    Attributes
+    ----------
+    data
+        What it is trained and tested on.
+    homes
+        Names of the test homes.
+    judge
+        ``test_home`` or ``training_homes``, see :meth:`~placecat.experiment.data.Data.folds`.
+    settings
+        ``descriptor``, ``classifier`` and, for classifiers on clusters, ``codebook``: as in a table's trial.
+    frames
+        ``offset`` and ``step`` of the training frames.
+    seeds
+        Of the clusters; None alone where nothing is random.
+    """
+
+    data: Data
+    homes: tuple[str, ...]
+    judge: str
+    settings: dict[str, Any]
+    frames: dict[str, int]
+    seeds: tuple[int | None, ...]
+
+    def folds(self) -> dict[str, list[protocol.Fold]]:
+        """For each test home the folds that its accuracy is the mean of."""
+        return {home: self.data.folds(home, self.judge) for home in self.homes}
+
+
+def resolve(config: Mapping[str, Any], params: Mapping[str, Any]) -> Experiment:
+    """Find out what a combination means, and refuse what cannot be computed.
+
+    Reads labels and the sizes of features, no features.
+
+    Parameters
+    ----------
+    config
+        conf/experiment.yaml, composed, as plain containers.
+    params
+        params.yaml, which the features were computed with.
+
+    Raises
+    ------
+    PlacecatError
+        What is wrong, and what would be right.
+    """
+    data = data_sets.find(params, str(config["data"]))
+    homes = data_sets.find_homes(data, config["test_home"])
+    judge = config["judge"]
+    if judge not in JUDGES:
+        raise PlacecatError(f"judge={judge} does not exist: use one of {', '.join(JUDGES)}")
+    frames = _frames(config["frames"], settings.get(params, "protocol.cue_frames"))
+    descriptor = _descriptor(config["descriptor"])
+    classifier = dict(config["classifier"])
+    own: dict[str, Any] = {"descriptor": descriptor, "classifier": classifier}
+    needs_codebook = _check_classifier(classifier)
+    if needs_codebook:
+        own["codebook"] = _codebook(config, descriptor, classifier)
+    elif config["codebook"]["cells"] is not None:
+        raise PlacecatError(
+            f"codebook.cells is for classifiers on clusters, not for {_name(classifier)}: leave it out"
+        )
+    seeds = _seeds(config["seeds"], settings.get(params, "protocol.seeds"))
+    experiment = Experiment(data, homes, judge, own, frames, seeds if needs_codebook else (None,))
+    _check_data(experiment, int(config["limits"]["kernel_rows"]))
+    return experiment
+
+
+def _name(classifier: Mapping[str, Any]) -> str:
+    base = classifier.get("base")
+    return str(base.get("name", base)) if isinstance(base, Mapping) else str(classifier.get("model"))
+
+
+def _frames(wanted: Mapping[str, Any], default: Mapping[str, int]) -> dict[str, int]:
+    frames = {name: default[name] if wanted[name] is None else wanted[name] for name in ("offset", "step")}
+    for name, value in frames.items():
+        if not isinstance(value, int) or isinstance(value, bool):
+            raise PlacecatError(f"frames.{name}={value} is no whole number")
+    protocol.select_frames(np.empty(0, np.int16), **frames)
+    return frames
+
+
+def _seeds(wanted: Any, default: Sequence[int]) -> tuple[int, ...]:
+    seeds = default if wanted is None else wanted if isinstance(wanted, Sequence) else [wanted]
+    if (
+        not seeds
+        or isinstance(seeds, str)
+        or any(not isinstance(seed, int) or isinstance(seed, bool) or seed < 0 for seed in seeds)
+        or len(set(seeds)) != len(seeds)
+    ):
+        raise PlacecatError(f"seeds={wanted} must be different whole numbers of 0 or more: e.g. seeds=[0,1]")
+    return tuple(seeds)
+
+
+def _descriptor(wanted: Any) -> dict[str, Any]:
+    """The descriptor as tables write it, since seeds are derived from the text."""
+    if not isinstance(wanted, Mapping) or wanted.get("kind") not in ("local", "holistic"):
+        raise PlacecatError(
+            "descriptor.kind must be local or holistic: choose a descriptor by its name, e.g. descriptor=hog"
+        )
+    own = dict(wanted)
+    name = f"descriptor {own.get('name')}"
+    if own["kind"] == "holistic":
+        settings.refuse_unknown(own, ["kind", "name"], f"{name}, of whole frames,")
+        return own
+    settings.refuse_unknown(own, ["kind", "name", *_LOCAL, "color"], name)
+    for setting, (kinds, meaning) in _LOCAL.items():
+        value = own[setting]
+        if not isinstance(value, kinds) or (isinstance(value, bool) and bool not in kinds):
+            raise PlacecatError(f"descriptor.{setting}={value} must be {meaning}")
+    if own["max_regions"] < 1:
+        raise PlacecatError(f"descriptor.max_regions={own['max_regions']} must be 1 or more")
+    if own["color"] is not None and own["color"] == own["name"]:
+        raise PlacecatError(f"descriptor.color={own['color']} appends the {name} to itself: use null")
+    own["y_weight"] = float(own["y_weight"])
+    if not own["tracked"]:
+        del own["tracked"]
+    return own
+
+
+def _check_classifier(classifier: Mapping[str, Any]) -> bool:
+    """Check all that the classifier's own modules can tell; say whether it works on clusters."""
+    model = classifier.get("model")
+    if model not in cues.model_names():
+        raise PlacecatError(
+            f"classifier.model={model} does not exist: use one of {', '.join(cues.model_names())}"
+        )
+    fit = importlib.import_module(f"{cues.__name__}.{model}").fit
+    # The keyword-only parameters are the settings.
+    parameters = inspect.signature(fit).parameters.values()
+    valid = [one.name for one in parameters if one.kind is one.KEYWORD_ONLY]
+    options = {name: value for name, value in classifier.items() if name != "model"}
+    settings.refuse_unknown(options, valid, f"classifier {_name(classifier)}")
+    base = _base(classifier)
+    if hasattr(base, "check_parameters"):
+        base.check_parameters()
+    if "scheme" in valid:
+        estimators.build(classifier["scheme"], "classifier.scheme", base=base)
+        KernelScaling(kind=classifier["scaling"]).fit(np.eye(2, dtype=np.float32))
+        rows = classifier.get("max_rows")
+        if rows is not None and (not isinstance(rows, int) or rows < 2):
+            raise PlacecatError(f"classifier.max_rows={rows} must be a whole number of at least 2, or null")
+    return "clusters" in valid
+
+
+def _base(classifier: Mapping[str, Any]) -> Any:
+    """The estimator below a classifier, not trained; None where there is none."""
+    return estimators.build(classifier["base"], "classifier.base") if "base" in classifier else None
+
+
+def _codebook(
+    config: Mapping[str, Any], descriptor: Mapping[str, Any], classifier: Mapping[str, Any]
+) -> dict[str, Any]:
+    tree, cells = dict(config["codebook"]["tree"]), config["codebook"]["cells"]
+    clustering = estimators.build(tree, "codebook.tree")
+    clusters = classifier["clusters"]
+    if not isinstance(clusters, int) or isinstance(clusters, bool) or clusters < 1:
+        raise PlacecatError(f"classifier.clusters={clusters} must be a whole number of at least 1")
+    if hasattr(clustering, "branching"):
+        check_cluster_number(clusters, clustering.branching)
+    model = str(classifier["model"])
+    of_frames = config["cells_of_frames"]
+    if descriptor["kind"] == "local" or model not in of_frames:
+        usual, whose = 1, "salient regions"
+    else:
+        usual, whose = int(of_frames[model]), "whole frames"
+    if cells is None:
+        cells = usual
+    if not isinstance(cells, int) or isinstance(cells, bool) or cells < 1:
+        raise PlacecatError(f"codebook.cells={cells} must be a whole number of at least 1")
+    if cells != 1 and (descriptor["kind"] == "local" or model == "knn"):
+        raise PlacecatError(
+            f"codebook.cells={cells}: {_name(classifier)} on descriptor {descriptor['name']} of {whose} "
+            "clusters whole descriptors: use 1"
+        )
+    return {"cells": cells, "tree": tree}
+
+
+def _check_data(experiment: Experiment, kernel_rows: int) -> None:
+    """Compare with what is in data/: features, their sizes, and labels of the training frames."""
+    folds = [fold for of_home in experiment.folds().values() for fold in of_home]
+    training = sorted({home for fold in folds for home in fold.cue_homes})
+    every = sorted({fold.test for fold in folds} | set(training))
+    data = experiment.data
+    data_sets.need_features(data, every)
+    lengths = {_length(data, home, experiment.settings["descriptor"]) for home in every}
+    if len(lengths) > 1:
+        raise PlacecatError(
+            "homes have descriptors of different lengths: run `make repro` to compute them again"
+        )
+    _check_length(experiment.settings, lengths.pop())
+    rows = {home: _rows(experiment, home) for home in training}
+    labels = {home: data.labels(home, training=True) for home in training}
+    present = {home: set(labels[home][rows[home]].tolist()) for home in training}
+    for fold in folds:
+        seen = set().union(*(present[home] for home in fold.cue_homes))
+        missing = [place for number, place in enumerate(data.classes) if number not in seen]
+        if missing:
+            raise PlacecatError(
+                f"for {fold.test} no training frame shows {missing[0]}, in {', '.join(fold.cue_homes)}: "
+                "take other data" + ("" if experiment.judge == TEST_HOME else f" or judge={TEST_HOME}")
+            )
+        judged = data.labels(fold.test, training=experiment.judge != TEST_HOME)
+        if not (judged >= 0).any():
+            raise PlacecatError(f"{fold.test} has no labelled frame: nothing can be tested on it")
+    classifier, descriptor = experiment.settings["classifier"], experiment.settings["descriptor"]
+    is_kernel = isinstance(_base(classifier), KernelMachine)
+    if is_kernel and descriptor["kind"] == "local" and classifier.get("max_rows") is None:
+        counts = {home: _counts(data, home, descriptor)[rows[home]].sum() for home in training}
+        most = int(max(sum(counts[home] for home in fold.cue_homes) for fold in folds))
+        if most > kernel_rows:
+            raise PlacecatError(
+                f"classifier {_name(classifier)} would train on {most} salient regions, and its Gram matrix "
+                "grows with their square: add ++classifier.max_rows=1000, use a classifier without a kernel "
+                f"({', '.join(_without_kernel())}), or raise limits.kernel_rows={kernel_rows}"
+            )
+
+
+def _without_kernel() -> list[str]:
+    return [name for name, own in classifiers().items() if not isinstance(_base(own), KernelMachine)]
+
+
+def _rows(experiment: Experiment, home: str) -> np.ndarray:
+    return protocol.select_frames(experiment.data.labels(home, training=True), **experiment.frames)
+
+
+def _folder(data: Data, home: str, descriptor: Mapping[str, Any]) -> Path:
+    tracked = bool(descriptor.get("tracked", False))
+    return paths.TRACKS / data.path(home) if tracked else paths.features(data.path(home))
+
+
+def _counts(data: Data, home: str, descriptor: Mapping[str, Any]) -> np.ndarray:
+    counts = files.read_array(_folder(data, home, descriptor) / "count.npy", memory_map=False)
+    return np.minimum(counts, descriptor["max_regions"]).astype(np.int64)
+
+
+def _length(data: Data, home: str, descriptor: Mapping[str, Any]) -> int:
+    """Length of the joined descriptor; refuses one that was not computed, or for fewer regions."""
+    folder, kind = _folder(data, home, descriptor), descriptor["kind"]
+    computed = sorted(path.stem.removeprefix(f"{kind}_") for path in folder.glob(f"{kind}_*.npy"))
+    length = int(bool(descriptor.get("y_pos", False)))
+    for setting in ("name", "color"):
+        name = descriptor.get(setting)
+        if name is None:
+            continue
+        if name not in computed:
+            tracked = "tracked " if descriptor.get("tracked", False) else ""
+            whose = f"{tracked}salient regions" if kind == "local" else "whole frames"
+            raise PlacecatError(
+                f"descriptor {name} of {whose} was not computed for the data {data.name}: "
+                f"use one of {', '.join(computed) or 'none'}"
+            )
+        shape = files.read_array(folder / f"{kind}_{name}.npy").shape
+        if kind == "local" and descriptor["max_regions"] > shape[1]:
+            raise PlacecatError(
+                f"descriptor.max_regions={descriptor['max_regions']}, but {shape[1]} regions of a frame were "
+                f"described at most (regions.max_regions of params.yaml): use {shape[1]} or less"
+            )
+        length += shape[-1]
+    return length
+
+
+def _check_length(own: Mapping[str, Any], length: int) -> None:
+    cells = own["codebook"]["cells"] if "codebook" in own else 1
+    if length % cells:
+        divisors = [number for number in (1, 2, 4, 8, 16, 32, 64) if length % number == 0]
+        raise PlacecatError(
+            f"codebook.cells={cells}: descriptor {own['descriptor']['name']} of {length} values cannot be "
+            f"cut into as many: use one of {', '.join(map(str, divisors))}"
+        )
+    reduction = own["classifier"].get("reduction")
+    if reduction is None:
+        return
+    settings.check(SpatialPCA, reduction, "classifier.reduction")
+    try:
+        # It checks its settings first; one sample is always too few for what comes then.
+        SpatialPCA(**reduction).fit(np.zeros((1, length), np.float32))
+    except NotComputable:
+        pass
+    except PlacecatError as error:
+        raise PlacecatError(
+            f"classifier.reduction with descriptor {own['descriptor']['name']}: {error}"
+        ) from None

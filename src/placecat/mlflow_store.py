@@ -1,0 +1,294 @@
+"""Writing to MLflow: any tracking server, or a SQLite database that many processes share."""
+
+from __future__ import annotations
+
+import logging
+import os
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager, nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from placecat.errors import PlacecatError
+
+# MLflow itself takes 5 s to import: inside the functions.
+if TYPE_CHECKING:
+    from contextlib import AbstractContextManager
+
+    from mlflow import MlflowClient
+
+# Tags that the user interface knows.
+DESCRIPTION = "mlflow.note.content"
+COMMIT = "mlflow.source.git.commit"
+PARENT = "mlflow.parentRunId"
+_EXPERIMENT_KIND = {"mlflow.experimentKind": "custom_model_development"}
+
+# Limits of MLflow.
+_MOST_METRICS, _MOST_PARAMS, _MOST_TAGS = 800, 100, 100
+_LONGEST_PARAM = 6000
+
+Files = Mapping[str, Sequence[Path]] | Sequence[Path]
+
+
+def tracking_uri() -> str:
+    """The tracking server in the environment variable MLFLOW_TRACKING_URI, or mlflow.db in this folder."""
+    return os.environ.get("MLFLOW_TRACKING_URI") or "sqlite:///mlflow.db"
+
+
+def connect(uri: str) -> MlflowClient:
+    """Connect to a tracking server or a database, which is made if there is none.
+
+    However many processes do so at once, one makes the database and the others wait.
+
+    Parameters
+    ----------
+    uri
+        E.g. ``sqlite:///mlflow.db`` (relative to this folder) or ``http://127.0.0.1:5000``.
+
+    Raises
+    ------
+    PlacecatError
+        If nothing answers there, or what does is no MLflow of a fitting version.
+    """
+    os.environ.setdefault("MLFLOW_DISABLE_TELEMETRY", "true")
+    # A line a run.
+    os.environ.setdefault("MLFLOW_SUPPRESS_PRINTING_URL_TO_STDOUT", "true")
+    # By default it takes minutes until it says that no server answers.
+    os.environ.setdefault("MLFLOW_HTTP_REQUEST_MAX_RETRIES", "3")
+    lock = _lock(uri)
+    from mlflow import MlflowClient
+
+    # A new database tells of its 50 migrations.
+    for talkative in ("mlflow.store.db.utils", "alembic"):
+        logging.getLogger(talkative).setLevel(logging.WARNING)
+    with _told_plainly(uri), lock:
+        client = MlflowClient(uri)
+        client.search_experiments(max_results=1)
+    return client
+
+
+def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path, description: str) -> str:
+    """Find an experiment by name, or make it; safe if several processes do so at once.
+
+    Parameters
+    ----------
+    artifacts
+        Folder for the files of a new experiment, unless a server keeps them.
+    description
+        Markdown, for people; replaces another one.
+
+    Raises
+    ------
+    PlacecatError
+        If the experiment was deleted and not yet purged, so that MLflow keeps its name.
+    """
+    from mlflow.exceptions import MlflowException
+
+    server = re.match(r"https?:|databricks|uc:", uri) is not None
+    location = None if server else artifacts.resolve().as_uri()
+    with writing(client):
+        found = client.get_experiment_by_name(name)
+        if found is None:
+            try:
+                made = client.create_experiment(
+                    name, artifact_location=location, tags={DESCRIPTION: description, **_EXPERIMENT_KIND}
+                )
+                return str(made)
+            except MlflowException:
+                # A server is not ours to lock: another process was quicker, or it is another error.
+                found = client.get_experiment_by_name(name)
+                if found is None:
+                    raise
+        if found.lifecycle_stage != "active":
+            raise PlacecatError(
+                f"the experiment {name!r} of MLflow at {_shown(uri)} was deleted: restore it with "
+                f"`mlflow experiments restore -x {found.experiment_id}`, or purge it with `mlflow gc`"
+            )
+        if found.tags.get(DESCRIPTION) != description:
+            client.set_experiment_tag(found.experiment_id, DESCRIPTION, description)
+    return str(found.experiment_id)
+
+
+def start_run(
+    client: MlflowClient,
+    experiment_id: str,
+    name: str,
+    *,
+    params: Mapping[str, str] | None = None,
+    metrics: Mapping[str, float] | None = None,
+    tags: Mapping[str, str] | None = None,
+    files: Files = (),
+    parent: str | None = None,
+    description: str = "",
+) -> str:
+    """Start a run; its status is RUNNING until `finish_run`.
+
+    Parameters
+    ----------
+    params
+        Values of more than 6000 characters are cut, as MLflow takes no longer ones.
+    metrics
+        One value each.
+    files
+        Paths, or a folder within the run to the paths that go there.
+    parent
+        Id of the run to nest this one in.
+    description
+        Markdown, for people.
+
+    Returns
+    -------
+    str
+        Id of the run.
+    """
+    tags = dict(tags or {})
+    if parent is not None:
+        tags[PARENT] = parent
+    if description:
+        tags[DESCRIPTION] = description
+    with writing(client):
+        run_id = str(client.create_run(experiment_id, run_name=name, tags=tags).info.run_id)
+    _log(client, run_id, params or {}, metrics or {}, {}, files)
+    return run_id
+
+
+def finish_run(
+    client: MlflowClient,
+    run_id: str,
+    *,
+    params: Mapping[str, str] | None = None,
+    metrics: Mapping[str, float] | None = None,
+    tags: Mapping[str, str] | None = None,
+    files: Files = (),
+    status: str = "FINISHED",
+) -> None:
+    """Log more to a run, then end it.
+
+    Parameters
+    ----------
+    status
+        FINISHED, FAILED or KILLED.
+    """
+    _log(client, run_id, params or {}, metrics or {}, tags or {}, files)
+    with writing(client):
+        client.set_terminated(run_id, status)
+
+
+def log_run(
+    client: MlflowClient,
+    experiment_id: str,
+    name: str,
+    *,
+    params: Mapping[str, str] | None = None,
+    metrics: Mapping[str, float] | None = None,
+    tags: Mapping[str, str] | None = None,
+    files: Files = (),
+    parent: str | None = None,
+    description: str = "",
+) -> str:
+    """Log a whole run: `start_run` and `finish_run`, whose parameters these are; gives its id."""
+    run_id = start_run(
+        client,
+        experiment_id,
+        name,
+        params=params,
+        metrics=metrics,
+        tags=tags,
+        files=files,
+        parent=parent,
+        description=description,
+    )
+    finish_run(client, run_id)
+    return run_id
+
+
+def set_tags(client: MlflowClient, run_id: str, tags: Mapping[str, str]) -> None:
+    """Set tags of a run."""
+    _log(client, run_id, {}, {}, tags, ())
+
+
+def key(*parts: str) -> str:
+    """A name of a metric or parameter that MLflow accepts: letters, digits, and ``_-. /`` only."""
+    text = "/".join(part for part in parts if part).replace("+", "and")
+    return re.sub(r"[^\w\-. /]", "", text)
+
+
+@contextmanager
+def writing(client: MlflowClient) -> Iterator[None]:
+    """Hold the database, if it is SQLite: one process writes, others wait. May be nested.
+
+    Every function here that writes does so; around several of them it keeps others out in between.
+
+    Raises
+    ------
+    PlacecatError
+        For what MLflow or its database complains of in the block.
+    """
+    with _told_plainly(client.tracking_uri), _lock(client.tracking_uri):
+        yield
+
+
+def _log(
+    client: MlflowClient,
+    run_id: str,
+    params: Mapping[str, str],
+    metrics: Mapping[str, float],
+    tags: Mapping[str, str],
+    files: Files,
+) -> None:
+    from mlflow.entities import Metric, Param, RunTag
+    from mlflow.utils.time import get_current_time_millis
+
+    now = get_current_time_millis()
+    all_metrics = [Metric(name, float(value), now, 0) for name, value in metrics.items()]
+    all_params = [Param(name, str(value)[:_LONGEST_PARAM]) for name, value in params.items()]
+    all_tags = [RunTag(name, value) for name, value in tags.items()]
+    with writing(client):
+        while all_metrics or all_params or all_tags:
+            client.log_batch(
+                run_id, all_metrics[:_MOST_METRICS], all_params[:_MOST_PARAMS], all_tags[:_MOST_TAGS]
+            )
+            del all_metrics[:_MOST_METRICS], all_params[:_MOST_PARAMS], all_tags[:_MOST_TAGS]
+    folders = files if isinstance(files, Mapping) else {"": files}
+    with _told_plainly(client.tracking_uri):
+        for folder, paths in folders.items():
+            for path in paths:
+                client.log_artifact(run_id, str(path), folder or None)
+
+
+def _lock(uri: str) -> AbstractContextManager[object]:
+    """A lock that all processes with this SQLite database share; nothing for other URIs."""
+    if not uri.startswith("sqlite"):
+        return nullcontext()
+    from filelock import FileLock
+    from sqlalchemy.engine import make_url
+
+    database = make_url(uri).database
+    if not database or database == ":memory:":
+        raise PlacecatError(f"the MLflow tracking URI {uri!r} names no file: write e.g. sqlite:///mlflow.db")
+    path = Path(database).resolve()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    # The same object for the same path, so that a thread may take it twice.
+    return FileLock(path.with_name(f"{path.name}.lock"), is_singleton=True)
+
+
+@contextmanager
+def _told_plainly(uri: str) -> Iterator[None]:
+    """Turn the errors of MLflow, its database and its server to one clear message."""
+    from mlflow.exceptions import MlflowException
+    from requests.exceptions import RequestException
+    from sqlalchemy.exc import SQLAlchemyError
+
+    try:
+        yield
+    except (MlflowException, RequestException, SQLAlchemyError) as error:
+        lines = str(error).strip().splitlines() or [type(error).__name__]
+        raise PlacecatError(
+            _shown(f"MLflow at {uri}: {lines[0]} (MLFLOW_TRACKING_URI says where MLflow is)")
+        ) from error
+
+
+def _shown(text: str) -> str:
+    """A text without the passwords of its URIs."""
+    return re.sub(r"(://[^/:@\s]*):[^/@\s]*@", r"\1:***@", text)

@@ -1,0 +1,1 @@
+"""A trained system on new footage: tables, a timeline and an annotated video (``placecat predict``)."""

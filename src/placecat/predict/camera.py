@@ -1,0 +1,137 @@
+"""A camera or a stream: always the newest frame; those that come meanwhile are dropped."""
+
+import threading
+import time
+from collections.abc import Iterator
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.predict.frame import Frame
+
+# Assumed of a camera that does not say.
+USUAL_FPS = 30.0
+PATIENCE = 10.0
+"""Seconds without a frame after which a camera counts as gone."""
+
+
+class Camera:
+    """Frames as they come.
+
+    A thread reads all that the camera delivers, so that no queue of old frames builds up in the driver, and
+    keeps the newest. The footage ends when the camera stops delivering.
+
+    Parameters
+    ----------
+    address
+        Number of a camera, or address of a stream.
+    name
+        For the folder of results.
+    fps
+        Frames a second; None takes what the camera says.
+    size
+        (width, height) that a numbered camera is asked for; what it gives may differ.
+    title
+        For messages.
+
+    Attributes
+    ----------
+    arrived
+        Frames that the camera delivered until the last one was taken.
+
+    Raises
+    ------
+    PlacecatError
+        If it cannot be opened or gives no frame.
+    """
+
+    is_live = True
+
+    def __init__(
+        self, address: int | str, name: str, fps: float | None, size: tuple[int, int], *, title: str
+    ) -> None:
+        self.name = name
+        self.reached = 0
+        self.arrived = 0
+        if isinstance(address, int):
+            self._capture = cv2.VideoCapture(address)
+            self._capture.set(cv2.CAP_PROP_FRAME_WIDTH, size[0])
+            self._capture.set(cv2.CAP_PROP_FRAME_HEIGHT, size[1])
+        else:
+            self._capture = cv2.VideoCapture(address, cv2.CAP_FFMPEG)
+        if not self._capture.isOpened():
+            raise PlacecatError(
+                f"{title} cannot be opened: is it connected, and used by no other program? Other "
+                "cameras are camera:1, camera:2, ..."
+                if isinstance(address, int)
+                else f"{title} cannot be opened: is the address right, and the stream running?"
+            )
+        done, first = self._capture.read()
+        if not done or first is None:
+            self._capture.release()
+            raise PlacecatError(f"{title} can be opened, but gives no frame: is it used elsewhere?")
+        self.size = (first.shape[1], first.shape[0])
+        known = self._capture.get(cv2.CAP_PROP_FPS)
+        rate = fps if fps is not None else known
+        self.fps = float(rate) if np.isfinite(rate) and rate > 0 else USUAL_FPS
+        self._news = threading.Condition()
+        self._newest: tuple[NDArray[np.uint8], float] | None = None
+        self._delivered = 0
+        self._is_over = False
+
+    def frames(self, every: int) -> Iterator[Frame]:
+        """Wait for frames that were not taken yet; `every` has to be 1."""
+        if every != 1:
+            raise PlacecatError(
+                "--every is for files: of a camera the newest frame is taken whenever one is done"
+            )
+        thread = threading.Thread(target=self._read, name="camera", daemon=True)
+        thread.start()
+        start: float | None = None
+        try:
+            while True:
+                with self._news:
+                    self._wait()
+                    if self._newest is None:
+                        return
+                    (image, when), self._newest = self._newest, None
+                    self.arrived = self._delivered
+                start = when if start is None else start
+                self.reached += 1
+                yield Frame(self.reached, round(when - start, 3), "", image)
+        finally:
+            self._is_over = True
+            thread.join(timeout=2.0)
+            if not thread.is_alive():
+                self._capture.release()
+
+    def _wait(self) -> None:
+        # In short waits, since a long one does not answer Ctrl-C on every system.
+        until = time.monotonic() + PATIENCE
+        while self._newest is None and not self._is_over and time.monotonic() < until:
+            self._news.wait(0.2)
+
+    def _read(self) -> None:
+        while not self._is_over:
+            done, image = self._capture.read()
+            with self._news:
+                if done and image is not None:
+                    self._newest = (image, time.monotonic())  # type: ignore[assignment]
+                    self._delivered += 1
+                else:
+                    self._is_over = True
+                self._news.notify_all()
+
+    def count(self) -> int | None:
+        """Not known."""
+        return None
+
+    def exact_count(self) -> int:
+        """Refuse: a camera's frames cannot be labelled before they are taken."""
+        raise PlacecatError("--labels is for files: a camera's frames have no labels yet")
+
+    def warning(self) -> str:
+        """Nothing."""
+        return ""

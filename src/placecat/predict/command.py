@@ -1,0 +1,217 @@
+"""``placecat predict``."""
+
+import os
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+from matplotlib import style
+from tqdm import tqdm
+
+from placecat import files
+from placecat.categorizer import Categorizer, Decision
+from placecat.errors import PlacecatError
+from placecat.predict import destination, report, tables, timeline, truth
+from placecat.predict.camera import Camera
+from placecat.predict.fitting import Fit, fit
+from placecat.predict.frame import Frame
+from placecat.predict.prediction import Prediction
+from placecat.predict.run import Speed, Wish, run
+from placecat.predict.sources import Source, open_source, without_password
+from placecat.reporting import figures
+
+TIMELINE, SPEED = "timeline.png", "speed.json"
+ANNOTATED = "annotated"
+# What the terminal shows of the segments; the file has all.
+SHOWN_SEGMENTS = 12
+
+
+@dataclass(frozen=True)
+class Options:
+    """What `placecat predict` was asked for; see its help."""
+
+    source: str
+    model: Path
+    output: Path | None = None
+    film: str | None = None
+    resize: bool = False
+    labels: Path | None = None
+    ignore: Sequence[str] = ()
+    every: int = 1
+    seconds: float | None = None
+    fps: float | None = None
+    force: bool = False
+
+
+def predict_command(options: Options) -> int:
+    """Apply a trained system to footage, write the results and print a summary.
+
+    Returns
+    -------
+    int
+        0; mistakes raise PlacecatError and leave nothing behind.
+    """
+    _check(options)
+    _quiet()
+    categorizer = Categorizer.load(options.model)
+    trained = list(categorizer.card.get("fps", []))
+    source = open_source(
+        options.source,
+        fps=options.fps,
+        usual_fps=trained[0] if trained else None,
+        size=categorizer.frame_size,
+    )
+    if source.is_live and options.every != 1:
+        raise PlacecatError(
+            "--every is for files: of a camera the newest frame is taken whenever one is done"
+        )
+    chosen = fit(source.size, categorizer.frame_sizes, resize=options.resize)
+    folder = destination.choose(options.output, source.name, is_live=source.is_live)
+    read = [options.model, *([options.labels] if options.labels else [])]
+    read += [Path(options.source)] if Path(options.source).exists() else []
+    destination.check(folder, without_password(options.source), read, force=options.force)
+    labels = None
+    if options.labels is not None:
+        count = source.exact_count()
+        labels = truth.read(options.labels, count, source.fps, categorizer.classes, options.ignore)
+    _announce(options, source, chosen, categorizer, trained)
+    with files.replacing(folder) as temporary:
+        temporary.mkdir()
+        film = temporary / f"{ANNOTATED}{options.film}" if options.film else None
+        wish = Wish(every=options.every, seconds=options.seconds, film=film, truth=labels)
+        with _Progress(source, wish) as progress:
+            prediction, speed, was_stopped = run(categorizer, source, chosen, wish, progress.show)
+        if was_stopped:
+            print("Stopped; what was seen until then is written.")
+        agreement = None
+        shown = None if labels is None else labels[prediction.numbers - 1]
+        if shown is not None:
+            agreement = truth.agreement(prediction, shown)
+        tables.write_frames(temporary / tables.FRAMES, prediction)
+        tables.write_segments(temporary / tables.SEGMENTS, prediction)
+        # From the defaults of matplotlib, whatever the user's own settings are.
+        with style.context([figures.STYLE], after_reset=True):
+            title = f"{source.name}: {categorizer.card.get('title', 'places')}"
+            figures.save(timeline.draw(prediction, title, shown), temporary / TIMELINE)
+        files.write_json(temporary / SPEED, _speed(speed, source))
+        content = _summary(options, source, chosen, categorizer, prediction, agreement)
+        content["files"] = sorted([*(path.name for path in temporary.iterdir()), destination.SUMMARY])
+        content |= destination.checksums(temporary, [tables.FRAMES, tables.SEGMENTS])
+        files.write_json(temporary / destination.SUMMARY, content)
+    _print(folder, options, source, prediction, speed, agreement)
+    return 0
+
+
+def _check(options: Options) -> None:
+    if options.every < 1:
+        raise PlacecatError(f"--every is {options.every}: give 1 or more")
+    if options.seconds is not None and not (np.isfinite(options.seconds) and options.seconds > 0):
+        raise PlacecatError(f"--seconds is {options.seconds:g}: give more than 0")
+
+
+def _quiet() -> None:
+    """One message of ours, instead of several of FFmpeg's and OpenCV's."""
+    os.environ.setdefault("OPENCV_FFMPEG_LOGLEVEL", "-8")
+    cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
+
+
+def _announce(
+    options: Options, source: Source, chosen: Fit, categorizer: Categorizer, trained: Sequence[float]
+) -> None:
+    print(f"{categorizer.card.get('title', options.model)}: {', '.join(categorizer.classes)}")
+    if chosen.source != chosen.target:
+        print(f"Frames: {chosen}.")
+    if Path(options.source).is_dir() and options.fps is None:
+        print(f"A folder has no frame rate: {source.fps:g} frames/s, as the model's footage (--fps sets it).")
+    note = report.rate_note(source.fps, options.every, trained)
+    # At which rate frames of a camera will be taken is not known.
+    if note and not source.is_live:
+        _warn(note)
+    if source.is_live:
+        end = f"after {options.seconds:g} s" if options.seconds is not None else "with Ctrl-C"
+        print(f"Always the newest frame is taken, others are dropped. Ends {end}; then all is written.")
+    sys.stdout.flush()
+
+
+class _Progress:
+    """A bar with the frame rate; for a camera a line that follows it."""
+
+    def __init__(self, source: Source, wish: Wish) -> None:
+        total = source.count()
+        if total is not None and wish.seconds is not None:
+            total = min(total, int(np.ceil(wish.seconds * source.fps)))
+        self._total = None if total is None else -(-total // wish.every)
+
+    def __enter__(self) -> "_Progress":
+        # Nothing where no one looks, such as in a log.
+        self._bar = tqdm(total=self._total, unit=" frames", disable=None, dynamic_ncols=True)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._bar.close()
+
+    def show(self, frame: Frame, decision: Decision, speed: Speed) -> None:
+        """Move on by a frame."""
+        self._bar.set_postfix_str(f"{decision.place} {decision.confidence:.0%}", refresh=False)
+        self._bar.update()
+
+
+def _speed(speed: Speed, source: Source) -> dict[str, float]:
+    return {
+        "frames_per_second": round(speed.rate, 2),
+        "categorizer_frames_per_second": round(speed.categorizer_rate, 2),
+        "footage_frames_per_second": source.fps,
+        "times_the_footage": round(speed.rate / speed.wanted, 3),
+    }
+
+
+def _summary(
+    options: Options,
+    source: Source,
+    chosen: Fit,
+    categorizer: Categorizer,
+    prediction: Prediction,
+    agreement: dict[str, Any] | None,
+) -> dict[str, Any]:
+    card = categorizer.card
+    return {
+        "source": without_password(options.source),
+        "camera": source.is_live,
+        "model": {name: card.get(name) for name in ("title", "placecat", "data")},
+        "classes": list(categorizer.classes),
+        "every": options.every,
+        "frame_size": list(chosen.source),
+        "kept": list(chosen.kept),
+        "scaled_to": list(chosen.target),
+    } | report.facts(prediction, agreement)
+
+
+def _print(
+    folder: Path,
+    options: Options,
+    source: Source,
+    prediction: Prediction,
+    speed: Speed,
+    agreement: dict[str, Any] | None,
+) -> None:
+    if options.seconds is None and source.warning():
+        _warn(source.warning())
+    print("\nShare of time:")
+    print("\n".join(report.shares(prediction)))
+    print("\nSegments:")
+    print("\n".join(report.segment_lines(prediction, SHOWN_SEGMENTS)))
+    if agreement is not None:
+        print()
+        print("\n".join(report.confusions(prediction.classes, agreement)))
+    dropped = source.arrived - speed.frames if isinstance(source, Camera) else None
+    print(f"\n{len(prediction.numbers)} frames: ", end="")
+    print(report.speed_text(speed, options.every, source.fps, dropped=dropped))
+    print(f"{folder}: {', '.join(sorted(path.name for path in folder.iterdir()))}")
+
+
+def _warn(text: str) -> None:
+    print(f"placecat: note: {text}", file=sys.stderr)

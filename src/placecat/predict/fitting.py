@@ -1,0 +1,114 @@
+"""Frames of another size, cut and scaled to one that the model knows."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+
+Size = tuple[int, int]
+LEAST = 0.5
+"""Share of a frame that has to be left after cutting; less would not be the same view."""
+
+
+@dataclass(frozen=True)
+class Fit:
+    """What is done with every frame.
+
+    Attributes
+    ----------
+    source
+        (width, height) of the footage.
+    kept
+        (width, height) of the middle that is kept.
+    target
+        (width, height) that it is scaled to.
+    """
+
+    source: Size
+    kept: Size
+    target: Size
+
+    def __call__(self, frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
+        """Cut and scale.
+
+        Parameters
+        ----------
+        frame
+            (H, W, 3) uint8 of the size `source`.
+
+        Returns
+        -------
+        (H', W', 3) uint8 of the size `target`; the frame itself if that is its size.
+        """
+        if self.source == self.target:
+            return frame
+        left, top = ((have - keep) // 2 for have, keep in zip(self.source, self.kept, strict=True))
+        middle = frame[top : top + self.kept[1], left : left + self.kept[0]]
+        # INTER_AREA averages when it makes smaller, but repeats pixels when it makes larger.
+        method = cv2.INTER_AREA if self.target[0] <= self.kept[0] else cv2.INTER_LINEAR
+        return cv2.resize(middle, self.target, interpolation=method)  # type: ignore[return-value]
+
+    def __str__(self) -> str:
+        cut = "" if self.kept == self.source else f" (the middle {_text(self.kept)} of it)"
+        return f"{_text(self.source)}{cut} is scaled to {_text(self.target)}"
+
+
+def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
+    """Choose how frames become those of a size that the model knows.
+
+    Parameters
+    ----------
+    source
+        (width, height) of the footage.
+    known
+        The model's sizes, at least one.
+    resize
+        Whether other sizes may be made to fit: the frame is scaled, INTER_AREA; if its aspect ratio differs,
+        its middle is taken. Of several sizes, that which keeps most of the frame, then the nearest in size.
+
+    Raises
+    ------
+    PlacecatError
+        For another size without `resize`, or if cutting would leave less than half of the frame.
+    """
+    if source in known:
+        return Fit(source, source, source)
+    sizes = " or ".join(_text(size) for size in known)
+    if not resize:
+        raise PlacecatError(
+            f"the footage has {_text(source)} pixels, but the model was trained on {sizes}: add --resize to "
+            "scale it, or train on footage of this size"
+        )
+    fits = [Fit(source, _middle(source, size), size) for size in known]
+    best = max(fits, key=lambda one: (_share(one), -abs(np.log(_area(one.target) / _area(one.kept)))))
+    if _share(best) < LEAST:
+        raise PlacecatError(
+            f"the footage has {_text(source)} pixels: cut to the shape of {_text(best.target)}, which the "
+            f"model was trained on, only {_share(best):.0%} of it would be left; film in that shape"
+        )
+    return best
+
+
+def _middle(source: Size, target: Size) -> Size:
+    """The largest part of the shape of `target`; a difference below a pixel in a hundred is not cut."""
+    width = min(source[0], round(source[1] * target[0] / target[1]))
+    height = min(source[1], round(source[0] * target[1] / target[0]))
+    if width >= 0.99 * source[0] and height >= 0.99 * source[1]:
+        return source
+    return max(1, width), max(1, height)
+
+
+def _share(one: Fit) -> float:
+    return _area(one.kept) / _area(one.source)
+
+
+def _area(size: Size) -> int:
+    return size[0] * size[1]
+
+
+def _text(size: Size) -> str:
+    return f"{size[0]}x{size[1]}"

@@ -1,0 +1,86 @@
+"""Text in pictures, in the font of the figures, which OpenCV cannot draw."""
+
+from functools import lru_cache
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.font_manager import FontProperties
+from numpy.typing import NDArray
+
+_FONT = "DejaVu Sans"
+# Of the size of the font: below the baseline, and in all.
+_DESCENT, _LINE = 0.28, 1.3
+
+
+def line_height(size: int) -> int:
+    """Height in pixels of a line of text."""
+    return round(_LINE * size)
+
+
+@lru_cache(maxsize=1024)
+def mask(text: str, size: int, *, bold: bool = False) -> NDArray[np.float32]:
+    """How much of each pixel the text covers.
+
+    Parameters
+    ----------
+    text
+        One line.
+    size
+        Of the font, in pixels.
+
+    Returns
+    -------
+    (line_height(size), width) float32 in [0, 1].
+    """
+    if not text:
+        return np.zeros((line_height(size), 0), np.float32)
+    # At 72 dots an inch a point is a pixel.
+    figure = Figure(dpi=72, facecolor="none")
+    canvas = FigureCanvasAgg(figure)
+    properties = FontProperties(family=_FONT, size=size, weight="bold" if bold else "normal")
+    drawn = figure.text(0, 0, text, fontproperties=properties, parse_math=False, color="black")
+    width = int(np.ceil(drawn.get_window_extent(canvas.get_renderer()).width)) + 2
+    height = line_height(size)
+    figure.set_size_inches(width / 72, height / 72)
+    drawn.set_position((1 / width, _DESCENT * size / height))
+    drawn.set_verticalalignment("baseline")
+    canvas.draw()
+    return (np.asarray(canvas.buffer_rgba())[:, :, 3] / 255).astype(np.float32)
+
+
+def write(
+    picture: NDArray[np.uint8],
+    text: str,
+    where: tuple[int, int],
+    size: int,
+    color: tuple[int, int, int],
+    *,
+    bold: bool = False,
+    align: str = "left",
+) -> int:
+    """Write a line into a picture; what does not fit is cut.
+
+    Parameters
+    ----------
+    picture
+        (H, W, 3) uint8, BGR, is changed.
+    where
+        x and y of the line's upper corner, the left one or with ``align="right"`` the right one.
+    size
+        Of the font, in pixels.
+    color
+        BGR.
+
+    Returns
+    -------
+    int
+        Width of the text.
+    """
+    cover = mask(text, size, bold=bold)
+    left = where[0] - (cover.shape[1] if align == "right" else 0)
+    x, y = max(left, 0), max(where[1], 0)
+    part = picture[y : where[1] + cover.shape[0], x : left + cover.shape[1]]
+    own = cover[y - where[1] :, x - left :][: part.shape[0], : part.shape[1], None]
+    part[:] = np.rint(part * (1 - own) + np.array(color, np.float32) * own).astype(np.uint8)
+    return cover.shape[1]

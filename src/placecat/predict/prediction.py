@@ -1,0 +1,81 @@
+"""What a system made of footage."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.sequences.labels import Segment
+
+
+@dataclass(frozen=True, eq=False)
+class Prediction:
+    """Frames that were categorized, n of them, in order.
+
+    Attributes
+    ----------
+    classes
+        Places, K of them.
+    fps
+        Frames a second of the footage.
+    length
+        Frames of the footage that were passed, from 1: at least as many as were categorized.
+    numbers
+        (n,) int64, number of each frame in the footage, from 1.
+    seconds
+        (n,) float64, since the first frame.
+    names
+        File of each frame; empty if the footage is one file.
+    proba
+        (n, K) float64, smoothed: what decides.
+    integrated
+        (n, K) float64, of each frame alone.
+    """
+
+    classes: tuple[str, ...]
+    fps: float
+    length: int
+    numbers: NDArray[np.int64]
+    seconds: NDArray[np.float64]
+    names: Sequence[str]
+    proba: NDArray[np.float64]
+    integrated: NDArray[np.float64]
+
+    @property
+    def decision(self) -> NDArray[np.int64]:
+        """(n,) class indices."""
+        return self.proba.argmax(axis=1)
+
+    @property
+    def frame_decision(self) -> NDArray[np.int64]:
+        """(n,) class indices of each frame alone."""
+        return self.integrated.argmax(axis=1)
+
+    @property
+    def confidence(self) -> NDArray[np.float64]:
+        """(n,) probability of the decision."""
+        return self.proba.max(axis=1)
+
+    @property
+    def ends(self) -> NDArray[np.float64]:
+        """(n,) seconds at which each frame gives way to the next."""
+        step = float(np.median(np.diff(self.seconds))) if len(self.seconds) > 1 else 1 / self.fps
+        return np.append(self.seconds[1:], self.seconds[-1] + step)
+
+    def segments(self) -> list[Segment]:
+        """Consecutive frames of one place, in frames of the footage; they cover it without a gap.
+
+        A frame that was not categorized belongs to the one before it. `line` is that in segments.csv.
+        """
+        return [
+            Segment(start, end, self.classes[self.decision[first]], line)
+            for line, (start, end, first) in enumerate(self._runs(), 2)
+        ]
+
+    def _runs(self) -> list[tuple[int, int, int]]:
+        decision = self.decision
+        firsts = np.flatnonzero(np.r_[True, decision[1:] != decision[:-1]])
+        starts = self.numbers[firsts]
+        ends = np.append(starts[1:] - 1, self.length)
+        return list(zip(starts.tolist(), ends.tolist(), firsts.tolist(), strict=True))

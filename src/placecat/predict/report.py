@@ -1,0 +1,134 @@
+"""The prediction in words and as JSON."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from placecat.predict.clock import clock
+from placecat.predict.prediction import Prediction
+from placecat.predict.run import Speed
+
+
+def facts(prediction: Prediction, agreement: Mapping[str, Any] | None) -> dict[str, Any]:
+    """What the summary says of the prediction; no times of the run, so that it can be reproduced.
+
+    Parameters
+    ----------
+    agreement
+        From `placecat.predict.truth.agreement`, if there are labels.
+    """
+    share = _share_of_time(prediction)
+    alone = prediction.frame_decision
+    return {
+        "frames": len(prediction.numbers),
+        "frames_of_footage": prediction.length,
+        "fps": prediction.fps,
+        "seconds": round(float(prediction.ends[-1]), 3),
+        "share_of_time": {name: round(value, 4) for name, value in share.items()},
+        "segments": len(prediction.segments()),
+        "mean_confidence": round(float(prediction.confidence.mean()), 4),
+        "changes": _changes(prediction.decision),
+        "changes_of_frame_alone": _changes(alone),
+        "agreement": agreement,
+    }
+
+
+def shares(prediction: Prediction) -> list[str]:
+    """Lines: the share of time of each place that was seen, the longest first."""
+    found = sorted(_share_of_time(prediction).items(), key=lambda one: -one[1])
+    width = max(map(len, prediction.classes))
+    return [f"  {name:{width}}  {value:6.1%}" for name, value in found if value > 0]
+
+
+def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str]:
+    """Lines: accuracy, and a table of labelled places (rows) and decisions (columns)."""
+    if agreement["accuracy"] is None:
+        return ["No categorized frame has a label of the model's places: nothing is scored."]
+    rows = [list(map(str, row)) for row in agreement["confusion"]]
+    widths = [max(len(name), *(len(row[column]) for row in rows)) for column, name in enumerate(classes)]
+    first = max(len("label"), *map(len, classes))
+    lines = [
+        f"Accuracy (mean over the places labelled): {agreement['accuracy']:.2f} %; "
+        f"of each frame alone {agreement['frame_accuracy']:.2f} %",
+        "  " + "  ".join([f"{'label':{first}}", *_cells(classes, widths), "correct"]),
+    ]
+    for name, row in zip(classes, rows, strict=True):
+        percent = agreement["by_place"][name]
+        correct = "-" if percent is None else f"{percent:.1f} %"
+        lines.append("  " + "  ".join([f"{name:{first}}", *_cells(row, widths), f"{correct:>7}"]))
+    return lines
+
+
+def speed_text(speed: Speed, every: int, fps: float, *, dropped: int | None = None) -> str:
+    """The frame rate against the footage's own.
+
+    Parameters
+    ----------
+    every
+        One frame of so many was categorized.
+    fps
+        Of the footage.
+    dropped
+        Frames of a camera that were not taken.
+    """
+    ratio = speed.rate / speed.wanted
+    text = (
+        f"{speed.rate:.1f} frames/s (the categorizer alone {speed.categorizer_rate:.1f}), {ratio:.2f} times "
+    )
+    text += (
+        f"the footage's {fps:.4g}"
+        if every == 1
+        else f"the {speed.wanted:.4g} taken of the footage's {fps:.4g}"
+    )
+    if dropped is not None:
+        text += f"; {dropped} frames came meanwhile and were dropped"
+    return text
+
+
+def rate_note(fps: float, every: int, trained: Sequence[float]) -> str:
+    """Whether frames come at another rate than those that the model learnt to smooth; "" if not.
+
+    Parameters
+    ----------
+    trained
+        Frames a second of the training footage.
+    """
+    wanted = fps / every
+    if not trained or any(0.5 < wanted / rate < 2.0 for rate in trained):
+        return ""
+    best = max(1, round(fps / max(trained)))
+    text = f"the model's smoothing learnt from {' or '.join(f'{rate:.4g}' for rate in trained)} frames/s"
+    advice = f"; --every {best} comes closest" if best != every else ""
+    return f"{text}, and is given {wanted:.4g}{advice}"
+
+
+def segment_lines(prediction: Prediction, most: int) -> list[str]:
+    """Lines: the first segments with their times."""
+    parts = prediction.segments()
+    lines = []
+    for part in parts[:most]:
+        start, end = _time(prediction, part.start), _time(prediction, part.end + 1)
+        lines.append(f"  {clock(start):>8} - {clock(end):<8} {part.label}")
+    if len(parts) > most:
+        lines.append(f"  ... and {len(parts) - most} more")
+    return lines
+
+
+def _time(prediction: Prediction, frame: int) -> float:
+    row = int(np.searchsorted(prediction.numbers, frame))
+    return float(prediction.seconds[row] if row < len(prediction.seconds) else prediction.ends[-1])
+
+
+def _share_of_time(prediction: Prediction) -> dict[str, float]:
+    lengths = prediction.ends - prediction.seconds
+    total = np.bincount(prediction.decision, weights=lengths, minlength=len(prediction.classes))
+    return dict(zip(prediction.classes, (total / total.sum()).tolist(), strict=True))
+
+
+def _changes(decision: np.ndarray) -> int:
+    return int((decision[1:] != decision[:-1]).sum())
+
+
+def _cells(texts: Sequence[str], widths: Sequence[int]) -> list[str]:
+    return [f"{text:>{width}}" for text, width in zip(texts, widths, strict=True)]

@@ -1,0 +1,168 @@
+"""Footage through a system, into a folder of results."""
+
+import time
+from collections.abc import Callable
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.categorizer import Decision
+from placecat.errors import PlacecatError
+from placecat.predict.annotate import Annotator
+from placecat.predict.film import Film
+from placecat.predict.fitting import Fit
+from placecat.predict.frame import Frame
+from placecat.predict.prediction import Prediction
+from placecat.predict.sources import Source
+
+Shown = Callable[[Frame, Decision, "Speed"], None]
+
+
+class System(Protocol):
+    """What is needed of `placecat.categorizer.Categorizer`."""
+
+    classes: tuple[str, ...]
+
+    def update(self, frame: NDArray[np.uint8], /) -> Decision:
+        """Take the next frame."""
+
+
+@dataclass
+class Speed:
+    """How fast it went.
+
+    Attributes
+    ----------
+    frames
+        That were categorized.
+    seconds
+        In all: decoding, categorizing, drawing.
+    categorizing
+        Seconds of it in the categorizer.
+    wanted
+        Frames to categorize in a second of footage.
+    """
+
+    wanted: float
+    frames: int = 0
+    seconds: float = 0.0
+    categorizing: float = 0.0
+
+    @property
+    def rate(self) -> float:
+        """Frames a second."""
+        return self.frames / self.seconds if self.seconds else 0.0
+
+    @property
+    def categorizer_rate(self) -> float:
+        """Frames a second that the categorizer alone would do."""
+        return self.frames / self.categorizing if self.categorizing else 0.0
+
+
+@dataclass(frozen=True)
+class Wish:
+    """What the user asked for.
+
+    Attributes
+    ----------
+    every
+        Categorize the first of so many frames.
+    seconds
+        Footage to take; None takes all.
+    film
+        Path of the annotated video, if any.
+    truth
+        (frames of the footage,) class indices to write into the video, -1 for none.
+    """
+
+    every: int = 1
+    seconds: float | None = None
+    film: Path | None = None
+    truth: NDArray[np.int16] | None = None
+
+
+def run(
+    system: System, source: Source, fit: Fit, wish: Wish, shown: Shown = lambda *_: None
+) -> tuple[Prediction, Speed, bool]:
+    """Categorize footage.
+
+    Ctrl-C ends a camera's footage there; otherwise it is passed on.
+
+    Parameters
+    ----------
+    system
+        Fresh: it has seen no frame.
+    fit
+        Makes frames of the size that the system takes.
+    shown
+        Called after every frame.
+
+    Returns
+    -------
+    prediction
+        At least one frame.
+    speed
+        How fast it went.
+    was_stopped
+        Whether Ctrl-C ended it.
+
+    Raises
+    ------
+    PlacecatError
+        If a frame cannot be read or there is none.
+    """
+    rows: list[tuple[int, float, str, NDArray[np.float64], NDArray[np.float64]]] = []
+    speed = Speed(source.fps / wish.every)
+    was_stopped = False
+    with ExitStack() as stack:
+        film, annotator = None, Annotator(system.classes, fit.target)
+        if wish.film is not None:
+            film = stack.enter_context(Film(wish.film, speed.wanted, annotator.size))
+        frames = source.frames(wish.every)
+        stack.callback(frames.close)  # type: ignore[attr-defined]
+        start = time.perf_counter()
+        try:
+            for raw in frames:
+                if wish.seconds is not None and raw.seconds >= wish.seconds:
+                    break
+                frame = Frame(raw.number, raw.seconds, raw.file, fit(raw.image))
+                before = time.perf_counter()
+                decision = system.update(frame.image)
+                speed.categorizing += time.perf_counter() - before
+                if film is not None:
+                    label = _label(wish.truth, frame.number, system.classes)
+                    film.add(annotator(frame, decision, label), frame.seconds if source.is_live else None)
+                # One step, so that Ctrl-C leaves no half of a row.
+                rows.append((frame.number, frame.seconds, frame.file, decision.proba, decision.integrated))
+                speed.frames, speed.seconds = len(rows), time.perf_counter() - start
+                shown(frame, decision, speed)
+        except KeyboardInterrupt:
+            if not source.is_live or not rows:
+                raise
+            was_stopped = True
+    if not rows:
+        raise PlacecatError("no frame was taken: give a longer --seconds")
+    numbers, seconds, names, proba, integrated = zip(*rows, strict=True)
+    last = source.reached if wish.seconds is None else numbers[-1]
+    prediction = Prediction(
+        classes=system.classes,
+        fps=source.fps,
+        length=max(last, numbers[-1]),
+        numbers=np.array(numbers, np.int64),
+        seconds=np.array(seconds),
+        names=names if names[0] else (),
+        proba=np.stack(proba),
+        integrated=np.stack(integrated),
+    )
+    return prediction, speed, was_stopped
+
+
+def _label(truth: NDArray[np.int16] | None, number: int, classes: tuple[str, ...]) -> str | None:
+    if truth is None:
+        return None
+    place = int(truth[number - 1])
+    return classes[place] if place >= 0 else ""

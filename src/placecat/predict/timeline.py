@@ -1,0 +1,98 @@
+"""The prediction as a picture: places as strips over time, the confidence below."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+from matplotlib.ticker import FuncFormatter, MaxNLocator
+from numpy.typing import NDArray
+
+from placecat.predict.clock import clock
+from placecat.predict.prediction import Prediction
+from placecat.reporting.figures import palette
+
+COLUMNS = 2000
+"""Moments that a strip shows: about as many as it has pixels."""
+UNLABELLED = "#ffffff"
+WIDTH, HEIGHT, ROW = 6.5, 1.75, 0.3
+
+
+def draw(prediction: Prediction, title: str, truth: NDArray[np.int16] | None = None) -> Figure:
+    """Draw the timeline.
+
+    Parameters
+    ----------
+    prediction
+        At least one frame.
+    title
+        Above the picture.
+    truth
+        (n,) class indices of the frames, -1 where there is none; None draws no such strip.
+    """
+    colors = palette.place_colors(prediction.classes)
+    strips: dict[str, NDArray[np.integer]] = {} if truth is None else {"label": truth}
+    strips |= {"decision": prediction.decision, "frame alone": prediction.frame_decision}
+    figure = Figure(figsize=(WIDTH, HEIGHT + ROW * len(strips)))
+    ratios = [*[ROW] * len(strips), 0.85]
+    axes = figure.subplots(len(ratios), 1, sharex=True, gridspec_kw={"height_ratios": ratios})
+    end = float(prediction.ends[-1])
+    moments = (np.arange(COLUMNS) + 0.5) * end / COLUMNS
+    shown = np.clip(np.searchsorted(prediction.seconds, moments, side="right") - 1, 0, None)
+    for own, (name, places) in zip(axes, strips.items(), strict=False):
+        _strip(own, name, places[shown], list(colors.values()), end)
+    _confidence(axes[-1], prediction, end)
+    figure.suptitle(title, x=0.01, ha="left")
+    seen = np.unique(np.concatenate(list(strips.values())))
+    handles = [
+        Patch(
+            facecolor=colors[prediction.classes[place]], label=palette.place_title(prediction.classes[place])
+        )
+        for place in seen[seen >= 0]
+    ]
+    if truth is not None and (truth < 0).any():
+        handles.append(Patch(facecolor=UNLABELLED, edgecolor=palette.MUTED, label="not scored"))
+    figure.legend(handles=handles, loc="outside lower center", ncols=min(len(handles), 6))
+    return figure
+
+
+def _strip(axes: Axes, name: str, places: NDArray[np.integer], colors: Sequence[str], end: float) -> None:
+    # Index -1 is the last.
+    table = np.array([to_rgb(color) for color in (*colors, UNLABELLED)])
+    axes.imshow(
+        table[places][None],
+        aspect="auto",
+        interpolation="nearest",
+        extent=(0.0, end, 0.0, 1.0),
+        origin="lower",
+    )
+    axes.set_yticks([0.5], [name])
+    axes.tick_params(length=0, labelbottom=False)
+    axes.spines[:].set_visible(name == "label")
+    axes.spines[:].set_color(palette.MUTED)
+
+
+def _confidence(axes: Axes, prediction: Prediction, end: float) -> None:
+    chance = 1 / len(prediction.classes)
+    # Its last value reaches to the end.
+    times, values = np.append(prediction.seconds, end), prediction.confidence
+    values = np.append(values, values[-1])
+    axes.fill_between(times, 0.0, values, step="post", color="#e3e3e3", linewidth=0)
+    axes.step(times, values, where="post", color=palette.INK, linewidth=0.8)
+    axes.axhline(chance, color=palette.MUTED, linewidth=0.6, linestyle=(0, (3, 2)))
+    axes.set_ylim(0.0, 1.02)
+    axes.set_yticks([0.0, 0.5, 1.0], ["0", "0.5", "1"])
+    axes.set_ylabel("confidence")
+    axes.set_xlim(0.0, end)
+    axes.xaxis.set_major_locator(MaxNLocator(8, steps=_steps(end), integer=end > 8))
+    axes.xaxis.set_major_formatter(
+        FuncFormatter(lambda value, _: clock(value) if end > 8 else f"{value:g} s")
+    )
+    axes.set_xlabel("time (dashed: confidence of a guess)" if end <= 60 else "time, min:s (dashed: a guess)")
+
+
+def _steps(end: float) -> list[float]:
+    """Ticks at numbers of seconds that are round on a clock."""
+    return [1, 1.5, 2, 3, 6, 10] if end > 60 else [1, 2, 5, 10]

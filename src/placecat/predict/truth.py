@@ -1,0 +1,83 @@
+"""Labels of the footage, and how well the prediction agrees with them."""
+
+from collections.abc import Collection, Sequence
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.evaluation.accuracy import class_accuracies, confusion_matrix, home_accuracy
+from placecat.predict.prediction import Prediction
+from placecat.sequences.labels import read_label_csv
+
+UNSCORED = "transition"
+"""Never a mistake in a label file: frames between places."""
+
+
+def read(
+    path: Path, count: int, fps: float, classes: Sequence[str], ignored: Collection[str]
+) -> NDArray[np.int16]:
+    """Read the labels of all frames of the footage.
+
+    Parameters
+    ----------
+    path
+        A label CSV (`placecat.sequences.labels.read_label_csv`).
+    count, fps
+        Number of frames, and frames a second.
+    classes
+        What the model tells apart.
+    ignored
+        Labels beside `UNSCORED` of frames that are not scored.
+
+    Returns
+    -------
+    (count,) int16 class indices, -1 for frames that are not scored.
+
+    Raises
+    ------
+    PlacecatError
+        If the file does not fit, or has a label that is neither a class nor ignored.
+    """
+    if not path.is_file():
+        raise PlacecatError(f"{path}: no such label file; correct --labels, or leave it out")
+    labels, lines = read_label_csv(path, count, fps, "the footage")
+    numbers = {UNSCORED: -1} | dict.fromkeys(ignored, -1) | {name: i for i, name in enumerate(classes)}
+    for label, line in zip(labels, lines, strict=True):
+        if label not in numbers:
+            raise PlacecatError(
+                f"{path} line {line}: the model knows no {label!r}, only {', '.join(classes)}: correct the "
+                f"label, or leave such frames unscored with --ignore {label}"
+            )
+    return np.array([numbers[label] for label in labels], dtype=np.int16)
+
+
+def agreement(prediction: Prediction, truth: NDArray[np.int16]) -> dict[str, object]:
+    """Score the frames that were categorized, as the project scores a home (thesis 4.2).
+
+    Parameters
+    ----------
+    truth
+        (n,) class indices of these frames, -1 for those that are not scored.
+
+    Returns
+    -------
+    dict
+        ``accuracy`` and ``frame_accuracy`` (of each frame alone): mean over the places present, in percent,
+        or None if nothing is scored; ``by_place``; ``confusion``, the counts, a row a labelled place.
+    """
+    n_classes = len(prediction.classes)
+    confusion = confusion_matrix(truth, prediction.decision, n_classes)
+    alone = confusion_matrix(truth, prediction.frame_decision, n_classes)
+    places = zip(prediction.classes, class_accuracies(confusion).tolist(), strict=True)
+    return {
+        "accuracy": _rounded(home_accuracy(confusion)),
+        "frame_accuracy": _rounded(home_accuracy(alone)),
+        "by_place": {name: _rounded(value) for name, value in places},
+        "confusion": confusion.tolist(),
+    }
+
+
+def _rounded(percent: float) -> float | None:
+    return round(percent, 2) if np.isfinite(percent) else None

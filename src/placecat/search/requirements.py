@@ -1,0 +1,43 @@
+"""What a search needs, checked before anything is computed."""
+
+import importlib.util
+from collections.abc import Mapping
+from typing import Any
+
+from placecat.errors import PlacecatError
+
+JUDGE = "training_homes"
+
+
+def check(config: Mapping[str, Any]) -> None:
+    """Refuse a search whose result would not be worth its name.
+
+    Parameters
+    ----------
+    config
+        The experiment: its ``judge`` and ``test_home`` are looked at.
+
+    Raises
+    ------
+    PlacecatError
+        Optuna is not installed; the judge is not the training homes; or the test homes are several.
+    """
+    need_optuna()
+    if config.get("judge") != JUDGE:
+        raise PlacecatError(
+            f"judge={config.get('judge')}: a search is judged on training homes only, since a setting "
+            f"chosen by its accuracy on the test home says nothing about new homes; use judge={JUDGE}"
+        )
+    home = config.get("test_home")
+    several = not isinstance(home, str) and (home is None or len(home) != 1)
+    if home == "all" or several:
+        raise PlacecatError(
+            f"test_home={home}: a search leaves out one test home, since a setting chosen on all folds has "
+            "seen every home; name one, e.g. test_home=home_1, and search once for each"
+        )
+
+
+def need_optuna() -> None:
+    """Refuse to search without Optuna."""
+    if importlib.util.find_spec("optuna") is None:
+        raise PlacecatError("a search needs Optuna: install it with `pip install -e .[search]`")

@@ -1,0 +1,73 @@
+"""The settings that a search starts with, so that what it finds is at least as good."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from omegaconf import DictConfig, OmegaConf
+
+from placecat.errors import PlacecatError
+
+# Where the first one is from.
+SETTINGS = "the settings without a search"
+
+
+def find(keys: Sequence[str], config: DictConfig, params: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+    """Find the settings to start with.
+
+    Parameters
+    ----------
+    keys
+        What is searched.
+    config
+        The experiment composed without what is searched, with Hydra's own settings: the first start.
+    params
+        params.yaml. A cue with the experiment's descriptor and classifier is a start, too, if it has other
+        settings: those of conf/cue are the best of the thesis.
+
+    Returns
+    -------
+    dict
+        Where a start is from to the values of `keys`.
+
+    Raises
+    ------
+    PlacecatError
+        The experiment has no such key.
+    """
+    first = {key: _value(key, config) for key in keys}
+    found = {SETTINGS: first}
+    for name, cue in params.get("cues", {}).items():
+        own = first | _of_cue(cue, params, config, keys)
+        if own not in found.values():
+            found[f"conf/cue/{name}.yaml"] = own
+    return found
+
+
+def _value(key: str, config: DictConfig) -> Any:
+    """The value of a setting, or the chosen option of a group."""
+    choices = config.hydra.runtime.choices
+    if key in choices:
+        return choices[key]
+    missing = object()
+    found = OmegaConf.select(config, key, default=missing)
+    if found is missing:
+        raise PlacecatError(f"{key} cannot be searched: the experiment has no such setting")
+    return OmegaConf.to_container(found) if OmegaConf.is_config(found) else found
+
+
+def _of_cue(
+    cue: Mapping[str, Any], params: Mapping[str, Any], config: DictConfig, keys: Sequence[str]
+) -> dict[str, Any]:
+    """The classifier's settings of a cue, if it has the experiment's descriptor and classifier."""
+    codebook = cue.get("codebook")
+    descriptor = cue["descriptor"] if codebook is None else params["codebooks"][codebook]["descriptor"]
+    wanted = {f"descriptor.{name}": value for name, value in descriptor.items()}
+    if descriptor["kind"] == "local":
+        wanted["descriptor.tracked"] = cue.get("reads") == "tracks"
+    wanted["classifier.model"] = cue["classifier"]["model"]
+    wanted["classifier.base.name"] = cue["classifier"]["base"]["name"]
+    if any(OmegaConf.select(config, key) != value for key, value in wanted.items()):
+        return {}
+    own = OmegaConf.create({"classifier": cue["classifier"]})
+    found = {key: OmegaConf.select(own, key) for key in keys if key.startswith("classifier.")}
+    return {key: value for key, value in found.items() if value is not None}

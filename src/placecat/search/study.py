@@ -1,0 +1,106 @@
+"""Asking Optuna what to try next, in batches whose size does not depend on the workers."""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from placecat.errors import PlacecatError
+from placecat.search.space import Space
+
+
+@dataclass(frozen=True)
+class Tried:
+    """A setting that was tried.
+
+    Attributes
+    ----------
+    number
+        Of the experiment, from 0.
+    overrides
+        What was chosen.
+    accuracy
+        In percent; None where the experiment gave no number.
+    """
+
+    number: int
+    overrides: tuple[str, ...]
+    accuracy: float | None
+
+
+def search(
+    space: Space,
+    run: Callable[[Sequence[tuple[str, ...]], int], Sequence[float]],
+    *,
+    n_trials: int,
+    batch_size: int,
+    seed: int,
+    n_startup_trials: int,
+) -> list[Tried]:
+    """Look for the settings of the highest accuracy with Optuna's tree-structured Parzen estimator.
+
+    The first trials are the starts, so that the best is at least as good as each of them. A setting that
+    comes again is not run again, since it would give the same number.
+
+    Parameters
+    ----------
+    run
+        Takes the overrides of some experiments and the number of the first, gives their accuracies in
+        percent, NaN where there is none.
+    n_trials
+        Settings to try, the starts and those that come again included.
+    batch_size
+        Settings chosen at a time, none of which knows the others' results.
+    seed
+        Of the sampler.
+    n_startup_trials
+        Trials until the sampler goes by results; before, it draws evenly.
+
+    Returns
+    -------
+    list
+        Every setting that was run, in the order of trials, the starts first.
+
+    Raises
+    ------
+    PlacecatError
+        A number is out of range, or no experiment gave an accuracy until the sampler needs some.
+    """
+    for name, value, least in (("n_trials", n_trials, len(space.starts)), ("batch_size", batch_size, 1)):
+        if value < least:
+            raise PlacecatError(f"hydra.sweeper.{name}={value} must be at least {least}")
+    import optuna
+    from optuna.trial import TrialState
+
+    optuna.logging.set_verbosity(optuna.logging.WARNING)
+    sampler = optuna.samplers.TPESampler(seed=seed, n_startup_trials=n_startup_trials)
+    study = optuna.create_study(sampler=sampler, direction="maximize")
+    for start in space.start_values():
+        study.enqueue_trial(start)
+    distributions = space.distributions()
+    known: dict[tuple[str, ...], Tried] = {}
+    for asked in range(0, n_trials, batch_size):
+        batch = [study.ask(distributions) for _ in range(min(batch_size, n_trials - asked))]
+        chosen = [space.overrides(trial.params) for trial in batch]
+        new = [one for one in dict.fromkeys(chosen) if one not in known]
+        if new:
+            first = len(known)
+            for number, (one, accuracy) in enumerate(zip(new, run(new, first), strict=True), first):
+                known[one] = Tried(number, one, None if math.isnan(accuracy) else accuracy)
+        done = asked + len(batch)
+        if done >= min(n_startup_trials, n_trials) and all(one.accuracy is None for one in known.values()):
+            raise PlacecatError(
+                f"none of the first {len(known)} experiments of the search gave an accuracy: see what their "
+                "result.json says"
+            )
+        for trial, one in zip(batch, chosen, strict=True):
+            found = known[one].accuracy
+            if found is None:
+                study.tell(trial, state=TrialState.FAIL)
+            else:
+                study.tell(trial, found)
+    return list(known.values())
+
+
+def best(tried: Sequence[Tried]) -> Tried:
+    """The one of the highest accuracy; of equal ones the first, so a start unless another is better."""
+    return max(tried, key=lambda one: -math.inf if one.accuracy is None else one.accuracy)

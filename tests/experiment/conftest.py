@@ -1,0 +1,22 @@
+import sys
+from pathlib import Path
+
+import pytest
+
+# For made_experiments.
+sys.path.insert(0, str(Path(__file__).parent))
+
+
+@pytest.fixture(scope="session")
+def made_project(tmp_path_factory):
+    """Tests that change it make their own."""
+    from made_experiments import make_project
+
+    return make_project(tmp_path_factory.mktemp("experiment") / "made")
+
+
+@pytest.fixture
+def project(made_project, monkeypatch):
+    """The made project, as the working folder."""
+    monkeypatch.chdir(made_project)
+    return made_project

@@ -1,0 +1,172 @@
+"""The application from the command line, with real workers and a real MLflow database."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pandas as pd
+import pytest
+from made_experiments import SMALL, make_project, resolved
+
+from placecat import files
+from placecat.experiment import application
+from placecat.experiment.running import compute
+
+# One worker for all, so that the sweep runs once.
+pytestmark = pytest.mark.xdist_group("experiment")
+
+# Half of it fails: a cluster has at least one neighbour, itself.
+SWEPT = ("descriptor=gist", "classifier=knn", "classifier.base.n_neighbors=1,-1", "test_home=h1,H_2")
+CLUSTERS = SMALL[1:]
+
+
+def run(folder, *arguments, **environment):
+    own = {"PLACECAT_WORKERS": "2", "MLFLOW_DISABLE_TELEMETRY": "true"}
+    return subprocess.run(
+        [sys.executable, "-m", "placecat.experiment", *arguments],
+        cwd=folder,
+        env=os.environ | own | environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+@pytest.fixture(scope="module")
+def sweep(tmp_path_factory):
+    folder = make_project(tmp_path_factory.mktemp("sweep") / "project")
+    (folder / "dvc.lock").write_text("stages: {sequences: {outs: [{md5: 0123abcd.dir}]}}")
+    return folder, run(folder, "-m", *SWEPT, *CLUSTERS, "hydra.sweep.dir=swept")
+
+
+def test_a_failed_experiment_does_not_lose_the_others(sweep):
+    folder, result = sweep
+    assert result.returncode == 1
+    assert "Traceback" not in result.stderr + result.stdout
+    assert "test_home  " in result.stdout
+    table = pd.read_csv(folder / "swept/summary.csv")
+    assert table["test_home"].tolist() == ["H1", "H2", "H1", "H2"]
+    assert table["accuracy"].notna().tolist() == [True, True, False, False]
+    assert table["note"].str.contains("n_neighbors=-1").tolist() == [False, False, True, True]
+    for line in result.stdout.splitlines():
+        if line.startswith("classifier.base.n_neighbors=-1"):
+            assert "failed: n_neighbors=-1: use 1 to" in line
+
+
+def test_two_workers_give_the_bytes_of_one(sweep, tmp_path, monkeypatch):
+    folder, _ = sweep
+    monkeypatch.chdir(folder)
+    for number, home in enumerate(("h1", "H_2")):
+        alone = compute(resolved("descriptor=gist", "classifier=knn", *CLUSTERS, f"test_home={home}"))
+        files.write_json(tmp_path / "result.json", alone)
+        assert (folder / f"swept/{number}/result.json").read_bytes() == (
+            tmp_path / "result.json"
+        ).read_bytes()
+
+
+def test_a_sweep_is_one_run_of_mlflow_with_a_run_below_for_each_experiment(sweep):
+    from mlflow import MlflowClient
+
+    folder, result = sweep
+    assert "Logged: run" in result.stdout
+    client = MlflowClient(f"sqlite:///{folder / 'mlflow.db'}")
+    experiment = client.get_experiment_by_name("placecat/made")
+    runs = client.search_runs(experiment.experiment_id)
+    (parent,) = (one for one in runs if one.data.tags["placecat.kind"] == "sweep")
+    trials = [one for one in runs if one.data.tags["placecat.kind"] == "trial"]
+    assert len(trials) == 4
+    assert {one.data.tags["mlflow.parentRunId"] for one in trials} == {parent.info.run_id}
+    assert {one.data.tags["data_version"] for one in runs} == {"0123abcd.dir"}
+    assert parent.data.metrics["failed"] == 2
+    assert "| H1 |" in parent.data.tags["mlflow.note.content"]
+    assert {one.path for one in client.list_artifacts(parent.info.run_id)} == {"summary.csv"}
+    done = [one for one in trials if one.info.status == "FINISHED"]
+    assert sorted(one.info.status for one in trials) == ["FAILED", "FAILED", "FINISHED", "FINISHED"]
+    for one in done:
+        own = json.loads((folder / f"swept/{0 if 'H1' in one.info.run_name else 1}/result.json").read_text())
+        assert one.data.metrics["accuracy"] == own["accuracy"]
+        assert one.data.params["classifier.clusters"] == "13"
+        assert {path.path for path in client.list_artifacts(one.info.run_id)} == {
+            "confusion.csv",
+            "result.json",
+        }
+
+
+def test_the_same_experiment_runs_on_another_launcher(sweep):
+    """submitit as on a cluster, with a process of this machine."""
+    pytest.importorskip("hydra_plugins.hydra_submitit_launcher")
+    folder, _ = sweep
+    result = run(
+        folder,
+        "-m",
+        *SWEPT[:2],
+        "test_home=h1",
+        *CLUSTERS,
+        "hydra/launcher=submitit_local",
+        "hydra.sweep.dir=submitted",
+        "track=false",
+    )
+    assert result.returncode == 0, result.stderr
+    one, other = (folder / f"{name}/0/result.json" for name in ("swept", "submitted"))
+    assert one.read_bytes() == other.read_bytes()
+
+
+def main_with(monkeypatch, *words):
+    """The application in this process."""
+    monkeypatch.setattr(sys, "argv", ["placecat-experiment", *words])
+    with pytest.raises(SystemExit) as caught:
+        application.main()
+    return caught.value.code
+
+
+def test_a_single_experiment_is_told_by_home_and_place(sweep, monkeypatch, capsys):
+    folder, _ = sweep
+    monkeypatch.chdir(folder)
+    monkeypatch.setenv("PLACECAT_WORKERS", "1")
+    quiet = ("hydra/job_logging=none", "hydra/hydra_logging=none", "track=false", "hydra.run.dir=one")
+    assert main_with(monkeypatch, "descriptor=gist", *CLUSTERS, "codebook.cells=4", *quiet) == 0
+    printed = capsys.readouterr().out
+    own = json.loads((folder / "one/result.json").read_text())
+    assert own["accuracy"] == pytest.approx(np.mean([home["accuracy"] for home in own["homes"].values()]))
+    assert f"average: {own['accuracy']:.2f} %" in printed
+    assert f"H2: {own['homes']['H2']['accuracy']:.2f} % (seed-0 " in printed
+    assert "decided, in percent of the true place's frames" in printed
+
+
+def test_a_wrong_combination_computes_nothing(sweep, monkeypatch):
+    folder, _ = sweep
+    monkeypatch.chdir(folder)
+    words = ("descriptor=gist", "-m", "classifier.clusters=13,14", "codebook.tree.branching=4")
+    message = main_with(monkeypatch, *words)
+    assert message.startswith("placecat: 1 of 2 combinations are refused")
+    assert not (folder / "multirun").exists()
+
+
+@pytest.mark.parametrize(("word", "found"), [("classifier.ba", "classifier.base."), ("da", "data=")])
+def test_bash_is_told_what_it_may_complete(project, monkeypatch, capsys, word, found):
+    line = f"placecat-experiment {word}"
+    monkeypatch.setenv("COMP_LINE", line)
+    monkeypatch.setenv("COMP_POINT", str(len(line)))
+    assert main_with(monkeypatch, "-sc", "query=bash") == 0
+    assert found in capsys.readouterr().out.split()
+
+
+def test_help_is_our_own(project, monkeypatch, capsys):
+    assert main_with(monkeypatch, "--help") == 0
+    assert "Usage: placecat-experiment" in capsys.readouterr().out
+
+
+def test_results_are_kept_though_mlflow_is_down(sweep, monkeypatch, capsys):
+    folder, _ = sweep
+    monkeypatch.chdir(folder)
+    monkeypatch.setenv("MLFLOW_TRACKING_URI", "http://127.0.0.1:9")
+    monkeypatch.setenv("MLFLOW_HTTP_REQUEST_MAX_RETRIES", "0")
+    wanted = SimpleNamespace(swept=(), combinations=[{}], base={"track": True})
+    assert application._tell_sweep(wanted, Path("swept"))
+    printed = capsys.readouterr()
+    assert "nothing logged: MLflow at http://127.0.0.1:9" in printed.err
+    assert "All of it: swept/summary.csv" in printed.out

@@ -1,0 +1,95 @@
+"""An experiment gives the numbers of the tables and learns nothing from its test home."""
+
+import json
+import shutil
+
+import numpy as np
+import pandas as pd
+import pytest
+from made_experiments import SMALL, make_project, resolved
+from made_features import CLASSES, HOMES
+
+from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
+from placecat.experiment.running import compute
+from placecat.reporting.results import from_scores
+
+GIST = ("descriptor=gist", "classifier=knn", "codebook.tree.branching=4")
+
+
+def confusion(result, home, seed, fold=None):
+    return np.array(result["homes"][home]["folds"][fold or home][seed]["confusion"])
+
+
+def test_an_experiment_is_the_cell_of_a_table(tmp_path, monkeypatch):
+    from placecat.stages import trials
+
+    monkeypatch.chdir(make_project(tmp_path / "project"))
+    monkeypatch.setenv("PLACECAT_WORKERS", "1")
+    trials.main("some")
+    scores, missing = (pd.read_csv(f"data/trials/some/{name}.csv") for name in ("scores", "missing"))
+    table = from_scores(scores, missing, HOMES, CLASSES)
+    for clusters in (4, 13):
+        found = compute(resolved(*GIST, f"classifier.clusters={clusters}", "test_home=[h1,h3]"))
+        cell = table.of(f"trials/table_01/||{clusters}")
+        for number, home in enumerate(cell.homes):
+            for seed, counts in zip(cell.seeds, cell.confusion, strict=True):
+                np.testing.assert_array_equal(confusion(found, home, seed), counts[number])
+        assert found["accuracy"] == pytest.approx(cell.by_home().mean(), abs=1e-12)
+    too_many = compute(resolved(*GIST, "classifier.clusters=400", "test_home=h1"))
+    assert too_many["accuracy"] is None
+    assert too_many["reason"] == missing.set_index("home").loc["H1", "reason"]
+    svm = compute(
+        resolved("descriptor=gist", "classifier=nu_svm", "classifier.reduction={cells: 4, components: 3}")
+    )
+    for number, home in enumerate(HOMES):
+        cell = table.of("trials/table_02/|PCA|").confusion[0, number]
+        np.testing.assert_array_equal(confusion(svm, home, "no-seed"), cell)
+
+
+def test_an_experiment_on_a_split_is_the_cue_of_that_split(tmp_path, monkeypatch):
+    from placecat.stages import splits
+
+    monkeypatch.chdir(make_project(tmp_path / "project"))
+    monkeypatch.setenv("PLACECAT_WORKERS", "1")
+    splits.main("site")
+    found = compute(resolved(*SMALL, "descriptor=hog", "descriptor.color=color_mv", data="site"))
+    labels = pd.read_csv("data/sites/site/sequences/robot/labels.csv")["class"]
+    for seed in ("seed-0", "seed-1"):
+        proba = np.load(f"data/splits/site/cues/hog_y/robot/{seed}/test.npy")
+        expected = confusion_matrix(labels, proba.argmax(axis=1), 4)
+        np.testing.assert_array_equal(confusion(found, "robot", seed), expected)
+
+
+def test_training_homes_are_judged_without_the_test_home(tmp_path, monkeypatch):
+    """A marker in it changes nothing, and neither does it being away; where it trains, the marker is seen."""
+    found = {}
+    for name, marked, home in (
+        ("plain", None, "H3"),
+        ("marked", "H3", "H3"),
+        ("gone", None, "H3"),
+        ("other", None, "H1"),
+        ("other marked", "H3", "H1"),
+    ):
+        folder = make_project(tmp_path / name, marked=marked)
+        monkeypatch.chdir(folder)
+        if name == "gone":
+            shutil.rmtree(folder / "data/features/H3")
+            shutil.rmtree(folder / "data/sequences/H3")
+        found[name] = compute(resolved(*SMALL, "judge=training_homes", f"test_home={home}"))
+    assert set(found["plain"]["homes"]["H3"]["folds"]) == {"H1", "H2", "H4"}
+    assert json.dumps(found["plain"]) == json.dumps(found["marked"]) == json.dumps(found["gone"])
+    assert found["other"] != found["other marked"]
+    accuracies = [
+        home_accuracy(confusion(found["plain"], "H3", seed, fold))
+        for fold in ("H1", "H2", "H4")
+        for seed in ("seed-0", "seed-1")
+    ]
+    assert found["plain"]["accuracy"] == pytest.approx(np.mean(accuracies))
+
+
+def test_a_number_written_otherwise_is_the_same_experiment(project):
+    """The seed of the clusters is derived from the descriptor as text."""
+    one, other = (
+        compute(resolved(*SMALL, f"descriptor.y_weight={weight}", "test_home=H1")) for weight in ("1", "1.0")
+    )
+    assert json.dumps(one) == json.dumps(other)

@@ -1,0 +1,160 @@
+import threading
+import time
+from itertools import pairwise
+
+import cv2
+import numpy as np
+import pandas as pd
+import pytest
+from fake_categorizer import FakeCategorizer
+from helpers_sequences import HEIGHT, WIDTH, coded, decoded
+
+from placecat.__main__ import main
+from placecat.errors import PlacecatError
+from placecat.predict import command
+from placecat.predict.sources import open_source, without_password
+
+FPS = 100.0
+REAL_CAPTURE = cv2.VideoCapture
+
+
+class FakeCapture:
+    """A camera that delivers a numbered frame every 10 ms."""
+
+    opened: list = []  # noqa: RUF012
+    total = 10**6
+    is_there = True
+
+    def __init__(self, address, api=None):
+        self.number, self.wanted, self.is_released = 0, {}, False
+        FakeCapture.opened.append((address, self))
+
+    def isOpened(self):
+        return self.is_there
+
+    def set(self, name, value):
+        self.wanted[name] = value
+
+    def get(self, name):
+        return FPS if name == cv2.CAP_PROP_FPS else 0.0
+
+    def read(self):
+        time.sleep(0.01)
+        if self.number >= self.total:
+            return False, None
+        self.number += 1
+        return True, coded((self.number - 1) % 256)
+
+    def release(self):
+        self.is_released = True
+
+
+@pytest.fixture
+def capture(monkeypatch):
+    monkeypatch.setattr(cv2, "VideoCapture", FakeCapture)
+    monkeypatch.setattr(FakeCapture, "opened", [])
+    return FakeCapture
+
+
+def camera(text="camera"):
+    return open_source(text, fps=None, usual_fps=None, size=(WIDTH, HEIGHT))
+
+
+def test_a_slow_reader_gets_the_newest_frame(capture):
+    source = camera("camera:2")
+    address, made = capture.opened[0]
+    assert address == 2
+    assert made.wanted == {cv2.CAP_PROP_FRAME_WIDTH: WIDTH, cv2.CAP_PROP_FRAME_HEIGHT: HEIGHT}
+    seen = []
+    frames = source.frames(1)
+    for frame in frames:
+        seen.append((frame.number, frame.seconds, decoded(frame.image)))
+        time.sleep(0.1)
+        if len(seen) == 4:
+            break
+    frames.close()
+    numbers, seconds, images = zip(*seen, strict=True)
+    assert numbers == (1, 2, 3, 4)
+    assert all(after - before >= 5 for before, after in pairwise(images))
+    # Their times are those of their arrival.
+    assert np.allclose(np.diff(seconds), 0.1, atol=0.05)
+    assert source.arrived > 4
+    assert made.is_released
+    assert not [thread for thread in threading.enumerate() if thread.name == "camera"]
+
+
+def test_every_frame_is_taken_once_by_a_fast_reader_until_the_camera_is_gone(capture, monkeypatch):
+    monkeypatch.setattr(capture, "total", 12)
+    # The first frame is for finding the size.
+    assert [decoded(frame.image) for frame in camera().frames(1)] == list(range(1, 12))
+
+
+def test_a_camera_that_is_not_there_or_gives_nothing(capture, monkeypatch):
+    monkeypatch.setattr(capture, "total", 0)
+    with pytest.raises(PlacecatError, match="camera 0 can be opened, but gives no frame"):
+        camera()
+    monkeypatch.setattr(capture, "is_there", False)
+    with pytest.raises(PlacecatError, match=r"camera 0 cannot be opened.*camera:1"):
+        camera()
+    with pytest.raises(PlacecatError, match=r"^rtsp://host/x cannot be opened"):
+        camera("rtsp://me:secret@host/x")
+
+
+def test_a_password_is_taken_off():
+    assert without_password("rtsp://me:secret@host:5/a@b") == "rtsp://host:5/a@b"
+    assert without_password("a@b.mp4") == "a@b.mp4"
+
+
+@pytest.fixture
+def system(monkeypatch):
+    monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: FakeCategorizer(fps=(FPS,)))
+
+
+def test_a_camera_stops_after_the_seconds_and_never_overwrites(
+    capture, system, tmp_path, monkeypatch, capsys
+):
+    monkeypatch.chdir(tmp_path)
+    for _ in range(2):
+        main(["predict", "camera", "--seconds", "0.3", "--video"])
+    assert sorted(path.name for path in (tmp_path / "predictions").iterdir()) == ["camera_0", "camera_0_2"]
+    shown = capsys.readouterr().out
+    assert "frames came meanwhile and were dropped" in shown
+    table = pd.read_csv(tmp_path / "predictions/camera_0/frames.csv")
+    assert table["seconds"].between(0, 0.3, inclusive="left").all()
+    # The film runs as time did, though drawing left out frames.
+    film = capture_length(tmp_path / "predictions/camera_0/annotated.mp4")
+    assert film == round(table["seconds"].iloc[-1] * FPS) + 1
+    with pytest.raises(SystemExit, match="holds the prediction of camera"):
+        main(["predict", "camera", "--seconds", "0.3", "--output", "predictions/camera_0"])
+
+
+def capture_length(path):
+    capture, count = REAL_CAPTURE(str(path)), 0
+    while capture.grab():
+        count += 1
+    return count
+
+
+def test_ctrl_c_writes_what_was_seen(capture, system, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    original, calls = FakeCategorizer.update, []
+
+    def update(self, frame):
+        calls.append(1)
+        if len(calls) == 6:
+            raise KeyboardInterrupt
+        return original(self, frame)
+
+    monkeypatch.setattr(FakeCategorizer, "update", update)
+    main(["predict", "camera"])
+    assert "Stopped; what was seen until then is written." in capsys.readouterr().out
+    assert len(pd.read_csv(tmp_path / "predictions/camera_0/frames.csv")) == 5
+
+
+def test_options_for_files_are_refused(capture, system):
+    for option, message in (
+        ("--every=2", "--every is for files"),
+        ("--labels=x.csv", "--labels is for files"),
+    ):
+        with pytest.raises(SystemExit, match=message):
+            main(["predict", "camera", option])

@@ -1,0 +1,221 @@
+import json
+import shutil
+
+import cv2
+import numpy as np
+import pandas as pd
+import pytest
+from fake_categorizer import CLASSES, STAY, FakeCategorizer, expected
+from helpers_sequences import WIDTH, coded, write_image, write_video
+
+from placecat.__main__ import main
+from placecat.predict import command
+from placecat.sequences.labels import read_label_csv
+
+COUNT = 30
+TABLES = ("frames.csv", "segments.csv", "summary.json", "timeline.png")
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """A folder with footage, and a system that needs no training."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: FakeCategorizer())
+    write_video(tmp_path / "walk.avi", COUNT)
+    for number in range(COUNT):
+        write_image(tmp_path / f"images/frame{number}.png", number)
+    return tmp_path
+
+
+def predict(*arguments):
+    main(["predict", *map(str, arguments)])
+
+
+def refused(*arguments):
+    with pytest.raises(SystemExit) as caught:
+        predict(*arguments)
+    text = str(caught.value)
+    assert text.startswith("placecat: ") and len(text.splitlines()) == 1, text
+    return text
+
+
+def frames_of(path):
+    capture, found = cv2.VideoCapture(str(path)), []
+    while (read := capture.read())[0]:
+        found.append(read[1])
+    return found, capture.get(cv2.CAP_PROP_FPS)
+
+
+def probabilities(table, prefix):
+    return table[[f"{prefix}_{name}" for name in CLASSES]].to_numpy()
+
+
+@pytest.mark.parametrize("source", ["walk.avi", "images"])
+def test_the_tables_have_what_the_system_said_to_the_bit(folder, source, capsys):
+    predict(source)
+    name = source.removesuffix(".avi")
+    results = folder / "predictions" / name
+    table = pd.read_csv(results / "frames.csv")
+    smoothed, alone = map(np.stack, zip(*map(expected, range(COUNT)), strict=True))
+    assert np.array_equal(probabilities(table, "p"), smoothed)
+    assert np.array_equal(probabilities(table, "frame_p"), alone)
+    assert table["frame"].tolist() == list(range(1, COUNT + 1))
+    assert table["seconds"].tolist() == [number / 25 for number in range(COUNT)]
+    assert table["place"].tolist() == [CLASSES[number // STAY % 3] for number in range(COUNT)]
+    assert table["frame_place"][1] == CLASSES[1]
+    if source == "images":
+        assert table["file"].tolist() == [f"frame{number}.png" for number in range(COUNT)]
+    segments = (results / "segments.csv").read_text()
+    assert segments == "start,end,label\n1,8,bedroom\n9,16,living_room\n17,24,kitchen\n25,30,bedroom\n"
+    shown = capsys.readouterr().out
+    assert "frames/s (the categorizer alone " in shown and " times the footage's 25" in shown
+    summary = json.loads((results / "summary.json").read_text())
+    assert summary["share_of_time"] == {"bedroom": 0.4667, "living_room": 0.2667, "kitchen": 0.2667}
+    assert sorted(path.name for path in results.iterdir()) == summary["files"]
+    assert set(summary["files"]) == {*TABLES, "speed.json"}
+
+
+def test_the_same_footage_gives_the_same_bytes(folder):
+    predict("walk.avi", "--output", "one")
+    predict("walk.avi", "--output", "two")
+    for name in TABLES:
+        assert (folder / "one" / name).read_bytes() == (folder / "two" / name).read_bytes(), name
+
+
+def test_segments_are_labels(folder, capsys):
+    predict("walk.avi", "--every", "4")
+    labels = folder / "labels.csv"
+    shutil.copy(folder / "predictions/walk/segments.csv", labels)
+    read, _ = read_label_csv(labels, COUNT, 25.0, "the video")
+    assert read == [CLASSES[number // STAY % 3] for number in range(COUNT)]
+    labels.write_text(labels.read_text().replace("17,24,kitchen", "17,20,transition\n21,24,bedroom"))
+    predict("walk.avi", "--labels", labels, "--output", "judged")
+    shown = capsys.readouterr().out
+    # Of bedroom 14 frames of 18, of living_room all 8.
+    assert f"Accuracy (mean over the places labelled): {(100 * 14 / 18 + 100) / 2:.2f} %" in shown
+    lines = [line.split() for line in shown.splitlines()]
+    assert ["bedroom", "14", "0", "4", "77.8", "%"] in lines
+    assert ["kitchen", "0", "0", "0", "-"] in lines
+
+
+def test_an_unknown_label_is_refused_or_left_out(folder, capsys):
+    (folder / "labels.csv").write_text("start,end,label\n1,10,bedroom\n11,30,cellar\n")
+    assert "labels.csv line 3: the model knows no 'cellar', only bedroom, living_room, kitchen" in refused(
+        "walk.avi", "--labels", "labels.csv"
+    )
+    assert not (folder / "predictions").exists()
+    predict("walk.avi", "--labels", "labels.csv", "--ignore", "cellar")
+    assert "Accuracy (mean over the places labelled): 80.00 %" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(("option", "suffix"), [("--video", ".mp4"), ("--webm", ".webm")])
+def test_the_annotated_video_shows_every_frame_at_the_rate_of_the_footage(folder, option, suffix):
+    predict("walk.avi", option, "--seconds", "0.5")
+    shown, fps = frames_of(folder / f"predictions/walk/annotated{suffix}")
+    assert (len(shown), fps) == (13, 25.0)
+    assert shown[0].shape == (480, 920, 3)
+    # The colour of the place, by its swatch: bedroom, then living room.
+    for number, color in ((0, (0x88, 0x22, 0x33)), (12, (0x7F, 0xAC, 0x3A))):
+        assert np.abs(shown[number][28:36, 664:672].mean(axis=(0, 1)) - color).max() < 12
+
+
+def test_frames_of_another_size_are_scaled_if_asked(folder):
+    for number in range(3):
+        write_image(folder / f"large/{number}.png", number, width=2 * WIDTH, height=120)
+    text = refused("large")
+    assert "128x120" in text and "64x48" in text and "--resize" in text
+    predict("large", "--resize", "--output", "out")
+    table = pd.read_csv(folder / "out/frames.csv")
+    assert np.array_equal(probabilities(table, "p"), [expected(number)[0] for number in range(3)])
+    assert json.loads((folder / "out/summary.json").read_text())["kept"] == [128, 96]
+
+
+def test_a_rate_unlike_the_trained_is_noted(folder, monkeypatch, capsys):
+    monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: FakeCategorizer(fps=(5.0,)))
+    predict("walk.avi")
+    assert "--every 5 comes closest" in capsys.readouterr().err
+    predict("walk.avi", "--every", "5")
+    assert capsys.readouterr().err == ""
+
+
+def test_a_cut_off_video_is_noted(folder, capsys):
+    whole = (folder / "walk.avi").read_bytes()
+    (folder / "cut.avi").write_bytes(whole[: len(whole) // 2])
+    predict("cut.avi")
+    assert "of the 30 frames that the file announces can be read" in capsys.readouterr().err
+    assert 3 < len(pd.read_csv(folder / "predictions/cut/frames.csv")) < 25
+
+
+def _damage(folder):
+    (folder / "no.mp4").write_bytes(b"")
+    (folder / "notes.txt").write_text("text")
+    (folder / "void").mkdir()
+    (folder / "mixed").mkdir()
+    shutil.copy(folder / "images/frame0.png", folder / "mixed/1.png")
+    write_image(folder / "mixed/2.png", 1, width=2 * WIDTH)
+    (folder / "torn").mkdir()
+    shutil.copy(folder / "images/frame0.png", folder / "torn/1.png")
+    (folder / "torn/2.png").write_bytes((folder / "images/frame1.png").read_bytes()[:50])
+    (folder / "short.csv").write_text("start,end,label\n1,10,bedroom\n")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ("nothing.mp4", "nothing.mp4: no such file or folder"),
+        ("no.mp4", "no.mp4: not a readable video"),
+        ("notes.txt", "notes.txt: not a video by its ending"),
+        ("void", "void: no images here"),
+        ("mixed", "2.png: 128x48 pixels, but the first image has 64x48"),
+        ("torn", "2.png: not a readable image"),
+        ("walk.avi --every 0", "--every is 0"),
+        ("walk.avi --seconds 0", "--seconds is 0"),
+        ("walk.avi --fps nan", "--fps is nan"),
+        ("walk.avi --labels none.csv", "none.csv: no such label file"),
+        ("walk.avi --labels short.csv", "label frames 11 to 30"),
+        ("walk.avi --output notes.txt", "notes.txt is a file"),
+        ("walk.avi --output images", "images holds something else than a prediction"),
+        ("walk.avi --output . --force", " is in ., which would be replaced"),
+    ],
+)
+def test_mistakes_give_one_message_and_leave_nothing(folder, arguments, message):
+    _damage(folder)
+    before = sorted(folder.rglob("*"))
+    assert message in refused(*arguments.split())
+    assert [path for path in sorted(folder.rglob("*")) if path.name != "predictions"] == before
+
+
+def test_only_an_untouched_prediction_of_the_same_source_is_replaced(folder):
+    predict("walk.avi", "--output", "out")
+    predict("walk.avi", "--output", "out", "--every", "2")
+    assert len(pd.read_csv(folder / "out/frames.csv")) == COUNT // 2
+    assert "holds the prediction of walk.avi" in refused("images", "--output", "out")
+    segments = folder / "out/segments.csv"
+    segments.write_text(segments.read_text().replace("kitchen", "bedroom"))
+    assert "segments.csv was added or edited" in refused("walk.avi", "--output", "out")
+    assert "is in out, which would be replaced" in refused(
+        "walk.avi", "--output", "out", "--labels", segments, "--force"
+    )
+    predict("walk.avi", "--output", "out", "--force")
+    (folder / "out/notes.txt").write_text("mine")
+    assert "notes.txt was added or edited" in refused("walk.avi", "--output", "out")
+
+
+def test_ctrl_c_on_a_file_writes_nothing(folder, monkeypatch):
+    def update(self, frame, calls=[]):  # noqa: B006
+        calls.append(1)
+        if len(calls) == 5:
+            raise KeyboardInterrupt
+        return original(self, frame)
+
+    original = FakeCategorizer.update
+    monkeypatch.setattr(FakeCategorizer, "update", update)
+    with pytest.raises(SystemExit) as caught:
+        predict("walk.avi", "--video")
+    assert caught.value.code == 130
+    assert not list((folder / "predictions").iterdir())
+
+
+def test_numbers_of_an_image_survive_the_coding_of_the_video(folder):
+    # What the other tests rest on.
+    assert np.array_equal(frames_of(folder / "walk.avi")[0][5] > 127, coded(5) > 127)

@@ -1,0 +1,118 @@
+import numpy as np
+import pytest
+from fake_categorizer import CLASSES, FakeCategorizer
+from helpers_sequences import HEIGHT, WIDTH, coded
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_rgb
+
+from placecat.predict import report, timeline
+from placecat.predict.annotate import Annotator
+from placecat.predict.clock import clock
+from placecat.predict.frame import Frame
+from placecat.predict.lettering import mask, write
+from placecat.predict.prediction import Prediction
+from placecat.reporting.figures import palette
+
+
+def prediction(places, *, seconds=None, numbers=None, length=None):
+    proba = np.full((len(places), 3), 0.1)
+    proba[np.arange(len(places)), places] = 0.8
+    numbers = np.arange(1, len(places) + 1) if numbers is None else np.array(numbers)
+    return Prediction(
+        classes=CLASSES,
+        fps=10.0,
+        length=length or int(numbers[-1]),
+        numbers=numbers,
+        seconds=(numbers - 1) / 10.0 if seconds is None else np.array(seconds),
+        names=(),
+        proba=proba,
+        integrated=proba[::-1],
+    )
+
+
+def test_the_strips_have_the_colours_of_the_places_in_time():
+    # The second frame lasts three times as long as the first.
+    figure = timeline.draw(prediction([0, 2, 1], seconds=[0.0, 1.0, 4.0]), "", np.array([-1, 2, 2]))
+    label, decision, alone = (axes.images[0].get_array()[0] for axes in figure.axes[:3])
+    colors = [to_rgb(color) for color in palette.place_colors(CLASSES).values()]
+    white = (1.0, 1.0, 1.0)
+    # Ends at 6 s: the last frame lasts as long as the median, 2 s.
+    moments = [int(timeline.COLUMNS * second / 6) for second in (0.5, 2.5, 5.5)]
+    for strip, expected in (
+        (decision, [colors[0], colors[2], colors[1]]),
+        (alone, [colors[1], colors[2], colors[0]]),
+        (label, [white, colors[2], colors[2]]),
+    ):
+        assert np.allclose(strip[moments], expected)
+    FigureCanvasAgg(figure).draw()
+
+
+@pytest.mark.parametrize("seconds", [[0.0], [0.0, 0.04], [0.0, 7200.0]])
+def test_short_and_long_footage_is_drawn(seconds):
+    figure = timeline.draw(prediction([0] * len(seconds), seconds=seconds), "")
+    FigureCanvasAgg(figure).draw()
+    ticks = [label.get_text() for label in figure.axes[-1].get_xticklabels()]
+    assert len(set(ticks)) == len(ticks) >= 3
+
+
+def test_segments_cover_the_footage_and_frames_between():
+    parts = prediction([0, 0, 2, 1], numbers=[1, 6, 11, 16], length=18).segments()
+    assert [(part.start, part.end, part.label) for part in parts] == [
+        (1, 10, "bedroom"),
+        (11, 15, "kitchen"),
+        (16, 18, "living_room"),
+    ]
+
+
+def test_share_of_time_counts_time_and_not_frames():
+    facts = report.facts(prediction([0, 2, 2], seconds=[0.0, 3.0, 4.0]), None)
+    # The last frame lasts as long as the median, 2 s.
+    assert facts["share_of_time"] == {"bedroom": 0.5, "living_room": 0.0, "kitchen": 0.5}
+
+
+@pytest.mark.parametrize(
+    ("fps", "every", "advice"), [(30, 1, "--every 6"), (30, 6, ""), (7, 1, ""), (1, 1, "given 1")]
+)
+def test_the_rate_is_compared_with_the_trained(fps, every, advice):
+    note = report.rate_note(fps, every, [5.0])
+    assert advice in note and bool(note) == bool(advice)
+
+
+def test_regions_are_circles_of_their_radius():
+    shown = Annotator(CLASSES, (WIDTH, HEIGHT))
+    decision = FakeCategorizer().update(coded(0))
+    picture = shown(Frame(1, 0.0, "", coded(0)), decision).astype(int)
+    assert picture.shape == (shown.size[1], shown.size[0], 3)
+    # Frame width 64 is drawn 640 wide: the region of scale 2 at (32, 24) has radius 64 / 128 * 4 = 2, so 20.
+    yellow = (np.abs(picture[:480, :640] - (120, 235, 255)).max(axis=2) < 60).nonzero()
+    distance = np.hypot(yellow[1] - 325, yellow[0] - 245)
+    assert (np.abs(distance[distance < 60] - 20) < 2.5).all() and (distance < 60).sum() > 60
+
+
+@pytest.mark.parametrize("size", [(63, 47), (160, 120), (1921, 1081)])
+def test_pictures_have_even_sides_and_fit_many_places(size):
+    classes = [f"a_place_with_a_long_name_{number}" for number in range(20)]
+    proba = np.full(20, 0.05)
+    regions = np.zeros((0, 4), np.float32)
+    decision = type("D", (), {"place": classes[3], "confidence": 0.05, "proba": proba})()
+    decision.integrated, decision.regions = proba, regions
+    shown = Annotator(classes, size)
+    picture = shown(Frame(1, 0.0, "", np.zeros((size[1], size[0], 3), np.uint8)), decision, "")
+    assert picture.shape == (shown.size[1], shown.size[0], 3)
+    assert shown.size[0] % 2 == shown.size[1] % 2 == 0
+    # Nothing touches the border on the right but paper.
+    assert (picture[:, -3:] > 250).all()
+
+
+def test_letters():
+    assert mask("il", 20).shape[1] < mask("WM", 20).shape[1]
+    assert 0.9 < mask("WM", 20).max() <= 1.0
+    picture = np.full((10, 10, 3), 255, np.uint8)
+    write(picture, "much too long", (-5, -3), 20, (0, 0, 0))
+    write(picture, "much too long", (8, 8), 20, (0, 0, 0), align="right")
+    write(picture, "outside", (50, 50), 20, (0, 0, 0))
+    assert picture.min() < 255
+
+
+def test_times():
+    assert [clock(value) for value in (0, 7.9, 60, 3723)] == ["0:00", "0:07", "1:00", "1:02:03"]
