@@ -88,7 +88,7 @@ def test_dvc_knows_the_tables_as_metrics_and_draws_its_plots(reproduced, tmp_pat
     before = metrics["table_26"]
     first = next(numbers_in(before))
     path.write_text(path.read_text().replace(f": {first}", f": {first + 1}"))
-    shown = json.loads(run(copy, "dvc", "metrics", "diff", "--json", "HEAD").stdout)
+    shown = json.loads(run(copy, "dvc", "metrics", "diff", "--json", "HEAD", "--targets", str(path)).stdout)
     changed = shown["reports/metrics.json"]
     assert changed
     assert all(change["diff"] == pytest.approx(1) for change in changed.values())

@@ -1,6 +1,7 @@
 """Running `dvc repro`."""
 
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -12,6 +13,8 @@ DEFINITION = Path("dvc.yaml")
 
 def run(*, force: bool = False, **environment: str) -> int:
     """Run `dvc repro`, whose output goes to the terminal.
+
+    Ctrl-C reaches DVC and its stage as well. They tidy up and end by themselves, and so does this call then.
 
     Parameters
     ----------
@@ -26,7 +29,14 @@ def run(*, force: bool = False, **environment: str) -> int:
         Its exit status.
     """
     arguments = ["repro", *(["--force"] if force else [])]
-    return subprocess.run(_dvc(*arguments), env=_environment() | environment, check=False).returncode
+    # On Ctrl-C subprocess.run would kill DVC after 0.25 s, amid its tidying up, which spoils its lock file.
+    # A function, not SIG_IGN, since DVC would inherit that.
+    before = signal.signal(signal.SIGINT, lambda *_: None)
+    try:
+        with subprocess.Popen(_dvc(*arguments), env=_environment() | environment) as dvc:
+            return dvc.wait()
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def stages() -> list[str]:

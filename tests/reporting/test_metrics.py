@@ -8,7 +8,7 @@ import pytest
 import yaml
 
 from placecat.errors import PlacecatError
-from placecat.reporting.metrics import nested_metrics, plot_data
+from placecat.reporting.metrics import chosen_averages, nested_metrics, plot_data
 from placecat.reporting.results import Measured, Results
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -104,6 +104,14 @@ def test_what_these_data_cannot_give_has_no_rows(results):
 def test_unknown_plots_are_refused(results, plots, message):
     with pytest.raises(PlacecatError, match=message):
         plot_data(results, plots)
+
+
+def test_a_few_averages_are_columns_for_dvc(results):
+    averages = chosen_averages(results, {"after": "integration/x", "lost": "integration/y"})
+    # Homes with 87.5, 50, 50 and 100 percent.
+    assert averages == {"after": 71.88}
+    with pytest.raises(PlacecatError, match=r"metrics\.z: there is no result 'integration/z'"):
+        chosen_averages(results, {"z": "integration/z"})
 
 
 def test_dvc_draws_the_chosen_panels():

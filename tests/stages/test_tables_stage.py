@@ -45,7 +45,7 @@ def test_every_table_is_written_in_three_forms_with_all_other_reports(run):
     names = {f"table_{number:02d}" for number in range(1, 32)} | {"addition_rvm"}
     written = {path.name for path in (run / paths.TABLES).iterdir()}
     assert written == {f"{name}.{ending}" for name in names for ending in ("csv", "md", "tex")}
-    for path in (paths.ACCURACIES, paths.CROSS_VALIDATION, paths.IN_TEXT, paths.METRICS):
+    for path in (paths.ACCURACIES, paths.CROSS_VALIDATION, paths.IN_TEXT, paths.METRICS, paths.SUMMARY):
         assert (run / path).stat().st_size > 0
     plots = {path.relative_to(run / paths.PLOTS).as_posix() for path in (run / paths.PLOTS).rglob("*.csv")}
     assert plots == {f"{kind}/{panel}.csv" for kind, panels in PARAMS["plots"].items() for panel in panels}

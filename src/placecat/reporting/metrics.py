@@ -1,4 +1,4 @@
-"""What DVC compares between revisions: the tables as metrics, confusion matrices and accuracies as plots."""
+"""What DVC compares between revisions: numbers of the tables, confusion matrices and accuracies as plots."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -47,6 +47,36 @@ def _nest(table: pd.DataFrame) -> dict[str, Any]:
             inner = inner.setdefault(label, {})
         inner[last] = round(float(measured), 2)
     return nested
+
+
+def chosen_averages(results: Results, chosen: Mapping[str, str]) -> dict[str, float]:
+    """Average accuracies of a few results, a column each in `dvc exp show`.
+
+    Parameters
+    ----------
+    chosen
+        Name of a column, e.g. ``gist``, to the name of its result, e.g. ``cues/gist/5-5-1``.
+
+    Returns
+    -------
+    dict
+        Name to percent, the mean over homes and seeds as in the tables, rounded to two decimals; none for a
+        result that these data cannot give.
+
+    Raises
+    ------
+    PlacecatError
+        A result that does not exist.
+    """
+    impossible = {name for name, _ in results.missing}
+    averages = {}
+    for column, name in chosen.items():
+        try:
+            averages[column] = round(float(results.of(name).by_home().mean()), 2)
+        except PlacecatError as error:
+            if name not in impossible:
+                raise PlacecatError(f"metrics.{column}: {error}") from None
+    return averages
 
 
 def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[str, pd.DataFrame]:

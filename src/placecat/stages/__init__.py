@@ -9,6 +9,7 @@ import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
+from types import TracebackType
 
 from placecat.errors import PlacecatError
 
@@ -30,6 +31,15 @@ def _use_common_kernels() -> None:
 
 
 _use_common_kernels()
+
+
+def _end(kind: type[BaseException], error: BaseException, traceback: TracebackType | None) -> None:
+    """Print an error's traceback, but none for Ctrl-C while a stage still imports."""
+    if not issubclass(kind, KeyboardInterrupt):
+        sys.__excepthook__(kind, error, traceback)
+
+
+sys.excepthook = _end
 
 
 def run(stage: Callable[..., None], *, item: str | None = None, items: str | None = None) -> None:

@@ -9,7 +9,7 @@ from placecat.reporting.collect import read_results
 from placecat.reporting.in_text import in_text
 from placecat.reporting.latex import table_latex
 from placecat.reporting.markdown import table_markdown
-from placecat.reporting.metrics import nested_metrics, plot_data
+from placecat.reporting.metrics import chosen_averages, nested_metrics, plot_data
 from placecat.reporting.results import Results
 from placecat.reporting.sources import sources
 from placecat.reporting.tables import dataset_of, fill_table, tables_of
@@ -20,7 +20,7 @@ TRAINED = ("cues/", "integration/")
 
 
 def main() -> None:
-    """Write every table as CSV, Markdown and LaTeX, and reports/*.csv, metrics.json and plots/."""
+    """Write every table as CSV, Markdown and LaTeX, and reports/*.csv, metrics.json, summary.json, plots/."""
     params = settings.load()
     results = read_results(params)
     published = files.read_table(paths.PUBLISHED, ["group", "row", "column"])
@@ -36,6 +36,7 @@ def main() -> None:
     files.write_csv(paths.CROSS_VALIDATION, _cross_validation(params))
     files.write_csv(paths.IN_TEXT, _in_text(params, results))
     files.write_json(paths.METRICS, nested_metrics(filled))
+    files.write_json(paths.SUMMARY, chosen_averages(results, settings.get(params, "metrics")))
     with files.replacing(paths.PLOTS) as folder:
         for name, rows in plot_data(results, settings.get(params, "plots")).items():
             files.write_csv(folder / name, rows)

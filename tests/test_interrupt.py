@@ -1,0 +1,125 @@
+"""Ctrl-C in the middle of feature extraction, through real DVC, and going on afterwards."""
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+import yaml
+
+from project import ROOT, contents, environment, repro, run
+from sketch import draw_homes
+
+HOMES = ("Home1", "Home2", "Home3")
+# A terminal's programs heed Ctrl-C, whatever ran the tests.
+HEED = (
+    "import os,signal,sys; signal.signal(signal.SIGINT, signal.SIG_DFL); os.execvp(sys.argv[1], sys.argv[1:])"
+)
+PLACECAT_REPRO = ("python", "-c", "import sys; from placecat import repro; sys.exit(repro.run())")
+
+
+@pytest.fixture
+def project(tmp_path):
+    """The stages `sequences` and `features` on drawn homes, with few descriptors, before the first run."""
+    folder = tmp_path / "project"
+    folder.mkdir()
+    shutil.copytree(ROOT / "src", folder / "src", ignore=shutil.ignore_patterns("__pycache__", "*.egg-info"))
+    stages = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]
+    chosen = {"stages": {name: stages[name] for name in ("sequences", "features")}}
+    (folder / "dvc.yaml").write_text(yaml.safe_dump(chosen, sort_keys=False))
+    params = yaml.safe_load((ROOT / "params.yaml").read_text())
+    own = {name: params[name] for name in ("attention", "regions", "information")}
+    own["dataset"] = yaml.safe_load((ROOT / "conf/dataset/my_homes.yaml").read_text())
+    own["dataset"] |= {"root": "data/drawn", "homes": list(HOMES), "fps": 5.0}
+    descriptors = params["descriptors"]
+    own["descriptors"] = {
+        "local": {"hog": descriptors["local"]["hog"]},
+        "holistic": {"gist": descriptors["holistic"]["gist"]},
+    }
+    (folder / "params.yaml").write_text(yaml.safe_dump(own))
+    # More frames than a task takes, so that both workers are busy.
+    draw_homes(folder / "data/drawn", homes=3, frames_per_room=8)
+    run(folder, "git", "init", "-q")
+    run(folder, "dvc", "init", "-q")
+    shutil.copy(ROOT / ".dvc/config", folder / ".dvc/config")
+    return folder
+
+
+def interrupt(folder, home, *command):
+    """Run a command, press Ctrl-C as soon as `home` is being described; gives its status and what it said."""
+    log = folder.parent / f"{home}.log"
+    with log.open("w") as output:
+        process = subprocess.Popen(
+            [sys.executable, "-c", HEED, *command],
+            cwd=folder,
+            env=environment(PLACECAT_WORKERS="2"),
+            stdout=output,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+        )
+        try:
+            partial = folder / f"data/features/.{home}.partial"
+            wait_for(lambda: partial.exists() or process.poll() is not None)
+            assert process.poll() is None, log.read_text()
+            # As a terminal does: to every process of the command.
+            os.killpg(process.pid, signal.SIGINT)
+            status = process.wait(60)
+            wait_for(lambda: not running(process.pid))
+        finally:
+            if running(process.pid):
+                os.killpg(process.pid, signal.SIGKILL)
+                process.wait()
+    return status, log.read_text()
+
+
+def wait_for(condition, seconds=60):
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end
+        time.sleep(0.02)
+
+
+def running(group):
+    """Whether a process of a group is alive; the dead that nobody has collected do not count."""
+    listed = subprocess.run(["ps", "-eo", "pgid=,stat="], capture_output=True, text=True, check=True).stdout
+    return any(
+        int(of) == group and not state.startswith("Z") for of, state in map(str.split, listed.splitlines())
+    )
+
+
+def test_a_run_goes_on_after_ctrl_c_and_ends_in_the_same_bytes(project, tmp_path):
+    whole = tmp_path / "whole"
+    shutil.copytree(project, whole, symlinks=True)
+    ran, _ = repro(whole, PLACECAT_WORKERS="1")
+    assert ran == ["sequences", *(f"features@{home}" for home in HOMES)]
+
+    done = []
+    for home, command in (("Home2", PLACECAT_REPRO), ("Home3", ("dvc", "repro"))):
+        status, said = interrupt(project, home, *command)
+        assert status == 255, said
+        assert f"failed to reproduce 'features@{home}'" in said
+        # DVC and the stage say nothing else; a worker that was just importing may.
+        assert "placecat/" not in said
+        assert all(f"Running stage 'features@{name}'" not in said for name in done)
+        done = [name for name in HOMES if name < home]
+        assert sorted(path.name for path in (project / "data/features").iterdir()) == done
+
+    # What a stage leaves that had no time to tidy up, as when the power fails.
+    left = project / "data/features/.Home3.partial"
+    left.mkdir()
+    (left / "local_hog.npy").write_bytes(b"half")
+    ran, _ = repro(project, PLACECAT_WORKERS="2")
+    assert ran == ["features@Home3"]
+    parts = ("dvc.lock", "data/sequences", "data/features")
+    assert contents(project, *parts) == contents(whole, *parts)
+
+
+def test_ctrl_c_while_a_stage_imports_prints_no_traceback(tmp_path):
+    ctrl_c = "import placecat.stages; raise KeyboardInterrupt"
+    assert run(tmp_path, "python", "-c", ctrl_c, check=False).stderr == ""
+    other = run(tmp_path, "python", "-c", "import placecat.stages; raise OSError('full')", check=False)
+    assert "Traceback" in other.stderr
+    assert "full" in other.stderr
