@@ -32,7 +32,8 @@ $(READY) $(READY_TEST):
 	touch $@
 
 ui: $(READY)
-	$(BIN)/mlflow ui --backend-store-uri sqlite:///mlflow.db
+	MLFLOW_SERVER_ENABLE_JOB_EXECUTION=false MLFLOW_DISABLE_TELEMETRY=true \
+		$(BIN)/mlflow ui --backend-store-uri sqlite:///mlflow.db --workers 1
 
 # Needs uv; run after changing the dependencies in pyproject.toml.
 COMPILE := uv pip compile pyproject.toml --universal --python-version 3.11 --generate-hashes --no-header --upgrade

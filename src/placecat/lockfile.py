@@ -6,6 +6,7 @@ from pathlib import Path
 
 import yaml
 
+from placecat import settings
 from placecat.errors import PlacecatError
 
 LOCK = Path("dvc.lock")
@@ -25,7 +26,7 @@ def data_version(stage: str = "sequences") -> str:
         If that stage has not run through DVC.
     """
     try:
-        lock = yaml.safe_load(LOCK.read_text(encoding="utf-8"))
+        lock = yaml.load(LOCK.read_text(encoding="utf-8"), Loader=settings.Loader)
         return str(lock["stages"][stage]["outs"][0]["md5"])
     except (FileNotFoundError, KeyError, TypeError):
         raise PlacecatError(f"{LOCK} has no stage {stage}: run `dvc repro` to make it") from None

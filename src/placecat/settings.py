@@ -12,13 +12,13 @@ from placecat import paths
 from placecat.errors import PlacecatError
 
 # libyaml's loader where PyYAML was built with it: ten times faster.
-_Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 def load(path: Path = paths.PARAMS) -> dict[str, Any]:
     """Read the composed settings."""
     try:
-        content = yaml.load(path.read_text(encoding="utf-8"), Loader=_Loader)
+        content = yaml.load(path.read_text(encoding="utf-8"), Loader=Loader)
     except FileNotFoundError:
         raise PlacecatError(
             f"{path} is missing: run `placecat params` in the project's folder to write it"

@@ -1,44 +1,60 @@
-"""Stage `tracking`: each table as a run in MLflow."""
+"""Stage `tracking`: each table as a run in MLflow, its rows as nested runs, and the figures."""
 
 import json
-import os
-import re
-import subprocess
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from placecat import files, paths, settings
-from placecat.lockfile import data_version
-from placecat.reporting.tables import label, tables_of
+from placecat.lockfile import data_version, git_commit
+from placecat.mlflow_store import tracking_uri
+from placecat.reporting.charts.draw import MatrixDrawer
+from placecat.reporting.collect import read_results
+from placecat.reporting.tables import dataset_of, tables_of
 from placecat.reporting.tracking import TableRun, flatten, log_tables
+from placecat.reporting.tracking_content import figures_run, table_run
 from placecat.stages import run
+
+ARTIFACTS = Path("mlartifacts")
+_DESCRIPTION = (
+    "Localization as in the thesis, measured on {title}: every table of the thesis is a run, every row of a "
+    "table a nested run. What holds now has the tag placecat.current: filter by "
+    '``tags.`placecat.current` = "true"``. '
+    'Sweeps over settings have ``tags.`placecat.kind` = "sweep"``.'
+)
 
 
 def main() -> None:
     """Log the tables to MLFLOW_TRACKING_URI, or to mlflow.db in the project's folder."""
     params = settings.load()
-    dataset = settings.get(params, "dataset")
-    digests = log_tables(
-        [_table_run(name, table, params) for name, table in tables_of(params).items()],
-        uri=os.environ.get("MLFLOW_TRACKING_URI") or "sqlite:///mlflow.db",
-        experiment=f"placecat/{dataset['name']}",
-        data=dataset["title"],
-        data_version=data_version(),
-        commit=_git_commit(),
-        artifacts=Path("mlartifacts"),
-    )
+    results, drawer = read_results(params), MatrixDrawer()
+    by_split: dict[str, list[TableRun]] = {"": []}
+    for name, table in tables_of(params).items():
+        made = table_run(
+            table,
+            files.read_table(paths.TABLES / f"{name}.csv", ["group", "row", "column", "note"]),
+            results,
+            dataset_of(table, params),
+            flatten(_settings(table, params)),
+            [paths.TABLES / f"{name}.{ending}" for ending in ("csv", "md", "tex")],
+            drawer,
+        )
+        by_split.setdefault(table.get("split", ""), []).append(made)
+    by_split[""].append(figures_run(paths.FIGURES))
+    digests: dict[str, str] = {}
+    for split, runs in by_split.items():
+        dataset = settings.get(params, f"splits.{split}.dataset" if split else "dataset")
+        digests |= log_tables(
+            runs,
+            uri=tracking_uri(),
+            experiment=f"placecat/{dataset['name']}",
+            description=_DESCRIPTION.format(title=dataset["title"]),
+            data=dataset["title"],
+            data_version=data_version(f"site_sequences@{split}" if split else "sequences"),
+            commit=git_commit(),
+            artifacts=ARTIFACTS,
+        )
     files.write_json(paths.TRACKING, digests)
-
-
-def _table_run(name: str, table: Mapping[str, Any], params: Mapping[str, Any]) -> TableRun:
-    return TableRun(
-        name=name,
-        title=f"{label(table)}: {table['title']}",
-        cells=files.read_table(paths.TABLES / f"{name}.csv", ["group", "row", "column", "note"]),
-        settings=flatten(_settings(table, params)),
-        files=[paths.TABLES / f"{name}.{ending}" for ending in ("csv", "md", "tex")],
-    )
 
 
 def _settings(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, Any]:
@@ -62,12 +78,6 @@ def _settings(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, 
     if {"hmm", "smoothing"} & names:
         shown["smoothing"] = params["smoothing"]
     return shown
-
-
-def _git_commit() -> str:
-    result = subprocess.run(["git", "rev-parse", "HEAD"], capture_output=True, text=True, check=False)
-    commit = result.stdout.strip()
-    return commit if re.fullmatch(r"[0-9a-f]{40,64}", commit) else ""
 
 
 if __name__ == "__main__":
