@@ -1,18 +1,28 @@
+import copy
+import shutil
 from pathlib import Path
 
 import pytest
 import yaml
 
-from placecat.compose import compose, write_params
+from placecat import references, settings
+from placecat.compose import compose, found, write_params
 from placecat.errors import PlacecatError
 from project import light_conf
 
 CONF = Path(__file__).resolve().parents[1] / "conf"
+PARAMS = settings.load(CONF.parent / "params.yaml")
 
 
 @pytest.fixture(scope="module")
 def composed(tmp_path_factory):
     conf = light_conf(tmp_path_factory.mktemp("light") / "conf")
+    # One cue is enough here, and composes in a quarter of the time.
+    for folder in ("codebook", "cue", "descriptor/local", "filter", "split", "system"):
+        for path in (conf / folder).glob("*.yaml"):
+            if path.stem != "gist":
+                path.unlink()
+    (conf / "found.yaml").write_text(found(conf))
     return lambda *overrides: yaml.safe_load(compose(overrides, conf=conf))
 
 
@@ -67,3 +77,106 @@ def test_a_failing_composition_keeps_the_old_params(tmp_path):
     with pytest.raises(PlacecatError):
         write_params(["dataset=nowhere"], target)
     assert target.read_text() == "old: 1\n"
+
+
+@pytest.fixture
+def own_conf(tmp_path):
+    """Cues and what describes them, to add to."""
+    for folder in ("cue", "codebook", "descriptor"):
+        shutil.copytree(CONF / folder, tmp_path / "conf" / folder)
+    return tmp_path / "conf"
+
+
+@pytest.mark.parametrize(
+    ("descriptor", "message"),
+    [
+        (
+            "{kind: holistic, name: brightnes}",
+            r"cue/new\.yaml: Unknown holistic descriptor 'brightnes': choose",
+        ),
+        (
+            "{kind: holistic, name: ../gist}",
+            r"cue/new\.yaml: Unknown holistic descriptor '\.\./gist': choose",
+        ),
+        ("{kind: holistic", r"cue/new\.yaml is no valid YAML"),
+    ],
+)
+def test_a_cue_of_a_descriptor_that_is_not_there_is_refused_with_its_file(own_conf, descriptor, message):
+    (own_conf / "cue/new.yaml").write_text(f"codebook: null\ndescriptor: {descriptor}\n")
+    with pytest.raises(PlacecatError, match=message) as caught:
+        found(own_conf)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_file_comes_before_the_defaults_of_the_module(own_conf):
+    """Without its file a descriptor that is used is listed with its defaults, one that is not is not."""
+    assert "_self_" not in found(own_conf)
+    for name in ("gist", "gist_raw", "centrist", "centrist_full"):
+        (own_conf / f"descriptor/holistic/{name}.yaml").unlink()
+    for path in own_conf.glob("cue/*pact*.yaml"):
+        path.unlink()
+    (own_conf / "codebook/centrist_cells.yaml").unlink()
+    content = yaml.safe_load(found(own_conf))
+    assert content["descriptors"] == {"holistic": {"gist": {"color": True, "center_surround": True}}}
+
+
+def _set(params, name, value):
+    *path, last = name.split(".")
+    part = params
+    for key in path:
+        part = part[key]
+    part[last] = value
+
+
+@pytest.mark.parametrize(
+    ("setting", "value", "message"),
+    [
+        (
+            "cues.gist.descriptor.name",
+            "gits",
+            r"cue/gist\.yaml.* no holistic descriptor 'gits'.* mean 'gist'",
+        ),
+        ("cues.gist.descriptor.kind", "whole", r"cue/gist\.yaml: there is no kind of descriptor 'whole'"),
+        ("cues.gist.descriptor.kind", ["local"], r"there is no kind of descriptor \['local'\]"),
+        ("cues.gist.descriptor", None, r"cue/gist\.yaml: descriptor needs kind"),
+        ("cues.gist.seed", 1, r"cue/gist\.yaml has no setting 'seed'"),
+        ("cues.hog_y.codebook", "hog", r"cue/hog_y\.yaml: there is no codebook 'hog'"),
+        ("cues.hog_y.input", "features", r"cue/hog_y\.yaml: .* input is codebooks/hog_y"),
+        ("cues.hog_tracked.schemes", ["4-5-1"], r"cue/hog_tracked\.yaml.*for the scheme '4-5-1'.* 5-5-1"),
+        ("cues.color_mv_y.extra", True, r"cue/color_mv_y\.yaml has extra.*split/apartments.* no local desc"),
+        (
+            "codebooks.hog_y.descriptor.color",
+            "colour",
+            r"codebook/hog_y\.yaml: .* no local descriptor 'colour'",
+        ),
+        ("systems.das_551_best.cues", ["gits"], r"system/das_551_best\.yaml: there is no cue 'gits'"),
+        (
+            "systems.das_451_all.cues",
+            ["hog_tracked"],
+            r"das_451_all\.yaml: .*hog_tracked with the scheme '4-5-1'",
+        ),
+        ("filters.informative.systems", ["best"], r"filter/informative\.yaml: there is no system 'best'"),
+        ("smoothing.cues", ["gits"], r"smoothing\.cues: there is no cue 'gits'"),
+        ("smoothing.filtered", ["informative/gits"], r"smoothing\.filtered: .* 'informative/gits'"),
+        ("tracking.descriptors", ["surf"], r"tracking\.descriptors: there is no local descriptor 'surf'"),
+        ("splits.university.systems.three", ["gits"], r"split/university\.yaml: there is no cue 'gits'"),
+        ("splits.university.descriptors.holistic", ["gist"], r"the cue spatial_pact, but .* 'centrist'"),
+        ("protocol.extra.split", "flats", r"protocol\.extra\.split: there is no split 'flats'"),
+    ],
+)
+def test_a_name_of_nothing_is_refused_before_any_stage_runs(setting, value, message):
+    params = copy.deepcopy(PARAMS)
+    references.check(params)
+    references.check({})
+    _set(params, setting, value)
+    with pytest.raises(PlacecatError, match=message) as caught:
+        references.check(params)
+    assert "\n" not in str(caught.value)
+
+
+def test_params_with_a_name_of_nothing_are_not_written(tmp_path, monkeypatch):
+    light_conf(tmp_path / "conf")
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(PlacecatError, match=r"cue/gist\.yaml: there is no holistic descriptor 'gits'"):
+        write_params(["cues.gist.descriptor.name=gits"])
+    assert {path.name for path in tmp_path.iterdir()} == {"conf"}

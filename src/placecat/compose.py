@@ -3,7 +3,9 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from placecat import files, paths
+import yaml
+
+from placecat import files, inferred, paths, references, settings
 from placecat.errors import PlacecatError
 
 # Folders of conf/ all of whose files are used, and where their content goes.
@@ -19,17 +21,25 @@ FOUND = {
     "finding": "findings",
 }
 STUDIES = "table/*"
+# How a codebook without a file of its own is clustered: this file of conf/clustering.
+CLUSTERING = "hierarchical_kmeans"
 
 
 def found(conf: Path = paths.CONF) -> str:
-    """List the files that are used because they are there, as the content of conf/found.yaml.
+    """List what is used because it is there, as the content of conf/found.yaml.
 
-    Hydra has no pattern for file names in its defaults, and `dvc exp run` composes from files alone.
+    Hydra has no pattern for file names in its defaults, and `dvc exp run` composes from files alone. What a
+    cue needs and no file describes (:mod:`placecat.inferred`) comes after the files.
 
     Parameters
     ----------
     conf
         The folder of conf/config.yaml.
+
+    Raises
+    ------
+    PlacecatError
+        As :func:`placecat.inferred.descriptors`.
     """
     places = dict(FOUND)
     for folder in sorted(path for path in conf.glob(STUDIES) if path.is_dir()):
@@ -41,6 +51,12 @@ def found(conf: Path = paths.CONF) -> str:
     for folder_name, package in places.items():
         names = sorted(path.stem for path in (conf / folder_name).glob("*.yaml"))
         lines += [f"- /{folder_name}@{package}.{name}: {name}" for name in names]
+    descriptors, codebooks = inferred.descriptors(conf), inferred.codebooks(conf)
+    lines += [f"- /clustering@codebooks.{name}.tree: {CLUSTERING}" for name in codebooks]
+    content = {"descriptors": descriptors, "codebooks": codebooks}
+    own = {name: part for name, part in content.items() if part}
+    if own:
+        lines += ["- _self_", "# Without a file of their own.", yaml.safe_dump(own, sort_keys=False).rstrip()]
     return "\n".join(lines) + "\n"
 
 
@@ -86,10 +102,18 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
 
 
 def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> None:
-    """List what is there in conf/found.yaml, compose the settings and write them to params.yaml."""
+    """List what is there in conf/found.yaml, compose the settings and write them to params.yaml.
+
+    Raises
+    ------
+    PlacecatError
+        As `found`, `compose` and :func:`placecat.references.check`; params.yaml stays as it was.
+    """
     listing = paths.CONF / "found.yaml"
-    if (paths.CONF / "config.yaml").is_file() and (
-        not listing.exists() or listing.read_text(encoding="utf-8") != found()
-    ):
-        files.write_text(listing, found())
-    files.write_text(target, compose(overrides))
+    if (paths.CONF / "config.yaml").is_file():
+        content = found()
+        if not listing.exists() or listing.read_text(encoding="utf-8") != content:
+            files.write_text(listing, content)
+    with files.replacing(target) as temporary:
+        temporary.write_text(compose(overrides), encoding="utf-8")
+        references.check(settings.load(temporary))

@@ -1,0 +1,97 @@
+"""What a cue needs and no file of conf/ describes, so that a cue is one module and one file of conf/cue."""
+
+import inspect
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from placecat.errors import PlacecatError
+from placecat.vision import discovery, holistic, local
+
+_PACKAGES = {"local": local, "holistic": holistic}
+
+
+def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
+    """Find the descriptors that cues and codebooks name and that no file of conf/descriptor describes.
+
+    Parameters
+    ----------
+    conf
+        The folder of conf/config.yaml.
+
+    Returns
+    -------
+    dict
+        ``local`` and ``holistic``, where there are any, to name to the defaults of its module's ``describe``.
+
+    Raises
+    ------
+    PlacecatError
+        A file of a cue or a codebook that is no YAML, that names a descriptor without a module, or one whose
+        module cannot be imported or has a setting without a default.
+    """
+    found: dict[str, dict[str, dict[str, Any]]] = {}
+    for path, content in _files(conf, "cue", "codebook"):
+        descriptor = content["descriptor"]
+        kind, name = descriptor.get("kind"), descriptor.get("name")
+        described = conf / "descriptor" / str(kind) / f"{name}.yaml"
+        if str(kind) not in _PACKAGES or name is None or described.exists():
+            continue
+        try:
+            own = discovery.settings_of(_PACKAGES[kind].load(name).describe)
+        except (PlacecatError, ImportError) as error:
+            raise PlacecatError(f"{path}: {error}") from None
+        for setting, value in own.items():
+            if value is inspect.Parameter.empty:
+                raise PlacecatError(
+                    f"{path}: the setting {setting!r} of the {kind} descriptor {name!r} has no default: give "
+                    f"it one, or write all its settings to {described}"
+                )
+        found.setdefault(kind, {})[name] = own
+    return found
+
+
+def codebooks(conf: Path) -> dict[str, dict[str, Any]]:
+    """Find the codebooks of regions that cues name and that no file of conf/codebook describes.
+
+    Parameters
+    ----------
+    conf
+        The folder of conf/config.yaml.
+
+    Returns
+    -------
+    dict
+        Name to settings that refer to those of the cue; all but ``tree``, the clustering.
+
+    Raises
+    ------
+    PlacecatError
+        A file of a cue that is no YAML.
+    """
+    found = {}
+    for path, cue in _files(conf, "cue"):
+        name = cue.get("codebook")
+        is_local = cue["descriptor"].get("kind") == "local"
+        if name is not None and is_local and not (conf / "codebook" / f"{name}.yaml").exists():
+            found[name] = {
+                "descriptor": f"${{cues.{path.stem}.descriptor}}",
+                "schemes": f"${{cues.{path.stem}.schemes}}",
+                "input": f"${{cues.{path.stem}.reads}}",
+                "cells": 1,
+            }
+    return found
+
+
+def _files(conf: Path, *folders: str) -> Iterator[tuple[Path, dict[str, Any]]]:
+    """Paths and contents of the files that have a ``descriptor``."""
+    for folder in folders:
+        for path in sorted((conf / folder).glob("*.yaml")):
+            try:
+                content = yaml.safe_load(path.read_text(encoding="utf-8"))
+            except yaml.YAMLError as error:
+                raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None
+            if isinstance(content, dict) and isinstance(content.get("descriptor"), dict):
+                yield path, content

@@ -1,0 +1,114 @@
+"""Names in the settings that stand for other settings: each is there, before any stage runs."""
+
+import difflib
+from collections.abc import Collection, Iterator, Mapping
+from typing import Any
+
+from placecat import paths, settings
+from placecat.errors import PlacecatError
+
+# Where a name is said, what it names, the name, and those that there are.
+_Reference = tuple[str, str, str, Collection[str]]
+_OF_A_CUE = ("title", "input", "reads", "codebook", "schemes", "extra", "classifier")
+
+
+def check(params: Mapping[str, Any]) -> None:
+    """Refuse settings that name a cue, codebook, descriptor, scheme, system or split that is not there.
+
+    Parameters
+    ----------
+    params
+        All settings.
+
+    Raises
+    ------
+    PlacecatError
+        Naming the file, the name and those that there are.
+    """
+    for where, kind, name, valid in _references(params):
+        if str(name) not in valid:
+            near = difflib.get_close_matches(str(name), valid, n=1)
+            hint = f"; did you mean {near[0]!r}?" if near else ""
+            there = ", ".join(valid) or "none"
+            raise PlacecatError(f"{where}: there is no {kind} {name!r}{hint} (there are: {there})")
+
+
+def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
+    # A section that is missing refers to nothing; whichever stage reads it says that it is missing.
+    cues, codebooks, systems, filters, splits = (
+        params.get(name, {}) for name in ("cues", "codebooks", "systems", "filters", "splits")
+    )
+    descriptors, smoothing = params.get("descriptors", {}), params.get("smoothing", {})
+    for name, cue in cues.items():
+        where = _file("cue", name)
+        missing = [key for key in _OF_A_CUE if key not in cue]
+        if missing:
+            raise PlacecatError(f"{where} has no {missing[0]!r}: see the other files of that folder")
+        settings.refuse_unknown(cue, [*_OF_A_CUE, "descriptor"], where)
+        codebook = cue["codebook"]
+        if codebook is None:
+            yield from _of_descriptor(where, cue.get("descriptor"), descriptors)
+        else:
+            yield where, "codebook", codebook, codebooks
+            for scheme in cue["schemes"]:
+                yield where, f"codebook {codebook} for the scheme", scheme, codebooks[codebook]["schemes"]
+            if cue["input"] != f"codebooks/{codebook}":
+                raise PlacecatError(f"{where}: its codebook is {codebook}, so input is codebooks/{codebook}")
+    for name, codebook in codebooks.items():
+        yield from _of_descriptor(_file("codebook", name), codebook.get("descriptor"), descriptors)
+    for name, system in systems.items():
+        for cue in system["cues"]:
+            yield _file("system", name), "cue", cue, cues
+            yield _file("system", name), f"cue {cue} with the scheme", system["scheme"], cues[cue]["schemes"]
+    for name, own in filters.items():
+        for cue in own["cues"]:
+            yield _file("filter", name), "cue", cue, cues
+        for system in own["systems"]:
+            yield _file("filter", name), "system", system, systems
+    for cue in smoothing.get("cues", []):
+        yield "smoothing.cues", "cue", cue, cues
+    filtered = [
+        f"{name}/{result}" for name, own in filters.items() for result in own["cues"] + own["systems"]
+    ]
+    for result in smoothing.get("filtered", []):
+        yield "smoothing.filtered", "filtered result", result, filtered
+    for descriptor in params.get("tracking", {}).get("descriptors", []):
+        yield "tracking.descriptors", "local descriptor", descriptor, descriptors.get("local", {})
+    for name, split in splits.items():
+        where = _file("split", name)
+        for kind, names in split["descriptors"].items():
+            for descriptor in names:
+                yield where, f"{kind} descriptor", descriptor, descriptors.get(kind, {})
+        for cue in dict.fromkeys(cue for system in split["systems"].values() for cue in system):
+            yield where, "cue", cue, cues
+            own = cues[cue] if cues[cue]["codebook"] is None else codebooks[cues[cue]["codebook"]]
+            yield from _of_descriptor(
+                f"{where} integrates the cue {cue}, but in its descriptors",
+                own["descriptor"],
+                split["descriptors"],
+            )
+    extra = params.get("protocol", {}).get("extra", {}).get("split")
+    if extra is not None:
+        yield "protocol.extra.split", "split", extra, splits
+    for name, cue in cues.items():
+        if cue["extra"] and extra is not None:
+            own = cue if cue["codebook"] is None else codebooks[cue["codebook"]]
+            where = f"{_file('cue', name)} has extra: true, but in the descriptors of {_file('split', extra)}"
+            yield from _of_descriptor(where, own["descriptor"], splits[extra]["descriptors"])
+
+
+def _file(group: str, name: str) -> str:
+    return f"{paths.CONF / group / name}.yaml"
+
+
+def _of_descriptor(
+    where: str, descriptor: Mapping[str, Any] | None, computed: Mapping[str, Collection[str]]
+) -> Iterator[_Reference]:
+    """The descriptor that a cue or a codebook names, and the colour descriptor that it appends."""
+    if not isinstance(descriptor, Mapping) or not {"kind", "name"} <= set(descriptor):
+        raise PlacecatError(f"{where}: descriptor needs kind (local or holistic) and name")
+    yield where, "kind of descriptor", descriptor["kind"], ["local", "holistic"]
+    kind = descriptor["kind"]
+    yield where, f"{kind} descriptor", descriptor["name"], computed.get(kind, {})
+    if descriptor.get("color"):
+        yield where, f"{kind} descriptor", descriptor["color"], computed.get(kind, {})

@@ -1,0 +1,202 @@
+"""A cue is one module and one file of conf/cue: in a copy of the project, real DVC needs nothing else."""
+
+import shutil
+
+import numpy as np
+import pytest
+import yaml
+
+from project import HOMES, ROOT, SITES, SMALL, contents, repro, run
+from sketch import draw_homes
+
+HOME_NAMES = ["Home1", "Home2", "Home3"]
+HOLISTIC_MODULE = '''"""Brightness: the mean intensity in the cells of a grid."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.vision.grid import cell_means
+from placecat.vision.maps import FrameMaps
+
+# The fields of `FrameMaps` that it reads.
+MAPS: tuple[str, ...] = ()
+
+
+def size(*, cells: int = 4) -> int:
+    """Length of the descriptor: cells x cells."""
+    return cells * cells
+
+
+def describe(frame: NDArray[np.uint8], maps: FrameMaps, *, cells: int = 4) -> NDArray[np.float32]:
+    """Describe a frame by the mean of its channels in cells x cells, row by row, 0 to 255."""
+    return cell_means(frame.mean(axis=2, dtype=np.float32), cells).reshape(-1)
+'''
+HOLISTIC_CUE = """defaults:
+- /classifier@classifier: nu_svm
+- _self_
+
+title: Brightness
+input: features
+reads: features
+codebook: null
+schemes: [5-5-1]
+extra: false
+descriptor:
+  kind: holistic
+  name: brightness
+"""
+LOCAL_MODULE = '''"""Thumbnail: the mean intensity in the cells of a region."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.vision.grid import cell_means
+from placecat.vision.maps import FrameMaps
+from placecat.vision.patches import cut, region_side
+
+# The fixed unit of `concatenate`.
+SPREAD = 200.0
+# The fields of `FrameMaps` that it reads.
+MAPS = ("grey",)
+
+
+def size(*, cells: int = 2) -> int:
+    """Length of the descriptor: cells x cells."""
+    return cells * cells
+
+
+def describe(
+    maps: FrameMaps, regions: NDArray[np.float32], *, cells: int = 2, border: str = "replicate"
+) -> NDArray[np.float32]:
+    """Describe n regions by (n, cells x cells) mean intensities, row by row, 0 to 255."""
+    patches = cut(maps.grey, regions, region_side(maps.width), border=border)
+    return cell_means(patches, cells).reshape(len(regions), size(cells=cells))
+'''
+LOCAL_CUE = """defaults:
+- /classifier@classifier: naive_bayes
+- _self_
+
+title: Thumbnail + y-Pos
+input: codebooks/thumbnail_y
+reads: features
+codebook: thumbnail_y
+schemes: [5-5-1]
+extra: false
+descriptor:
+  kind: local
+  name: thumbnail
+  y_pos: true
+  y_weight: 1.0
+  color: null
+  max_regions: 25
+classifier:
+  clusters: 16
+"""
+ADDED = {
+    "src/placecat/vision/holistic/brightness.py": HOLISTIC_MODULE,
+    "conf/cue/brightness.yaml": HOLISTIC_CUE,
+    "src/placecat/vision/local/thumbnail.py": LOCAL_MODULE,
+    "conf/cue/thumbnail_y.yaml": LOCAL_CUE,
+}
+SETTINGS = [
+    *SMALL,
+    f"dataset.homes=[{','.join(HOME_NAMES)}]",
+    "splits.apartments.dataset.homes=[Home1]",
+]
+
+
+def own(folder, *command, check=True):
+    """Run a command with the package of the copy, not with the one that is installed."""
+    return run(folder, *command, check=check, PYTHONPATH=str(folder / "src"))
+
+
+@pytest.fixture(scope="module")
+def before(tmp_path_factory):
+    """A copy with small homes, kept by git; the features of one of them are computed.
+
+    Tables and findings, which make up most of conf/, are left out but for one study, so that it composes
+    quickly.
+    """
+    folder = tmp_path_factory.mktemp("project")
+    shutil.copytree(ROOT / "src", folder / "src", ignore=shutil.ignore_patterns("__pycache__", "*.egg-info"))
+    shutil.copytree(ROOT / "conf", folder / "conf", ignore=shutil.ignore_patterns("table", "finding"))
+    shutil.copytree(ROOT / "conf/table/additions", folder / "conf/table/additions")
+    for name in ("dvc.yaml", ".dvcignore", ".gitignore"):
+        shutil.copy(ROOT / name, folder / name)
+    draw_homes(folder / HOMES, homes=len(HOME_NAMES), frames_per_room=4, width=320, height=180)
+    draw_homes(folder / SITES["apartments"], homes=1, frames_per_room=2, width=320, height=180)
+    own(folder, "python", "-m", "placecat", "params", *SETTINGS)
+    run(folder, "git", "init", "-q")
+    run(folder, "dvc", "init", "-q")
+    shutil.copy(ROOT / ".dvc/config", folder / ".dvc/config")
+    own(folder, "dvc", "repro", "features@Home1")
+    run(folder, "git", "add", ".")
+    run(folder, "git", "-c", "user.name=test", "-c", "user.email=test@localhost", "commit", "-qm", "before")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def after(before, tmp_path_factory):
+    """The copy after two cues came to it, and what its features were before."""
+    features = contents(before, "data/features/Home1")
+    for name, text in ADDED.items():
+        (before / name).write_text(text)
+    own(before, "python", "-m", "placecat", "params", *SETTINGS)
+    ran, _ = repro(
+        before, "cues@brightness", "cues@thumbnail_y", PYTHONPATH=str(before / "src"), PLACECAT_WORKERS="1"
+    )
+    return before, features, ran
+
+
+def test_one_module_and_one_file_make_a_cue(after):
+    folder, _, ran = after
+    # The other cues and codebooks are not asked for.
+    learned = {stage for stage in ran if stage.startswith(("codebooks", "cues"))}
+    assert learned == {"cues@brightness", "codebooks@thumbnail_y", "cues@thumbnail_y"}
+    for cue in ("brightness", "thumbnail_y"):
+        tests = sorted((folder / "data/cues" / cue / "5-5-1").rglob("test.npy"))
+        assert {path.parts[-3] for path in tests} == set(HOME_NAMES)
+        for path in tests:
+            proba = np.load(path)
+            assert proba.shape[1] == 5
+            assert (proba >= 0).all()
+            np.testing.assert_allclose(proba.sum(axis=1), 1)
+            assert len(np.unique(proba.round(6), axis=0)) > 1
+
+
+def test_nothing_else_changes_in_what_git_holds(after):
+    folder, _, _ = after
+    lines = run(folder, "git", "status", "--porcelain", "--untracked-files=all").stdout.splitlines()
+    written = ["conf/found.yaml", "dvc.lock", "params.yaml"]
+    assert sorted(lines) == sorted([*(f" M {name}" for name in written), *(f"?? {name}" for name in ADDED)])
+
+
+def test_descriptors_that_were_there_keep_their_bytes(after):
+    folder, features, _ = after
+    now = contents(folder, "data/features/Home1")
+    place = "data/features/Home1"
+    assert set(now) - set(features) == {f"{place}/holistic_brightness.npy", f"{place}/local_thumbnail.npy"}
+    # The list of the modules is longer now.
+    changed = {name for name in features if now[name] != features[name]}
+    assert changed == {f"{place}/descriptors.json"}
+
+
+def test_settings_are_the_defaults_of_the_module_and_of_the_clustering(after):
+    folder, _, _ = after
+    params = yaml.safe_load((folder / "params.yaml").read_text())
+    assert params["descriptors"]["holistic"]["brightness"] == {"cells": 4}
+    assert params["descriptors"]["local"]["thumbnail"] == {"cells": 2, "border": "replicate"}
+    like = params["codebooks"]["centrist_y"]
+    like["descriptor"]["name"], like["schemes"] = "thumbnail", ["5-5-1"]
+    like["tree"]["max_clusters"] = params["codebooks"]["thumbnail_y"]["tree"]["max_clusters"]
+    assert params["codebooks"]["thumbnail_y"] == like
+
+
+def test_the_tests_of_all_descriptors_test_a_new_one(after):
+    folder, _, _ = after
+    files = [ROOT / f"tests/vision/{kind}/test_{kind}_descriptors.py" for kind in ("holistic", "local")]
+    command = ("pytest", "-v", "-p", "no:cacheprovider", "-k", "brightness or thumbnail", *files)
+    lines = own(folder, *command).stdout.splitlines()
+    for kind, name in (("holistic", "brightness"), ("local", "thumbnail")):
+        test = f"test_{kind}_descriptors.py::test_deterministic_and_free_of_side_effects[{name}] PASSED"
+        assert any(test in line for line in lines)
