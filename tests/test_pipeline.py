@@ -22,7 +22,10 @@ RANDOM_TABLES = {5, 8, 11, 12, 13, *range(16, 29), 30, 31}
 
 def test_every_stage_runs_once_and_every_cell_has_a_number_or_a_reason(reproduced):
     folder, ran, _ = reproduced
-    assert len(ran) == len(set(ran)) == 61
+    listed = run(folder, "dvc", "stage", "list", "--name-only").stdout.split()
+    assert sorted([*ran, "render"]) == sorted(listed)
+    # DVC takes longer with each; see dvc.yaml.
+    assert len(ran) < 70
     assert {path.stem for path in (folder / "reports/tables").glob("*.csv")} == TABLES
     published = files.read_table(ROOT / "data/thesis/published_tables.csv", KEY)
     for name in TABLES:

@@ -37,7 +37,8 @@ def read_descriptors(
         path = folder / f"{name}.npy"
         if not path.exists():
             raise PlacecatError(
-                f"{path} is missing: name the descriptor in conf/config.yaml and run `dvc repro`"
+                f"{path} is missing: name the descriptor in a file of conf/cue, then run `placecat params` "
+                "and `dvc repro`"
             )
         array = files.read_array(path)
         arrays[name] = array if rows is None else array[rows]

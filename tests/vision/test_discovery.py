@@ -32,8 +32,8 @@ def test_positional_parameters_are_no_settings() -> None:
 
 
 def test_descriptors_of_the_thesis_are_found() -> None:
-    assert local.names() == ["centrist", "color_mv", "hog", "orientation_mv", "sift"]
-    assert holistic.names() == ["centrist", "gist"]
+    assert {"centrist", "color_mv", "hog", "orientation_mv", "sift"} <= set(local.names())
+    assert {"centrist", "gist"} <= set(holistic.names())
 
 
 def test_a_new_module_is_found_by_its_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
