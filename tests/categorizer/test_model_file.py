@@ -98,7 +98,6 @@ def object_array(_):
         (lambda file: rewrite(file, "arrays/0000.npy", object_array), "damaged"),
         (lambda file: rewrite(file, "arrays/0001.npy", lambda c: c, zipfile.ZIP_DEFLATED), "compressed"),
     ],
-    ids=str,
 )
 def test_what_is_no_model_of_this_version_is_refused(file, damage, message):
     damage(file)
