@@ -42,3 +42,11 @@ def test_everything_is_pinned_by_hash_and_no_address_is_given(lock):
     text = (ROOT / lock).read_text()
     assert "://" not in text
     assert not re.search(r"^\s*(-i|-f|--index-url|--extra-index-url|--find-links)\b", text, re.M)
+
+
+@pytest.mark.xdist_group("together")
+def test_tests_of_a_group_stay_together(request):
+    """pytest-xdist tells groups by the end of a test's name; another pytest may not let it."""
+    if not getattr(request.config.option, "loadgroup", False):
+        pytest.skip("without --dist loadgroup")
+    assert request.node.nodeid.endswith("@together")
