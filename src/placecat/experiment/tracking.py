@@ -17,9 +17,9 @@ from placecat.experiment.summary import Ran
 from placecat.lockfile import data_version, git_commit
 from placecat.reporting.tracking import flatten
 from placecat.search import report
+from placecat.stages.tracking import ARTIFACTS, DESCRIPTION
 
 _KIND = "placecat.kind"
-_ARTIFACTS = Path("mlartifacts")
 _FILES = (output.SUMMARY, report.SUMMARY, report.RESULTS)
 
 
@@ -85,9 +85,12 @@ def log_one(result: dict[str, Any], folder: Path, dataset: dict[str, str]) -> st
 def _open(dataset: dict[str, str]) -> tuple[str, Any, str]:
     uri = mlflow_store.tracking_uri()
     client = mlflow_store.connect(uri)
-    description = f"Tables and experiments on {dataset['title']}."
     experiment = mlflow_store.experiment_id(
-        client, uri, _name(dataset), artifacts=_ARTIFACTS, description=description
+        client,
+        uri,
+        _name(dataset),
+        artifacts=ARTIFACTS,
+        description=DESCRIPTION.format(title=dataset["title"]),
     )
     return uri, client, experiment
 

@@ -16,8 +16,9 @@ from placecat.reporting.tracking_content import figures_run, table_run
 from placecat.stages import run
 
 ARTIFACTS = Path("mlartifacts")
-_DESCRIPTION = (
-    "Localization as in the thesis, measured on {title}: every table of the thesis is a run, every row of a "
+# Of the experiment of a data set.
+DESCRIPTION = (
+    "Visual place categorization, measured on {title}: every table of the thesis is a run, every row of a "
     "table a nested run. What holds now has the tag placecat.current: filter by "
     '``tags.`placecat.current` = "true"``. '
     'Sweeps over settings have ``tags.`placecat.kind` = "sweep"``.'
@@ -48,7 +49,7 @@ def main() -> None:
             runs,
             uri=tracking_uri(),
             experiment=f"placecat/{dataset['name']}",
-            description=_DESCRIPTION.format(title=dataset["title"]),
+            description=DESCRIPTION.format(title=dataset["title"]),
             data=dataset["title"],
             data_version=data_version(f"site_sequences@{split}" if split else "sequences"),
             commit=git_commit(),
