@@ -1,5 +1,6 @@
 """Census transform, its histograms, and the 3x3 Laplacian it is applied to."""
 
+from functools import lru_cache
 from itertools import product
 from typing import Any
 
@@ -10,6 +11,9 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 CODES = 256
+
+# Pixels a cell up to which one histogram over cells and codes is faster than a histogram for each cell.
+_FEW = 10_000
 
 # Left to right, top to bottom; the first is the highest bit.
 _NEIGHBOURS = ((-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1))
@@ -102,17 +106,39 @@ def cell_histograms(codes: NDArray[np.uint8], cells: int) -> NDArray[np.float32]
     (cells**2, 256) float32, cells row by row from the top left; each row has sum 1, or 0 for a cell
     without a pixel.
     """
-    result = np.zeros((cells * cells, CODES), np.float32)
-    rows, columns = (
-        [slice(k * length // cells, (k + 1) * length // cells) for k in range(cells)]
-        for length in codes.shape
-    )
+    number = cells * cells
+    if 0 < codes.size <= _FEW * number and number <= 256:
+        height, width = codes.shape
+        places, sizes = _places(height, width, cells)
+        counts = cv2.calcHist([places, codes], [0, 1], None, [number, CODES], [0, number, 0, CODES])
+        return np.asarray(counts, np.float32) / sizes
+    result = np.zeros((number, CODES), np.float32)
+    rows, columns = _cell_slices(codes.shape[0], codes.shape[1], cells)
     for target, (row, column) in zip(result, product(rows, columns), strict=True):
         block = codes[row, column]
         if block.size:
             counts = cv2.calcHist([block], [0], None, [CODES], [0, CODES])
             np.divide(counts[:, 0], block.size, out=target)
     return result
+
+
+def _cell_slices(height: int, width: int, cells: int) -> list[list[slice]]:
+    """Rows, and columns, of each cell."""
+    return [
+        [slice(k * length // cells, (k + 1) * length // cells) for k in range(cells)]
+        for length in (height, width)
+    ]
+
+
+@lru_cache(maxsize=8)
+def _places(height: int, width: int, cells: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
+    """Number of the cell of each pixel, (h, w), and pixels of each cell, at least 1, (cells**2, 1)."""
+    places = np.empty((height, width), np.uint8)
+    rows, columns = _cell_slices(height, width, cells)
+    for number, where in enumerate(product(rows, columns)):
+        places[where] = number
+    sizes = np.bincount(places.ravel(), minlength=cells * cells)[:, None]
+    return places, np.maximum(sizes, 1).astype(np.float32)
 
 
 def laplacian(image: NDArray[Any], kernel: str = "cross") -> NDArray[Any]:

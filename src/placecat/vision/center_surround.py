@@ -32,11 +32,16 @@ def surround_difference(plane: FloatArray, radius: int) -> FloatArray:
     ndarray
         (h, w) float32, signed, in the units of `plane`.
     """
+    difference = np.empty_like(plane)
+    _surround_difference(plane, radius, difference)
+    return difference
+
+
+def _surround_difference(plane: FloatArray, radius: int, out: FloatArray) -> None:
     size = 2 * radius + 1
-    mean = cv2.blur(plane, (size, size), borderType=cv2.BORDER_REFLECT_101)
+    cv2.blur(plane, (size, size), dst=out, borderType=cv2.BORDER_REFLECT_101)
     factor = size**2 / (size**2 - 1)
-    cv2.addWeighted(plane, factor, mean, -factor, 0, dst=mean)
-    return np.asarray(mean, np.float32)
+    cv2.addWeighted(plane, factor, out, -factor, 0, dst=out)
 
 
 def intensity_contrast(grey: FloatArray, radii: Sequence[int] = (1, 3)) -> FloatArray:
@@ -56,11 +61,10 @@ def intensity_contrast(grey: FloatArray, radii: Sequence[int] = (1, 3)) -> Float
         `GREY_ROUNDING` counts as zero.
     """
     out = np.empty((len(radii), 2, *grey.shape), np.float32)
-    for on_off, radius in zip(out, radii, strict=True):
-        difference = surround_difference(grey, radius)
-        _positive(difference, GREY_ROUNDING, on_off[0])
-        _positive(np.negative(difference, out=difference), GREY_ROUNDING, on_off[1])
-    return out
+    for (on, off), radius in zip(out, radii, strict=True):
+        _surround_difference(grey, radius, on)
+        np.negative(on, out=off)
+    return _positive(out, GREY_ROUNDING)
 
 
 def color_contrast(planes: Sequence[FloatArray], radii: Sequence[int] = (1, 3)) -> FloatArray:
@@ -79,16 +83,17 @@ def color_contrast(planes: Sequence[FloatArray], radii: Sequence[int] = (1, 3)) 
         (radii, 4, h, w) float32, dimensionless, >= 0; up to `COLOR_ROUNDING` counts as zero.
     """
     out = np.empty((len(radii), 4, *planes[0].shape), np.float32)
+    difference = np.empty_like(planes[0])
     for target, radius in zip(out, radii, strict=True):
-        signed = [surround_difference(plane, radius) for plane in planes]
-        if len(signed) == 3:
-            red, green, difference = signed
-            blue_yellow(red, green, difference, target[2], target[3])
-            signed = [red, green, *target[2:]]
-        for plane, positive in zip(signed, target, strict=True):
-            _positive(plane, COLOR_ROUNDING, positive)
-    return out
+        # Three planes give the third and fourth channel together.
+        for plane, own in zip(planes, target if len(planes) == 4 else (*target[:2], difference), strict=True):
+            _surround_difference(plane, radius, own)
+        if len(planes) == 3:
+            blue_yellow(target[0], target[1], difference, target[2], target[3])
+    return _positive(out, COLOR_ROUNDING)
 
 
-def _positive(plane: FloatArray, rounding: float, out: FloatArray) -> None:
-    cv2.threshold(plane, rounding, 0, cv2.THRESH_TOZERO, dst=out)
+def _positive(maps: FloatArray, rounding: float) -> FloatArray:
+    rows = maps.reshape(-1, maps.shape[-1])
+    cv2.threshold(rows, rounding, 0, cv2.THRESH_TOZERO, dst=rows)
+    return maps

@@ -1,6 +1,8 @@
 """What one pass over a frame computes once and every descriptor shares."""
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,3 +49,31 @@ class FrameMaps:
     color_contrast: dict[int, FloatArray]
     orientation: dict[int, FloatArray]
     residual: dict[int, FloatArray]
+    _kept: dict[tuple[Any, ...], tuple[Any, Any]] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
+
+    def once(self, function: Callable[..., Any], array: NDArray[Any], *arguments: Any) -> Any:
+        """Call a function of an array, or return what it returned before for this frame.
+
+        Parameters
+        ----------
+        function
+            A function of a module, without side effects.
+        array
+            The frame or one of the maps, which do not change.
+        *arguments
+            Further arguments, hashable.
+
+        Returns
+        -------
+        object
+            ``function(array, *arguments)``; several descriptors get the same object: do not write into it.
+        """
+        key = (function, id(array), *arguments)
+        # The array is kept too: its id may go to another one.
+        known, result = self._kept.get(key, (None, None))
+        if known is not array:
+            result = function(array, *arguments)
+            self._kept[key] = array, result
+        return result

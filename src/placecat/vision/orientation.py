@@ -102,10 +102,17 @@ def orientation_maps(
         border is mirrored (reflect-101; the thesis does not give this).
     """
     bank = _bank(gabor_size, gabor_sigma, gabor_wavelength, gabor_aspect, gabor_phase)
-    by_phase = [_respond(laplacian, parts) for parts in bank]
-    out = np.empty((len(ANGLES), *laplacian.shape), np.float32)
-    for magnitude, responses in zip(out, zip(*by_phase, strict=True), strict=True):
-        cv2.threshold(_modulus(responses), GREY_ROUNDING, 0, cv2.THRESH_TOZERO, dst=magnitude)
+    responses = [_respond(laplacian, parts) for parts in bank]
+    # In place. The last bit of cv2.magnitude depends on where its arrays lie in memory.
+    out = responses[0]
+    if len(responses) == 1:
+        np.abs(out, out=out)
+    else:
+        np.square(out, out=out)
+        out += np.square(responses[1], out=responses[1])
+        np.sqrt(out, out=out)
+    rows = out.reshape(-1, out.shape[-1])
+    cv2.threshold(rows, GREY_ROUNDING, 0, cv2.THRESH_TOZERO, dst=rows)
     return out
 
 
@@ -126,21 +133,17 @@ def _bank(
     return tuple(bank)
 
 
-def _respond(plane: FloatArray, parts: tuple[Separable, ...]) -> tuple[FloatArray, ...]:
-    level, upright, even, odd = (_filter(plane, part) for part in parts)
+def _respond(plane: FloatArray, parts: tuple[Separable, ...]) -> FloatArray:
+    """Responses at the four angles, (4, h, w)."""
+    out = np.empty((len(ANGLES), *plane.shape), np.float32)
+    level, rising, upright, falling = out
+    _filter(plane, parts[0], level)
+    _filter(plane, parts[1], upright)
     # The kernel at 135 degrees is that at 45 with x mirrored.
-    return level, even + odd, upright, even - odd
-
-
-def _modulus(responses: tuple[FloatArray, ...]) -> FloatArray:
-    if len(responses) == 1:
-        return np.abs(responses[0])
-    # In place. The last bit of cv2.magnitude depends on where its arrays lie in memory.
-    even, odd = responses
-    np.square(even, out=even)
-    np.square(odd, out=odd)
-    even += odd
-    return np.sqrt(even, out=even)
+    even, odd = _filter(plane, parts[2]), _filter(plane, parts[3])
+    np.add(even, odd, out=rising)
+    np.subtract(even, odd, out=falling)
+    return out
 
 
 def _separate(kernel: NDArray[np.float64]) -> Separable:
@@ -160,12 +163,13 @@ def _clean(factor: NDArray[np.float64]) -> FloatArray:
     return factor.astype(np.float32)
 
 
-def _filter(plane: FloatArray, terms: Separable) -> FloatArray:
-    responses = (
-        cv2.sepFilter2D(plane, cv2.CV_32F, row, column, borderType=cv2.BORDER_REFLECT_101)
-        for row, column in terms
-    )
-    total = np.asarray(next(responses, np.zeros_like(plane)), np.float32)
-    for response in responses:
-        total += response
+def _filter(plane: FloatArray, terms: Separable, out: FloatArray | None = None) -> FloatArray:
+    total = np.empty_like(plane) if out is None else out
+    if not terms:
+        total[...] = 0
+    for number, (row, column) in enumerate(terms):
+        if number == 0:
+            cv2.sepFilter2D(plane, cv2.CV_32F, row, column, dst=total, borderType=cv2.BORDER_REFLECT_101)
+        else:
+            total += cv2.sepFilter2D(plane, cv2.CV_32F, row, column, borderType=cv2.BORDER_REFLECT_101)
     return total

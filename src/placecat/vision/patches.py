@@ -1,6 +1,7 @@
 """Squares cut around salient regions, in the pyramid level of each region's scale."""
 
 from collections.abc import Mapping
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -65,37 +66,69 @@ def cut(
         raise PlacecatError(
             f"Unknown border '{border}' of the region patches: choose one of {', '.join(BORDERS)}."
         )
-    regions = np.asarray(regions, np.float64)
+    regions = np.asarray(regions, np.float32)
     if regions.ndim != 2 or regions.shape[1] != 4:
         raise PlacecatError(f"Regions must be an array (n, 4) of x, y, scale, strength, not {regions.shape}.")
-    scales = regions[:, 2]
-    unknown = [scale for scale in scales.tolist() if scale not in levels]
+    unknown = [scale for scale in regions[:, 2].tolist() if scale not in levels]
     if unknown:
         known = ", ".join(map(str, levels))
         raise PlacecatError(f"A region has the scale {unknown[0]:g}, but the pyramid has the levels {known}.")
     channels = next(iter(levels.values())).shape[:-2]
     patches = np.empty((len(regions), *channels, side, side), np.float32)
-    centres = regions[:, :2] / 2.0 ** scales[:, None]
-    corners = np.floor(centres - (side - 1) / 2 + 0.5).astype(np.intp)
-    for scale, level in levels.items():
-        members = np.flatnonzero(scales == scale)
-        if not members.size:
-            continue
-        height, width = level.shape[-2:]
-        span = corners[members, :, None] + np.arange(side)
-        columns, rows = _inside(span[:, 0], width, border), _inside(span[:, 1], height, border)
-        pixels = (rows * width)[:, :, None] + columns[:, None]
-        found = level.reshape(*channels, height * width).take(pixels, axis=-1)
-        patches[members] = np.moveaxis(found, len(channels), 0)
+    shapes = tuple((scale, *level.shape[-2:]) for scale, level in levels.items())
+    for scale, members, pixels in _places(shapes, regions.tobytes(), side, border):
+        found = levels[scale].reshape(*channels, -1).take(pixels, axis=-1)
+        patches[members] = np.moveaxis(found, len(channels), 0) if channels else found
     return patches
 
 
-def _inside(index: NDArray[np.intp], length: int, border: str) -> NDArray[np.intp]:
-    """Indices of the pixels that stand for those outside."""
-    if border == "replicate" or length == 1:
+# Most descriptors of a frame cut the same squares.
+@lru_cache(maxsize=4)
+def _places(
+    shapes: tuple[tuple[int, int, int], ...], regions: bytes, side: int, border: str
+) -> list[tuple[int, NDArray[np.intp], NDArray[np.intp]]]:
+    """Which regions lie in which level, and their pixels there.
+
+    Parameters
+    ----------
+    shapes
+        Scale, height and width of each level.
+    regions
+        The bytes of (n, 4) float32.
+    side, border
+        As in `cut`.
+
+    Returns
+    -------
+    list
+        For each level with regions its scale, their indices (m,) and flat indices of pixels (m, side, side).
+    """
+    x, y, scales, _ = np.frombuffer(regions, np.float32).reshape(-1, 4).astype(np.float64).T
+    order = np.argsort(scales, kind="stable")
+    centres = np.stack([y, x])[:, order] / 2.0 ** scales[order]
+    corners = np.floor(centres - (side - 1) / 2 + 0.5).astype(np.intp)
+    rows, columns = corners[:, :, None] + np.arange(side)
+    sizes = {scale: size for scale, *size in shapes}
+    listed = scales[order].tolist()
+    height, width = np.array([sizes[scale] for scale in listed], np.intp).reshape(-1, 2).T[:, :, None]
+    rows, columns = _inside(rows, height, border), _inside(columns, width, border)
+    pixels = (rows * width)[:, :, None] + columns[:, None]
+    places, start = [], 0
+    for scale in sorted(sizes):
+        stop = start + listed.count(scale)
+        if stop > start:
+            places.append((scale, order[start:stop], pixels[start:stop]))
+        start = stop
+    return places
+
+
+def _inside(index: NDArray[np.intp], length: NDArray[np.intp], border: str) -> NDArray[np.intp]:
+    """Indices of the pixels that stand for those outside, (n, side), of levels of (n, 1) lengths."""
+    if border == "replicate":
         return np.minimum(np.maximum(index, 0), length - 1)
-    index = np.abs(index) % (2 * length - 2)
-    return np.minimum(index, 2 * length - 2 - index)
+    period = np.maximum(2 * length - 2, 1)
+    index = np.abs(index) % period
+    return np.minimum(index, period - index)
 
 
 def to_bytes(patches: NDArray[np.float32]) -> NDArray[np.uint8]:

@@ -1,11 +1,16 @@
 """Salient points, their scales and the regions around them (thesis 3.1.1.3)."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 from placecat.vision.maps import FloatArray, FrameMaps
 from placecat.vision.saliency import Saliency, feature_maps, local_maxima
+
+# Points looked at together.
+BLOCK = 128
 
 
 def radius(scale: FloatArray | float, width: int, *, radius_factor: float = 1 / 128) -> FloatArray:
@@ -60,16 +65,17 @@ def find_scales(maps: FrameMaps, fused: Saliency, points: NDArray[np.intp]) -> N
         stack = fused.subchannels[name].reshape(len(fused.subchannels[name]), -1)
         subchannel[some] = np.argmax(stack[:, points[some]] * fused.subchannel_weights[name][:, None], axis=0)
     rows, columns = np.divmod(points, fused.saliency.shape[1])
+    sizes = np.array([maps.grey[scale].shape for scale in maps.scales])
+    index, share = _corners(rows, columns, sizes, np.array(maps.scales) - fused.scale)
+    index += subchannel * sizes.prod(axis=1)[:, None, None]
     responses = np.zeros((len(maps.scales), points.size), np.float32)
-    for response, scale in zip(responses, maps.scales, strict=True):
-        height, width = maps.grey[scale].shape
-        index, share = _corners(rows, columns, width, height, scale - fused.scale)
-        index += subchannel * (height * width)
-        for name, some in zip(names, chosen, strict=True):
-            stack = feature_maps(maps, name)[scale]
-            values = stack.reshape(len(stack), -1).take(index[:, some], axis=1)
-            values *= share[:, some]
-            response[some] = values.sum(axis=1).max(axis=0)
+    for name, some in zip(names, chosen, strict=True):
+        stacks, own, shares = feature_maps(maps, name), index[:, :, some], share[:, :, some]
+        for number, scale in enumerate(maps.scales):
+            stack = stacks[scale]
+            values = stack.reshape(len(stack), -1).take(own[number], axis=1)
+            values *= shares[number]
+            responses[number, some] = values.sum(axis=1).max(axis=0)
     return np.array(maps.scales)[np.argmax(responses, axis=0)]
 
 
@@ -113,15 +119,36 @@ def accept(
     place = np.array(points, np.float64).reshape(-1, 3).T
     least = (place[2] * width * min_distance) ** 2
     place[2] *= width * scale_distance
-    open_ = np.ones(least.size, bool)
     accepted: list[int] = []
-    while len(accepted) < max_regions and open_.any():
-        new = int(open_.argmax())
-        accepted.append(new)
-        apart = place - place[:, new, None]
-        open_ &= np.einsum("ij,ij->j", apart, apart) > least
-        open_[new] = False
+    for start in range(0, least.size, BLOCK):
+        block = np.arange(start, min(start + BLOCK, least.size))
+        if accepted:
+            block = block[_far(place, least, accepted, block).all(axis=0)]
+        # A whole number for each point, with a bit for each point that lies far enough: fast to intersect.
+        far = np.packbits(_far(place, least, block, block), axis=1, bitorder="little")
+        open_ = (1 << block.size) - 1
+        while open_ and len(accepted) < max_regions:
+            new = (open_ & -open_).bit_length() - 1
+            accepted.append(int(block[new]))
+            open_ &= int.from_bytes(far[new].tobytes(), "little")
+        if len(accepted) == max_regions:
+            break
     return np.array(accepted, np.intp)
+
+
+def _far(
+    place: NDArray[np.float64],
+    least: NDArray[np.float64],
+    old: Sequence[int] | NDArray[np.intp],
+    new: NDArray[np.intp],
+) -> NDArray[np.bool_]:
+    """Whether points `new` lie far enough from points `old`, (old, new); no point does from itself."""
+    apart = np.zeros((len(old), len(new)))
+    for axis in place:
+        difference = axis[old][:, None] - axis[new]
+        difference *= difference
+        apart += difference
+    return apart > least[new]
 
 
 def select_regions(
@@ -179,18 +206,35 @@ def select_regions(
 
 
 def _corners(
-    rows: NDArray[np.intp], columns: NDArray[np.intp], width: int, height: int, up: int
+    rows: NDArray[np.intp], columns: NDArray[np.intp], sizes: NDArray[np.intp], ups: NDArray[np.intp]
 ) -> tuple[NDArray[np.intp], FloatArray]:
-    """Bilinear interpolation of a map at pixels of a level `up` doublings finer: indices and weights, (4, n).
+    """Bilinear interpolation of maps at n pixels of a finer level: indices and weights.
 
-    Beyond the last pixel the map goes on unchanged.
+    Beyond the last pixel a map goes on unchanged.
+
+    Parameters
+    ----------
+    rows, columns
+        (n,) in the finer level.
+    sizes
+        (maps, 2), height and width of each map.
+    ups
+        (maps,), doublings from each map to the finer level.
+
+    Returns
+    -------
+    index, share
+        (maps, 4, n).
     """
+    up = ups[:, None]
+    height, width = sizes.T[:, :, None]
     top, left = rows >> up, columns >> up
     corner = top * width + left
     right = left + 1 < width
     down = np.where(top + 1 < height, width, 0)
-    y = (rows & ((1 << up) - 1)) / (1 << up)
-    x = (columns & ((1 << up) - 1)) / (1 << up)
-    index = np.stack([corner, corner + right, corner + down, corner + down + right])
-    share = np.stack([(1 - y) * (1 - x), (1 - y) * x, y * (1 - x), y * x])
+    step = 1 << up
+    y = (rows & (step - 1)) / step
+    x = (columns & (step - 1)) / step
+    index = np.stack([corner, corner + right, corner + down, corner + down + right], axis=1)
+    share = np.stack([(1 - y) * (1 - x), (1 - y) * x, y * (1 - x), y * x], axis=1)
     return index, share.astype(np.float32)

@@ -221,7 +221,7 @@ def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
     tied = plane == highest
     tied &= positive
     if tied.any():
-        peak |= _plateaus(plane, tied, window)
+        peak.ravel()[_plateaus(plane, tied)] = True
     return np.flatnonzero(peak)
 
 
@@ -271,7 +271,10 @@ def stretch(plane: FloatArray, high: float) -> FloatArray:
 
 
 def _sum_radii(stack: FloatArray) -> FloatArray:
-    return stack[0] if len(stack) == 1 else stack.sum(axis=0)
+    total = stack[0]
+    for own in stack[1:]:
+        total = total + own
+    return total
 
 
 def _weighted_sum(stack: FloatArray, weights: FloatArray) -> FloatArray:
@@ -285,42 +288,50 @@ def _weighted_sum(stack: FloatArray, weights: FloatArray) -> FloatArray:
 def _double(stack: FloatArray, width: int, height: int) -> FloatArray:
     """Bilinear expansion by two of (k, ceil(height / 2), ceil(width / 2)), even pixels kept."""
     count, rows, columns = stack.shape
-    between = np.empty_like(stack)
-    np.add(stack[..., :-1], stack[..., 1:], out=between[..., :-1])
-    between[..., :-1] *= np.float32(0.5)
-    between[..., -1] = stack[..., -1]
-    pairs = cv2.merge([stack.reshape(-1, columns), between.reshape(-1, columns)])
-    wide = pairs.reshape(count, rows, 2 * columns)[..., :width]
-    out = np.empty((count, height, width), np.float32)
-    out[:, ::2] = wide
-    odd = out[:, 1::2]
-    below = wide[:, 1:]
-    inner = odd[:, : below.shape[1]]
-    np.add(wide[:, : below.shape[1]], below, out=inner)
-    inner *= np.float32(0.5)
-    odd[:, below.shape[1] :] = wide[:, -1:]
-    return out
+    flat = stack.reshape(-1, columns)
+    between = np.empty_like(flat)
+    between[:, -1] = flat[:, -1]
+    _halfway(flat[:, :-1], flat[:, 1:], between[:, :-1])
+    wide = cv2.merge([flat, between])
+    out = np.empty((count, 2 * rows, 2 * columns), np.float32)
+    pairs = out.reshape(count * rows, 2, 2 * columns)
+    pairs[:, 0] = wide.reshape(count * rows, 2 * columns)
+    # All planes at once: what is put between two of them is overwritten.
+    _halfway(pairs[:-1, 0], pairs[1:, 0], pairs[:-1, 1])
+    out[:, -1] = out[:, -2]
+    return np.ascontiguousarray(out[:, :height, :width])
 
 
-def _plateaus(plane: FloatArray, tied: NDArray[np.bool_], window: int) -> NDArray[np.bool_]:
-    """Mark the first pixel of each flat top, given the pixels that equal the highest one around them."""
-    first = np.zeros_like(tied)
-    if plane.min() == plane.max():
-        return first
-    # Ties are few and close together, but for drawn images: work on the rectangle around them.
-    rows, columns = np.divmod(np.flatnonzero(tied), tied.shape[1])
-    reach = window // 2
-    box = np.s_[
-        max(rows.min() - reach, 0) : rows.max() + reach + 1,
-        max(columns.min() - reach, 0) : columns.max() + reach + 1,
-    ]
-    plane, tied = plane[box], tied[box]
-    _, labels = cv2.connectedComponents(tied.astype(np.uint8), connectivity=8)
+def _halfway(first: FloatArray, second: FloatArray, out: FloatArray) -> None:
+    """Write the means of two planes. Halves are exact, so that the sum is rounded once only."""
+    if out.size:
+        cv2.addWeighted(first, 0.5, second, 0.5, 0, dst=out)
+
+
+def _plateaus(plane: FloatArray, tied: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """Flat indices of the first pixel of each flat top; tied pixels equal the highest one around them."""
+    height, width = plane.shape
+    found = np.flatnonzero(tied)
+    if found.size == plane.size:  # the same everywhere
+        return found[:0]
+    rows, columns = np.divmod(found, width)
     # A tied pixel next to an equal one that is not tied can be left uphill.
-    others = np.where(tied, np.float32(-np.inf), plane)
-    uphill = tied & (cv2.dilate(others, np.ones((3, 3), np.uint8)) == plane)
-    label, start = np.unique(labels, return_index=True)
-    keep = (label > 0) & ~np.isin(label, labels[uphill])
-    top, left = np.divmod(start[keep], plane.shape[1])
-    first[box][top, left] = True
-    return first
+    near = np.arange(-1, 2)[:, None]
+    down = np.clip(rows + near, 0, height - 1) * width
+    around = down[:, None] + np.clip(columns + near, 0, width - 1)
+    others = (plane.ravel()[around] == plane.ravel()[found]) & ~tied.ravel()[around]
+    uphill = others.any(axis=(0, 1))
+    if uphill.all():
+        return found[:0]
+    # Ties are few and close together, but for drawn images: label the rectangle around them.
+    rows -= rows.min()
+    columns -= columns.min()
+    mask = np.zeros((rows.max() + 1, columns.max() + 1), np.uint8)
+    mask[rows, columns] = 1
+    count, image = cv2.connectedComponents(mask, connectivity=8)
+    labels = image[rows, columns]
+    first = np.empty(count, np.intp)
+    first[labels[::-1]] = found[::-1]
+    top = np.arange(count) > 0
+    top[labels[uphill]] = False
+    return first[top]

@@ -1,5 +1,7 @@
 """CENTRIST of whole frames: census histograms in the cells of a grid."""
 
+from typing import Any
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -38,7 +40,7 @@ def describe(
         (H, W, 3) uint8 BGR. Its grey image is OpenCV's, 0.299 r + 0.587 g + 0.114 b; the thesis does not
         give this.
     maps
-        Not used: this descriptor has its own size of the image.
+        No map is used: this descriptor has its own size of the image, which its variants share through them.
     width
         The frame is reduced to this width, its sides in proportion; a narrower frame is left as it is.
         None for the full size (variant in thesis 4.3).
@@ -73,10 +75,17 @@ def describe(
     if width is not None and width < 16:
         raise PlacecatError(f"The width {width} of {owner} is too small: it must be at least 16, or null.")
     check_kernel(kernel)
-    grey = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
-    height, full = grey.shape
-    if width is not None and width < full:
-        reduced = (width, max(1, round(height * width / full)))
-        grey = cv2.resize(grey, reduced, interpolation=INTERPOLATIONS[interpolation])
+    grey = maps.once(_grey, frame)
+    if width is not None and width < frame.shape[1]:
+        grey = maps.once(_reduced, grey, width, INTERPOLATIONS[interpolation])
     values = laplacian(grey, kernel) if image == "laplacian" else grey
     return cell_histograms(census(values), CELLS).reshape(-1)
+
+
+def _grey(frame: NDArray[np.uint8]) -> NDArray[Any]:
+    return cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
+
+
+def _reduced(grey: NDArray[np.uint8], width: int, interpolation: int) -> NDArray[Any]:
+    height, full = grey.shape
+    return cv2.resize(grey, (width, max(1, round(height * width / full))), interpolation=interpolation)

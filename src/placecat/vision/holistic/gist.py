@@ -62,7 +62,7 @@ def describe(
     blocks = []
     for channel in channels:
         # (scale, ..., sub-channel, row, column); radii come before sub-channels.
-        means = np.stack([_means(channel[scale]) for scale in maps.scales])
+        means = np.stack([maps.once(_means, channel[scale]) for scale in maps.scales])
         blocks.append(means.transpose(3, 4, 2, 0, 1).reshape(CELLS * CELLS, -1))
     return np.ascontiguousarray(np.concatenate(blocks, axis=1).reshape(-1), np.float32)
 

@@ -159,12 +159,13 @@ def _votes(
 ) -> NDArray[np.float32]:
     """Share of each pixel in each bin, (n, pixels, 8): linear between the two nearest bins."""
     count = len(magnitude)
+    magnitude = magnitude.reshape(count, -1)
     position = (angle.reshape(count, -1) - turn[:, None].astype(np.float32)) * np.float32(BINS / (2 * np.pi))
     lower = np.floor(position)
-    magnitude = magnitude.reshape(count, -1)
-    upper_part = magnitude * (position - lower)
+    position -= lower
+    upper_part = np.multiply(position, magnitude, out=position)
     # BINS is a power of two: the mask is the remainder, of negative numbers too.
-    first = lower.astype(np.intp) & (BINS - 1)
+    first = lower.astype(np.int8) & (BINS - 1)
     second = (first + 1) & (BINS - 1)
     votes = np.zeros((*position.shape, BINS), np.float32)
     flat, base = votes.reshape(-1), np.arange(position.size).reshape(position.shape) * BINS
