@@ -6,6 +6,7 @@ from scipy.sparse.csgraph import minimum_spanning_tree
 from sklearn.metrics import mutual_info_score
 
 from placecat.learning.contingency import (
+    count_into,
     maximum_spanning_tree,
     mutual_information,
     run_lengths,
@@ -88,3 +89,10 @@ def test_run_lengths():
     values, lengths = run_lengths(np.array([2, 2, 5, 7, 7, 7]))
     assert values.tolist() == [2, 5, 7]
     assert lengths.tolist() == [2, 1, 3]
+
+
+def test_counting_into_an_array_overwrites_it():
+    cells = np.array([3, 0, 3, 3])
+    counts = np.full(5, 7, np.int32)
+    count_into(counts, cells)
+    np.testing.assert_array_equal(counts, np.bincount(cells, minlength=5))

@@ -113,6 +113,18 @@ def test_against_a_loop(monkeypatch, dense, alpha, root, n_values):
     np.testing.assert_allclose(model.predict_joint_log_likelihood(configurations), expected, rtol=1e-12)
 
 
+def test_however_the_counts_are_kept_the_model_is_the_same(monkeypatch):
+    codes, others = (linked_codes(80, 4, 9, seed) for seed in (5, 6))
+    y = np.arange(80) % 2
+    by_variable = DependencyTree(n_values=9).fit(codes, y).predict_joint_log_likelihood(others)
+    monkeypatch.setattr(module, "CELLS_PER_SAMPLE", 0)
+    by_sorting = DependencyTree(n_values=9).fit(codes, y).predict_joint_log_likelihood(others)
+    monkeypatch.setattr(module, "_DENSE_CELLS", 0)
+    what_occurs = DependencyTree(n_values=9).fit(codes, y).predict_joint_log_likelihood(others)
+    np.testing.assert_array_equal(by_variable, by_sorting)
+    np.testing.assert_array_equal(by_variable, what_occurs)
+
+
 @given(st.integers(0, 10_000), st.integers(2, 4), st.floats(0.01, 5), st.booleans())
 @settings(max_examples=40, deadline=None)
 def test_the_joint_distribution_sums_to_one(seed, n_values, alpha, dense):

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 # A pair's table is counted by bincount up to this many cells a sample, by sorting beyond.
-_CELLS_PER_SAMPLE = 16
+CELLS_PER_SAMPLE = 16
 # Up to here float32 holds every whole number.
 _EXACT_FLOAT32 = 1 << 24
 
@@ -140,28 +140,69 @@ def _wide_sums(
     codes: NDArray[np.integer], n_values: int, weighted_log: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """As `_binary_sums`, for any number of values."""
-    n, n_variables = codes.shape
-    n_cells = n_values * n_values
-    columns = np.ascontiguousarray(codes.T, dtype=np.int32 if n_cells < 2**31 else np.int64)
-    joint = np.zeros((n_variables, n_variables))
-    for first in range(n_variables - 1):
-        pairs = columns[first] * n_values + columns[first + 1 :]
-        if n_cells <= _CELLS_PER_SAMPLE * n:
-            for second, cells in enumerate(pairs, first + 1):
-                counts = np.bincount(cells, minlength=n_cells)
-                # Counts 0 and 1 have m log m = 0.
-                joint[first, second] = weighted_log[counts[counts > 1]].sum()
-        else:
-            pairs.sort(axis=1)
-            new = np.ones(pairs.shape, bool)
-            np.not_equal(pairs[:, 1:], pairs[:, :-1], out=new[:, 1:])
-            starts = np.flatnonzero(new)
-            terms = weighted_log[np.diff(starts, append=new.size)]
-            joint[first, first + 1 :] = np.add.reduceat(
-                terms, np.searchsorted(starts, n * np.arange(len(pairs)))
-            )
+    columns = np.ascontiguousarray(codes.T, dtype=np.int64)
+    if n_values * n_values <= CELLS_PER_SAMPLE * len(codes):
+        joint = _joint_by_tables(columns, n_values, weighted_log)
+    else:
+        joint = _joint_by_sorting(columns, n_values, weighted_log)
     marginal = np.array([weighted_log[np.bincount(column)].sum() for column in columns])
     return joint + joint.T, marginal
+
+
+def _joint_by_tables(
+    columns: NDArray[np.int64], n_values: int, weighted_log: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    n_variables, n = columns.shape
+    joint = np.zeros((n_variables, n_variables))
+    counts = np.empty(n_values * n_values, np.int32)
+    cells = np.empty(n, np.int64)
+    for first, rows in enumerate(columns * n_values):
+        for second in range(first + 1, n_variables):
+            count_into(counts, np.add(rows, columns[second], out=cells))
+            # Counts 0 and 1 have m log m = 0.
+            joint[first, second] = weighted_log[counts[counts > 1]].sum()
+    return joint
+
+
+def _joint_by_sorting(
+    columns: NDArray[np.int64], n_values: int, weighted_log: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    n_variables, n = columns.shape
+    joint = np.zeros((n_variables, n_variables))
+    columns = columns.astype(np.int32 if n_values * n_values < 2**31 else np.int64, copy=False)
+    for first in range(n_variables - 1):
+        pairs = columns[first] * n_values + columns[first + 1 :]
+        pairs.sort(axis=1)
+        new = np.ones(pairs.shape, bool)
+        np.not_equal(pairs[:, 1:], pairs[:, :-1], out=new[:, 1:])
+        starts = np.flatnonzero(new)
+        terms = weighted_log[np.diff(starts, append=new.size)]
+        joint[first, first + 1 :] = np.add.reduceat(terms, np.searchsorted(starts, n * np.arange(len(pairs))))
+    return joint
+
+
+def count_into(counts: NDArray[np.int32], cells: NDArray[np.int64]) -> None:
+    """Count the cells as ``np.bincount`` does, into an array that is there.
+
+    A new array for every table costs several times the counting, where the system first has to clear its
+    memory.
+
+    Parameters
+    ----------
+    counts : ndarray of shape (n_cells,), int32
+        Overwritten.
+    cells : ndarray of shape (n,), int64 in [0, n_cells)
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> counts = np.empty(3, np.int32)
+    >>> count_into(counts, np.array([2, 0, 2]))
+    >>> counts.tolist()
+    [1, 0, 2]
+    """
+    counts.fill(0)
+    np.add.at(counts, cells, np.int32(1))
 
 
 def run_lengths(values: NDArray[np.integer]) -> tuple[NDArray[np.integer], NDArray[np.int64]]:

@@ -5,6 +5,8 @@ from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 from placecat.learning.contingency import (
+    CELLS_PER_SAMPLE,
+    count_into,
     maximum_spanning_tree,
     mutual_information,
     run_lengths,
@@ -91,17 +93,21 @@ class DependencyTree(DiscreteBayes):
 
     def _fit_pairs(self, members: list[NDArray[np.integer]]) -> None:
         """Store log(count + alpha) of each (variable, parent value, value), in full or where it occurs."""
-        n_cells = self.n_features_in_ * self.n_values_**2
+        table = self.n_values_**2
+        n_cells = self.n_features_in_ * table
         self._is_dense = len(members) * n_cells <= _DENSE_CELLS
         self._pair_keys: list[NDArray[np.integer]] = []
         self._pair_logs: list[NDArray[np.float64]] = []
         for label, part in enumerate(members):
-            pairs = self._pairs(part, label)[0].ravel()
+            pairs = self._pairs(part, label)[0]
             log_counts = np.log(np.arange(len(part) + 1) + self.alpha)
             if self._is_dense and n_cells <= pairs.size:
-                self._pair_logs.append(log_counts[np.bincount(pairs, minlength=n_cells)])
+                self._pair_logs.append(log_counts[np.bincount(pairs.ravel(), minlength=n_cells)])
                 continue
-            keys, counts = run_lengths(np.sort(pairs))
+            if self._is_dense and table <= CELLS_PER_SAMPLE * len(part):
+                self._pair_logs.append(_log_tables(pairs, table, log_counts))
+                continue
+            keys, counts = run_lengths(np.sort(pairs.ravel()))
             if self._is_dense:
                 logs = np.full(n_cells, log_counts[0])
                 logs[keys] = log_counts[counts]
@@ -139,3 +145,16 @@ class DependencyTree(DiscreteBayes):
                 logs = self._log_pairs(pairs, label) - log_parents[parent_cells]
                 result[start : start + rows, label] = logs.sum(axis=1)
         return result
+
+
+def _log_tables(
+    pairs: NDArray[np.integer], table: int, log_counts: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Look up log(count + alpha) of all cells, one variable's table of counts at a time."""
+    n_variables = pairs.shape[1]
+    logs = np.empty((n_variables, table))
+    counts = np.empty(table, np.int32)
+    for variable, row in enumerate(logs):
+        count_into(counts, pairs[:, variable].astype(np.int64) - variable * table)
+        np.take(log_counts, counts, out=row, mode="clip")
+    return logs.ravel()
