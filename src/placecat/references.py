@@ -90,6 +90,9 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
     extra = params.get("protocol", {}).get("extra", {}).get("split")
     if extra is not None:
         yield "protocol.extra.split", "split", extra, splits
+    tested = params.get("protocol", {}).get("test_homes", "all")
+    for home in [tested] if isinstance(tested, str) else tested:
+        yield "protocol.test_homes", "home", home, ["all", *params.get("dataset", {}).get("homes", [])]
     for name, cue in cues.items():
         if cue["extra"] and extra is not None:
             own = cue if cue["codebook"] is None else codebooks[cue["codebook"]]

@@ -40,6 +40,27 @@ def test_training_sets_of_both_schemes_differ_in_name():
     assert len(names) == 12
 
 
+@pytest.mark.parametrize("scheme", ["5-5-1", "4-5-1"])
+@pytest.mark.parametrize(("tested", "numbers"), [("C", [2]), (["F", "A"], [0, 5]), ("all", range(6))])
+def test_a_fold_is_the_same_whichever_homes_are_tested(scheme, tested, numbers):
+    everything = folds(HOMES, scheme)
+    assert folds(HOMES, scheme, tested) == [everything[number] for number in numbers]
+    assert protocol.tested_homes(HOMES, tested) == tuple(HOMES[number] for number in numbers)
+
+
+@pytest.mark.parametrize(
+    ("tested", "message"),
+    [
+        (["A", "Home1"], "there is no home 'Home1' in dataset.homes .there are: A, B, C, D, E, F; or all"),
+        ([1], "there is no home '1'"),
+        ([], "test_homes is empty"),
+    ],
+)
+def test_impossible_test_homes_are_refused(tested, message):
+    with pytest.raises(PlacecatError, match=message):
+        folds(HOMES, "5-5-1", tested)
+
+
 @pytest.mark.parametrize(
     ("homes", "scheme", "message"),
     [

@@ -15,6 +15,7 @@ PARAMS = {
     "dataset": {"name": "made", "homes": HOMES, "classes": CLASSES},
     "protocol": {
         "schemes": ["5-5-1", "4-5-1"],
+        "test_homes": "all",
         "seeds": [0, 1],
         "extra": {"split": "site", "sequences": ["flip"]},
         "cue_frames": {"offset": 0, "step": 3},

@@ -1,5 +1,6 @@
 """Who trains on what: the 5-5-1 and 4-5-1 schemes of thesis 4.5, for any number of homes."""
 
+import difflib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -10,6 +11,9 @@ from placecat.errors import PlacecatError
 
 SCHEMES = ("5-5-1", "4-5-1")
 NO_SEED = "no-seed"
+ALL = "all"
+# Why a result lacks a home that is not tested.
+NOT_TESTED = "not among protocol.test_homes"
 
 
 @dataclass(frozen=True)
@@ -52,8 +56,44 @@ def codebook_file(training_set: str, seed: int) -> str:
     return f"{training_set}.{seed_folder(seed)}.npz"
 
 
-def folds(homes: Sequence[str], scheme: str) -> list[Fold]:
-    """One fold per home.
+def tested_homes(homes: Sequence[str], wanted: str | Sequence[str] = ALL) -> tuple[str, ...]:
+    """Homes that are tested on; all of the others' training homes stay what they are.
+
+    Parameters
+    ----------
+    homes
+        Names of all homes in order.
+    wanted
+        ``all``, or the names of some.
+
+    Returns
+    -------
+    tuple of str
+        In the order of `homes`.
+
+    Raises
+    ------
+    PlacecatError
+        None at all, or a home that is not there.
+    """
+    if wanted == ALL:
+        return tuple(homes)
+    names = [wanted] if isinstance(wanted, str) else [str(name) for name in wanted]
+    if not names:
+        raise PlacecatError("protocol.test_homes is empty: name homes to test on, or all")
+    for name in names:
+        if name not in homes:
+            near = difflib.get_close_matches(name, homes, n=1)
+            hint = f"; did you mean {near[0]!r}?" if near else ""
+            raise PlacecatError(
+                f"protocol.test_homes: there is no home {name!r} in dataset.homes{hint} "
+                f"(there are: {', '.join(homes)}; or all)"
+            )
+    return tuple(home for home in homes if home in names)
+
+
+def folds(homes: Sequence[str], scheme: str, tested: str | Sequence[str] = ALL) -> list[Fold]:
+    """One fold per home that is tested on.
 
     In 4-5-1 the home kept from the cues is the one after the test home, cyclically: it rotates with the test
     home, so that every home is kept once. The thesis does not say which it was.
@@ -64,11 +104,13 @@ def folds(homes: Sequence[str], scheme: str) -> list[Fold]:
         Names in order; at least 2 for 5-5-1 and 3 for 4-5-1.
     scheme
         "5-5-1" or "4-5-1"; the names are the thesis's, whatever the number of homes.
+    tested
+        As for :func:`tested_homes`. A home's fold is the same whichever others are tested.
 
     Raises
     ------
     PlacecatError
-        An unknown scheme, or too few homes for it.
+        An unknown scheme, too few homes for it, or a tested home that is not there.
     """
     if scheme not in SCHEMES:
         raise PlacecatError(f"scheme {scheme!r} is unknown: use one of {', '.join(SCHEMES)}")
@@ -81,8 +123,11 @@ def folds(homes: Sequence[str], scheme: str) -> list[Fold]:
         )
     if len(set(homes)) != len(homes):
         raise PlacecatError("dataset.homes names a home twice: every name must be unique")
+    wanted = tested_homes(homes, tested)
     result = []
     for number, test in enumerate(homes):
+        if test not in wanted:
+            continue
         others = tuple(home for home in homes if home != test)
         kept = homes[(number + 1) % len(homes)] if scheme == "4-5-1" else None
         cue_homes = tuple(home for home in others if home != kept)

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from placecat import listing, paths, settings
+from placecat.evaluation import protocol
 
 
 @dataclass(frozen=True)
@@ -59,7 +60,9 @@ def sources(params: Mapping[str, Any]) -> dict[str, Source]:
         E.g. ``cues/gist/5-5-1``, ``integration/das_551_all``, ``hmm/...`` and ``smoothing/...`` (before and
         after the delay), ``filtered/informative/gist``, ``splits/university/cues/gist``.
     """
-    homes = tuple(settings.get(params, "dataset.homes"))
+    homes = protocol.tested_homes(
+        settings.get(params, "dataset.homes"), settings.get(params, "protocol.test_homes")
+    )
     classes = tuple(settings.get(params, "dataset.classes"))
     found: dict[str, Source] = {}
 

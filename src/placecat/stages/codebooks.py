@@ -19,7 +19,7 @@ def main(name: str) -> None:
     training_sets = {
         fold.training_set: fold.cue_homes
         for scheme in codebook["schemes"]
-        for fold in protocol.folds(homes, scheme)
+        for fold in protocol.folds(homes, scheme, settings.get(params, "protocol.test_homes"))
     }
     dataset = settings.get(params, "dataset.name")
     tasks = {

@@ -23,7 +23,7 @@ def main(name: str) -> None:
         tasks = [
             (cue, fold, seed, selections, classes, extra if fold.scheme == "5-5-1" else [])
             for scheme in cue["schemes"]
-            for fold in protocol.folds(homes, scheme)
+            for fold in protocol.folds(homes, scheme, settings.get(selections, "test_homes"))
             for seed in seeds
         ]
         results = parallel.in_parallel(apply, tasks, f"cue {name}")

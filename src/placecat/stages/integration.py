@@ -18,7 +18,8 @@ def main(name: str) -> None:
     params = settings.load()
     system = settings.get(params, f"systems.{name}")
     homes = list(settings.get(params, "dataset.homes"))
-    folds = protocol.folds(homes, system["scheme"])
+    tested = settings.get(params, "protocol.test_homes")
+    folds = protocol.folds(homes, system["scheme"], tested)
     classes = settings.get(params, "dataset.classes")
     selection = settings.get(params, "protocol.integration_frames")
     random = [cue for cue in system["cues"] if settings.get(params, f"cues.{cue}.codebook") is not None]
@@ -26,7 +27,7 @@ def main(name: str) -> None:
     extra = _extra(params, selection, classes) if system["extra"] else {}
     # Cues that left a second home out let the same integration be judged on training homes.
     inner = "4-5-1" in settings.get(params, "protocol.schemes") and system["scheme"] == "5-5-1"
-    within = protocol.folds(homes, "4-5-1") if inner else [None] * len(folds)
+    within = protocol.folds(homes, "4-5-1", tested) if inner else [None] * len(folds)
     with files.replacing(paths.INTEGRATION / name) as folder:
         folder.mkdir(parents=True)
         tasks = [

@@ -6,6 +6,7 @@ import numpy as np
 import pandas as pd
 
 from placecat import files, listing, paths, settings
+from placecat.evaluation import protocol
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.reporting.results import MISSING_COLUMNS, SCORE_COLUMNS, Measured, score_rows
 from placecat.reporting.sources import Source, sources
@@ -16,10 +17,14 @@ def main() -> None:
     """Write scores.csv and missing.csv of the main pipeline, the splits, the trials and the toy problem."""
     params = settings.load()
     rows: list[Any] = []
+    untested: list[Any] = []
     for name, source in sources(params).items():
         rows += score_rows(name, measure(source))
+        if not source.site:
+            others = [home for home in settings.get(params, "dataset.homes") if home not in source.homes]
+            untested += [(name, home, protocol.NOT_TESTED) for home in others]
     scores = [pd.DataFrame(rows, columns=SCORE_COLUMNS), files.read_csv(paths.TOY)]
-    missing = [pd.DataFrame([], columns=MISSING_COLUMNS)]
+    missing = [pd.DataFrame(untested, columns=MISSING_COLUMNS)]
     for study in settings.get(params, "studies"):
         scores.append(files.read_csv(paths.TRIALS / study / "scores.csv"))
         missing.append(files.read_csv(paths.TRIALS / study / "missing.csv"))

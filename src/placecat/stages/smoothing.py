@@ -18,6 +18,7 @@ def main() -> None:
     params = settings.load()
     smoothing = settings.get(params, "smoothing")
     homes = list(settings.get(params, "dataset.homes"))
+    tested = settings.get(params, "protocol.test_homes")
     n_classes = len(settings.get(params, "dataset.classes"))
     systems = settings.get(params, "systems")
     sources = {name: (paths.INTEGRATION / name, system["scheme"]) for name, system in systems.items()}
@@ -32,7 +33,7 @@ def main() -> None:
     tasks = [
         (source / fold.test / seed, fold, model, n_classes, Path(name) / fold.test / seed)
         for name, (source, scheme) in sources.items()
-        for fold in protocol.folds(homes, scheme)
+        for fold in protocol.folds(homes, scheme, tested)
         for seed in listing.seeds_in(source / fold.test)
     ]
     with files.replacing(paths.SMOOTHING) as folder:

@@ -1,7 +1,7 @@
 """Stage `trials`: the cues that one study's tables try out, each in its test homes (thesis 4.2 and 4.4)."""
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -29,8 +29,9 @@ def main(study: str) -> None:
         for name, table in settings.get(params, f"studies.{study}").items()
         for trial in expand(name, table, homes)
     ]
-    wanted = _group(trials, settings.get(params, "protocol.seeds"))
-    folds = {fold.test: fold for fold in protocol.folds(homes, "5-5-1")}
+    seeds, tested = settings.get(params, "protocol.seeds"), settings.get(params, "protocol.test_homes")
+    folds = {fold.test: fold for fold in protocol.folds(homes, "5-5-1", tested)}
+    wanted = _group(trials, seeds, folds)
     tasks = [
         (
             [json.loads(key) for key in keys],
@@ -46,20 +47,22 @@ def main(study: str) -> None:
     done = parallel.in_parallel(run_together, tasks, f"trials {study}")
     for ((_, home, seed), keys), results in zip(wanted.items(), done, strict=True):
         outcomes |= {(key, home, seed): result for key, result in zip(keys, results, strict=True)}
-    scores, missing = _collect(trials, outcomes, settings.get(params, "protocol.seeds"), classes)
+    scores, missing = _collect(trials, outcomes, seeds, classes)
     with files.replacing(paths.TRIALS / study) as folder:
         folder.mkdir(parents=True)
         files.write_csv(folder / "scores.csv", scores)
         files.write_csv(folder / "missing.csv", missing)
 
 
-def _group(trials: Sequence[Trial], seeds: Sequence[int]) -> dict[tuple[str, str, int | None], list[str]]:
+def _group(
+    trials: Sequence[Trial], seeds: Sequence[int], tested: Collection[str]
+) -> dict[tuple[str, str, int | None], list[str]]:
     """Put trials on the same clusters together, in the order of the tables; others stay by themselves."""
     wanted: dict[tuple[str, str, int | None], list[str]] = {}
     for trial in trials:
         shared = trial.settings.get("codebook")
         clusters = json.dumps([trial.settings["descriptor"], shared], sort_keys=True)
-        for home in trial.homes:
+        for home in (home for home in trial.homes if home in tested):
             for seed in seeds if shared is not None else [None]:
                 group = wanted.setdefault((clusters if shared is not None else trial.key(), home, seed), [])
                 if trial.key() not in group:
@@ -125,7 +128,7 @@ def _collect(
         own_seeds = list(seeds) if trial.settings.get("codebook") is not None else [None]
         measured = []
         for home in trial.homes:
-            of_seeds = [outcomes[trial.key(), home, seed] for seed in own_seeds]
+            of_seeds = [outcomes.get((trial.key(), home, seed), protocol.NOT_TESTED) for seed in own_seeds]
             reasons = [outcome for outcome in of_seeds if isinstance(outcome, str)]
             if reasons:
                 missing.append((trial.name, home, reasons[0]))
