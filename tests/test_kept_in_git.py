@@ -99,7 +99,9 @@ def test_the_tolerance_is_a_setting(folder):
 
 def test_other_settings_explain_any_change(folder):
     write_tables(29.7, 10.0)
-    write_settings(cues={"gist": {"nu": 0.1, "gamma": 2.0}}, plots={"confusion": {"a": "b"}})
+    write_settings(
+        cues={"gist": {"nu": 0.1, "gamma": 2.0}}, plots={"confusion": {"a": "b"}}, compute={"kind": "dask"}
+    )
     lines, is_as_kept = kept_in_git.compare()
     assert is_as_kept
     assert lines[-1] == "Not the kept settings: cues.gist.nu. Differences are to be expected."

@@ -1,4 +1,4 @@
-"""The command line: ``placecat params``, ``repro``, ``compare``, ``times``, ``train`` and ``predict``."""
+"""The command line: ``placecat params``, ``repro``, ``compare``, ``times``, ``train``, ``predict`` ..."""
 
 import argparse
 import sys
@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
-from placecat import paths
+from placecat import compute, paths
 from placecat.compose import write_params
 from placecat.errors import PlacecatError
 
@@ -87,6 +87,7 @@ def _parser() -> argparse.ArgumentParser:
     times.set_defaults(run=_times)
     _add_train(commands)
     _add_predict(commands)
+    _add_worker(commands)
     return parser
 
 
@@ -171,6 +172,25 @@ def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
     predict.set_defaults(run=_predict)
 
 
+def _add_worker(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    worker = commands.add_parser(
+        "worker",
+        help="start worker processes of a Dask cluster (compute=dask)",
+        description="Start `dask worker` so that it gives the bits that any other gives: one thread a "
+        "process, common kernels. By default there are as many processes as cores. Ctrl-C ends them.",
+    )
+    worker.add_argument(
+        "scheduler", metavar="ADDRESS", help="of the scheduler (`dask scheduler`), e.g. tcp://10.0.0.1:8786"
+    )
+    worker.add_argument(
+        "options",
+        nargs=argparse.REMAINDER,
+        metavar="OPTION",
+        help="further options of `dask worker`, e.g. --nworkers 4 --memory-limit 8GB",
+    )
+    worker.set_defaults(run=_worker)
+
+
 def _params(options: argparse.Namespace) -> int:
     write_params(options.overrides)
     return 0
@@ -203,8 +223,11 @@ def _measure(call: str, seconds: float) -> str:
 
     run = times.gather(call, seconds)
     if len(run.stages):
-        data = str(settings.get(settings.load(), "dataset.title"))
-        is_complete = len(run.stages) == len(repro.stages())
+        params = settings.load()
+        data = str(settings.get(params, "dataset.title"))
+        # Times on a cluster are not those of this machine's cores.
+        is_local = params.get("compute", {}).get("kind", "local") == "local"
+        is_complete = is_local and len(run.stages) == len(repro.stages())
         times.write(run, data, parallel.workers(), is_complete=is_complete)
     return times.text(run.by_stage(), run.seconds)
 
@@ -232,7 +255,14 @@ def _times(options: argparse.Namespace) -> int:
 def _train(options: argparse.Namespace) -> int:
     from placecat.categorizer.train import train_command
 
-    return train_command(options.system, options.without, options.seed, options.output)
+    with compute.as_set():
+        return train_command(options.system, options.without, options.seed, options.output)
+
+
+def _worker(options: argparse.Namespace) -> int:
+    from placecat.compute.command import worker_command
+
+    worker_command(options.scheduler, options.options)
 
 
 def _predict(options: argparse.Namespace) -> int:

@@ -19,7 +19,7 @@ HEAD = "HEAD"
 # libyaml's loader where PyYAML was built with it: ten times faster.
 _Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 # Settings that no table depends on.
-_WITHOUT_EFFECT = ("reproducibility", "figures", "metrics", "plots")
+_WITHOUT_EFFECT = ("compute", "reproducibility", "figures", "metrics", "plots")
 
 
 @dataclass(frozen=True)

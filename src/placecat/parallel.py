@@ -1,4 +1,7 @@
-"""Loops over homes and folds in parallel processes, in an order and with results that never depend on it."""
+"""Loops over homes and folds in parallel processes, in an order and with results that never depend on it.
+
+They are processes of this machine, or of a cluster where :func:`placecat.compute.as_set` says so.
+"""
 
 import os
 from collections.abc import Callable, Sequence
@@ -8,12 +11,20 @@ from joblib import Parallel, cpu_count, delayed
 from threadpoolctl import threadpool_limits
 from tqdm import tqdm
 
+from placecat import compute
+
 
 def workers() -> int:
-    """Number of worker processes: the environment variable PLACECAT_WORKERS, else the cores of the machine.
+    """Number of worker processes.
 
-    It is no setting in params.yaml, since no result depends on it.
+    On this machine the environment variable PLACECAT_WORKERS, else its cores. It is no setting in
+    params.yaml, since no result depends on it.
     """
+    cluster = compute.cluster()
+    return _own_workers() if cluster is None else cluster.workers()
+
+
+def _own_workers() -> int:
     value = os.environ.get("PLACECAT_WORKERS", "")
     return max(1, int(value)) if value.isdigit() else cpu_count()
 
@@ -24,20 +35,38 @@ def in_parallel(
     description: str,
     *,
     n_jobs: int | None = None,
+    locally: bool = False,
 ) -> list[Any]:
     """Call ``function(*task)`` for every task in parallel processes, with a progress bar.
 
     Every call is limited to one thread in BLAS, OpenMP and OpenCV, because the number of threads can change
     the last bits of a sum.
 
+    Parameters
+    ----------
+    function
+        Reads files, and writes none: its process may be one on another machine, or be killed and replaced.
+    tasks
+        Arguments of each call.
+    description
+        Of the progress bar.
+    n_jobs
+        Processes on this machine, if not as many as :func:`workers` says.
+    locally
+        Never on a cluster, so that `function` may write files.
+
     Returns
     -------
     list
         The results in the order of `tasks`.
     """
-    jobs = min(n_jobs or workers(), max(len(tasks), 1))
-    calls = (delayed(single_threaded)(function, task) for task in tasks)
-    results = Parallel(n_jobs=jobs, return_as="generator")(calls)
+    cluster = None if locally else compute.cluster()
+    if cluster is not None:
+        results = cluster.run(single_threaded, [(function, task) for task in tasks])
+    else:
+        jobs = min(n_jobs or _own_workers(), max(len(tasks), 1))
+        calls = (delayed(single_threaded)(function, task) for task in tasks)
+        results = Parallel(n_jobs=jobs, return_as="generator")(calls)
     return list(tqdm(results, total=len(tasks), desc=description, unit="task", mininterval=1.0))
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import hydra
 from hydra._internal.utils import get_args_parser
 
-from placecat import files, paths, settings
+from placecat import compute, files, paths, settings
 from placecat.errors import PlacecatError
 from placecat.experiment import command_line, completion, options, output
 from placecat.experiment.job import job
@@ -64,7 +64,7 @@ def _run() -> int:
     output.Remember.folder = None
     problem: BaseException | None = None
     try:
-        with _raising():
+        with _raising(), compute.as_set():
             start()
     except (Exception, SystemExit, KeyboardInterrupt) as error:
         # What was computed is told all the same.

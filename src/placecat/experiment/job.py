@@ -11,7 +11,7 @@ from hydra.core.hydra_config import HydraConfig
 from hydra.types import RunMode
 from omegaconf import DictConfig, OmegaConf
 
-from placecat import files, parallel, settings
+from placecat import compute, files, parallel, settings
 from placecat.errors import PlacecatError
 from placecat.experiment import output
 
@@ -34,8 +34,10 @@ def job(config: DictConfig) -> float:
     for name in (output.RESULT, output.TRACEBACK):
         (folder / name).unlink(missing_ok=True)
     start = time.perf_counter()
-    workers = parallel.workers() if hydra.mode == RunMode.RUN else 1
     try:
+        # A sweep's experiments run beside each other, unless each can use a cluster.
+        alone = hydra.mode == RunMode.RUN or compute.cluster() is not None
+        workers = parallel.workers() if alone else 1
         result = run(OmegaConf.to_container(config, resolve=True), workers=workers)
     except PlacecatError as error:
         result = output.failure(str(error))

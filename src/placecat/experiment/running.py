@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from placecat import parallel
+from placecat.compute import cluster
 from placecat.errors import NotComputable
 from placecat.evaluation import protocol
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
@@ -36,7 +37,7 @@ def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
         (home, fold, seed) for home, of_home in folds.items() for fold in of_home for seed in experiment.seeds
     ]
     tasks = [(experiment, fold, seed) for _, fold, seed in keys]
-    if workers > 1:
+    if workers > 1 or cluster() is not None:
         outcomes = parallel.in_parallel(_outcome, tasks, "experiment", n_jobs=workers)
     else:
         outcomes = [parallel.single_threaded(_outcome, task) for task in tasks]

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
 
+from placecat import compute
 from placecat.errors import PlacecatError
 
 # A stage imports this package first, so that its own imports are part of its time.
@@ -45,8 +46,9 @@ sys.excepthook = _end
 def run(stage: Callable[..., None], *, item: str | None = None, items: str | None = None) -> None:
     """Run a stage from the command line: ``python -m placecat.stages.NAME [ITEM ...]``.
 
-    A mistake of the user's ends with its message and status 1, without a traceback. If the stage ends well,
-    the seconds it took go to data/times (:mod:`placecat.times`).
+    Its loops run where the settings say (:mod:`placecat.compute`). A mistake of the user's ends with its
+    message and status 1, without a traceback. If the stage ends well, the seconds it took go to data/times
+    (:mod:`placecat.times`).
 
     Parameters
     ----------
@@ -66,7 +68,8 @@ def run(stage: Callable[..., None], *, item: str | None = None, items: str | Non
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(message)s")
     os.environ.setdefault("MLFLOW_DISABLE_TELEMETRY", "true")
     try:
-        stage(*(arguments[items] if items is not None else arguments.values()))
+        with compute.as_set():
+            stage(*(arguments[items] if items is not None else arguments.values()))
     except PlacecatError as error:
         sys.exit(f"placecat: {error}")
     except KeyboardInterrupt:

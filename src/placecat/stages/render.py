@@ -31,7 +31,7 @@ def main(*names: str) -> None:
         if name not in videos:
             where = FOLDER / "videos.yaml"
             raise PlacecatError(f"{where} has no video {name!r} (valid: {', '.join(videos)})")
-    in_parallel(_render, [(name,) for name in wanted], "rendering videos")
+    in_parallel(_render, [(name,) for name in wanted], "rendering videos", locally=True)
     draw_contact_sheet()
 
 

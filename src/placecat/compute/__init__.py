@@ -1,0 +1,68 @@
+"""Where loops run: in processes of this machine, or on a Dask cluster, as the settings `compute` say."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from placecat.errors import PlacecatError
+
+if TYPE_CHECKING:
+    from placecat.compute.connection import Cluster
+
+KINDS = ("local", "dask")
+
+
+class _Choice:
+    """What params.yaml says, read when a loop first asks: many stages have none."""
+
+    @cached_property
+    def cluster(self) -> "Cluster | None":
+        from placecat import settings
+
+        # Settings of before there was a choice mean this machine.
+        own = dict(settings.load().get("compute", {"kind": "local"}))
+        kind = own.pop("kind", None)
+        if kind not in KINDS:
+            raise PlacecatError(f"compute.kind must be {' or '.join(KINDS)}, not {kind!r}")
+        if kind == "local":
+            settings.refuse_unknown(own, [], "compute")
+            return None
+        from placecat.compute.connection import Cluster
+
+        cluster: Cluster = settings.call(Cluster, settings=own, where="compute")
+        return cluster
+
+    def close(self) -> None:
+        found = vars(self).get("cluster")
+        if found is not None:
+            found.close()
+
+
+_choice: _Choice | None = None
+
+
+@contextmanager
+def as_set() -> Iterator[None]:
+    """Let the loops in a block run where params.yaml says; without it they run on this machine.
+
+    The first loop connects to the cluster, the end of the block disconnects.
+    """
+    global _choice
+    before, _choice = _choice, _Choice()
+    try:
+        yield
+    finally:
+        _choice.close()
+        _choice = before
+
+
+def cluster() -> "Cluster | None":
+    """Give the cluster that loops run on; None for this machine.
+
+    Raises
+    ------
+    PlacecatError
+        As :class:`placecat.compute.connection.Cluster`, or an unknown setting.
+    """
+    return None if _choice is None else _choice.cluster

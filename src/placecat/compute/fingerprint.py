@@ -1,0 +1,63 @@
+"""What the bits of a result depend on besides data and settings: code, versions, kernels, processor."""
+
+import hashlib
+import platform
+from functools import cache
+from importlib import metadata
+from pathlib import Path
+
+import placecat
+
+# Whose numbers go into results, or who carries tasks and results as pickles.
+PACKAGES = ("numpy", "scipy", "scikit-learn", "pandas", "joblib", "distributed")
+
+
+@cache
+def fingerprint() -> dict[str, str]:
+    """Describe this process's environment.
+
+    Taken once: a process keeps the modules that it has imported, whatever becomes of their files.
+
+    Returns
+    -------
+    dict
+        Item to its state. ``placecat`` has a digest of the code; ``BLAS`` the kernels that NumPy, SciPy and
+        OpenCV have chosen; ``processor`` the vector instructions that NumPy and OpenCV use.
+    """
+    # Here, so that whoever asks only for the names does without.
+    import cv2
+    import numpy as np
+    import scipy.linalg  # noqa: F401  loads SciPy's BLAS
+    from threadpoolctl import threadpool_info
+
+    blas = {
+        f"{one['internal_api']} {one['version']} {one.get('architecture', '')}".strip()
+        for one in threadpool_info()
+        if one["user_api"] == "blas"
+    }
+    vectors = np.show_config(mode="dicts")["SIMD Extensions"]
+    return {
+        "placecat": f"{metadata.version('placecat')}, code {_digest(Path(placecat.__file__).parent)}",
+        "Python": ".".join(platform.python_version_tuple()[:2]),
+        **{name: metadata.version(name) for name in PACKAGES},
+        "OpenCV": cv2.__version__,
+        "BLAS": ", ".join(sorted(blas)),
+        "processor": f"{platform.machine()}; NumPy {' '.join(vectors['found']) or 'baseline'}; "
+        f"OpenCV {_used(cv2.getCPUFeaturesLine())}",
+        "C library": " ".join(platform.libc_ver()).strip() or platform.system(),
+    }
+
+
+def _digest(folder: Path) -> str:
+    """Eight hex digits for all modules below a folder."""
+    digest = hashlib.sha256()
+    for path in sorted(folder.rglob("*.py")):
+        digest.update(f"{path.relative_to(folder).as_posix()}\0".encode())
+        digest.update(path.read_bytes())
+    return digest.hexdigest()[:8]
+
+
+def _used(features: str) -> str:
+    """Of OpenCV's list the dispatched instructions that this processor has: others end with "?"."""
+    dispatched = [name[1:] for name in features.split() if name.startswith("*")]
+    return " ".join(name for name in dispatched if not name.endswith("?")) or "baseline"

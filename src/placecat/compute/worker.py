@@ -1,0 +1,117 @@
+"""What runs in a worker of the cluster: tasks, and the check that it gives the bits that any other gives."""
+
+import contextlib
+import pickle
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from placecat.compute.fingerprint import fingerprint
+from placecat.errors import PlacecatError
+
+# Marks of project folders that this process has found.
+_seen: set[str] = set()
+
+
+@dataclass(frozen=True)
+class Expected:
+    """What a worker has to be like.
+
+    Attributes
+    ----------
+    scheduler
+        Its address, for the message.
+    folder
+        Absolute path of the project's folder.
+    mark
+        A file there, by its path from the folder, that exists as long as the stage runs.
+    items
+        See :func:`placecat.compute.fingerprint.fingerprint`.
+    may_differ
+        Items that need not be the same.
+    """
+
+    scheduler: str
+    folder: str
+    mark: str
+    items: Mapping[str, str]
+    may_differ: tuple[str, ...] = ()
+
+
+def objection(expected: Expected, dask_worker: Any = None) -> str | None:
+    """Say why this worker must not compute.
+
+    Parameters
+    ----------
+    dask_worker
+        distributed's worker, which `Client.run` passes; None in a task.
+
+    Returns
+    -------
+    str or None
+        A message that names the worker, what is wrong and what to do; None if nothing is.
+    """
+    if dask_worker is None:
+        from distributed import get_worker
+
+        dask_worker = get_worker()
+    name = f"worker {dask_worker.address}"
+    start = f"`placecat worker {expected.scheduler}`"
+    threads = dask_worker.state.nthreads
+    if threads != 1:
+        # The folder and the number of threads of BLAS belong to the process.
+        return f"{name} has {threads} threads, and must have one: start it with {start}"
+    own = fingerprint()
+    different = [
+        f"{item} ({own.get(item)} there, {value} here)"
+        for item, value in expected.items.items()
+        if own.get(item) != value and item not in expected.may_differ
+    ]
+    if different:
+        return (
+            f"{name} differs from this machine in {'; '.join(different)}, which results depend on: start it "
+            f"again with {start} in the same environment, or name what may differ in compute.may_differ"
+        )
+    if expected.mark not in _seen:
+        if not (Path(expected.folder) / expected.mark).exists():
+            return (
+                f"{name} does not see this project's folder {expected.folder}: it must be there at the same "
+                "path, on a file system that both share"
+            )
+        _seen.add(expected.mark)
+    return None
+
+
+def perform(expected: Expected, call: bytes) -> bytes:
+    """Do one task in the project's folder.
+
+    Parameters
+    ----------
+    expected
+        Checked for every task, since workers may join while a stage runs.
+    call
+        Pickle of a function and the tuple of its arguments. Pickled, they are no objects that joblib would
+        put on one worker by themselves, from where they would be lost with it.
+
+    Returns
+    -------
+    bytes
+        Pickle of what the function returned: unpickled it is writable, unlike what Dask makes of arrays.
+
+    Raises
+    ------
+    PlacecatError
+        If this worker must not compute.
+    """
+    import cloudpickle
+    from joblib import parallel_config
+
+    problem = objection(expected)
+    if problem is not None:
+        raise PlacecatError(problem)
+    function, arguments = pickle.loads(call)
+    # Loops inside of a task stay in it: joblib would send them to the cluster.
+    with contextlib.chdir(expected.folder), parallel_config(backend="threading", n_jobs=1):
+        result: bytes = cloudpickle.dumps(function(*arguments))
+        return result

@@ -1,0 +1,70 @@
+"""The settings `compute`: what they choose, and what is refused before anything runs."""
+
+import sys
+
+import pytest
+import yaml
+
+from placecat import compute, parallel
+from placecat.compute.command import worker_command
+from placecat.errors import PlacecatError
+
+NOWHERE = "tcp://127.0.0.1:9"
+
+
+@pytest.fixture
+def params(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("PLACECAT_WORKERS", "1")
+    return lambda **own: (tmp_path / "params.yaml").write_text(yaml.safe_dump(own or {"dataset": {}}))
+
+
+def squares():
+    return parallel.in_parallel(pow, [(number, 2) for number in range(3)], "squares")
+
+
+@pytest.mark.parametrize("own", [{}, {"compute": {"kind": "local"}}])
+def test_this_machine_needs_no_dask(params, monkeypatch, own):
+    for name in ("dask", "distributed"):
+        monkeypatch.setitem(sys.modules, name, None)
+    params(**own)
+    with compute.as_set():
+        assert squares() == [0, 1, 4]
+        assert parallel.workers() == 1
+
+
+def test_settings_are_not_read_without_being_asked(params):
+    params(compute={"kind": "dask", "scheduler": NOWHERE})
+    assert squares() == [0, 1, 4]
+    with compute.as_set():
+        # Nor where a task has to write files.
+        assert parallel.in_parallel(abs, [(-1,)], "", locally=True) == [1]
+
+
+@pytest.mark.parametrize(
+    ("own", "message"),
+    [
+        ({"kind": "slurm"}, r"compute\.kind must be local or dask, not 'slurm'"),
+        ({"kind": "local", "scheduler": NOWHERE}, "compute has no setting 'scheduler'"),
+        ({"kind": "dask", "scheduler": NOWHERE, "waits": 1}, "did you mean 'wait'"),
+        ({"kind": "dask", "scheduler": NOWHERE, "wait": 0}, r"compute\.wait must be .*, not 0"),
+        ({"kind": "dask", "scheduler": NOWHERE, "may_differ": ["cpu"]}, r"'cpu'.*valid: .*processor"),
+        ({"kind": "dask", "scheduler": "foo"}, "missing port number in address 'foo'"),
+        ({"kind": "dask", "scheduler": NOWHERE, "wait": 0.2}, r"no scheduler answers .*compute=local"),
+    ],
+)
+def test_what_cannot_be_is_refused_in_one_line(params, own, message):
+    params(compute=own)
+    with pytest.raises(PlacecatError, match=message) as caught, compute.as_set():
+        squares()
+    assert "\n" not in str(caught.value)
+
+
+def test_without_dask_the_extra_is_named(params, monkeypatch):
+    params(compute={"kind": "dask", "scheduler": NOWHERE})
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    missing = r"distributed is missing\): pip install -e '\.\[dask\]'"
+    with pytest.raises(PlacecatError, match=missing), compute.as_set():
+        squares()
+    with pytest.raises(PlacecatError, match=missing):
+        worker_command(NOWHERE, [])

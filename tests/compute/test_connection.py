@@ -1,0 +1,254 @@
+"""A real scheduler and two workers: one is killed half-way, and the bytes are those of a local run."""
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+import yaml
+
+from placecat import compute, files, parallel
+from placecat.compute import connection
+from placecat.errors import PlacecatError
+from placecat.stages import cues, features, sequences
+from project import ROOT, contents, environment
+from sketch import draw_homes
+
+HOMES = ("Home1", "Home2", "Home3")
+# As joblib names them.
+TASKS = "batch_of_perform_1_calls"
+
+pytestmark = pytest.mark.xdist_group("cluster")
+
+
+def parameters():
+    """The project's settings, cut down to two descriptors, one cue and three drawn homes."""
+    params = yaml.safe_load((ROOT / "params.yaml").read_text())
+    own = {name: params[name] for name in ("attention", "regions", "information", "protocol")}
+    own["dataset"] = yaml.safe_load((ROOT / "conf/dataset/my_homes.yaml").read_text())
+    own["dataset"] |= {"root": "data/drawn", "homes": list(HOMES), "fps": 5.0}
+    own["descriptors"] = {
+        "local": {"hog": params["descriptors"]["local"]["hog"]},
+        "holistic": {"gist": params["descriptors"]["holistic"]["gist"]},
+    }
+    own["cues"] = {"gist": params["cues"]["gist"] | {"schemes": ["5-5-1"], "extra": False}}
+    return own
+
+
+@pytest.fixture(scope="module")
+def local(tmp_path_factory):
+    """What the stages make on this machine."""
+    folder = tmp_path_factory.mktemp("local")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        patch.setenv("PLACECAT_WORKERS", "1")
+        files.write_text(folder / "params.yaml", yaml.safe_dump(parameters()))
+        # Home1, which is described on the cluster, has several tasks for each worker.
+        draw_homes(folder / "data/drawn", homes=1, frames_per_room=18)
+        draw_homes(folder / "data/small", homes=3, frames_per_room=4, width=320, height=180)
+        for home in HOMES[1:]:
+            (folder / "data/small" / home).rename(folder / "data/drawn" / home)
+        sequences.main()
+        for home in HOMES:
+            features.main(home)
+        cues.main("gist")
+    return folder
+
+
+class Processes:
+    """The cluster's processes, and what its scheduler says."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        # Far from the project: where a worker was started is nothing that matters.
+        self.scheduler = self.start("distributed.cli.dask_scheduler", *["--host", "127.0.0.1", "--port", "0"])
+        log = folder / "0.log"
+        wait_for(lambda: "Scheduler at:" in log.read_text())
+        self.address = log.read_text().split("Scheduler at:")[1].split()[0]
+        options = ("worker", self.address, "--nworkers", "1", "--no-nanny")
+        # The processes of two commands, so that the one that is killed is not started again.
+        self.workers = [self.start("placecat", *options) for _ in range(2)]
+        self.client = None
+
+    def connect(self):
+        """Wait until both workers are there."""
+        from distributed import Client
+
+        self.client = Client(self.address, set_as_default=False)
+        self.client.wait_for_workers(2, timeout=60)
+        self.worker_of = {pid: worker for worker, pid in self.client.run(os.getpid).items()}
+
+    def start(self, module, *arguments):
+        number = len(list(self.folder.iterdir()))
+        with (self.folder / f"{number}.log").open("w") as log:
+            return subprocess.Popen(
+                [sys.executable, "-m", module, *arguments],
+                cwd=self.folder,
+                env=environment(),
+                stdout=log,
+                stderr=subprocess.STDOUT,
+            )
+
+    def is_executing(self, process):
+        """Whether a worker has a task under way."""
+
+        def count(dask_worker):
+            return len(dask_worker.state.executing)
+
+        worker = self.worker_of[process.pid]
+        return self.client.run(count, workers=[worker])[worker] > 0
+
+    def has_tasks_of(self, process):
+        """Whether the scheduler waits for a worker."""
+
+        def count(address, dask_scheduler):
+            return len(dask_scheduler.workers[address].processing)
+
+        return self.client.run_on_scheduler(count, self.worker_of[process.pid]) > 0
+
+    def done(self):
+        """Tasks that were done, by key, and whether each was first taken from a worker."""
+
+        def read(name, dask_scheduler):
+            taken, done = set(), {}
+            for key, start, finish, *_ in dask_scheduler.transition_log:
+                if str(key).startswith(name) and start == "processing":
+                    if finish == "memory":
+                        done[key] = key in taken
+                    else:
+                        taken.add(key)
+            return done
+
+        return self.client.run_on_scheduler(read, TASKS)
+
+    def tasks(self):
+        """Number of tasks that the scheduler knows."""
+        return self.client.run_on_scheduler(lambda dask_scheduler: len(dask_scheduler.tasks))
+
+    def end(self):
+        if self.client is not None:
+            self.client.close()
+        for process in (*self.workers, self.scheduler):
+            process.kill()
+            process.wait()
+
+
+@pytest.fixture(scope="module")
+def cluster(tmp_path_factory):
+    processes = Processes(tmp_path_factory.mktemp("elsewhere"))
+    yield processes
+    processes.end()
+
+
+@pytest.fixture(scope="module")
+def project(cluster, local, tmp_path_factory):
+    """The same project, set to the cluster, before Home1 is described; the cluster starts meanwhile."""
+    cluster.connect()
+    folder = tmp_path_factory.mktemp("cluster") / "project"
+    shutil.copytree(local, folder)
+    shutil.rmtree(folder / "data/features/Home1")
+    shutil.rmtree(folder / "data/cues")
+    own = {"kind": "dask", "scheduler": cluster.address, "wait": 20, "may_differ": []}
+    files.write_text(folder / "params.yaml", yaml.safe_dump(parameters() | {"compute": own}))
+    return folder
+
+
+def wait_for(condition, seconds=60):
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end
+        time.sleep(0.01)
+
+
+def stage(folder, name, item):
+    return subprocess.Popen(
+        [sys.executable, "-m", f"placecat.stages.{name}", item],
+        cwd=folder,
+        env=environment(),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        start_new_session=True,
+    )
+
+
+def test_ctrl_c_cancels_the_tasks_on_the_cluster(cluster, project):
+    process = stage(project, "features", "Home1")
+    wait_for(lambda: any(map(cluster.is_executing, cluster.workers)) or process.poll() is not None)
+    os.killpg(process.pid, signal.SIGINT)
+    said, _ = process.communicate(timeout=60)
+    assert process.returncode == 130, said
+    assert "Traceback" not in said
+    wait_for(lambda: cluster.tasks() == 0)
+    assert not (project / "data/compute").exists()
+
+
+def test_a_worker_killed_half_way_leaves_the_bytes_of_a_local_run(cluster, project, local):
+    doomed, other = cluster.workers
+    # What was cancelled has ended.
+    wait_for(lambda: not any(map(cluster.is_executing, cluster.workers)))
+    before = cluster.done()
+    process = stage(project, "features", "Home1")
+    while True:
+        wait_for(lambda: cluster.is_executing(doomed) or process.poll() is not None)
+        # Stopped, it can neither end its task nor say so while the other one goes on.
+        doomed.send_signal(signal.SIGSTOP)
+        wait_for(lambda: len(cluster.done()) > len(before) or process.poll() is not None)
+        if cluster.has_tasks_of(doomed) or process.poll() is not None:
+            break
+        doomed.send_signal(signal.SIGCONT)
+    assert process.poll() is None, process.communicate()[0]
+    doomed.kill()
+    doomed.wait()
+    said, _ = process.communicate(timeout=60)
+    assert process.returncode == 0, said
+    assert any(was_taken for key, was_taken in cluster.done().items() if key not in before)
+    assert other.poll() is None
+    assert contents(project, "data/features") == contents(local, "data/features")
+
+
+def test_one_worker_trains_a_cue_with_the_bytes_of_a_local_run(cluster, project, local, monkeypatch):
+    monkeypatch.chdir(project)
+    before = cluster.done()
+    with compute.as_set():
+        cues.main("gist")
+    # A fold a task, and none in this process.
+    assert len(cluster.done()) == len(before) + len(HOMES)
+    assert contents(project, "data/cues") == contents(local, "data/cues")
+
+
+def test_a_worker_of_another_environment_is_named(cluster, project, monkeypatch):
+    monkeypatch.chdir(project)
+    own = connection.fingerprint() | {"numpy": "1.0"}
+    monkeypatch.setattr(connection, "fingerprint", lambda: own)
+    with pytest.raises(PlacecatError) as caught, compute.as_set():
+        parallel.in_parallel(print, [("nothing",)], "")
+    message = str(caught.value)
+    for part in (
+        cluster.worker_of[cluster.workers[1].pid],
+        "numpy (2.",
+        "1.0 here",
+        "placecat worker tcp://",
+    ):
+        assert part in message, message
+    files.write_text(project / "params.yaml", (project / "params.yaml").read_text().replace("[]", "[numpy]"))
+    with compute.as_set():
+        assert parallel.in_parallel(os.getpid, [()], "") == [cluster.workers[1].pid]
+
+
+def test_what_workers_die_of_ends_with_one_message(cluster, project, monkeypatch):
+    """The last test: no worker is left."""
+    monkeypatch.chdir(project)
+    settings = {"scheduler": cluster.address, "wait": 1}
+    cluster.client.run_on_scheduler(lambda dask_scheduler: setattr(dask_scheduler, "allowed_failures", 0))
+    one = connection.Cluster(**settings)
+    with pytest.raises(PlacecatError, match=r"1 workers? died of the same task, the last one tcp://"):
+        list(one.run(os._exit, [(9,)]))
+    with pytest.raises(PlacecatError, match="the cluster has had no worker for 1 s: start some"):
+        list(one.run(os.getpid, [()]))
+    one.close()
+    with pytest.raises(PlacecatError, match=f"the cluster of {cluster.address} has no worker"):
+        connection.Cluster(**settings)
