@@ -1,0 +1,140 @@
+"""How many frames a home database has of which label, and its labels in an order that a walk could have."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from placecat import seeds
+from placecat.errors import PlacecatError
+
+TRANSITION = "transition"
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Some frames of one label without a break.
+
+    Attributes
+    ----------
+    floor
+        From 1; what was filmed without a cut.
+    label
+        Of all its frames.
+    frames
+        How many, at least 1.
+    """
+
+    floor: int
+    label: str
+    frames: int
+
+
+@dataclass(frozen=True)
+class Home:
+    """What the label file of a home counts.
+
+    Attributes
+    ----------
+    name
+        Of the home.
+    floors
+        How many, at least 1.
+    labels
+        Label to its number of frames and of stretches, both at least 1.
+    """
+
+    name: str
+    floors: int
+    labels: Mapping[str, tuple[int, int]]
+
+    @property
+    def frames(self) -> int:
+        """Number of frames."""
+        return sum(frames for frames, _ in self.labels.values())
+
+    def scaled(self, size: float) -> "Home":
+        """The same home with `size` times the frames of each label, at least one, in as many stretches."""
+        fewer = {label: max(1, round(frames * size)) for label, (frames, _) in self.labels.items()}
+        stretches = {label: count for label, (_, count) in self.labels.items()}
+        return Home(
+            self.name,
+            self.floors,
+            {label: (frames, min(stretches[label], frames)) for label, frames in fewer.items()},
+        )
+
+    def walk(self) -> list[Stretch]:
+        """Put the stretches in an order: places by chance, each followed by a transition while there are any.
+
+        How long each is, is chance too; the same for the same home.
+        """
+        rng = np.random.default_rng(seeds.derive("scale", "walk", self.name))
+        places: list[tuple[str, int]] = []
+        transitions: list[tuple[str, int]] = []
+        for label, (frames, count) in self.labels.items():
+            shares = 1 + rng.multinomial(frames - count, rng.dirichlet(np.full(count, 4.0)))
+            own = transitions if label == TRANSITION else places
+            own += [(label, int(share)) for share in shares]
+        ordered: list[tuple[str, int]] = []
+        rest = list(transitions)
+        for number in rng.permutation(len(places)):
+            ordered += [places[number], *rest[:1]]
+            rest = rest[1:]
+        ordered += rest
+        ends = np.linspace(0, len(ordered), self.floors + 1)[1:]
+        return [
+            Stretch(1 + int(np.searchsorted(ends, number, side="right")), label, frames)
+            for number, (label, frames) in enumerate(ordered)
+        ]
+
+
+def read_homes(content: Mapping[str, Any]) -> list[Home]:
+    """Read the homes of conf/scale.yaml.
+
+    Parameters
+    ----------
+    content
+        Name of a home to ``floors`` and ``labels``, a label to ``[frames, stretches]``.
+
+    Raises
+    ------
+    PlacecatError
+        If a home has something else.
+    """
+    homes = []
+    for name, own in content.items():
+        try:
+            labels = {
+                str(label): (int(frames), int(count)) for label, (frames, count) in own["labels"].items()
+            }
+            floors = int(own["floors"])
+        except (KeyError, TypeError, ValueError, AttributeError):
+            raise PlacecatError(
+                f"conf/scale.yaml: homes.{name} needs floors (a number) and labels (LABEL: [frames, "
+                "stretches])"
+            ) from None
+        if floors < 1 or not labels or any(not 1 <= count <= frames for frames, count in labels.values()):
+            raise PlacecatError(
+                f"conf/scale.yaml: homes.{name} needs a floor or more, and labels of at least as many frames "
+                "as stretches, and a stretch or more"
+            )
+        homes.append(Home(str(name), floors, labels))
+    return homes
+
+
+def classes_of(stretches: Sequence[Stretch], classes: Sequence[str], ignored: Sequence[str]) -> list[int]:
+    """Class index of each stretch, -1 for a label in `ignored`.
+
+    Raises
+    ------
+    PlacecatError
+        A label that is neither.
+    """
+    for stretch in stretches:
+        if stretch.label not in classes and stretch.label not in ignored:
+            raise PlacecatError(
+                f"conf/scale.yaml has the label {stretch.label!r}, which is neither in dataset.classes nor "
+                "in dataset.ignored: add it to one of them"
+            )
+    return [classes.index(one.label) if one.label in classes else -1 for one in stretches]

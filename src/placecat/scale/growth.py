@@ -1,0 +1,54 @@
+"""How something grows with the number of frames: the exponent of a power law."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Growth:
+    """A power law fitted to measurements.
+
+    Attributes
+    ----------
+    exponent
+        1 for what grows as the frames do.
+    r2
+        Share of the variance of the logarithms that it explains, up to 1.
+    last
+        The exponent between the two largest sizes alone: where a constant part, such as imports, has faded.
+    at_largest
+        What the law gives at the largest number of frames.
+    """
+
+    exponent: float
+    r2: float
+    last: float
+    at_largest: float
+
+
+def fit(frames: Sequence[float], values: Sequence[float]) -> Growth:
+    """Fit values = factor * frames ** exponent by least squares on logarithms.
+
+    Parameters
+    ----------
+    frames, values
+        (n,) positive, n >= 2, at least two different numbers of frames.
+
+    Examples
+    --------
+    >>> fit([100, 200, 400], [3.0, 12.0, 48.0]).exponent
+    2.0
+    """
+    order = np.argsort(frames)
+    x, y = np.log(np.asarray(frames, float)[order]), np.log(np.asarray(values, float)[order])
+    if len(x) < 2 or x[0] == x[-1]:
+        raise ValueError("an exponent takes two different numbers of frames or more")
+    exponent, constant = np.polyfit(x, y, 1)
+    rest = y - (exponent * x + constant)
+    total = float(((y - y.mean()) ** 2).sum())
+    r2 = 1.0 if total == 0.0 else 1.0 - float((rest**2).sum()) / total
+    last = (y[-1] - y[-2]) / (x[-1] - x[-2]) if x[-1] > x[-2] else exponent
+    at_largest = float(np.exp(exponent * x[-1] + constant))
+    return Growth(round(float(exponent), 6), r2, round(float(last), 6), at_largest)
