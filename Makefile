@@ -1,14 +1,18 @@
 # Two commands: `make repro` regenerates every table, `make test` runs every test.
 # Both first install what they need, pinned, into .venv: the tests also need what renders the homes.
+# `make bench` times each piece beside what one would use instead, which it installs too.
 PYTHON ?= python3
 # Hydra overrides that choose other data or settings, e.g. SET="dataset=vpc2009 dataset.root=PATH".
 SET ?=
+# Pieces to measure, e.g. PIECE="dependency_tree rvm"; by default all.
+PIECE ?=
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.installed
 READY_TEST := $(VENV)/.installed-test
+READY_BENCH := $(VENV)/.installed-bench
 
-.PHONY: repro test lint ui lock clean
+.PHONY: repro test bench bench-scale lint ui lock clean
 
 repro: $(READY)
 	$(BIN)/placecat repro $(SET)
@@ -16,15 +20,23 @@ repro: $(READY)
 test: $(READY_TEST) lint
 	$(BIN)/python -m pytest -n 2 --dist loadgroup tests
 
+bench: $(READY_BENCH)
+	$(BIN)/python -m placecat.benchmarks $(PIECE)
+
+# Needs what `make repro` left; takes about an hour.
+bench-scale: $(READY)
+	$(BIN)/python -m placecat.scale
+
 lint: $(READY_TEST)
 	$(BIN)/ruff format --check src tests
 	$(BIN)/ruff check src tests
 	$(BIN)/mypy
 
-# Both locks hold the same version of a package, so that the two go together in either order.
+# All locks hold the same version of a package, so that they go together in any order.
 $(READY): requirements.lock pyproject.toml
 $(READY_TEST): requirements-test.lock pyproject.toml
-$(READY) $(READY_TEST):
+$(READY_BENCH): requirements-bench.lock pyproject.toml
+$(READY) $(READY_TEST) $(READY_BENCH):
 	$(PYTHON) -c 'import sys; sys.exit(0 if (3, 11) <= sys.version_info[:2] < (3, 14) else "placecat needs Python 3.11, 3.12 or 3.13: make PYTHON=python3.12 ...")'
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r $<
@@ -37,9 +49,11 @@ ui: $(READY)
 
 # Needs uv; run after changing the dependencies in pyproject.toml.
 COMPILE := uv pip compile pyproject.toml --universal --python-version 3.11 --generate-hashes --no-header --upgrade
+TESTED := --extra build --extra cluster --extra dask --extra render --extra search --extra test
 lock:
-	$(COMPILE) --extra build --extra cluster --extra render --extra search --extra test -o requirements-test.lock
+	$(COMPILE) $(TESTED) -o requirements-test.lock
 	$(COMPILE) --extra build -c requirements-test.lock -o requirements.lock
+	$(COMPILE) $(TESTED) --extra bench -c requirements-test.lock -o requirements-bench.lock
 
 clean:
 	rm -rf $(VENV)

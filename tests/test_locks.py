@@ -1,4 +1,4 @@
-"""The two lists of pinned packages: one to run with, one to test and to render with."""
+"""The lists of pinned packages: what runs, what tests and renders, and what `make bench` measures against."""
 
 import re
 import tomllib
@@ -7,7 +7,7 @@ import pytest
 
 from project import ROOT
 
-LOCKS = ("requirements.lock", "requirements-test.lock")
+LOCKS = ("requirements.lock", "requirements-test.lock", "requirements-bench.lock")
 
 
 def pinned(lock):
@@ -20,20 +20,26 @@ def names(lines):
     return {re.sub(r"[-_.]+", "-", re.match(r"[\w.-]+", line)[0].lower()) for line in lines}
 
 
-def test_what_runs_is_pinned_alike_for_the_tests():
-    run, test = map(pinned, LOCKS)
+def test_each_lock_is_part_of_the_next():
+    run, test, bench = map(pinned, LOCKS)
     assert len(run) > 100
-    assert run.items() <= test.items()
+    assert run.items() <= test.items() <= bench.items()
 
 
-def test_what_runs_needs_no_extra():
+def test_each_lock_has_its_extras_and_no_others():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
-    extras = project["optional-dependencies"]
-    run, test = (names(pinned(lock)) for lock in LOCKS)
-    assert names(project["dependencies"] + extras["build"]) <= run
-    further = names(extra for name in ("cluster", "render", "search", "test") for extra in extras[name])
-    assert further <= test
-    assert not further & run
+    extras = {name: names(packages) for name, packages in project["optional-dependencies"].items()}
+    run, test, bench = (names(pinned(lock)) for lock in LOCKS)
+    assert names(project["dependencies"]) | extras["build"] <= run
+    tested = set().union(*(packages for name, packages in extras.items() if name not in ("bench", "build")))
+    assert tested <= test
+    assert not tested & run
+    assert extras["bench"] <= bench
+    assert extras["bench"] & test == extras["bench"] & tested
+
+
+def test_peers_bring_no_deep_learning_framework():
+    assert not {"torch", "tensorflow", "jax"} & names(pinned("requirements-bench.lock"))
 
 
 @pytest.mark.parametrize("lock", LOCKS)
