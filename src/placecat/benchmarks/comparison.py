@@ -1,0 +1,143 @@
+"""What a benchmark compares: ours with a peer, or a number with a limit."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+LEAST_REPEATS = 5
+
+
+@dataclass(frozen=True)
+class Peer:
+    """What a user would pick instead.
+
+    Attributes
+    ----------
+    name
+        E.g. "scikit-image: local_binary_pattern and histogram".
+    package
+        The distribution whose version is recorded, e.g. "scikit-image".
+    """
+
+    name: str
+    package: str
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Ours and a peer, timed in turn on the same input.
+
+    Attributes
+    ----------
+    piece, input
+        What is measured, and on what.
+    peer
+        What it is compared with.
+    ours, theirs
+        The calls to time.
+    faster
+        Target: at least so many times faster than the peer.
+    at_most
+        Target: at most so many times the peer's time. One of both is given.
+    repeats
+        Pairs of calls, at least 5.
+    warm_up
+        Whether each is called once before; not where one call takes minutes.
+    parts
+        Parts of what ours does, timed if the target is missed to say what the time is spent on.
+
+    Raises
+    ------
+    ValueError
+        Not one target, or too few repeats.
+    """
+
+    piece: str
+    input: str
+    peer: Peer
+    ours: Callable[[], Any]
+    theirs: Callable[[], Any]
+    faster: float | None = None
+    at_most: float | None = None
+    repeats: int = LEAST_REPEATS
+    warm_up: bool = True
+    parts: Mapping[str, Callable[[], Any]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        _check_one(self.piece, faster=self.faster, at_most=self.at_most)
+        if self.repeats < LEAST_REPEATS:
+            raise ValueError(f"{self.piece}: {self.repeats} repeats are no median, take {LEAST_REPEATS}")
+
+    @property
+    def target(self) -> str:
+        """The target in words."""
+        if self.faster is not None:
+            return f"at least {self.faster:g}x faster"
+        return f"at most {self.at_most:g}x its time"
+
+    def ratio(self, ours: float, theirs: float) -> float:
+        """What the target is about, of two times in seconds."""
+        return theirs / ours if self.faster is not None else ours / theirs
+
+    def is_met(self, ratio: float) -> bool:
+        """Whether a ratio reaches the target."""
+        return _reaches(ratio, at_least=self.faster, at_most=self.at_most)
+
+
+@dataclass(frozen=True)
+class Limit:
+    """A number that may not be above, or below, something.
+
+    Attributes
+    ----------
+    piece, input
+        What is measured, and on what.
+    quantity
+        What the number is, e.g. "frames/s" or "largest difference of a probability".
+    measure
+        Gives the number.
+    at_most, at_least
+        Target; one of both is given.
+    peer
+        What it is compared with, if anything.
+    parts
+        As for `Comparison`.
+
+    Raises
+    ------
+    ValueError
+        Not one target.
+    """
+
+    piece: str
+    input: str
+    quantity: str
+    measure: Callable[[], float]
+    at_most: float | None = None
+    at_least: float | None = None
+    peer: Peer | None = None
+    parts: Mapping[str, Callable[[], Any]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        _check_one(self.piece, at_least=self.at_least, at_most=self.at_most)
+
+    @property
+    def target(self) -> str:
+        """The target in words."""
+        if self.at_least is not None:
+            return f"at least {self.at_least:g}"
+        return f"at most {self.at_most:g}"
+
+    def is_met(self, value: float) -> bool:
+        """Whether a number reaches the target."""
+        return _reaches(value, at_least=self.at_least, at_most=self.at_most)
+
+
+def _check_one(piece: str, **targets: float | None) -> None:
+    given = [name for name, value in targets.items() if value is not None]
+    if len(given) != 1:
+        raise ValueError(f"{piece}: give one of {' and '.join(targets)} as target, not {len(given)}")
+
+
+def _reaches(value: float, *, at_least: float | None, at_most: float | None) -> bool:
+    return value >= at_least if at_least is not None else at_most is not None and value <= at_most

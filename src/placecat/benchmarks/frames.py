@@ -1,0 +1,97 @@
+"""Frames for the pieces of the vision: one of each rendered home."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import settings
+from placecat.errors import PlacecatError
+from placecat.sequences.base import open_video
+from placecat.stages.features import feature_options
+from placecat.vision.attention import compute_maps, find_regions
+from placecat.vision.maps import FrameMaps
+
+HOMES = Path("data/homes")
+# As many as the thesis has.
+REGIONS = 25
+
+Image = NDArray[np.uint8]
+# Maps of a frame, and its salient regions.
+Described = tuple[FrameMaps, NDArray[np.float32]]
+
+
+def jpegs(homes: Path = HOMES) -> list[Image]:
+    """Encode one frame of each home as JPEG, with OpenCV's default quality.
+
+    Parameters
+    ----------
+    homes
+        Folder of the rendered homes' videos.
+
+    Returns
+    -------
+    list of ndarray
+        The files' bytes; the frames are a third into each video.
+
+    Raises
+    ------
+    PlacecatError
+        No video there, or one that cannot be read.
+    """
+    videos = sorted(homes.glob("*.mp4"))
+    if not videos:
+        raise PlacecatError(f"{homes} has no videos: restore the rendered homes with git")
+    return [encoded(_frame(path)) for path in videos]
+
+
+def encoded(frame: Image) -> Image:
+    """Encode a (H, W, 3) uint8 BGR frame as JPEG: the file's bytes."""
+    return np.asarray(cv2.imencode(".jpg", frame)[1])
+
+
+def decoded(jpeg: Image) -> Image:
+    """Decode a JPEG: (H, W, 3) uint8 BGR."""
+    return np.asarray(cv2.imdecode(jpeg, cv2.IMREAD_COLOR))
+
+
+def size(frame: NDArray[Any]) -> str:
+    """Width and height in words."""
+    return f"{frame.shape[1]}x{frame.shape[0]}"
+
+
+def options() -> dict[str, Any]:
+    """The settings with which the stage features describes frames."""
+    params = settings.load()
+    return feature_options(params, settings.get(params, "descriptors"))
+
+
+def with_regions(frames: Sequence[Image], count: int = REGIONS) -> list[Described]:
+    """Compute the maps and salient regions of frames, as the stage features does.
+
+    Parameters
+    ----------
+    frames
+        (H, W, 3) uint8 BGR.
+    count
+        Largest number of regions.
+    """
+    own = options()
+    maps = [compute_maps(frame, **own["attention"]) for frame in frames]
+    return [(one, find_regions(one, **(own["regions"] | {"max_regions": count}))) for one in maps]
+
+
+def _frame(video: Path) -> Image:
+    capture = open_video(video)
+    try:
+        position = int(capture.get(cv2.CAP_PROP_FRAME_COUNT)) // 3
+        capture.set(cv2.CAP_PROP_POS_FRAMES, position)
+        done, image = capture.read()
+    finally:
+        capture.release()
+    if not done:
+        raise PlacecatError(f"{video}: frame {position + 1} cannot be read; restore the file")
+    return np.asarray(image, np.uint8)
