@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 import pandas as pd
 
-from placecat.reporting.page import Figure, Report, Table, Times
+from placecat.reporting.page import Figure, Report, Scale, Speed, Table, Times
 
 ROOT = Path(__file__).resolve().parents[1]
 CLASSES = ["bedroom", "bathroom", "kitchen", "living_room", "dining_room"]
@@ -139,6 +139,62 @@ def in_text():
     return pd.DataFrame(rows, columns=names)
 
 
+def benchmarks():
+    nothing = {"ours": np.nan, "theirs": np.nan, "ratio": np.nan, "low": np.nan, "high": np.nan}
+    text = {"module": "one", "peer": "", "peer_version": "", "quantity": "seconds", "spent": "", "met": "yes"}
+    peer = {"peer": "OpenCV: compute", "peer_version": "4.14.0"}
+    rows = [
+        {"piece": "HOG", "input": "25 regions", "ours": 0.001, **peer, "theirs": 0.0017, "ratio": 1.7}
+        | {"low": 1.6, "high": 1.9, "target": "at least 2x faster", "met": "no", "spent": "resizing 61%"},
+        {"piece": "HOG", "input": "25 regions", "quantity": "difference", "ours": 0.0, "target": "at most 0"},
+        {"piece": "A tree", "input": "124 & more", "ours": 1.5, **peer, "theirs": 750.0, "ratio": 500.0}
+        | {"low": 490.0, "high": 510.0, "target": "at least 500x faster"},
+        {"piece": "A frame", "input": "720p", "ours": 0.0212, **peer, "theirs": 0.004, "ratio": 5.3}
+        | {"low": 5.0, "high": 5.5, "target": "at most 7x its time"},
+        {"piece": "A frame", "input": "720p", "quantity": "frames/s", "ours": 47.17, "target": "at least 40"},
+    ]
+    return pd.DataFrame([nothing | text | row for row in rows])
+
+
+def speed():
+    facts = {"processor": "A processor <fast>", "python": "3.11.7", "packages": "numpy 2.3.5"}
+    return Speed(benchmarks(), facts, png())
+
+
+def scale_measured():
+    """Three sizes, whose CPU seconds grow as the frames do (codebooks) and as their square (trials)."""
+    rows = []
+    for size, frames in ((0.25, 1000), (0.5, 2000), (1.0, 4000)):
+        rows += [
+            (size, frames, "codebooks", item, 6.0, 20.0 * size, 1.0 + size) for item in ("hog_y", "sift_y")
+        ]
+        rows += [(size, frames, "trials", "gist", 50.0, 160.0 * size**2, 4.0 * size)]
+        rows += [(size, frames, "scores", "", 1.0, 1.5, 0.2)]
+    return pd.DataFrame(
+        rows, columns=["size", "frames", "stage", "item", "seconds", "cpu_seconds", "peak_gib"]
+    )
+
+
+def scale():
+    rows = [
+        ("codebooks", "", 1.0, 1.0, 1.0, 12.0, 2.0),
+        ("codebooks", "hog_y", 1.0, 1.0, 1.0, 6.0, 2.0),
+        ("codebooks", "sift_y", 1.0, 1.0, 1.0, 6.0, 2.0),
+        ("trials", "", 2.0, 1.0, 2.0, 50.0, 4.0),
+        ("trials", "gist", 2.0, 1.0, 2.0, 50.0, 4.0),
+        ("scores", "", 0.0, 1.0, 0.0, 1.0, 0.2),
+        ("all", "", 1.7, 0.99, 1.8, 63.0, 4.0),
+    ]
+    columns = ["stage", "item", "exponent", "r2", "last_exponent", "seconds", "peak_gib"]
+    facts = {
+        "machine": {"cores": 2, "memory_gib": 23.5, "workers": 2},
+        "test_homes": ["home_1"],
+        "largest": {"seconds": 63.0, "peak_gib": 4.0, "peak_stage": "trials@gist", "met": True},
+        "full_run": {"hours": 12.34},
+    }
+    return Scale(scale_measured(), pd.DataFrame(rows, columns=columns), facts, png())
+
+
 def report(*, tables=range(1, 32), figures=range(1, 21)):
     rng = np.random.default_rng(0)
     shown = [Table(settings(number), cells(number, rng), DATASET) for number in tables]
@@ -163,4 +219,6 @@ def report(*, tables=range(1, 32), figures=range(1, 21)):
         comparisons=comparisons(),
         settings="dataset:\n  name: homes\n  title: a < b & c\nsmoothing:\n  step: 1\n",
         times=times,
+        speed=speed(),
+        scale=scale(),
     )

@@ -57,7 +57,7 @@ def test_every_table_and_figure_is_there_and_the_console_is_clean(page, tmp_path
     assert found["tables"] == [f"table-{number}" for number in range(1, 32)]
     before, after = list(range(1, 11)), [12, 13, 14, 11, 15, 16, 17, 18, 19, 20]
     assert found["figures"] == [f"figure-{number}" for number in [*before, *after]]
-    assert found["images"] == 19  # figure 20 has a reason instead
+    assert found["images"] == 21  # figure 20 has a reason instead; speed and scale have a chart
     assert found["broken"] == 0
     assert found["alts"][0] == "What figure 1 shows."
     published = made_report.published_tables().groupby("table").size()
@@ -342,11 +342,21 @@ def test_what_a_run_lacks_leaves_no_gap():
         "summary",
         "data",
         "section-4-2",
+        "speed",
+        "scale",
         "times",
         "settings",
     ]
     assert "headline" not in re.findall(r'id="([^"]*)"', html)
-    assert re.findall(r'href="#([^"]*)"', html) == ["data", "section-4-2", "table-5", "times", "settings"]
+    assert re.findall(r'href="#([^"]*)"', html) == [
+        "data",
+        "section-4-2",
+        "table-5",
+        "speed",
+        "scale",
+        "times",
+        "settings",
+    ]
 
 
 def test_numbers_of_no_section_are_shown_at_the_end():
@@ -395,3 +405,37 @@ def test_the_ledger_draws_intervals_on_one_axis():
 )
 def test_durations(seconds, expected):
     assert duration(seconds) == expected
+
+
+def test_benchmarks_have_a_table_and_what_a_missed_target_is_spent_on(page):
+    html = page.read_text(encoding="utf-8")
+    part = text_of(part_of(html, "speed-table"))
+    cells = ("HOG", "25 regions", "1 ms", "OpenCV: compute 4.14.0", "1.7 ms", "1.7 (1.6 to 1.9)")
+    assert "".join(cells) + "at least 2x fasterno" in part
+    assert "spent on: resizing 61%" in part
+    assert part.count("spent on") == 1
+    assert "A processor &lt;fast&gt;, Python 3.11.7, numpy 2.3.5" in html
+
+
+def test_without_benchmarks_the_page_says_how_to_measure():
+    html = page_html(replace(made_report.report(), speed=None))
+    assert "make bench" in text_of(part_of(html, "speed"))
+    assert "speed-table" not in html
+
+
+def test_scale_has_the_growth_of_every_stage_and_what_a_full_run_takes(page):
+    html = page.read_text(encoding="utf-8")
+    rows = re.findall(r"<tr.*?</tr>", part_of(html, "scale-table"), re.S)
+    assert [text_of(row.replace("<td", " <td")) for row in rows[1:]] == [
+        "codebooks 10.0 20.0 40.0 12.0 2.00 1.00 1.00",
+        "trials 10.0 40.0 160.0 50.0 4.00 2.00 2.00",
+        "scores 1.5 1.5 1.5 1.0 0.20 0.00 0.00",
+        "all 21.5 61.5 201.5 63.0 4.00 1.70 1.80",
+    ]
+    assert "would take about 12.3 hours" in text_of(html)
+    assert "1 min 3 s and at most 4.0 GiB (trials@gist), with 2 workers on 2 cores" in text_of(html)
+
+
+def test_without_a_scale_run_the_page_says_how_to_measure():
+    html = page_html(replace(made_report.report(), scale=None))
+    assert "make bench-scale" in text_of(part_of(html, "scale"))

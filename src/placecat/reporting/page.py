@@ -7,6 +7,7 @@ from typing import Any
 import pandas as pd
 from markupsafe import Markup, escape
 
+from placecat.reporting.benchmarks import shown_rows
 from placecat.reporting.embed import embed
 from placecat.reporting.grid import (
     homes_sentence,
@@ -17,6 +18,7 @@ from placecat.reporting.grid import (
     seeds_sentence,
 )
 from placecat.reporting.render import environment
+from placecat.reporting.scale import shown_scale
 from placecat.reporting.sections import arrange
 from placecat.reporting.shading import legend, shade
 from placecat.reporting.summary import (
@@ -74,6 +76,43 @@ class Times:
 
 
 @dataclass(frozen=True)
+class Speed:
+    """A kept record of benchmarks.
+
+    Attributes
+    ----------
+    benchmarks
+        As :func:`placecat.benchmarks.run.run` writes it, empty cells of text as "".
+    facts
+        ``processor``, ``python`` and ``packages`` that it was measured with.
+    chart
+        A PNG, None if there is nothing to draw.
+    """
+
+    benchmarks: pd.DataFrame
+    facts: Mapping[str, str]
+    chart: bytes | None
+
+
+@dataclass(frozen=True)
+class Scale:
+    """A kept record of the stages at the size of the real home database.
+
+    Attributes
+    ----------
+    measured, growth, facts
+        As for :func:`placecat.reporting.scale.shown_scale`.
+    chart
+        A PNG, None if there is nothing to draw.
+    """
+
+    measured: pd.DataFrame
+    growth: pd.DataFrame
+    facts: Mapping[str, Any]
+    chart: bytes | None
+
+
+@dataclass(frozen=True)
 class Report:
     """All that the page shows.
 
@@ -99,7 +138,7 @@ class Report:
         From there too; shown without the names of the results.
     settings
         Content of params.yaml.
-    times
+    times, speed, scale
         None if there is no record.
     """
 
@@ -113,6 +152,8 @@ class Report:
     comparisons: pd.DataFrame
     settings: str
     times: Times | None = None
+    speed: Speed | None = None
+    scale: Scale | None = None
 
 
 def page_html(report: Report) -> str:
@@ -149,6 +190,8 @@ def page_html(report: Report) -> str:
             legend=legend(),
             settings=_blocks(report.settings),
             times=report.times,
+            speed=None if report.speed is None else _shown_speed(report.speed),
+            scale=None if report.scale is None else _shown_scale(report.scale),
             time_rows=[] if report.times is None else _records(report.times.stages),
         )
     )
@@ -210,13 +253,27 @@ def _shown_figure(figure: Figure) -> dict[str, Any]:
         "source": None,
     }
     if figure.png is not None:
-        picture = embed(figure.png)
-        shown |= {
-            "source": picture.source,
-            "width": round(picture.width * _FIGURE_SCALE),
-            "height": round(picture.height * _FIGURE_SCALE),
-        }
+        shown |= _shown_picture(figure.png)
     return shown
+
+
+def _shown_picture(png: bytes) -> dict[str, Any]:
+    picture = embed(png)
+    return {
+        "source": picture.source,
+        "width": round(picture.width * _FIGURE_SCALE),
+        "height": round(picture.height * _FIGURE_SCALE),
+    }
+
+
+def _shown_speed(speed: Speed) -> dict[str, Any]:
+    chart = None if speed.chart is None else _shown_picture(speed.chart)
+    return {"chart": chart, "facts": speed.facts, "rows": shown_rows(speed.benchmarks)}
+
+
+def _shown_scale(scale: Scale) -> dict[str, Any]:
+    chart = None if scale.chart is None else _shown_picture(scale.chart)
+    return {"chart": chart} | shown_scale(scale.measured, scale.growth, scale.facts)
 
 
 def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:

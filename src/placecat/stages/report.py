@@ -6,7 +6,12 @@ from typing import Any
 from placecat import files, listing, paths, settings
 from placecat.errors import PlacecatError
 from placecat.lockfile import data_version
-from placecat.reporting.page import Figure, Report, Table, Times, page_html
+from placecat.reporting.benchmarks import TEXT as BENCHMARK_TEXT
+from placecat.reporting.charts.growth import growth_chart
+from placecat.reporting.charts.picture import png_of
+from placecat.reporting.charts.speed import speed_chart
+from placecat.reporting.page import Figure, Report, Scale, Speed, Table, Times, page_html
+from placecat.reporting.scale import TEXT as SCALE_TEXT
 from placecat.reporting.tables import dataset_of, tables_of
 from placecat.stages import run
 
@@ -32,6 +37,8 @@ def main() -> None:
         comparisons=files.read_table(paths.COMPARISONS, _TEXT),
         settings=paths.PARAMS.read_text(encoding="utf-8"),
         times=_times(),
+        speed=_speed(),
+        scale=_scale(),
     )
     files.write_text(paths.PAGE, page_html(report))
 
@@ -61,6 +68,24 @@ def _times() -> Times | None:
     if by_stage.empty:
         return None
     return Times(by_stage, facts["data"], facts["cores"], facts["total"])
+
+
+def _speed() -> Speed | None:
+    """The kept benchmarks, None if there are none."""
+    facts = paths.BENCHMARKS.with_suffix(".json")
+    if not (paths.BENCHMARKS.is_file() and facts.is_file()):
+        return None
+    benchmarks = files.read_table(paths.BENCHMARKS, BENCHMARK_TEXT)
+    return Speed(benchmarks, files.read_json(facts), png_of(speed_chart, benchmarks))
+
+
+def _scale() -> Scale | None:
+    """The kept run at the scale of the real home database, None if there is none."""
+    kept = (paths.SCALE_STAGES, paths.SCALE_GROWTH, paths.SCALE_FACTS)
+    if not all(path.is_file() for path in kept):
+        return None
+    measured, growth = (files.read_table(path, SCALE_TEXT) for path in kept[:2])
+    return Scale(measured, growth, files.read_json(paths.SCALE_FACTS), png_of(growth_chart, measured))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,83 @@
+"""What the report says of benchmarks."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import pandas as pd
+
+# Columns of text.
+TEXT = ("module", "piece", "input", "quantity", "peer", "peer_version", "target", "met", "spent")
+_SECONDS = "seconds"
+_NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e[+-]?\d+)?")
+
+
+@dataclass(frozen=True)
+class Ratio:
+    """One comparison with a peer: the median ratio of its pairs, their range, and the target."""
+
+    piece: str
+    input: str
+    ratio: float
+    low: float
+    high: float
+    target: float
+    is_faster: bool
+    is_met: bool
+
+
+def ratios_of(benchmarks: pd.DataFrame) -> list[Ratio]:
+    """Give the rows that have a ratio.
+
+    Parameters
+    ----------
+    benchmarks
+        As :func:`placecat.benchmarks.run.run` writes it, empty cells as NaN.
+    """
+    return [
+        Ratio(
+            piece=row["piece"],
+            input=row["input"],
+            ratio=float(row["ratio"]),
+            low=float(row["low"]),
+            high=float(row["high"]),
+            target=float(_NUMBER.findall(row["target"])[0]),
+            is_faster="faster" in row["target"],
+            is_met=row["met"] == "yes",
+        )
+        for row in benchmarks.to_dict("records")
+        if pd.notna(row["ratio"])
+    ]
+
+
+def shown_rows(benchmarks: pd.DataFrame) -> list[Mapping[str, Any]]:
+    """Every row as text for a page: piece, input, ours, peer, theirs, ratio, target and spent; met is a bool.
+
+    A row of another quantity than seconds has it beside its piece.
+    """
+    return [
+        {
+            "piece": row["piece"] if row["quantity"] == _SECONDS else f"{row['piece']}: {row['quantity']}",
+            "input": row["input"],
+            "ours": _amount(row["ours"], row["quantity"]),
+            "peer": " ".join(filter(None, (row["peer"], row["peer_version"]))),
+            "theirs": _amount(row["theirs"], row["quantity"]),
+            "ratio": ""
+            if pd.isna(row["ratio"])
+            else f"{row['ratio']:.3g} ({row['low']:.3g} to {row['high']:.3g})",
+            "target": row["target"],
+            "met": row["met"] == "yes",
+            "spent": row["spent"],
+        }
+        for row in benchmarks.to_dict("records")
+    ]
+
+
+def _amount(value: float, quantity: str) -> str:
+    """A number, times with their unit: below a second milliseconds."""
+    if pd.isna(value):
+        return ""
+    if quantity != _SECONDS:
+        return f"{value:.3g}"
+    return f"{value:.3g} s" if value >= 1 else f"{value * 1000:.3g} ms"

@@ -1,0 +1,66 @@
+"""What the report says of runs at the scale of the real home database."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import pandas as pd
+
+# Columns of text in reports/scale.csv and scale_growth.csv.
+TEXT = ("stage", "item")
+ALL = "all"
+
+
+def seconds_by_size(measured: pd.DataFrame) -> pd.DataFrame:
+    """Sum the items of each stage.
+
+    Parameters
+    ----------
+    measured
+        reports/scale.csv: frames, stage, item, seconds, cpu_seconds, peak_gib and others.
+
+    Returns
+    -------
+    DataFrame
+        Index stage, in the order they ran, and ``all``; a column of CPU seconds for each number of frames.
+    """
+    table = measured.pivot_table("cpu_seconds", "stage", "frames", aggfunc="sum", sort=False)
+    table = table.reindex(columns=sorted(table.columns))
+    table.loc[ALL] = table.sum()
+    return table
+
+
+def shown_scale(measured: pd.DataFrame, growth: pd.DataFrame, facts: Mapping[str, Any]) -> dict[str, Any]:
+    """Everything as text for a page.
+
+    Parameters
+    ----------
+    measured, growth, facts
+        Content of reports/scale.csv, scale_growth.csv and scale.json.
+
+    Returns
+    -------
+    dict
+        ``sizes`` (numbers of frames), ``rows`` (stage; CPU seconds by size; wall seconds, peak and exponent
+        of the largest size) and the facts of the machine, the largest size and a full run.
+    """
+    by_size = seconds_by_size(measured)
+    of_stage = growth[growth["item"] == ""].set_index("stage")
+    rows = [
+        {
+            "stage": stage,
+            "cpu": [f"{value:.1f}" for value in by_size.loc[stage]],
+            "seconds": f"{of_stage.loc[stage, 'seconds']:.1f}",
+            "peak": f"{of_stage.loc[stage, 'peak_gib']:.2f}",
+            "exponent": f"{of_stage.loc[stage, 'exponent']:.2f}",
+            "last": f"{of_stage.loc[stage, 'last_exponent']:.2f}",
+        }
+        for stage in by_size.index
+    ]
+    return {
+        "sizes": [f"{frames:,}" for frames in by_size.columns],
+        "rows": rows,
+        "machine": facts["machine"],
+        "largest": facts["largest"],
+        "test_homes": ", ".join(facts["test_homes"]),
+        "hours": facts["full_run"]["hours"],
+    }
