@@ -18,6 +18,8 @@ class Clock:
         self.now = 0.0
         self.calls = []
         monkeypatch.setattr("placecat.benchmarks.timing.time.perf_counter", lambda: self.now)
+        # Quick, since the tests before may have left much.
+        monkeypatch.setattr("placecat.benchmarks.timing.gc.collect", lambda: None)
 
     def call(self, name, *durations):
         queue = list(durations)

@@ -26,6 +26,8 @@ def made(monkeypatch):
 
         return entries
 
+    # Quick, since the tests before may have left much.
+    monkeypatch.setattr("placecat.benchmarks.timing.gc.collect", lambda: None)
     monkeypatch.setattr(pieces, "names", lambda: ["first", "second"])
     monkeypatch.setattr(pieces, "load", entries_of)
     monkeypatch.setattr(run, "_facts", lambda: {"processor": "one"})
