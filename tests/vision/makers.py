@@ -1,7 +1,11 @@
 """Small made-up frame maps and regions."""
 
+import importlib.util
+from types import ModuleType
+
 import cv2
 import numpy as np
+import pytest
 
 from placecat.vision.maps import FrameMaps
 
@@ -56,3 +60,23 @@ def regions(width: int = 320, height: int = 240, count: int = 25, seed: int = 1)
 def frame(width: int = 320, height: int = 240, seed: int = 2) -> np.ndarray:
     rng = np.random.default_rng(seed)
     return np.stack([smooth(rng, height, width) for _ in range(3)], axis=2).astype(np.uint8)
+
+
+def missing(module: ModuleType) -> str:
+    """The first package that a descriptor needs and that is not installed (its ``PACKAGES``), or ""."""
+    needed = getattr(module, "PACKAGES", ())
+    return next((name for name in needed if importlib.util.find_spec(name) is None), "")
+
+
+def installed(package: ModuleType) -> list[str]:
+    """The descriptors of `placecat.vision.holistic` or `local` whose packages are installed."""
+    return [name for name in package.names() if not missing(package.load(name))]
+
+
+def every(package: ModuleType) -> list:
+    """Every descriptor as a parameter of a test, which skips those whose packages are not installed."""
+    return [
+        pytest.param(name, marks=pytest.mark.skipif(bool(lacks), reason=f"{name} needs {lacks}"))
+        for name in package.names()
+        for lacks in [missing(package.load(name))]
+    ]

@@ -4,7 +4,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import yaml
-from makers import frame
+from makers import frame, installed
 
 from placecat.errors import PlacecatError
 from placecat.vision import holistic, local
@@ -17,8 +17,8 @@ from placecat.vision.maps import FIELDS, FrameMaps
 DESCRIPTORS = Path(__file__).resolve().parents[2] / "conf/descriptor"
 
 ALL = {
-    "local": {name: {} for name in local.names()},
-    "holistic": {name: {} for name in holistic.names()},
+    "local": {name: {} for name in installed(local)},
+    "holistic": {name: {} for name in installed(holistic)},
 }
 
 
@@ -50,7 +50,7 @@ def test_arrays_are_padded_with_zeros() -> None:
     found = describe_frame(frame(160, 120), {**ALL, "regions": {"max_regions": 200}})
     count = int(found["count"])
     assert 0 < count < 200
-    for name in ("regions", *(f"local_{name}" for name in local.names())):
+    for name in ("regions", *(f"local_{name}" for name in ALL["local"])):
         assert found[name].shape[0] == 200
         assert (found[name][count:] == 0).all()
         assert found[name][:count].any()
@@ -122,7 +122,7 @@ def test_a_variant_has_its_own_name_and_the_numbers_of_its_module() -> None:
         {"local": {name: {} for name in ("hog", "sift", "centrist")}},
         {"local": {"color_mv": {}}, "information": {"unit": 255}},
         {"local": {"orientation_mv": {}}, "attention": {"use_residual": False}},
-        {"holistic": {name: {} for name in holistic.names()}},
+        {"holistic": ALL["holistic"]},
         {},
     ],
 )

@@ -5,13 +5,13 @@ import itertools
 
 import numpy as np
 import pytest
-from makers import frame, maps
+from makers import every, frame, maps
 
 from placecat.vision import holistic
 from placecat.vision.discovery import settings_of
 from placecat.vision.maps import FIELDS
 
-EVERY = pytest.mark.parametrize("name", holistic.names())
+EVERY = pytest.mark.parametrize("name", every(holistic))
 SIZES = pytest.mark.parametrize("size", [(320, 240), (640, 360), (333, 217), (66, 50)])
 
 

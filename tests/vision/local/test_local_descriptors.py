@@ -4,13 +4,13 @@ import dataclasses
 
 import numpy as np
 import pytest
-from makers import maps, regions
+from makers import every, maps, regions
 
 from placecat.errors import PlacecatError
 from placecat.vision import local
 from placecat.vision.maps import FIELDS
 
-EVERY = pytest.mark.parametrize("name", local.names())
+EVERY = pytest.mark.parametrize("name", every(local))
 
 
 @EVERY

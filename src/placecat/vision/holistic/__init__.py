@@ -1,7 +1,8 @@
 """The descriptors of whole frames (thesis 3.2), one module each.
 
 A new one is one module with ``describe``, ``size`` and ``MAPS``, the fields of `FrameMaps` that it reads; its
-name is the module name.
+name is the module name. One that needs packages of an extra imports them when it describes, and lists them in
+``PACKAGES``, so that the tests skip it without them.
 
 Every one has
 

@@ -1,0 +1,142 @@
+"""Embedding: what a pretrained network makes of a frame. An addition: the thesis has no such cue."""
+
+from collections.abc import Sequence
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.vision import networks
+from placecat.vision.maps import FrameMaps
+from placecat.vision.networks import efficientnet_lite0
+
+# The fields of `FrameMaps` that it reads.
+MAPS: tuple[str, ...] = ()
+# What it imports by default, all of the extra `deep`.
+PACKAGES = efficientnet_lite0.PACKAGES
+
+_OWNER = "holistic descriptor 'embedding'"
+POOLS = ("mean", "first")
+# Of the images of ImageNet, as networks trained on it expect them.
+MEAN = (0.485, 0.456, 0.406)
+STD = (0.229, 0.224, 0.225)
+
+
+def size(
+    *,
+    network: str = "efficientnet_lite0",
+    width: int = 224,
+    height: int = 224,
+    mean: Sequence[float] = MEAN,
+    std: Sequence[float] = STD,
+    output: str | None = None,
+    pool: str | None = None,
+    sha256: str | None = None,
+) -> int:
+    """Length of the descriptor, which the network knows: 1280 by default.
+
+    Parameters and errors are those of `describe`.
+    """
+    image = _input(np.zeros((height, width, 3), np.uint8), width, height, mean, std)
+    return len(_vector(_features(image, network, output, sha256), network, pool))
+
+
+def describe(
+    frame: NDArray[np.uint8],
+    maps: FrameMaps,
+    *,
+    network: str = "efficientnet_lite0",
+    width: int = 224,
+    height: int = 224,
+    mean: Sequence[float] = MEAN,
+    std: Sequence[float] = STD,
+    output: str | None = None,
+    pool: str | None = None,
+    sha256: str | None = None,
+) -> NDArray[np.float32]:
+    """Describe a frame by the pooled features of a pretrained network.
+
+    Parameters
+    ----------
+    frame
+        (H, W, 3) uint8 BGR.
+    maps
+        Not used.
+    network
+        ``efficientnet_lite0``, or the path of an ONNX file, relative to the folder of the project.
+    width, height
+        What the whole frame is scaled to, in pixels, whatever its shape.
+    mean, std
+        Of red, green and blue, from 0 to 1: subtracted from them, and what they are divided by then.
+    output
+        Of an ONNX file: the name of the output that is taken; None for its first.
+    pool
+        Of an output with places, (D, rows, columns), or tokens, (tokens, D): ``mean`` over them, or the
+        ``first`` of the tokens. None for an output that is a vector.
+    sha256
+        Checksum that an ONNX file must have, in hexadecimal; None for any. The stages do not notice another
+        file of the same name without it.
+
+    Returns
+    -------
+    (size,) float32, as the network gives it.
+
+    Raises
+    ------
+    PlacecatError
+        Impossible settings; a network or a package that is missing; a network that takes no such image, or
+        gives no vector or no finite numbers.
+    """
+    image = _input(frame, width, height, mean, std)
+    return _vector(_features(image, network, output, sha256), network, pool)
+
+
+def _input(
+    frame: NDArray[np.uint8], width: int, height: int, mean: Sequence[float], std: Sequence[float]
+) -> NDArray[np.float32]:
+    """The frame as (1, 3, height, width) float32 RGB."""
+    if min(width, height) < 1:
+        raise PlacecatError(f"The width and height of {_OWNER} must be at least 1, not {width} and {height}.")
+    if len(mean) != 3:
+        raise PlacecatError(f"The mean of {_OWNER} must be three numbers, not {list(mean)}.")
+    if len(std) != 3 or min(std) <= 0:
+        raise PlacecatError(f"The std of {_OWNER} must be three positive numbers, not {list(std)}.")
+    scaled = cv2.resize(frame, (width, height), interpolation=cv2.INTER_AREA)
+    rgb = scaled[:, :, ::-1].astype(np.float32) / np.float32(255)
+    normal = (rgb - np.array(mean, np.float32)) / np.array(std, np.float32)
+    return np.ascontiguousarray(normal.transpose(2, 0, 1)[None])
+
+
+def _features(
+    image: NDArray[np.float32], network: str, output: str | None, sha256: str | None
+) -> NDArray[np.float32]:
+    """What the network gives for one image, without the axis of images."""
+    try:
+        features = networks.load(network, output, sha256)(image)
+    except PlacecatError as error:
+        raise PlacecatError(f"{_OWNER}: {error}") from None
+    if features.ndim < 1 or len(features) != 1:
+        raise PlacecatError(f"{_OWNER}: {network} gives {features.shape} for one image, not (1, ...)")
+    only: NDArray[np.float32] = features[0]
+    return only
+
+
+def _vector(features: NDArray[np.float32], network: str, pool: str | None) -> NDArray[np.float32]:
+    if pool is not None and pool not in POOLS:
+        raise PlacecatError(f"Unknown pool '{pool}' of {_OWNER}: choose one of {', '.join(POOLS)}, or null.")
+    if features.ndim == 3 and pool == "mean":
+        features = features.mean(axis=(1, 2))
+    elif features.ndim == 2 and pool == "mean":
+        features = features.mean(axis=0)
+    elif features.ndim == 2 and pool == "first" and len(features):
+        features = features[0]
+    if features.ndim != 1 or not len(features):
+        how = {2: "set pool to mean or first", 3: "set pool to mean"}.get(features.ndim, "it cannot be used")
+        raise PlacecatError(
+            f"{_OWNER}: {network} gives {features.shape} for a frame, which is no vector: "
+            f"{how}, or name another output"
+        )
+    if not np.isfinite(features).all():
+        raise PlacecatError(f"{_OWNER}: {network} gives numbers that are not finite: check mean and std")
+    return np.ascontiguousarray(features, np.float32)

@@ -1,0 +1,50 @@
+"""Pretrained networks: an image in, features out. What they need is imported when one is loaded.
+
+Nothing is downloaded: weights come with a package, or are a file that the settings name.
+"""
+
+from collections.abc import Callable
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.vision.networks import efficientnet_lite0, onnx_file
+
+#: (1, 3, height, width) float32 to what the network says of it, of any shape whose first axis is the image.
+Network = Callable[[NDArray[np.float32]], NDArray[np.float32]]
+
+NAMED: dict[str, Callable[[], Network]] = {"efficientnet_lite0": efficientnet_lite0.load}
+ENDING = ".onnx"
+
+
+@lru_cache(maxsize=4)
+def load(network: str, output: str | None = None, sha256: str | None = None) -> Network:
+    """Load a network, once a process.
+
+    Parameters
+    ----------
+    network
+        One of `NAMED`, or the path of an ONNX file.
+    output
+        Of an ONNX file: the name of the output that is taken; None for its first.
+    sha256
+        Checksum that an ONNX file must have; None for any.
+
+    Raises
+    ------
+    PlacecatError
+        An unknown network, one whose packages or file are missing, or a file that is no such network.
+    """
+    if network.endswith(ENDING):
+        return onnx_file.load(Path(network), output, sha256)
+    if network not in NAMED:
+        raise PlacecatError(
+            f"there is no network {network!r}: choose {', '.join(NAMED)}, or name an ONNX file ({ENDING})"
+        )
+    for name, value in (("output", output), ("sha256", sha256)):
+        if value is not None:
+            raise PlacecatError(f"{name} is a setting of ONNX files: with network {network} it must be null")
+    return NAMED[network]()

@@ -1,0 +1,100 @@
+"""Any network in an ONNX file, run by onnxruntime."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.vision.networks.packages import checksum, import_packages
+
+PACKAGES = ("onnxruntime",)
+CHANNELS = 3
+
+
+def load(
+    path: Path, output: str | None = None, sha256: str | None = None
+) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
+    """Open an ONNX file.
+
+    Parameters
+    ----------
+    path
+        The file. Its one input takes an image as (1, 3, height, width) float32.
+    output
+        Name of the output that is taken; None for the first.
+    sha256
+        Checksum that the file must have; None for any.
+
+    Returns
+    -------
+    callable
+        (1, 3, H, W) float32 to the output, float32.
+
+    Raises
+    ------
+    PlacecatError
+        If onnxruntime or the file is missing, or the file has another checksum, is no ONNX, takes something
+        else than one image or lacks the output; when called, an image of a size that it does not take.
+    """
+    if not path.is_file():
+        raise PlacecatError(f"{path}, the network of the settings, is missing: put it there, or name another")
+    if sha256 is not None and (found := checksum(path)) != sha256:
+        raise PlacecatError(
+            f"{path} has the SHA-256 {found}, not {sha256}: it is another file than was meant"
+        )
+    (onnxruntime,) = import_packages(PACKAGES, f"the network {path}")
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = options.inter_op_num_threads = 1
+    options.use_deterministic_compute = True
+    # Errors only: they are raised, too.
+    options.log_severity_level = 3
+    try:
+        session = onnxruntime.InferenceSession(path, options, providers=["CPUExecutionProvider"])
+    # onnxruntime's errors have no base class of their own.
+    except Exception as error:
+        raise PlacecatError(f"{path} is no ONNX file that onnxruntime can run: {_short(error)}") from None
+    name = _input(session, path)
+    outputs = [one.name for one in session.get_outputs()]
+    wanted = outputs[0] if output is None else output
+    if wanted not in outputs:
+        raise PlacecatError(f"{path} has no output {wanted!r}: choose one of {', '.join(outputs)}")
+
+    def apply(image: NDArray[np.float32]) -> NDArray[np.float32]:
+        try:
+            (values,) = session.run([wanted], {name: image})
+        except Exception as error:
+            size = "x".join(map(str, image.shape[:1:-1]))
+            raise PlacecatError(
+                f"{path} cannot be applied to an image of {size}, so set width and height: {_short(error)}"
+            ) from None
+        return np.asarray(values, np.float32)
+
+    return apply
+
+
+def _input(session: Any, path: Path) -> str:
+    """Name of the one input, which takes an image."""
+    inputs = session.get_inputs()
+    kinds = [f"{one.type.removeprefix('tensor')} {one.shape}" for one in inputs]
+    if len(inputs) != 1 or inputs[0].type != "tensor(float)" or not _takes_image(inputs[0].shape):
+        raise PlacecatError(
+            f"{path} takes {', '.join(kinds) or 'nothing'}: it must take one image, "
+            f"(float) [1, {CHANNELS}, height, width]"
+        )
+    return str(inputs[0].name)
+
+
+def _takes_image(shape: list[int | str | None]) -> bool:
+    # What a file leaves open has a name or None.
+    return len(shape) == 4 and all(
+        not isinstance(found, int) or found == wanted
+        for found, wanted in zip(shape[:2], (1, CHANNELS), strict=True)
+    )
+
+
+def _short(error: Exception) -> str:
+    said = " ".join(str(error).split())
+    return said if len(said) <= 200 else f"{said[:200]}..."

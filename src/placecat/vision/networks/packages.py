@@ -1,0 +1,48 @@
+"""What networks need beyond the project's own packages."""
+
+import hashlib
+import importlib
+from collections.abc import Sequence
+from pathlib import Path
+from types import ModuleType
+
+from placecat.errors import PlacecatError
+
+INSTALL = "`pip install -e '.[deep]'` in the environment of placecat installs it"
+
+
+def import_packages(names: Sequence[str], wanted_by: str) -> list[ModuleType]:
+    """Import packages of the extra `deep`.
+
+    Parameters
+    ----------
+    names
+        Of the modules.
+    wanted_by
+        What a message says needs them.
+
+    Raises
+    ------
+    PlacecatError
+        Naming the first that is missing or cannot be imported.
+    """
+    modules = []
+    for name in names:
+        try:
+            modules.append(importlib.import_module(name))
+        except ModuleNotFoundError as error:
+            raise PlacecatError(
+                f"{wanted_by} needs the package {error.name or name}, which is missing: {INSTALL}"
+            ) from None
+        except ImportError as error:
+            said = " ".join(str(error).split())
+            raise PlacecatError(
+                f"{wanted_by} needs the package {name}, which does not work ({said})"
+            ) from None
+    return modules
+
+
+def checksum(path: Path) -> str:
+    """SHA-256 of a file's content, in hexadecimal."""
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()

