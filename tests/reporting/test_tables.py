@@ -2,10 +2,11 @@ import dataclasses
 
 import numpy as np
 import pytest
+import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from made_results import PARAMS, made, published, with_homes
+from made_results import PARAMS, ROOT, made, published, with_homes
 from placecat.errors import PlacecatError
 from placecat.reporting import layouts
 from placecat.reporting.results import Results
@@ -220,6 +221,8 @@ def test_an_addition_has_no_number():
 
 
 def test_every_layout_is_used_and_unknown_ones_are_refused():
-    assert {table["layout"] for table in TABLES.values()} == set(layouts.names())
+    additions = [yaml.safe_load(path.read_text()) for path in (ROOT / "conf/optional").glob("*.yaml")]
+    tables = [*TABLES.values(), *(table for one in additions for table in one.get("tables", {}).values())]
+    assert {table["layout"] for table in tables} == set(layouts.names())
     with pytest.raises(PlacecatError, match=r"layout 'x' of table_07.*by_class, by_home"):
         layouts.cells({"name": "table_07", "layout": "x"}, RESULTS)

@@ -48,7 +48,7 @@ def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figur
     other = [(bar.published, at[id(bar)]) for bar in bars if np.isfinite(bar.published)] if published else []
     if other:
         axes.plot(*zip(*other, strict=True), "D", color=PUBLISHED, markerfacecolor="white", label="published")
-    largest = max([*(bar.measured for bar in bars), *(value for value, _ in [*points, *other])])
+    shown = [*(bar.measured for bar in bars), *(value for value, _ in [*points, *other])]
     for bar in bars:
         axes.text(
             1.02,
@@ -73,7 +73,8 @@ def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figur
                 bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
             )
     axes.set_ylim(len(lines) - 0.4, -0.6)
-    axes.set_xlim(0, min(100.0, np.ceil(largest / 10 + 0.01) * 10))
+    # A gain, which a few tables have as well, may be negative.
+    axes.set_xlim(min(0.0, np.floor(min(shown) / 10) * 10), min(100.0, np.ceil(max(shown) / 10 + 0.01) * 10))
     axes.set_xlabel("accuracy in percent, mean over places")
     axes.xaxis.grid(True)
     figure.suptitle(title, wrap=True)
