@@ -166,3 +166,18 @@ def test_without_git_it_says_so(folder, monkeypatch):
     monkeypatch.setenv("PATH", "")
     with pytest.raises(PlacecatError, match="git is not installed"):
         kept_in_git.compare()
+
+
+def test_an_optional_table_is_compared_by_runs_that_make_it_only(folder):
+    """A run without it leaves the kept one, of whatever data, and says nothing of it."""
+    write_settings(optional_tables=["table_02"], tables={"table_01": {}})
+    commit(folder)
+    said, _ = kept_in_git.compare()
+    assert said[0] == "Tables: 4 of 4 cells equal to the kept ones (git HEAD)."
+    (paths.TABLES / "table_02.csv").unlink()
+    assert kept_in_git.compare() == (said, True)
+    write_tables(31.2, 45.0)
+    write_settings(optional_tables=["table_02"], tables={"table_01": {}, "table_02": {}})
+    said, _ = kept_in_git.compare()
+    assert said[0].startswith("Tables: 4 of 6 cells equal")
+    assert "  Table 2: 1 of 2 cells differ, by at most 5.00 points" in said

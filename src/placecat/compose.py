@@ -29,7 +29,8 @@ def found(conf: Path = paths.CONF) -> str:
     """List what is used because it is there, as the content of conf/found.yaml.
 
     Hydra has no pattern for file names in its defaults, and `dvc exp run` composes from files alone. What a
-    cue needs and no file describes (:mod:`placecat.inferred`) comes after the files.
+    cue needs and no file describes, and which tables are optional (:mod:`placecat.inferred`), come after the
+    files.
 
     Parameters
     ----------
@@ -55,8 +56,16 @@ def found(conf: Path = paths.CONF) -> str:
     lines += [f"- /clustering@codebooks.{name}.tree: {CLUSTERING}" for name in codebooks]
     content = {"descriptors": descriptors, "codebooks": codebooks}
     own = {name: part for name, part in content.items() if part}
+    optional = inferred.optional_tables(conf)
+    if own or optional:
+        lines.append("- _self_")
     if own:
-        lines += ["- _self_", "# Without a file of their own.", yaml.safe_dump(own, sort_keys=False).rstrip()]
+        lines += ["# Without a file of their own.", yaml.safe_dump(own, sort_keys=False).rstrip()]
+    if optional:
+        lines += [
+            "# Of conf/optional; a run without them leaves those that are there.",
+            yaml.safe_dump({"optional_tables": optional}).rstrip(),
+        ]
     return "\n".join(lines) + "\n"
 
 

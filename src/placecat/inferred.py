@@ -1,4 +1,4 @@
-"""What a cue needs and no file of conf/ describes, so that a cue is one module and one file of conf/cue."""
+"""What no file of conf/ says by itself but others do, so that a cue is one module and one file of conf/."""
 
 import inspect
 from collections.abc import Iterator
@@ -85,13 +85,36 @@ def codebooks(conf: Path) -> dict[str, dict[str, Any]]:
     return found
 
 
+def optional_tables(conf: Path) -> list[str]:
+    """List the tables that files of conf/optional add.
+
+    Parameters
+    ----------
+    conf
+        The folder of conf/config.yaml.
+
+    Raises
+    ------
+    PlacecatError
+        A file that is no YAML.
+    """
+    return sorted({name for _, content in _read(conf, "optional") for name in content.get("tables") or {}})
+
+
 def _files(conf: Path, *folders: str) -> Iterator[tuple[Path, dict[str, Any]]]:
     """Paths and contents of the files that have a ``descriptor``."""
     for folder in folders:
-        for path in sorted((conf / folder).glob("*.yaml")):
-            try:
-                content = yaml.safe_load(path.read_text(encoding="utf-8"))
-            except yaml.YAMLError as error:
-                raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None
-            if isinstance(content, dict) and isinstance(content.get("descriptor"), dict):
+        for path, content in _read(conf, folder):
+            if isinstance(content.get("descriptor"), dict):
                 yield path, content
+
+
+def _read(conf: Path, folder: str) -> Iterator[tuple[Path, dict[str, Any]]]:
+    """Paths and contents of the files of a folder."""
+    for path in sorted((conf / folder).glob("*.yaml")):
+        try:
+            content = yaml.safe_load(path.read_text(encoding="utf-8"))
+        except yaml.YAMLError as error:
+            raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None
+        if isinstance(content, dict):
+            yield path, content

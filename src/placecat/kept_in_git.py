@@ -19,7 +19,7 @@ HEAD = "HEAD"
 # libyaml's loader where PyYAML was built with it: ten times faster.
 _Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 # Settings that no table depends on.
-_WITHOUT_EFFECT = ("compute", "reproducibility", "figures", "metrics", "plots")
+_WITHOUT_EFFECT = ("compute", "reproducibility", "figures", "metrics", "plots", "optional_tables")
 
 
 @dataclass(frozen=True)
@@ -57,10 +57,19 @@ def compare(revision: str = HEAD) -> tuple[list[str], bool]:
     """
     tolerance = float(settings.get(settings.load(), "reproducibility.tolerance"))
     now, kept = read_folder(), read_revision(revision)
-    comparison = differences.compare(now.tables, kept.tables, now.findings, kept.findings)
+    comparison = differences.compare(
+        _own_tables(now, now.settings), _own_tables(kept, now.settings), now.findings, kept.findings
+    )
     changed = changed_settings(now.settings, kept.settings)
     lines = sentences(comparison, tolerance, f"git {revision}", changed)
     return lines, bool(changed) or comparison.grade(tolerance) is not differences.Grade.BEYOND
+
+
+def _own_tables(one: Kept, params: dict[str, Any] | None) -> dict[str, pd.DataFrame]:
+    """The tables without those of conf/optional that a run with these settings leaves as they are."""
+    params = params or {}
+    others = set(params.get("optional_tables", [])) - set(params.get("tables", {}))
+    return {name: table for name, table in one.tables.items() if name not in others}
 
 
 def read_folder() -> Kept:

@@ -74,3 +74,17 @@ def test_the_same_scores_give_the_same_bytes(run, monkeypatch):
     tables.main()
     assert contents(run, "reports") == first
     assert len(first) > 100
+
+
+def test_an_optional_table_of_another_run_stays_and_any_other_goes(run, monkeypatch):
+    monkeypatch.chdir(run)
+    (name,) = PARAMS["optional_tables"]
+    first = contents(run, "reports")
+    kept = {f"{name}.csv": "table,note\nAddition,kept\n", f"{name}.md": "# kept\n", f"{name}.tex": "kept\n"}
+    for file, text in (kept | {"table_99.csv": "gone\n"}).items():
+        (paths.TABLES / file).write_text(text)
+    tables.main()
+    found = contents(run, "reports")
+    for file in kept:
+        (paths.TABLES / file).unlink()
+    assert found == first | {f"reports/tables/{file}": text.encode() for file, text in kept.items()}

@@ -1,5 +1,7 @@
 """Stage `tables`: accuracies of everything, and the numbers of the thesis beside those of this run."""
 
+import shutil
+from pathlib import Path
 from typing import Any
 
 import pandas as pd
@@ -17,6 +19,7 @@ from placecat.stages import run
 
 # Results whose models were judged on training homes, in facts.json beside their distributions.
 TRAINED = ("cues/", "integration/")
+FORMS = ("csv", "md", "tex")
 
 
 def main() -> None:
@@ -32,6 +35,9 @@ def main() -> None:
             files.write_csv(folder / f"{name}.csv", filled[name])
             files.write_text(folder / f"{name}.md", table_markdown(table, filled[name], dataset))
             files.write_text(folder / f"{name}.tex", table_latex(table, filled[name], dataset))
+        for name in params.get("optional_tables", []):
+            if name not in filled:
+                _keep(name, folder)
     files.write_csv(paths.ACCURACIES, results.accuracy_table())
     files.write_csv(paths.CROSS_VALIDATION, _cross_validation(params))
     files.write_csv(paths.IN_TEXT, _in_text(params, results))
@@ -40,6 +46,14 @@ def main() -> None:
     with files.replacing(paths.PLOTS) as folder:
         for name, rows in plot_data(results, settings.get(params, "plots")).items():
             files.write_csv(folder / name, rows)
+
+
+def _keep(name: str, folder: Path) -> None:
+    """Take over a table that another run has left: git keeps it, and this run cannot fill it."""
+    for form in FORMS:
+        path = paths.TABLES / f"{name}.{form}"
+        if path.is_file():
+            shutil.copyfile(path, folder / path.name)
 
 
 def _in_text(params: dict[str, Any], results: Results) -> pd.DataFrame:

@@ -1,0 +1,24 @@
+"""The settings with an addition of conf/optional."""
+
+import shutil
+import tempfile
+from functools import cache
+from pathlib import Path
+
+import yaml
+
+from made_results import PARAMS
+from placecat.compose import compose
+from project import light_conf
+
+
+@cache
+def with_optional(name):
+    """All settings with ``optional=name``; other tables and findings, slow to compose, are the plain ones."""
+    folder = Path(tempfile.mkdtemp())
+    try:
+        light = yaml.safe_load(compose([f"optional={name}"], conf=light_conf(folder / "conf")))
+    finally:
+        shutil.rmtree(folder)
+    rest = {key: PARAMS[key] for key in ("findings", "studies")}
+    return light | rest | {"tables": PARAMS["tables"] | light["tables"]}
