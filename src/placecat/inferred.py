@@ -101,6 +101,31 @@ def optional_tables(conf: Path) -> list[str]:
     return sorted({name for _, content in _read(conf, "optional") for name in content.get("tables") or {}})
 
 
+def optional_descriptors(conf: Path) -> dict[str, list[str]]:
+    """List the descriptors that files of conf/optional add.
+
+    Parameters
+    ----------
+    conf
+        The folder of conf/config.yaml.
+
+    Returns
+    -------
+    dict
+        ``local`` and ``holistic``, where there are any, to names.
+
+    Raises
+    ------
+    PlacecatError
+        A file that is no YAML.
+    """
+    found: dict[str, list[str]] = {}
+    for _, content in _read(conf, "optional"):
+        for kind, own in (content.get("descriptors") or {}).items():
+            found.setdefault(kind, []).extend(own)
+    return found
+
+
 def _files(conf: Path, *folders: str) -> Iterator[tuple[Path, dict[str, Any]]]:
     """Paths and contents of the files that have a ``descriptor``."""
     for folder in folders:

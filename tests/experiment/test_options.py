@@ -13,10 +13,22 @@ def test_every_descriptor_has_a_name_of_its_own(project):
     found = options.descriptors()
     files = sorted((CONF / "descriptor").glob("*/*.yaml"))
     assert {(own["kind"], own["name"]) for own in found.values()} == {
-        (path.parent.name, path.stem) for path in files
+        *((path.parent.name, path.stem) for path in files),
+        ("holistic", "embedding"),
     }
     assert found["centrist"]["kind"] == "local"
     assert found["holistic_centrist"] == {"kind": "holistic", "name": "centrist"}
+
+
+def test_a_descriptor_without_a_file_can_be_chosen(tmp_path):
+    (tmp_path / "cue").mkdir()
+    (tmp_path / "optional").mkdir()
+    (tmp_path / "cue/new.yaml").write_text("descriptor: {kind: holistic, name: gist}\n")
+    (tmp_path / "optional/more.yaml").write_text("descriptors: {local: {hog: {}}}\n")
+    assert {name: own["kind"] for name, own in options.descriptors(tmp_path).items()} == {
+        "hog": "local",
+        "gist": "holistic",
+    }
 
 
 def test_help_names_every_option_and_fits_the_screen(project):

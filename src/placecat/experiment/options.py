@@ -8,7 +8,7 @@ from typing import Any
 import yaml
 from hydra.core.config_store import ConfigStore
 
-from placecat import paths
+from placecat import inferred, paths
 
 CONFIG = "experiment"
 MAIN = "main"
@@ -24,16 +24,23 @@ _KINDS = {"local": 37, "holistic": 34}
 def descriptors(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:
     """Descriptors by the name that an experiment chooses them by.
 
-    Every file of conf/descriptor. Where both kinds have a descriptor of one name, the name alone means that
-    of salient regions, and ``holistic_NAME`` that of whole frames.
+    Every file of conf/descriptor, what cues name without one, and what conf/optional adds. Where both kinds
+    have a descriptor of one name, the name alone means that of salient regions, and ``holistic_NAME`` that of
+    whole frames.
 
     Returns
     -------
     dict
         Name to the settings that a cue knows the descriptor by (see :mod:`placecat.store`).
     """
+    further = (inferred.descriptors(conf), inferred.optional_descriptors(conf))
     local, holistic = (
-        sorted(path.stem for path in (conf / "descriptor" / kind).glob("*.yaml")) for kind in _KINDS
+        sorted(
+            {path.stem for path in (conf / "descriptor" / kind).glob("*.yaml")}.union(
+                *(one.get(kind, ()) for one in further)
+            )
+        )
+        for kind in _KINDS
     )
     found: dict[str, dict[str, Any]] = {}
     for name in local:
