@@ -64,6 +64,16 @@ def test_without_any_number_there_are_reasons():
     assert {cell.note for cell in found} == {"too few frames"}
 
 
+def test_groups_stay_together():
+    rows = [*ROWS, {"group": "other", "row": "Last", "result": "gist"}]
+    made = results(gist=measured(GIST), hog=measured(HOG), fused=measured(FUSED))
+    found = by_home_with_gains.cells(TABLE | {"rows": rows}, made)
+    assert list(dict.fromkeys((cell.group, cell.row) for cell in found))[-2:] == [
+        ("g", "Gain"),
+        ("other", "Last"),
+    ]
+
+
 def test_gains_stand_below_the_rows_of_their_group_and_have_no_decisions():
     made = results(gist=measured(GIST), hog=measured(HOG), fused=measured(FUSED))
     published = pd.DataFrame(columns=["table", "group", "row", "column", "value"])

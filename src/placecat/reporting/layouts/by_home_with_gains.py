@@ -14,8 +14,9 @@ from placecat.reporting.results import Results
 def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
     """Cells of every row in ``table["rows"]`` (see `by_home`) and in ``table["gains"]``.
 
-    A gain has `group`, `row`, `result` and `over`, a list of results. It is the difference to that one of
-    them whose average over homes is the largest, the same in every home; its note says which.
+    Groups are in the order of the rows; in a group gains come last. A gain has `group`, `row`, `result` and
+    `over`, a list of results. It is the difference to that one of them whose average over homes is the
+    largest, the same in every home; its note says which.
     """
     names = {row["result"]: row["row"] for row in table["rows"]}
     numbers = range(1, len(results.homes) + 1)
@@ -29,7 +30,8 @@ def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
         for (column, of_result), (_, of_best) in pairs:
             found = _noted(of_result.minus(of_best), note)
             filled.append(cell((gain["group"], gain["row"], column), found))
-    return filled
+    groups = list(dict.fromkeys(one.group for one in filled))
+    return sorted(filled, key=lambda one: groups.index(one.group))
 
 
 def _best(results: Results, names: Sequence[str], numbers: Sequence[int]) -> str:
