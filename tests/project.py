@@ -104,7 +104,7 @@ def copy_project(folder, overrides=SMALL):
     for root in SITES.values():
         draw_homes(folder / root, homes=3, frames_per_room=6)
     (folder / "reports").mkdir()
-    for name in ("times.csv", "times.json"):
+    for name in ("benchmarks.csv", "benchmarks.json", "times.csv", "times.json"):
         shutil.copy(ROOT / "reports" / name, folder / "reports")
     for name in ("dvc.yaml", ".dvcignore", ".gitignore"):
         shutil.copy(ROOT / name, folder / name)

@@ -7,6 +7,7 @@ from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED, Range, combine,
 
 INFINITE = float("inf")
 NUMBER = st.floats(-100, 100)
+PAIR = st.tuples(NUMBER, NUMBER).map(sorted)
 
 
 def interval(low, high):
@@ -32,19 +33,20 @@ def test_judge(low, high, claimed, verdict):
     assert judge(interval(low, high), claimed) == verdict
 
 
-@given(NUMBER, NUMBER, NUMBER, NUMBER, st.floats(0, 50), st.floats(0, 50))
-def test_a_wider_range_never_makes_a_verdict_worse(low, high, start, end, more_left, more_right):
-    assume(low <= high and start < end)
+@given(PAIR, PAIR, st.floats(0, 50), st.floats(0, 50))
+def test_a_wider_range_never_makes_a_verdict_worse(found, claimed, more_left, more_right):
+    (low, high), (start, end) = found, claimed
+    assume(start < end)
     order = [FAILS, UNDECIDED, HOLDS]
     narrow = judge(interval(low, high), Range(start, end))
     wide = judge(interval(low, high), Range(start - more_left, end + more_right))
     assert order.index(wide) >= order.index(narrow)
 
 
-@given(NUMBER, NUMBER, NUMBER, NUMBER)
-def test_margin_is_positive_exactly_where_a_claim_holds(low, high, start, end):
-    assume(low <= high and start < end)
-    claimed, found = Range(start, end), interval(low, high)
+@given(PAIR, PAIR)
+def test_margin_is_positive_exactly_where_a_claim_holds(of_found, of_claimed):
+    assume(of_claimed[0] < of_claimed[1])
+    claimed, found = Range(*of_claimed), interval(*of_found)
     assert (claimed.margin(found) > 0) == (judge(found, claimed) == HOLDS)
 
 

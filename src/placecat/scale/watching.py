@@ -1,5 +1,6 @@
 """Running a command and watching the time and the memory of all its processes."""
 
+import os
 import subprocess
 import time
 from collections.abc import Sequence
@@ -47,7 +48,11 @@ def watch(command: Sequence[str], folder: Path, log: Path) -> Watched:
     start, peak = time.perf_counter(), 0
     cpu: dict[int, float] = {}
     with log.open("wb") as output:
-        process = subprocess.Popen(command, cwd=folder, stdout=output, stderr=subprocess.STDOUT)
+        # Unbuffered, so that the last line is what it said last.
+        environment = os.environ | {"PYTHONUNBUFFERED": "1"}
+        process = subprocess.Popen(
+            command, cwd=folder, env=environment, stdout=output, stderr=subprocess.STDOUT
+        )
         try:
             while True:
                 peak = max(peak, _look(process.pid, cpu))
