@@ -18,13 +18,16 @@ def test_the_page_shows_every_table_and_figure_and_its_console_is_clean(reproduc
         tmp_path,
         """
         const tables = {};
+        const drawn = (selector) =>
+            [...document.querySelectorAll(selector)].filter((one) => one.naturalWidth > 100).length;
         for (const one of document.querySelectorAll("section.table:is([id^=table-], [id^=addition-])"))
             tables[one.id] = [...one.querySelectorAll("td:not(.thesis)")].map((cell) =>
                 [cell.textContent, cell.dataset.mark ?? ""]);
         return {
             tables,
             figures: [...document.querySelectorAll("figure")].map((one) => one.id),
-            images: [...document.images].filter((one) => one.naturalWidth > 100).length,
+            images: drawn("figure img"),
+            charts: drawn("#speed img"),
             findings: document.querySelectorAll("#ledger tbody tr").length,
         };
         """,
@@ -41,6 +44,8 @@ def test_the_page_shows_every_table_and_figure_and_its_console_is_clean(reproduc
     figures = json.loads((folder / "reports/figures/figures.json").read_text())
     assert sorted(found["figures"]) == sorted(f"figure-{figure['number']}" for figure in figures)
     assert found["images"] == sum(figure["file"] is not None for figure in figures) > 0
+    # That of the kept benchmarks.
+    assert found["charts"] == 1
     assert found["findings"] == 34
 
 
