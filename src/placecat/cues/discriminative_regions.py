@@ -1,0 +1,94 @@
+"""Another way of deciding, on those regions alone whose codewords tell places apart.
+
+An addition: the thesis ends by wishing for fewer meaningless regions.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.cues.codebook import Codebook
+from placecat.cues.descriptors import Descriptors
+from placecat.cues.model import CueModel
+from placecat.errors import PlacecatError
+from placecat.learning.activations import activations
+from placecat.learning.discriminative import discriminative_codewords
+
+
+class DiscriminativeRegionsCue:
+    """A cue that leaves out regions whose codeword is not among those kept."""
+
+    def __init__(self, codebook: Codebook, kept: NDArray[np.bool_], cue: CueModel) -> None:
+        self.codebook = codebook
+        self.kept = kept
+        self.cue = cue
+        self.cross_validated: NDArray[np.float64] | None = cue.cross_validated
+        self.facts: dict[str, Any] = cue.facts | {"kept_codewords": int(kept.sum())}
+
+    def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
+        """(n, n_classes) distributions over places."""
+        return self.cue.predict_proba(only(frames, self.codebook.words(frames, len(self.kept)), self.kept))
+
+
+def only(frames: Descriptors, words: NDArray[np.int32], kept: NDArray[np.bool_]) -> Descriptors:
+    """Take the regions whose codeword is kept, in their order.
+
+    Parameters
+    ----------
+    frames
+        Of n frames, with regions.
+    words
+        (n, max_regions) codewords, -1 as padding.
+    kept
+        (N,) which codewords are.
+    """
+    taken = (words >= 0) & kept[words]
+    counts = taken.sum(axis=1)
+    x = np.zeros_like(frames.x)
+    x[np.arange(x.shape[1]) < counts[:, None]] = frames.x[taken]
+    return Descriptors(x, counts.astype(np.int64))
+
+
+def fit(
+    train: Descriptors,
+    labels: NDArray[np.int16],
+    homes: NDArray[np.str_],
+    codebook: Codebook | None,
+    classes: Sequence[str],
+    *,
+    cue: Mapping[str, Any],
+    clusters: int,
+    keep: float,
+) -> DiscriminativeRegionsCue:
+    """Choose codewords on the training frames, then train a cue on the regions that have them.
+
+    Parameters
+    ----------
+    cue
+        The settings of the cue's way of deciding, without its number of clusters.
+    clusters
+        Number of clusters, of which some are kept; also that of `cue`.
+    keep
+        Share of them that is kept, see :func:`placecat.learning.discriminative.discriminative_codewords`.
+    """
+    from placecat import cues
+
+    if codebook is None or not train.is_set:
+        raise PlacecatError(
+            "classifier.model 'discriminative_regions' needs a codebook of salient regions: set the cue's "
+            "codebook and input"
+        )
+    words = codebook.words(train, clusters)
+    active = activations(words, clusters, counts=train.counts)
+    kept = discriminative_codewords(active, labels, keep)
+    inner = cues.fit(
+        only(train, words, kept),
+        labels,
+        homes,
+        classifier={**cue, "clusters": clusters},
+        classes=classes,
+        codebook=codebook,
+    )
+    return DiscriminativeRegionsCue(codebook, kept, inner)

@@ -1,0 +1,50 @@
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+
+from placecat.errors import PlacecatError
+from placecat.learning.discriminative import discriminative_codewords
+
+
+def information(active, y):
+    """Mutual information in nats, by its definition."""
+    total = 0.0
+    for value in (0, 1):
+        for label in np.unique(y):
+            joint = np.mean((active == value) & (y == label))
+            if joint > 0:
+                total += joint * np.log(joint / (np.mean(active == value) * np.mean(y == label)))
+    return total
+
+
+@settings(deadline=None)
+@given(
+    arrays(np.uint8, (24, 6), elements=st.integers(0, 1)),
+    arrays(np.int16, 24, elements=st.integers(0, 2)),
+    st.sampled_from([0.01, 0.5, 0.67, 1.0]),
+)
+def test_those_that_say_most_are_kept(active, y, keep):
+    kept = discriminative_codewords(active, y, keep)
+    assert kept.sum() == max(1, round(keep * 6))
+    found = np.array([information(column, y) for column in active.T])
+    assert found[kept].min() >= (found[~kept].max() if (~kept).any() else 0.0) - 1e-9
+
+
+def test_of_equals_the_first_are_kept():
+    active = np.repeat([[0], [1], [0], [1]], 4, axis=1).astype(np.uint8)
+    assert discriminative_codewords(active, [0, 1, 0, 1], 0.5).tolist() == [True, True, False, False]
+
+
+def test_a_codeword_of_one_class_is_kept_and_one_of_all_is_not():
+    y = np.arange(60) % 3
+    everywhere, never, of_one = np.ones(60), np.zeros(60), y == 2
+    active = np.column_stack([everywhere, never, of_one]).astype(np.uint8)
+    assert discriminative_codewords(active, y, 1 / 3).tolist() == [False, False, True]
+
+
+@pytest.mark.parametrize("keep", [0.0, -0.5, 1.01])
+def test_an_impossible_share_is_refused(keep):
+    with pytest.raises(PlacecatError, match="keep is"):
+        discriminative_codewords(np.eye(3, dtype=np.uint8), [0, 1, 2], keep)
