@@ -65,6 +65,11 @@ def test_every_classifier_builds(composed, path):
 
     found = composed(f"classifier@cues.gist.classifier={path.stem}")["cues"]["gist"]["classifier"]
     assert found["model"] in cues.model_names()
+    if "cue" in found:
+        # One that leaves the deciding to another.
+        assert found["clusters"] == found["cue"]["clusters"]
+        found = found["cue"]
+        assert found["model"] in cues.model_names()
     base = estimators.build(found["base"], "base")
     assert base.get_params().items() >= {k: v for k, v in found["base"].items() if k != "name"}.items()
     if "scheme" in found:

@@ -14,7 +14,10 @@ pytestmark = pytest.mark.xdist_group("pipeline")
 
 
 KEY = ["group", "row", "column"]
-TABLES = {f"table_{number:02d}" for number in range(1, 32)} | {"addition_rvm"}
+TABLES = {f"table_{number:02d}" for number in range(1, 32)} | {
+    "addition_discriminative_regions",
+    "addition_rvm",
+}
 # The small homes have too few frames for the clusters or components of these, or no sixth home.
 TOO_SMALL = {1, 2, 4, 22}
 RANDOM_TABLES = {5, 8, 11, 12, 13, *range(16, 29), 30, 31}

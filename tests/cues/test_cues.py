@@ -95,7 +95,7 @@ def test_nearest_neighbours_take_regions_and_whole_frames():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"model": "magic"}, "'magic' does not exist: use one of joint_probability, knn, one_against_all"),
+        ({"model": "magic"}, f"'magic' does not exist: use one of {', '.join(cues.model_names())}"),
         ({"model": "joint_probability", "cluster": 3}, "no setting 'cluster'; did you mean 'clusters'"),
         ({**naive_bayes(13), "base": {"name": "nave_bayes"}}, r"base\.name 'nave_bayes' does not exist"),
         ({**naive_bayes(13), "base": {"name": "kernels"}}, "'kernels' is no estimator"),

@@ -99,7 +99,13 @@ def test_combinations_are_in_the_order_that_hydra_numbers_them_in(project):
 
 
 @pytest.mark.parametrize("path", sorted((CONF / "classifier").glob("*.yaml")), ids=lambda path: path.stem)
-def test_every_classifier_goes_with_a_whole_frame(project, path):
+def test_every_classifier_goes_with_a_whole_frame_or_is_refused(project, path):
+    if path.stem == "discriminative_regions":
+        with pytest.raises(
+            PlacecatError, match="decides from salient regions, but descriptor gist is one of whole"
+        ):
+            resolved("descriptor=gist", f"classifier={path.stem}", "test_home=all")
+        return
     experiment = resolved("descriptor=gist", f"classifier={path.stem}", "test_home=all")
     on_clusters = "clusters" in experiment.settings["classifier"]
     assert experiment.seeds == ((0, 1) if on_clusters else (None,))

@@ -65,6 +65,11 @@ def check(trial):
         assert descriptor["color"] is None or descriptor["color"] in PARAMS["descriptors"]["local"]
         assert descriptor["max_regions"] <= PARAMS["regions"]["max_regions"]
     assert classifier["model"] in model_names()
+    if classifier["model"] == "discriminative_regions":
+        assert set(classifier) == {"model", "cue", "clusters", "keep"}
+        assert descriptor["kind"] == "local"
+        check(trial | {"classifier": classifier["cue"]})
+        return
     given = {"naive_bayes": {"n_values": 2}, "dependency_tree": {"n_values": 2}}
     base = classifier["base"]
     built = estimators.build(base, "base", **given.get(base["name"], {}))

@@ -42,7 +42,10 @@ def prepare(folder):
 
 
 def test_every_table_is_written_in_three_forms_with_all_other_reports(run):
-    names = {f"table_{number:02d}" for number in range(1, 32)} | {"addition_rvm"}
+    names = {f"table_{number:02d}" for number in range(1, 32)} | {
+        "addition_discriminative_regions",
+        "addition_rvm",
+    }
     written = {path.name for path in (run / paths.TABLES).iterdir()}
     assert written == {f"{name}.{ending}" for name in names for ending in ("csv", "md", "tex")}
     for path in (paths.ACCURACIES, paths.CROSS_VALIDATION, paths.IN_TEXT, paths.METRICS, paths.SUMMARY):

@@ -20,7 +20,7 @@ from placecat.cues.descriptors import Descriptors
 from placecat.cues.model import CueModel
 from placecat.errors import PlacecatError
 
-__all__ = ["Codebook", "CueModel", "Descriptors", "fit", "model_names"]
+__all__ = ["Codebook", "CueModel", "Descriptors", "fit", "model_names", "of_regions_only"]
 
 _SHARED = {"codebook", "descriptors", "model", "estimators"}
 
@@ -80,6 +80,11 @@ def fit(
         settings=options,
         where=f"classifier {classifier['model']}",
     )
+
+
+def of_regions_only(name: str) -> bool:
+    """Whether a way of deciding takes sets of regions alone, never whole frames."""
+    return bool(getattr(_load(name), "OF_REGIONS_ONLY", False))
 
 
 def _load(name: str) -> ModuleType:

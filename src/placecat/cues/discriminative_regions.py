@@ -16,6 +16,9 @@ from placecat.errors import PlacecatError
 from placecat.learning.activations import activations
 from placecat.learning.discriminative import discriminative_codewords
 
+#: Whether it decides from sets of regions alone, never from whole frames.
+OF_REGIONS_ONLY = True
+
 
 class DiscriminativeRegionsCue:
     """A cue that leaves out regions whose codeword is not among those kept."""

@@ -193,6 +193,11 @@ def _codebook(
     if hasattr(clustering, "branching"):
         check_cluster_number(clusters, clustering.branching)
     model = str(classifier["model"])
+    if descriptor["kind"] != "local" and cues.of_regions_only(model):
+        raise PlacecatError(
+            f"{_name(classifier)} decides from salient regions, but descriptor {descriptor['name']} is one of whole "
+            "frames: take a descriptor of regions, or another classifier"
+        )
     of_frames = config["cells_of_frames"]
     if descriptor["kind"] == "local" or model not in of_frames:
         usual, whose = 1, "salient regions"

@@ -92,7 +92,7 @@ def help_text(conf: Path = paths.CONF) -> str:
     )
     by_name = classifiers(conf)
     clustered, others = (
-        ", ".join(name for name, own in by_name.items() if ("clusters" in own) is wanted)
+        _listed([name for name, own in by_name.items() if ("clusters" in own) is wanted], 17)
         for wanted in (True, False)
     )
     return f"""\
@@ -110,8 +110,10 @@ Keys
                  of whole frames: {holistic}
                  Those of regions have y_pos, y_weight, color, max_regions and tracked, e.g.
                  descriptor.y_pos=false or descriptor.color=color_mv.
-  classifier     on clusters, classifier.clusters of them: {clustered}
-                 others: {others}
+  classifier     on clusters, classifier.clusters of them:
+                 {clustered}
+                 others:
+                 {others}
                  On regions those with a kernel need ++classifier.max_rows=N. Other settings have the names of
                  conf/classifier, e.g. classifier.base.alpha=0.1.
   data           {", ".join((MAIN, *splits(conf)))}; main is the data set of params.yaml, the others keep to
