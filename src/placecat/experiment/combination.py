@@ -195,8 +195,8 @@ def _codebook(
     model = str(classifier["model"])
     if descriptor["kind"] != "local" and cues.of_regions_only(model):
         raise PlacecatError(
-            f"{_name(classifier)} decides from salient regions, but descriptor {descriptor['name']} is one of whole "
-            "frames: take a descriptor of regions, or another classifier"
+            f"{_name(classifier)} decides from salient regions, but descriptor {descriptor['name']} is one "
+            "of whole frames: take a descriptor of regions, or another classifier"
         )
     of_frames = config["cells_of_frames"]
     if descriptor["kind"] == "local" or model not in of_frames:
