@@ -46,6 +46,7 @@ def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iter
 def _of(
     files: Sequence[Image], pictures: Sequence[Image], own: Options, text: str, repeats: int
 ) -> Iterator[Comparison | Limit]:
+    spent = parts(pictures, own)
     yield Comparison(
         PIECE,
         text,
@@ -54,7 +55,7 @@ def _of(
         lambda: [decoded(file) for file in files],
         at_most=7,
         repeats=repeats,
-        parts=parts(pictures, own),
+        parts=spent,
     )
     yield Limit(
         PIECE,
@@ -65,6 +66,7 @@ def _of(
             / median_seconds(lambda: [describe_frame(decoded(file), own) for file in files], repeats)
         ),
         at_least=40,
+        parts={"decoding": lambda: [decoded(file) for file in files], **spent},
     )
 
 
