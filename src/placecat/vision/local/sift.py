@@ -165,13 +165,26 @@ def _votes(
     position -= lower
     upper_part = np.multiply(position, magnitude, out=position)
     # BINS is a power of two: the mask is the remainder, of negative numbers too.
-    first = lower.astype(np.int8) & (BINS - 1)
-    second = (first + 1) & (BINS - 1)
+    first = lower.astype(np.intp)
+    first &= BINS - 1
+    second = first + 1
+    second &= BINS - 1
+    start = _starts(*position.shape)
+    first += start
+    second += start
     votes = np.zeros((*position.shape, BINS), np.float32)
-    flat, base = votes.reshape(-1), np.arange(position.size).reshape(position.shape) * BINS
-    flat[base + first] = magnitude - upper_part
-    flat[base + second] = upper_part
+    flat = votes.reshape(-1)
+    flat[first] = magnitude - upper_part
+    flat[second] = upper_part
     return votes
+
+
+@lru_cache(maxsize=8)
+def _starts(count: int, pixels: int) -> NDArray[np.intp]:
+    """Where the bins of each pixel begin, (n, pixels)."""
+    starts = np.arange(count * pixels).reshape(count, pixels) * BINS
+    starts.flags.writeable = False
+    return starts
 
 
 def _normalised(histogram: NDArray[Any]) -> NDArray[np.float32]:
