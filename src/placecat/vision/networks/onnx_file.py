@@ -49,8 +49,8 @@ def load(
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = options.inter_op_num_threads = 1
     options.use_deterministic_compute = True
-    # Errors only: they are raised, too.
-    options.log_severity_level = 3
+    # Fatal ones only: errors are raised, and become one message.
+    options.log_severity_level = 4
     try:
         session = onnxruntime.InferenceSession(path, options, providers=["CPUExecutionProvider"])
     # onnxruntime's errors have no base class of their own.
