@@ -160,3 +160,20 @@ def test_messages():
         RVM(tol=0.0).fit(X, y)
     with pytest.raises(PlacecatError, match="needs samples of both classes"):
         RVM().fit_rows(rbf_gram(X, 1.0), np.zeros(20, bool))
+
+
+def test_frames_that_are_nearly_alike():
+    # Those of a video: kernels that differ by less than float32 resolves.
+    rng = np.random.default_rng(2)
+    places = rng.normal(size=(40, 3))
+    X = np.repeat(places, 20, axis=0) + rng.normal(size=(800, 3)) * 1e-3
+    y = np.repeat(np.sin(3 * places[:, 0]) + places[:, 1] > 0, 20)
+    model = RVM(gamma=0.05).fit(X, y)
+    assert np.isfinite(model.evidence_)
+    assert model.evidence_ > RVM(gamma=0.05, max_iter=1).fit(X, y).evidence_
+    assert (model.predict(X) == y).mean() > 0.8
+
+
+def test_functions_that_are_alike_are_no_better_model():
+    mode = _laplace_mode(np.ones((2, 4)), np.array([0.0, 0.0, 1.0, 1.0]), np.full(2, 1e-20), np.zeros(2))
+    assert mode.evidence == -np.inf

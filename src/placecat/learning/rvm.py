@@ -5,7 +5,7 @@ from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.linalg import cho_factor, cho_solve, solve_triangular
+from scipy.linalg import LinAlgError, cho_factor, cho_solve, solve_triangular
 from scipy.special import expit
 from sklearn.base import BaseEstimator, ClassifierMixin
 
@@ -242,6 +242,14 @@ class _Mode:
         self.factor = factor  # lower Cholesky factor of basis' B basis + diag(alpha)
         self.evidence = evidence
 
+    @classmethod
+    def impossible(
+        cls, weights: NDArray[np.float64], alpha: NDArray[np.float64], error: NDArray[np.float64]
+    ) -> Self:
+        """A model whose functions are too alike for a posterior: no evidence for it, never kept."""
+        nothing = np.full((len(alpha), len(alpha)), np.nan)
+        return cls(weights, alpha, error, np.full(len(error), np.nan), nothing, -np.inf)
+
 
 def _basis(gram: NDArray[np.float32], active: NDArray[np.intp]) -> NDArray[np.float64]:
     """Values of basis functions at the n samples, (m, n); function n is the bias."""
@@ -275,7 +283,14 @@ def _laplace_mode(
         hessian = (rough @ rough.T).astype(np.float64)
         hessian[diagonal] += alpha
         gradient = basis @ (target - p) - alpha * weights
-        move = cho_solve(cho_factor(hessian, lower=True), gradient)
+        try:
+            factor = cho_factor(hessian, lower=True)
+        except LinAlgError:
+            # Too rough where functions are nearly alike.
+            factor = _factor(basis, p * (1.0 - p), alpha)
+            if factor is None:
+                return _Mode.impossible(weights, alpha, target - p)
+        move = cho_solve(factor, gradient)
         if float(gradient @ move) < 1e-6:
             break
         step = 1.0
@@ -289,12 +304,26 @@ def _laplace_mode(
         weights, value, f = weights + step * move, new_value, new_f
     p = expit(f)
     curvature = p * (1.0 - p)
-    scaled = basis * np.sqrt(curvature)
-    hessian = scaled @ scaled.T
-    hessian[diagonal] += alpha
-    lower = np.tril(cho_factor(hessian, lower=True)[0])
+    factor = _factor(basis, curvature, alpha)
+    if factor is None:
+        return _Mode.impossible(weights, alpha, target - p)
+    lower = np.tril(factor[0])
     evidence = -value + 0.5 * float(np.log(alpha).sum()) - float(np.log(np.diag(lower)).sum())
     return _Mode(weights, alpha, target - p, curvature, lower, evidence)
+
+
+def _factor(
+    basis: NDArray[np.float64], curvature: NDArray[np.float64], alpha: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], bool] | None:
+    """Cholesky factor of basis B basis' + diag(alpha), as of `cho_factor`; None if rounding leaves none."""
+    scaled = basis * np.sqrt(curvature)
+    hessian = scaled @ scaled.T
+    hessian[np.diag_indices(len(alpha))] += alpha
+    try:
+        factor: tuple[NDArray[np.float64], bool] = cho_factor(hessian, lower=True)
+    except LinAlgError:
+        return None
+    return factor
 
 
 class _Statistics:
