@@ -104,7 +104,8 @@ def copy_project(folder, overrides=SMALL):
     for root in SITES.values():
         draw_homes(folder / root, homes=3, frames_per_room=6)
     (folder / "reports").mkdir()
-    for name in ("benchmarks.csv", "benchmarks.json", "times.csv", "times.json"):
+    kept = ("benchmarks.csv", "benchmarks.json", "scale.csv", "scale.json", "scale_growth.csv")
+    for name in (*kept, "times.csv", "times.json"):
         shutil.copy(ROOT / "reports" / name, folder / "reports")
     for name in ("dvc.yaml", ".dvcignore", ".gitignore"):
         shutil.copy(ROOT / name, folder / name)
