@@ -71,5 +71,5 @@ class _one_thread:
         self._set(self._before)
 
     def _set(self, threads: int) -> None:
-        if self._torch.get_num_threads() != threads:
-            self._torch.set_num_threads(threads)
+        # Without asking first: where others hold OpenMP at one thread PyTorch says 1, but its MKL has more.
+        self._torch.set_num_threads(threads)

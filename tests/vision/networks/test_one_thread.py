@@ -1,0 +1,13 @@
+from types import SimpleNamespace
+
+from placecat.vision.networks.efficientnet_lite0 import _one_thread
+
+
+def test_one_thread_is_set_where_pytorch_says_so_already():
+    # Its MKL may have more: it counts for itself.
+    calls: list[int] = []
+    with _one_thread(SimpleNamespace(get_num_threads=lambda: 1, set_num_threads=calls.append)):
+        assert calls == [1]
+    with _one_thread(SimpleNamespace(get_num_threads=lambda: 4, set_num_threads=calls.append)):
+        assert calls == [1, 1, 1]
+    assert calls == [1, 1, 1, 4]
