@@ -1,8 +1,9 @@
 import numpy as np
+import pytest
 
 import made_report
 from placecat.benchmarks.comparison import Comparison, Peer
-from placecat.reporting.benchmarks import TEXT, ratios_of, shown_rows
+from placecat.reporting.benchmarks import TEXT, ratios_of, shown_rows, times
 
 
 def test_ratios_and_targets_of_comparisons_only():
@@ -47,3 +48,10 @@ def test_text_columns_are_those_of_text():
     assert {name for name in table.columns if table[name].dtype == np.float64} == set(table.columns) - set(
         TEXT
     )
+
+
+@pytest.mark.parametrize(
+    ("ratio", "text"), [(2.196, "2.2"), (46.58, "46.6"), (999.4, "999"), (1415.0, "1,415")]
+)
+def test_ratios_in_words(ratio: float, text: str):
+    assert times(ratio) == text

@@ -65,13 +65,18 @@ def shown_rows(benchmarks: pd.DataFrame) -> list[Mapping[str, Any]]:
             "theirs": _amount(row["theirs"], row["quantity"]),
             "ratio": ""
             if pd.isna(row["ratio"])
-            else f"{row['ratio']:.3g} ({row['low']:.3g} to {row['high']:.3g})",
+            else f"{times(row['ratio'])} ({times(row['low'])} to {times(row['high'])})",
             "target": row["target"],
             "met": row["met"] == "yes",
             "spent": row["spent"],
         }
         for row in benchmarks.to_dict("records")
     ]
+
+
+def times(ratio: float) -> str:
+    """A ratio in three digits, or all those before the point."""
+    return f"{ratio:,.0f}" if ratio >= 1000 else f"{ratio:.3g}"
 
 
 def _amount(value: float, quantity: str) -> str:

@@ -4,7 +4,7 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from placecat.reporting.benchmarks import Ratio, ratios_of
+from placecat.reporting.benchmarks import Ratio, ratios_of, times
 
 MET, MISSED, TARGET = "#0072b2", "#d55e00", "#222222"
 # Inches: a line of the chart, and what stands above and below the lines of a panel.
@@ -69,7 +69,7 @@ def _panel(axes: Axes, rows: list[Ratio]) -> None:
     axes.plot([one.target for one in rows], places, "|", color=TARGET, markersize=12, mew=1.8, label="target")
     for place, one in zip(places, rows, strict=True):
         axes.text(
-            1.01, place, f"{one.ratio:.3g}x", transform=axes.get_yaxis_transform(), va="center", fontsize=7
+            1.01, place, f"{times(one.ratio)}x", transform=axes.get_yaxis_transform(), va="center", fontsize=7
         )
     axes.set_yticks(places, [", ".join(filter(None, (one.piece, one.input))) for one in rows])
     axes.tick_params(axis="y", length=0)
