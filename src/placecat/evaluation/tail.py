@@ -12,9 +12,7 @@ from placecat.evaluation.bootstrap import Interval
 _NODES = 200
 
 
-def share_below(
-    units: Sequence[NDArray[np.float64]], threshold: float, *, level: float = 0.95
-) -> Interval:
+def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level: float = 0.95) -> Interval:
     """Share of the cases of all units, known and unknown, that lie at or below a threshold.
 
     A unit, e.g. a home, has several cases, e.g. the gain of each of some methods. Cases are taken as normal

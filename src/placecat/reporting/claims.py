@@ -165,11 +165,19 @@ def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
     if len({one.range[0] == BOTH_SIGNS for one in comparisons}) > 1:
         raise PlacecatError(f"{name} has {BOTH_SIGNS} beside other ranges: it is judged over all comparisons")
     readings = {str(reading): dict(parts) for reading, parts in config.get("readings", {}).items()}
-    named = {part for one in comparisons for side in one.sides for result in side.results for part in result.split("/")}
+    named = {
+        part
+        for one in comparisons
+        for side in one.sides
+        for result in side.results
+        for part in result.split("/")
+    }
     for reading, parts in readings.items():
         for part in parts:
             if part not in named:
-                raise PlacecatError(f"{name} reads {part!r} in another way ({reading}), but compares no such result")
+                raise PlacecatError(
+                    f"{name} reads {part!r} in another way ({reading}), but compares no such result"
+                )
     return Finding(
         name,
         int(config["number"]),
@@ -202,7 +210,9 @@ def _comparison(config: Mapping[str, Any], where: str) -> Comparison:
     if right is None and comparison.compare == "ratio":
         raise PlacecatError(f"a ratio of {where} has no right side")
     if side_error := next((one for one in comparison.sides if one.plain and (one.place or one.error)), None):
-        raise PlacecatError(f"{side_error.label!r} of {where} cannot be both plain and of one place or an error")
+        raise PlacecatError(
+            f"{side_error.label!r} of {where} cannot be both plain and of one place or an error"
+        )
     if kind[0] == BOTH_SIGNS and right and len(left.results) != len(right.results):
         raise PlacecatError(f"{BOTH_SIGNS} of {where} needs as many results on the right as on the left")
     return comparison

@@ -57,7 +57,9 @@ def ledger(
     for finding in read:
         judged = _judge(finding, rules, results, published)
         row = _finding_row(finding, judged, rules)
-        reason = "; ".join([row.pop("reason"), *filter(None, (results.drops(f"filtered/{one}") for one in finding.filters))])
+        reason = "; ".join(
+            [row.pop("reason"), *filter(None, (results.drops(f"filtered/{one}") for one in finding.filters))]
+        )
         for reading in readings:
             row[f"verdict_{reading}"] = ""
         details += [_comparison_row(finding, "", one) for one in judged]

@@ -11,7 +11,6 @@ from placecat.evaluation.bootstrap import Interval, paired_bootstrap
 from placecat.reporting.claims import Side
 from placecat.reporting.results import Measured, Results
 
-
 Statistic = Callable[[Sequence[NDArray[np.float64]]], NDArray[np.float64]]
 
 

@@ -125,7 +125,9 @@ def pool(results: Results, sides: Sequence[Side]) -> Pooled:
             raise NotComputable(f"no test sequence shows the place {side.place}")
     return Pooled(
         used,
-        tuple(np.stack([_right(by_stay[name], first.homes, seeds) for name in side.results]) for side in used),
+        tuple(
+            np.stack([_right(by_stay[name], first.homes, seeds) for name in side.results]) for side in used
+        ),
         shown.sum(axis=1),
         np.searchsorted(there, shown.argmax(axis=1)),
         places,

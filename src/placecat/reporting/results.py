@@ -80,7 +80,7 @@ class Results:
         The same results of further data sets by stay: a stay, a visit to a place, is a "home" here, with
         frames of a single place.
     dropped
-        Name of an information filter to what it drops, see :func:`placecat.fusion.information_filter.dropped`:
+        Name of an information filter to what it drops (:func:`placecat.fusion.information_filter.dropped`):
         columns home, threshold, frames, dropped, labelled, dropped_labelled.
     """
 
