@@ -15,6 +15,7 @@ from placecat.evaluation.protocol import NO_SEED
 
 SCORE_COLUMNS = ["result", "home", "seed", "truth", "decision", "frames"]
 MISSING_COLUMNS = ["result", "home", "reason"]
+DROPPED_COLUMNS = ["filter", "home", "threshold", "frames", "dropped", "labelled", "dropped_labelled"]
 
 
 @dataclass(frozen=True)

@@ -11,10 +11,9 @@ from numpy.typing import NDArray
 from placecat import files, listing, parallel, paths, settings
 from placecat.evaluation import protocol
 from placecat.fusion.information_filter import check, dropped, hold, threshold_of
+from placecat.reporting.results import DROPPED_COLUMNS
 from placecat.stages import run
 
-# Of dropped.csv: how many frames of a test home each filter drops.
-COLUMNS = ["filter", "home", "threshold", "frames", "dropped", "labelled", "dropped_labelled"]
 # What smoothing needs of a filtered result besides the frames of the test home: it is not filtered.
 STATISTICS = ("cross_validated", "cross_validated_truth")
 
@@ -51,7 +50,7 @@ def main() -> None:
             for name, home in thresholds
         ]
         folder.mkdir(parents=True, exist_ok=True)
-        files.write_csv(folder / "dropped.csv", pd.DataFrame(rows, columns=COLUMNS))
+        files.write_csv(folder / "dropped.csv", pd.DataFrame(rows, columns=DROPPED_COLUMNS))
 
 
 def _threshold(options: Mapping[str, Any], training: Sequence[str]) -> float:
