@@ -80,11 +80,11 @@ def _judge(finding: Finding, rules: Rules, results: Results, published: Publishe
 
 def _finding_row(finding: Finding, judged: Sequence[Judged], rules: Rules) -> dict[str, Any]:
     verdict, reasons = combine([one.verdict for one in judged]), []
-    if about_cases := all(one.claimed is None for one in judged):
-        measured = [one.measurement for one in judged if one.measurement]
-        if measured:
-            verdict, reason = judge_cases(measured, rules)
-            reasons.append(reason)
+    about_cases = all(one.claimed is None for one in judged)
+    measured = [one.measurement for one in judged if one.measurement]
+    if about_cases and measured:
+        verdict, reason = judge_cases(measured, rules)
+        reasons.append(reason)
     candidates = judged if about_cases else [one for one in judged if one.verdict == verdict]
     shown = min(candidates, key=_margin, default=judged[0])
     if len(judged) > 1:
@@ -94,7 +94,7 @@ def _finding_row(finding: Finding, judged: Sequence[Judged], rules: Rules) -> di
             level = percent(corrected_level(rules.level, len(judged)))
             listed += f", allowing for {len(judged)} comparisons (Bonferroni: {level} intervals)"
         reasons.append(f"of {len(judged)} comparisons: {listed}; shown is {_names(shown.comparison)}")
-    if len(judged) == 1 or not about_cases:
+    if not (about_cases and measured):
         reasons.append(shown.reason)
     return {
         "number": finding.number,
