@@ -30,9 +30,7 @@ def combinations(settings: Mapping[str, Sequence[Any]]) -> list[dict[str, Any]]:
     >>> combinations({"scaling": ["standard"], "gamma_scale": [1.0, 2.0]})
     [{'scaling': 'standard', 'gamma_scale': 1.0}, {'scaling': 'standard', 'gamma_scale': 2.0}]
     """
-    return [
-        dict(zip(settings, values, strict=True)) for values in itertools.product(*settings.values())
-    ]
+    return [dict(zip(settings, values, strict=True)) for values in itertools.product(*settings.values())]
 
 
 def changed(config: Mapping[str, Any], overrides: Mapping[str, Any], where: str) -> dict[str, Any]:
@@ -66,8 +64,8 @@ def choose(table: pd.DataFrame, margin: float) -> pd.DataFrame:
     Parameters
     ----------
     table
-        Columns `COLUMNS`; ``accuracy`` (percent) and ``log_loss`` are means over training homes that the model
-        has not seen. ``test_accuracy`` and ``test_log_loss`` are not looked at.
+        Columns `COLUMNS`; ``accuracy`` (percent) and ``log_loss`` are means over training homes that the
+        model has not seen. ``test_accuracy`` and ``test_log_loss`` are not looked at.
     margin
         Candidates whose mean accuracy is within so many points of the best count as equally good; of them
         the one with the least log-loss is taken, and of equal ones the first.
@@ -75,8 +73,8 @@ def choose(table: pd.DataFrame, margin: float) -> pd.DataFrame:
     Returns
     -------
     DataFrame
-        One row a candidate: kind, name, candidate, accuracy, log_loss, chosen; every data set weighs the same,
-        and in it every test home.
+        One row a candidate: kind, name, candidate, accuracy, log_loss, chosen; every data set weighs the
+        same, and in it every test home.
     """
     keys = ["kind", "name", "candidate"]
     numbers = ["accuracy", "log_loss"]

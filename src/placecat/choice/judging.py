@@ -88,9 +88,7 @@ def judge_system(
     (*kept,) = (home for home in fold.integration_homes if home not in fold.cue_homes)
     labels = {home: listing.read_labels(home) for home in (*fold.cue_homes, *kept, fold.test)}
     chosen = protocol.select_training({home: labels[home] for home in fold.cue_homes}, **frames)
-    places = [
-        listing.seeded(paths.CUES / cue / fold.scheme / fold.test, seed) for cue in system["cues"]
-    ]
+    places = [listing.seeded(paths.CUES / cue / fold.scheme / fold.test, seed) for cue in system["cues"]]
 
     def read(array: str) -> NDArray[np.float64]:
         parts = [files.read_array(place / f"{array}.npy", memory_map=False) for place in places]
