@@ -46,6 +46,7 @@ PARAMS = {
         "hog_y": {
             "codebook": "hog_y",
             "schemes": ["5-5-1", "4-5-1"],
+            "cross_validate": True,
             "extra": True,
             "classifier": {
                 "model": "joint_probability",
@@ -56,12 +57,14 @@ PARAMS = {
         "hog_y_knn": {
             "codebook": "hog_y",
             "schemes": ["5-5-1"],
+            "cross_validate": False,
             "extra": False,
             "classifier": {"model": "knn", "base": {"name": "knn"}, "clusters": 13},
         },
         "gist_tree": {
             "codebook": "gist_cells",
             "schemes": ["5-5-1"],
+            "cross_validate": False,
             "extra": False,
             "classifier": {
                 "model": "joint_probability",
@@ -73,6 +76,7 @@ PARAMS = {
             "codebook": None,
             "descriptor": {"kind": "holistic", "name": "gist"},
             "schemes": ["5-5-1", "4-5-1"],
+            "cross_validate": True,
             "extra": True,
             "classifier": {
                 "model": "one_against_all",
@@ -86,6 +90,7 @@ PARAMS = {
     "systems": {
         "das": {
             "scheme": "5-5-1",
+            "temperature": False,
             "extra": False,
             "cues": ["hog_y", "gist"],
             "integrator": {
@@ -100,6 +105,7 @@ PARAMS = {
         },
         "das_451": {
             "scheme": "4-5-1",
+            "temperature": True,
             "extra": False,
             "cues": ["hog_y", "gist"],
             "integrator": {
@@ -114,6 +120,7 @@ PARAMS = {
         },
         "vote": {
             "scheme": "5-5-1",
+            "temperature": False,
             "extra": True,
             "cues": ["hog_y", "gist"],
             "integrator": {"method": "vote_distribution"},

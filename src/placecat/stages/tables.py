@@ -13,12 +13,9 @@ from placecat.reporting.latex import table_latex
 from placecat.reporting.markdown import table_markdown
 from placecat.reporting.metrics import chosen_averages, nested_metrics, plot_data
 from placecat.reporting.results import Results
-from placecat.reporting.sources import sources
 from placecat.reporting.tables import dataset_of, fill_table, tables_of
 from placecat.stages import run
 
-# Results whose models were judged on training homes, in facts.json beside their distributions.
-TRAINED = ("cues/", "integration/")
 FORMS = ("csv", "md", "tex")
 
 
@@ -39,7 +36,6 @@ def main() -> None:
             if name not in filled:
                 _keep(name, folder)
     files.write_csv(paths.ACCURACIES, results.accuracy_table())
-    files.write_csv(paths.CROSS_VALIDATION, _cross_validation(params))
     files.write_csv(paths.IN_TEXT, _in_text(params, results))
     files.write_json(paths.METRICS, nested_metrics(filled))
     files.write_json(paths.SUMMARY, chosen_averages(results, settings.get(params, "metrics")))
@@ -60,21 +56,6 @@ def _in_text(params: dict[str, Any], results: Results) -> pd.DataFrame:
     entries = settings.get(params, "in_text")
     published = files.read_table(paths.PUBLISHED_TEXT, ["name", "section", "quantity", "home", "quote"])
     return in_text(entries, results, published, settings.get(params, "dataset"))
-
-
-def _cross_validation(params: dict[str, Any]) -> pd.DataFrame:
-    """Accuracy on training homes that the model in question did not see: what settings may be chosen by."""
-    rows = [
-        (name, test, seed, home, accuracy)
-        for name, source in sources(params).items()
-        if name.startswith(TRAINED)
-        for test in source.homes
-        for seed in source.seeds()
-        for home, accuracy in files.read_json(source.folder / test / seed / "facts.json")
-        .get("cross_validated_accuracy", {})
-        .items()
-    ]
-    return pd.DataFrame(rows, columns=["result", "test_home", "seed", "training_home", "accuracy"])
 
 
 if __name__ == "__main__":
