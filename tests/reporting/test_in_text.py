@@ -71,7 +71,7 @@ def test_results_below_a_name_are_compared_pair_by_pair():
 
 
 def test_the_error_on_the_last_class_is_compared_as_a_ratio():
-    errors = [100 - RESULTS.of(f"toy/{scheme}").by_class()[:, 0, 4] for scheme in ("sequential", "parallel")]
+    errors = [100 - RESULTS.of(f"toy/last/{scheme}").by_home()[:, 0] for scheme in ("sequential", "parallel")]
     line = fill().loc[("toy_problem", "error on the last class, sequential / parallel", "")]
     assert line["measured"] == pytest.approx((errors[0] / errors[1]).mean(), abs=0.005)
     assert line["published"] == 3
@@ -79,12 +79,18 @@ def test_the_error_on_the_last_class_is_compared_as_a_ratio():
     assert "compare" not in line["note"]
 
 
+def test_the_accuracy_on_the_toy_problem_is_that_of_all_points():
+    line = fill().loc[("toy_problem", "parallel scheme", "")]
+    assert line["measured"] == pytest.approx(RESULTS.of("toy/parallel").plain().mean(), abs=0.005)
+
+
 def test_no_error_gives_no_ratio():
     results = made()
-    results.measured["toy/parallel"].confusion[:, :, 4, :4] = 0
+    confusion = results.measured["toy/last/parallel"].confusion
+    confusion *= np.eye(confusion.shape[-1], dtype=int)
     line = fill(results).loc[("toy_problem", "error on the last class, sequential / parallel", "")]
     assert np.isnan(line["measured"])
-    assert line["note"].startswith("toy/parallel makes no error on around")
+    assert line["note"].startswith("toy/last/parallel makes no error")
 
 
 def test_on_other_data_numbers_do_not_compare():

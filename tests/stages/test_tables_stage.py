@@ -3,9 +3,8 @@
 import pandas as pd
 import pytest
 
-from made_results import PARAMS, ROOT, made
-from placecat import files, paths
-from placecat.reporting.results import MISSING_COLUMNS, SCORE_COLUMNS, score_rows
+from made_results import PARAMS, ROOT, made, write_scores
+from placecat import paths
 from placecat.stages import tables
 from project import contents
 
@@ -30,18 +29,16 @@ def prepare(folder):
     paths.PARAMS.write_text((ROOT / "params.yaml").read_text())
     results = made()
     del results.measured[LOST[0]]
-    rows = [row for name, one in results.measured.items() for row in score_rows(name, one)]
-    paths.SCORES.mkdir()
-    files.write_csv(paths.SCORES / "scores.csv", pd.DataFrame(rows, columns=SCORE_COLUMNS))
-    reasons = [(LOST[0], home, "too few frames") for home in ("home_1", "home_6")]
-    files.write_csv(paths.SCORES / "missing.csv", pd.DataFrame(reasons, columns=MISSING_COLUMNS))
+    write_scores(paths.SCORES, results, [(LOST[0], home, "too few frames") for home in ("home_1", "home_6")])
 
 
 def test_every_table_is_written_in_three_forms_with_all_other_reports(run):
     names = {f"table_{number:02d}" for number in range(1, 32)} | {
         "addition_as_printed",
         "addition_discriminative_regions",
+        "addition_filter",
         "addition_rvm",
+        "addition_toy",
     }
     written = {path.name for path in (run / paths.TABLES).iterdir()}
     assert written == {f"{name}.{ending}" for name in names for ending in ("csv", "md", "tex")}

@@ -30,6 +30,8 @@ def read_results(params: Mapping[str, Any]) -> Results:
         settings.get(params, "dataset.homes"),
         settings.get(params, "dataset.classes"),
         [*others, NAMES],
+        _read("stays"),
+        files.read_table(paths.SCORES / "dropped.csv", ["filter", "home"]),
     )
 
 

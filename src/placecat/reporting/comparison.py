@@ -4,8 +4,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from placecat import settings
 from placecat.errors import PlacecatError
 from placecat.evaluation.trials import AXES
@@ -23,7 +21,7 @@ from placecat.reporting.number import (
 from placecat.reporting.results import Results
 
 DIFFERENCE = "difference"
-SETTINGS = ["homes", "variant", "baseline", "label", "summary", "error_ratio"]
+SETTINGS = ["homes", "variant", "baseline", "label", "summary", "error_ratio", "plain"]
 
 
 class Line(NamedTuple):
@@ -44,7 +42,8 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
         numbers from 1 of homes to show besides the average, or None for results that are not of the main data
         set; of pairs of trials ``label``, what to call each by the labels of its axes, e.g. "{column}
         clusters", and ``summary`` of their differences, "mean" or "lowest"; ``error_ratio``, with
-        ``quantity`` and ``place``.
+        ``quantity``, ``variant`` and ``baseline``, two more results; ``plain``, whether the share of all
+        frames counts, of results that are not of the main data set.
     where
         What messages call the entry.
 
@@ -65,7 +64,7 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
     differences: dict[str, Number] = {}
     for label, left, right in _pairs(entry, results, where):
         prefix = f"{label}: " if label else ""
-        for home, of_variant, of_baseline in _in_homes(left, right, entry["homes"], results):
+        for home, of_variant, of_baseline in _in_homes(left, right, entry, results):
             difference = of_variant.minus(of_baseline)
             lines += [
                 Line(prefix + variant["quantity"], home, of_variant),
@@ -78,7 +77,7 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
         lines.append(_summary(str(entry["summary"]), differences, where))
     if entry.get("error_ratio"):
         ratio = entry["error_ratio"]
-        number = _error_ratio(results, variant["result"], baseline["result"], ratio["place"])
+        number = _error_ratio(results, ratio["variant"], ratio["baseline"])
         lines.append(Line(ratio["quantity"], "", number))
     return lines
 
@@ -97,11 +96,13 @@ def _pairs(entry: Mapping[str, Any], results: Results, where: str) -> list[tuple
 
 
 def _in_homes(
-    variant: str, baseline: str, homes: Sequence[int] | None, results: Results
+    variant: str, baseline: str, entry: Mapping[str, Any], results: Results
 ) -> list[tuple[str, Number, Number]]:
-    """Label of a home and both numbers: in each of `homes`, and on average."""
+    """Label of a home and both numbers: in each of the entry's homes, and on average."""
+    homes: Sequence[int] | None = entry["homes"]
     if homes is None:
-        return [("", _whole(results, variant), _whole(results, baseline))]
+        plain = bool(entry.get("plain"))
+        return [("", _whole(results, variant, plain), _whole(results, baseline, plain))]
     pair = (variant, baseline)
     tried = [n for n in range(1, len(results.homes) + 1) if all(_was_tried(results, one, n) for one in pair)]
     both = [n for n in tried if all(len(in_home(results, one, n).values) for one in pair)]
@@ -125,10 +126,10 @@ def _was_tried(results: Results, name: str, number: int) -> bool:
     return (name, home) in results.missing or (one is not None and home in one.homes)
 
 
-def _whole(results: Results, name: str) -> Number:
+def _whole(results: Results, name: str, plain: bool) -> Number:
     """Mean over all homes of a result that is not of the main data set."""
     one = results.of(name)
-    return Number(one.by_home().mean(axis=1), one.is_random)
+    return Number((one.plain() if plain else one.by_home()).mean(axis=1), one.is_random)
 
 
 def _summary(kind: str, differences: Mapping[str, Number], where: str) -> Line:
@@ -150,11 +151,9 @@ def _lowest(differences: Mapping[str, Number]) -> Number:
     return replace(there[label], note=joined([f"that of {label}", there[label].note]))
 
 
-def _error_ratio(results: Results, variant: str, baseline: str, place: str) -> Number:
-    """How many times larger the share of a place's frames is that one result decides wrongly."""
-    errors = []
-    for one in (results.of(variant), results.of(baseline)):
-        errors.append(100.0 - np.nanmean(one.by_class()[:, :, one.classes.index(place)], axis=1))
+def _error_ratio(results: Results, variant: str, baseline: str) -> Number:
+    """How many times larger the share of frames is that one result decides wrongly."""
+    errors = [100.0 - results.of(name).by_home().mean(axis=1) for name in (variant, baseline)]
     if (errors[1] <= 0).any():
-        return nothing(f"{baseline} makes no error on {place}")
+        return nothing(f"{baseline} makes no error")
     return Number(errors[0] / errors[1], results.of(variant).is_random)

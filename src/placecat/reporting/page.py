@@ -27,6 +27,7 @@ from placecat.reporting.summary import (
     WU_SIFT,
     count_verdicts,
     headlines,
+    readings_of,
 )
 from placecat.reporting.tables import comparable
 
@@ -133,7 +134,7 @@ class Report:
         spread, seeds, note.
     findings
         From :func:`placecat.reporting.findings.ledger`: number, section, claim, published, measured,
-        difference, low, high, units, verdict, reason.
+        difference, low, high, units, verdict, one ``verdict_...`` a reading, reason.
     comparisons
         From there too; shown without the names of the results.
     settings
@@ -174,6 +175,10 @@ def page_html(report: Report) -> str:
             wu={"frames": WU_FRAMES, "filtered": WU_FILTERED, "sift": WU_SIFT},
             verdicts=count_verdicts(report.findings),
             findings=_records(report.findings),
+            readings=[
+                {"column": column, "name": name.replace("_", " ")}
+                for column, name in readings_of(report.findings).items()
+            ],
             interval_limit=_interval_limit(report.findings),
             comparisons=_plain(
                 report.comparisons.drop(columns=["left_results", "right_results"], errors="ignore")

@@ -36,7 +36,9 @@ def tables_of(params: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
 
 
 def dataset_of(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, Any]:
-    """The data set that a table is measured on: the main one, or its split's with the test sequences."""
+    """What a table is measured on: the main data set, its split's with the test sequences, or other data."""
+    if "data" in table:
+        return settings.get(params, "dataset") | {"title": table["data"], "thesis_data": None}
     if "split" not in table:
         return dict(settings.get(params, "dataset"))
     split = settings.get(params, f"splits.{table['split']}")

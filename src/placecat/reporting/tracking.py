@@ -1,6 +1,6 @@
 """MLflow: a run a table with nested runs for its rows; running again never duplicates one.
 
-Tags: ``placecat.kind`` is table, row or figures; ``placecat.table`` the name of the table;
+Tags: ``placecat.kind`` is table, row, figures or findings; ``placecat.table`` the name of the table;
 ``placecat.digest`` the checksum of all that a table shows; ``placecat.current`` is "true" for what holds
 now. A run counts only if it is current and FINISHED. The order of writing: the run of the table and every
 row, their end; then what they supersede is no longer current; then the rows are, and last the run of the
@@ -75,7 +75,7 @@ class TableRun:
     files
         As for a row.
     kind
-        "table", or "figures" for the one run that is none.
+        "table", or "figures" and "findings" for the two runs that are none.
     """
 
     name: str

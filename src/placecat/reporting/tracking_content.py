@@ -15,6 +15,7 @@ from placecat.reporting.confusion import confusion_rows, decisions_of, pooled_ro
 from placecat.reporting.markdown import table_markdown
 from placecat.reporting.number import AVERAGE
 from placecat.reporting.results import Measured, Results, score_rows
+from placecat.reporting.summary import VERDICTS, readings_of
 from placecat.reporting.tables import comparable, label
 from placecat.reporting.tracking import RUN_ID, RowRun, TableRun
 
@@ -125,6 +126,41 @@ def figures_run(folder: Path) -> TableRun:
         description=_cut(_FIGURES + "\n".join(lines)),
         files=lambda temporary: drawn,
         kind="figures",
+    )
+
+
+def findings_run(findings: Path, comparisons: Path) -> TableRun:
+    """The ledger of findings as one run: a metric a verdict, and the verdicts of each reading.
+
+    Parameters
+    ----------
+    findings, comparisons
+        The files that the stage `findings` wrote.
+    """
+    table = files.read_table(findings, ["claim"])
+    readings = readings_of(table)
+    names = [name.replace("_", " ") for name in readings.values()]
+    lines = [
+        "| " + " | ".join(["No.", "Finding", "Verdict", *names]) + " |",
+        "|---:" + "|---" * (2 + len(names)) + "|",
+    ]
+    for one in table.fillna("").to_dict("records"):
+        cells = [str(one[column]) for column in ("number", "claim", "verdict", *readings)]
+        lines.append("| " + " | ".join(cells) + " |")
+    metrics = {
+        key(name, verdict): float((table[column] == verdict).sum())
+        for column, name in ({"verdict": "as_used"} | readings).items()
+        for verdict in VERDICTS
+    }
+    return TableRun(
+        name="findings",
+        title="Findings of the thesis",
+        content="\n".join(path.read_text(encoding="utf-8") for path in (findings, comparisons)),
+        params={"findings": str(len(table))},
+        metrics=metrics,
+        description=_cut("\n".join(lines) + "\n"),
+        files=lambda temporary: [findings, comparisons],
+        kind="findings",
     )
 
 
