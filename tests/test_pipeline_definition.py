@@ -195,7 +195,8 @@ def settings_in_code():
                 options = {key: value for key, value in classifier[part].items() if key != "name"}
                 given = {"n_values", "n_jobs", "base", "codebook", "n_clusters", "seed"}
                 yield f"{path.stem}.{part}", options, estimator, given
-    given = {"proba", "sequences", "training_sequences", "training_proba", "training_truth", "n_classes"}
+    given = {"proba", "sequences", "frame_rate", "n_classes"}
+    given |= {f"training_{part}" for part in ("sequences", "frame_rates", "proba", "truth")}
     lists = ("cues", "filtered")
     smoothing = {name: value for name, value in params["smoothing"].items() if name not in lists}
     yield "toy.points", params["toy"]["points"], toy_circles, {"n", "seed"}

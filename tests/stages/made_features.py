@@ -180,7 +180,7 @@ PARAMS = {
         }
     },
     "smoothing": {
-        "delay_step": 0.2,
+        "delay_seconds": 1.0,
         "evidence": "soft",
         "reliability": "hard",
         "transition_counts": 1.0,

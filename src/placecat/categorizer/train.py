@@ -113,13 +113,16 @@ def train(
         **system["integrator"],
     )
     assert trained.cross_validated is not None
-    walks = [
-        listing.read_labels(home)[part]
-        for home in fold.integration_homes
-        for part in listing.sequence_slices(home)
-    ]
+    walks, frame_rates = listing.walks(fold.integration_homes)
     options = {key: value for key, value in params["smoothing"].items() if key not in ("cues", "filtered")}
-    model = smoothing.fit(walks, trained.cross_validated, trained.truth, len(classes), **options)
+    model = smoothing.fit(
+        walks,
+        trained.cross_validated,
+        trained.truth,
+        len(classes),
+        training_frame_rates=frame_rates,
+        **options,
+    )
     return TrainedSystem(
         card=_card(params, name, fold, seed, {home: len(rows) for home, (rows, _) in chosen.items()}),
         vision=_vision(params, cues),
