@@ -10,6 +10,7 @@ from placecat.evaluation.trials import expand
 from placecat.learning.toy_circles import NAMES
 from placecat.reporting.results import NO_SEED, Measured, Results
 from placecat.reporting.sources import sources
+from placecat.reporting.tables import contradictions_of
 
 ROOT = Path(__file__).resolve().parents[1]
 PARAMS = yaml.safe_load((ROOT / "params.yaml").read_text())
@@ -50,6 +51,13 @@ def published():
     """The published cells, as the stage reads them."""
     text = dict.fromkeys(("group", "row", "column"), str)
     return pd.read_csv(ROOT / "data/thesis/published_tables.csv", dtype=text).fillna(dict.fromkeys(text, ""))
+
+
+def contradictions():
+    """Notes on published cells, as the stage reads them."""
+    text = dict.fromkeys(("group", "row", "column", "note"), str)
+    table = pd.read_csv(ROOT / "data/thesis/contradictions.csv", dtype=text).fillna("")
+    return contradictions_of(table)
 
 
 def published_text():

@@ -14,7 +14,7 @@ from placecat.reporting.markdown import table_markdown
 from placecat.reporting.metrics import chosen_averages, nested_metrics, plot_data
 from placecat.reporting.results import Results
 from placecat.reporting.sources import sources
-from placecat.reporting.tables import dataset_of, fill_table, tables_of
+from placecat.reporting.tables import contradictions_of, dataset_of, fill_table, tables_of
 from placecat.stages import run
 
 # Results whose models were judged on training homes, in facts.json beside their distributions.
@@ -27,11 +27,13 @@ def main() -> None:
     params = settings.load()
     results = read_results(params)
     published = files.read_table(paths.PUBLISHED, ["group", "row", "column"])
+    notes = files.read_table(paths.CONTRADICTIONS, ["group", "row", "column", "note"])
+    contradictions = contradictions_of(notes)
     filled = {}
     with files.replacing(paths.TABLES) as folder:
         for name, table in tables_of(params).items():
             dataset = dataset_of(table, params)
-            filled[name] = fill_table(table, results, published, dataset)
+            filled[name] = fill_table(table, results, published, dataset, contradictions)
             files.write_csv(folder / f"{name}.csv", filled[name])
             files.write_text(folder / f"{name}.md", table_markdown(table, filled[name], dataset))
             files.write_text(folder / f"{name}.tex", table_latex(table, filled[name], dataset))
