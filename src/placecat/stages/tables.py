@@ -7,7 +7,7 @@ from typing import Any
 import pandas as pd
 
 from placecat import files, paths, settings
-from placecat.reporting.collect import read_results
+from placecat.reporting.collect import read_records, read_results
 from placecat.reporting.in_text import in_text
 from placecat.reporting.latex import table_latex
 from placecat.reporting.markdown import table_markdown
@@ -60,8 +60,15 @@ def _keep(name: str, folder: Path) -> None:
 
 def _in_text(params: dict[str, Any], results: Results) -> pd.DataFrame:
     entries = settings.get(params, "in_text")
-    published = files.read_table(paths.PUBLISHED_TEXT, ["name", "section", "quantity", "home", "quote"])
-    return in_text(entries, results, published, settings.get(params, "dataset"))
+    text = ["name", "section", "quantity", "home", "quote", "note"]
+    return in_text(
+        entries,
+        results,
+        files.read_table(paths.PUBLISHED_TEXT, text),
+        settings.get(params, "dataset"),
+        {name: own["dataset"] for name, own in settings.get(params, "splits").items()},
+        read_records(params),
+    )
 
 
 def _cross_validation(params: dict[str, Any]) -> pd.DataFrame:
