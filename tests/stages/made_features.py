@@ -21,6 +21,7 @@ PARAMS = {
         "cue_frames": {"offset": 0, "step": 3},
         "integration_frames": {"offset": 1, "step": 3},
     },
+    "region_variants": {"frames": {"offset": 0, "step": 3}, "descriptors": ["hog"], "variants": {}},
     "codebooks": {
         "hog_y": {
             "descriptor": {

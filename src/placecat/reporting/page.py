@@ -1,7 +1,7 @@
 """The report: one self-contained HTML page with every table, figure, finding and setting."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import pandas as pd
@@ -10,6 +10,7 @@ from markupsafe import Markup, escape
 from placecat.reporting.benchmarks import shown_rows
 from placecat.reporting.embed import embed
 from placecat.reporting.grid import (
+    Cell,
     homes_sentence,
     make_cell,
     make_grid,
@@ -289,7 +290,7 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
             {
                 "quantity": record["quantity"],
                 "home": record["home"],
-                "cell": make_cell(*(record[key] for key in ("measured", "published", "spread", "seeds"))),
+                "cell": _cell_of_text(record),
                 "note": "; ".join(own_notes(record["note"])),
             }
             for record in part.to_dict("records")
@@ -297,6 +298,18 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
         section = part["section"].iloc[0]
         entries.append({"name": str(name).replace("_", " "), "section": section, "rows": rows})
     return entries
+
+
+def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
+    """The cell of a number in the text; one that is no percentage may have more decimals than two."""
+    cell = make_cell(*(record[key] for key in ("measured", "published", "spread", "seeds")))
+    values = [value for value in (record["measured"], record["published"]) if pd.notna(value)]
+    if all(value == round(value, 2) for value in values):
+        return cell
+    measured, published = (
+        "" if pd.isna(record[key]) else f"{record[key]:.5f}" for key in ("measured", "published")
+    )
+    return replace(cell, measured=measured, published=published, difference=None)
 
 
 def _records(table: pd.DataFrame) -> list[dict[str, Any]]:

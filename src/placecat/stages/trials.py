@@ -88,7 +88,7 @@ def run_together(
     truth = np.concatenate([labels[home][chosen[home]] for home in fold.cue_homes])
     home_of_frame = np.concatenate([np.full(len(chosen[home]), home) for home in fold.cue_homes])
     train = store.read_training(fold.cue_homes, descriptor, chosen)
-    scored = np.flatnonzero(labels[fold.test] >= 0)
+    scored = store.described(fold.test, descriptor, np.flatnonzero(labels[fold.test] >= 0))
     test = store.read_descriptors(fold.test, descriptor, scored)
     codebook = None
     if seed is not None:
