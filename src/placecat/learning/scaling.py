@@ -10,7 +10,7 @@ from placecat.errors import PlacecatError
 from placecat.learning.kernels import check_samples
 from placecat.learning.products import squared_lengths
 
-KINDS = ("none", "minmax", "standard", "distance", "unit")
+KINDS = ("none", "minmax", "standard", "root", "distance", "unit")
 
 
 class KernelScaling(TransformerMixin, BaseEstimator):
@@ -22,6 +22,8 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     - ``none``: x as it is.
     - ``minmax``: each dimension to [0, 1] on the training data; the mean depends on the data.
     - ``standard``: each dimension to mean 0 and variance 1 / D; mean 2 n / (n - 1).
+    - ``root``: each dimension to mean 0 and divided by the root of its deviation, halfway between ``standard``
+      and ``distance``; then as ``distance``; mean 1.
     - ``distance``: all of x minus the mean, divided by the root of that mean; mean 1. Keeps the dimensions'
       relative weight.
     - ``unit``: each sample to Euclidean length 1 (a zero sample stays zero); at most 4.
@@ -84,7 +86,7 @@ class KernelScaling(TransformerMixin, BaseEstimator):
         if self.kind == "minmax":
             low, high = samples.min(axis=0).astype(np.float64), samples.max(axis=0).astype(np.float64)
             self.offset_, self.factor_ = low, _inverse(high - low, np.maximum(abs(low), abs(high)))
-        elif self.kind in ("standard", "distance"):
+        elif self.kind in ("standard", "root", "distance"):
             mean = samples.mean(axis=0, dtype=np.float64)
             deviation = samples.std(axis=0, dtype=np.float64)
             self.offset_ = mean
@@ -93,7 +95,10 @@ class KernelScaling(TransformerMixin, BaseEstimator):
                 self.factor_ = inverse / np.sqrt(float(max(int(np.count_nonzero(inverse)), 1)))
             else:
                 n = len(samples)
-                mean_square = 2.0 * n / (n - 1) * float((deviation**2).sum()) if n > 1 else 0.0
+                if self.kind == "root":
+                    self.factor_ = np.sqrt(_inverse(deviation, abs(mean)))
+                spread = float(((deviation * self.factor_) ** 2).sum())
+                mean_square = 2.0 * n / (n - 1) * spread if n > 1 else 0.0
                 self.factor_ *= 1.0 / np.sqrt(mean_square) if mean_square > 0 else 1.0
         self.factor_ *= np.sqrt(self.gamma_scale)
         return self

@@ -97,6 +97,8 @@ def _rejected(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
         path = paths.features(home) / "information.npy"
         information = files.read_array(path)[listing.read_labels(home) >= 0]
         for name, options in settings.get(params, "filters").items():
+            if options["threshold"] is None:
+                continue
             for value in information[information < options["threshold"]]:
                 yield {"filter": name, "home": home, "information": float(value)}
 
