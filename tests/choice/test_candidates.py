@@ -44,8 +44,12 @@ def test_what_happened_in_test_homes_is_not_looked_at():
 
 
 def test_candidates():
-    settings = {"classifier.scaling": ["standard", "distance"], "temperature": [False]}
-    candidates = combinations(settings)
+    grids = [
+        {"classifier.scaling": ["standard", "distance"], "temperature": [False]},
+        {"temperature": [True]},
+    ]
+    *candidates, last = combinations(grids)
+    assert label(last) == "temperature=True"
     assert [label(one) for one in candidates] == [
         "scaling=standard, temperature=False",
         "scaling=distance, temperature=False",

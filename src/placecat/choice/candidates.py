@@ -22,15 +22,17 @@ COLUMNS = [
 ]
 
 
-def combinations(settings: Mapping[str, Sequence[Any]]) -> list[dict[str, Any]]:
-    """List every combination of the values of some settings, the last setting fastest.
+def combinations(grids: Sequence[Mapping[str, Sequence[Any]]]) -> list[dict[str, Any]]:
+    """List every combination of the values of each grid, the last setting fastest.
 
     Examples
     --------
-    >>> combinations({"scaling": ["standard"], "gamma_scale": [1.0, 2.0]})
+    >>> combinations([{"scaling": ["standard"], "gamma_scale": [1.0, 2.0]}])
     [{'scaling': 'standard', 'gamma_scale': 1.0}, {'scaling': 'standard', 'gamma_scale': 2.0}]
     """
-    return [dict(zip(settings, values, strict=True)) for values in itertools.product(*settings.values())]
+    return [
+        dict(zip(grid, values, strict=True)) for grid in grids for values in itertools.product(*grid.values())
+    ]
 
 
 def changed(config: Mapping[str, Any], overrides: Mapping[str, Any], where: str) -> dict[str, Any]:

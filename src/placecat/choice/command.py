@@ -41,10 +41,11 @@ def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
     if isinstance(margin, bool) or not isinstance(margin, int | float) or not 0 <= margin < 100:
         raise PlacecatError(f"{path}: margin is {margin!r}; give points of accuracy, 0 or more")
     for kind in ("cues", "systems"):
-        settings.refuse_unknown(content[kind], ["names", "settings"], f"{path}: {kind}")
-        for name, values in settings.get(content[kind], "settings").items():
-            if not isinstance(values, list) or not values:
-                raise PlacecatError(f"{path}: {kind} needs a list of values for {name}")
+        settings.refuse_unknown(content[kind], ["names", "grids"], f"{path}: {kind}")
+        for grid in settings.get(content[kind], "grids"):
+            for name, values in grid.items():
+                if not isinstance(values, list) or not values:
+                    raise PlacecatError(f"{path}: {kind} needs a list of values for {name}")
     return content
 
 
@@ -119,7 +120,7 @@ def _cue_tasks(
         cue = settings.get(params, f"cues.{name}")
         if cue["codebook"] is not None:
             raise PlacecatError(f"{SETTINGS}: the cue {name} has a codebook; choose among others")
-        for overrides in combinations(options["cues"]["settings"]):
+        for overrides in combinations(options["cues"]["grids"]):
             own = changed(cue, overrides, f"the cue {name}")
             tasks += [(name, label(overrides), (own, homes, pair, *common)) for pair in left_out(homes)]
     return judge_cue, tasks
@@ -138,7 +139,7 @@ def _system_tasks(
     tasks: list[Task] = []
     for name in options["systems"]["names"]:
         system = settings.get(params, f"systems.{name}")
-        for overrides in combinations(options["systems"]["settings"]):
+        for overrides in combinations(options["systems"]["grids"]):
             own = changed(system, overrides, f"the system {name}")
             tasks += [
                 (name, label(overrides), (own, fold, seed, *common))
