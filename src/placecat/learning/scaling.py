@@ -22,8 +22,8 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     - ``none``: x as it is.
     - ``minmax``: each dimension to [0, 1] on the training data; the mean depends on the data.
     - ``standard``: each dimension to mean 0 and variance 1 / D; mean 2 n / (n - 1).
-    - ``root``: each dimension to mean 0 and divided by the root of its deviation, halfway between ``standard``
-      and ``distance``; then as ``distance``; mean 1.
+    - ``root``: each dimension to mean 0 and divided by the root of its deviation, halfway between
+      ``standard`` and ``distance``; then as ``distance``; mean 1.
     - ``distance``: all of x minus the mean, divided by the root of that mean; mean 1. Keeps the dimensions'
       relative weight.
     - ``unit``: each sample to Euclidean length 1 (a zero sample stays zero); at most 4.
