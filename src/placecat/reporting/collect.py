@@ -1,12 +1,14 @@
 """Reading the results that the stage `scores` wrote."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import pandas as pd
 
 from placecat import files, paths, settings
 from placecat.learning.toy_circles import NAMES
+from placecat.reporting.quality import TEXT_COLUMNS, from_rows
 from placecat.reporting.results import Results, from_scores
 
 
@@ -24,13 +26,15 @@ def read_results(params: Mapping[str, Any]) -> Results:
         If the stage `scores` has not run.
     """
     others = [own["dataset"]["classes"] for own in settings.get(params, "splits").values()]
-    return from_scores(
+    results = from_scores(
         _read("scores"),
         _read("missing"),
         settings.get(params, "dataset.homes"),
         settings.get(params, "dataset.classes"),
         [*others, NAMES],
     )
+    quality = files.read_table(paths.SCORES / "probabilities.csv", TEXT_COLUMNS)
+    return replace(results, quality=from_rows(quality))
 
 
 def _read(name: str) -> pd.DataFrame:
