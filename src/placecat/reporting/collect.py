@@ -1,6 +1,7 @@
 """Reading the results that the stage `scores` wrote, and records of other kinds."""
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 import pandas as pd
@@ -9,6 +10,7 @@ from placecat import files, listing, paths, settings
 from placecat.evaluation import protocol
 from placecat.evaluation.trials import expand
 from placecat.learning.toy_circles import NAMES
+from placecat.reporting.quality import TEXT_COLUMNS, from_rows
 from placecat.reporting.results import Results, from_scores
 
 
@@ -26,7 +28,7 @@ def read_results(params: Mapping[str, Any]) -> Results:
         If the stage `scores` has not run.
     """
     others = [own["dataset"]["classes"] for own in settings.get(params, "splits").values()]
-    return from_scores(
+    results = from_scores(
         _read("scores"),
         _read("missing"),
         settings.get(params, "dataset.homes"),
@@ -35,6 +37,8 @@ def read_results(params: Mapping[str, Any]) -> Results:
         _read("stays"),
         files.read_table(paths.SCORES / "dropped.csv", ["filter", "home"]),
     )
+    quality = files.read_table(paths.SCORES / "probabilities.csv", TEXT_COLUMNS)
+    return replace(results, quality=from_rows(quality))
 
 
 def read_records(params: Mapping[str, Any]) -> dict[str, pd.DataFrame]:

@@ -30,7 +30,7 @@ from placecat.reporting.summary import (
     headlines,
     readings_of,
 )
-from placecat.reporting.tables import comparable
+from placecat.reporting.tables import comparable, in_percent
 
 # CSS pixels a pixel of a figure: 200 pixels an inch are then shown at 125 %.
 _FIGURE_SCALE = 0.6
@@ -47,12 +47,27 @@ class Table:
 
 @dataclass(frozen=True)
 class Figure:
-    """One figure: its number in the thesis, its caption, and its PNG or the reason why it was not drawn."""
+    """One figure.
 
-    number: int
+    Attributes
+    ----------
+    number
+        In the thesis; None for an added one.
+    title
+        Its caption.
+    png
+        None if it was not drawn.
+    reason
+        Why it was not drawn, "" if it was.
+    name
+        E.g. "figure_reliability"; where an added one stands on the page comes from it.
+    """
+
+    number: int | None
     title: str
     png: bytes | None
     reason: str = ""
+    name: str = ""
 
 
 @dataclass(frozen=True)
@@ -162,7 +177,8 @@ def page_html(report: Report) -> str:
     """Render the page: the same report gives the same text."""
     tables = {one.settings["number"]: _shown_table(one) for one in report.tables if _numbered(one)}
     additions = [_shown_table(one) for one in report.tables if not _numbered(one)]
-    figures = {one.number: _shown_figure(one) for one in report.figures}
+    figures = {one.number: _shown_figure(one) for one in report.figures if one.number is not None}
+    added_figures = [_shown_figure(one) for one in report.figures if one.number is None]
     sections, rest = arrange(tables, figures)
     table_26 = next((one.cells for one in report.tables if one.settings["number"] == 26), None)
     return (
@@ -189,6 +205,7 @@ def page_html(report: Report) -> str:
             tables=tables,
             figures=figures,
             additions=additions,
+            added_figures=added_figures,
             in_text=_entries(report.in_text),
             in_text_seeds=seeds_sentence(
                 report.in_text.rename(columns={"quantity": "row", "home": "column"})
@@ -247,13 +264,18 @@ def _shown_table(table: Table) -> dict[str, Any]:
         "comparable": comparable(settings, table.dataset),
         "grid": make_grid(table.cells),
         "homes": homes_sentence(table.cells, table.dataset["homes"]),
-        "seeds": seeds_sentence(table.cells),
+        "caption": settings.get("caption", ""),
+        "seeds": seeds_sentence(table.cells) if in_percent(settings) else "",
     }
 
 
 def _shown_figure(figure: Figure) -> dict[str, Any]:
     shown: dict[str, Any] = {
-        "number": figure.number,
+        "anchor": f"addition-{figure.name}".replace("_", "-")
+        if figure.number is None
+        else f"figure-{figure.number}",
+        "label": "Addition" if figure.number is None else f"Figure {figure.number}",
+        "name": figure.name.removeprefix("figure_").replace("_", " "),
         "title": figure.title,
         "reason": figure.reason,
         "source": None,

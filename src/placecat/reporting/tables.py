@@ -59,6 +59,11 @@ def contradictions_of(notes: pd.DataFrame) -> dict[PublishedKey, str]:
     return {(int(number), *labels): note for (number, *labels), note in zip(keys, notes["note"], strict=True)}
 
 
+def in_percent(table: Mapping[str, Any]) -> bool:
+    """Whether a table's numbers are percentages; otherwise its ``caption`` says what they are."""
+    return "caption" not in table
+
+
 def fill_table(
     table: Mapping[str, Any],
     results: Results,
@@ -87,9 +92,9 @@ def fill_table(
     DataFrame
         Columns table ("Addition" for an addition), group, row, column, published, measured, spread, seeds,
         note: first the published cells in their order, then cells that only this run has. ``measured``
-        (percent, mean over seeds, 2 decimals) is NaN only with a note that says why. ``spread`` is the
-        largest minus the smallest of the seeds in points, NaN where nothing is random; ``seeds`` is their
-        number, then 0.
+        (percent, see :func:`in_percent`; mean over seeds, 2 decimals) is NaN only with a note that says why.
+        ``spread`` is the largest minus the smallest of the seeds in points, NaN where nothing is random;
+        ``seeds`` is their number, then 0.
     """
     number = table["number"]
     known = published[published["table"] == number]

@@ -12,6 +12,7 @@ from placecat.reporting.in_text import in_text
 from placecat.reporting.latex import table_latex
 from placecat.reporting.markdown import table_markdown
 from placecat.reporting.metrics import chosen_averages, nested_metrics, plot_data
+from placecat.reporting.quality import quality_table
 from placecat.reporting.results import Results
 from placecat.reporting.tables import contradictions_of, dataset_of, fill_table, tables_of
 from placecat.stages import run
@@ -38,6 +39,7 @@ def main() -> None:
             if name not in filled:
                 _keep(name, folder)
     files.write_csv(paths.ACCURACIES, results.accuracy_table())
+    files.write_csv(paths.PROBABILITIES, quality_table(results.quality))
     files.write_csv(paths.IN_TEXT, _in_text(params, results))
     files.write_json(paths.METRICS, nested_metrics(filled))
     files.write_json(paths.SUMMARY, chosen_averages(results, settings.get(params, "metrics")))
