@@ -18,6 +18,7 @@ from placecat.reporting.results import (
     score_rows,
 )
 from placecat.reporting.sources import sources
+from placecat.reporting.tables import contradictions_of
 
 ROOT = Path(__file__).resolve().parents[1]
 PARAMS = yaml.safe_load((ROOT / "params.yaml").read_text())
@@ -104,7 +105,26 @@ def published():
     return pd.read_csv(ROOT / "data/thesis/published_tables.csv", dtype=text).fillna(dict.fromkeys(text, ""))
 
 
+def contradictions():
+    """Notes on published cells, as the stage reads them."""
+    text = dict.fromkeys(("group", "row", "column", "note"), str)
+    table = pd.read_csv(ROOT / "data/thesis/contradictions.csv", dtype=text).fillna("")
+    return contradictions_of(table)
+
+
+def records():
+    """What numbers of the text are read off: what git keeps, and made-up facts of models and frames."""
+    return {
+        "benchmarks": pd.read_csv(ROOT / "reports/benchmarks.csv"),
+        "scale": pd.read_csv(ROOT / "reports/scale.csv"),
+        "nu": pd.DataFrame(
+            {"asked": [0.2, 0.2, 0.1], "lowest": [0.2, 0.17, 0.1], "highest": [0.2, 0.19, 0.1]}
+        ),
+        "rejected": pd.DataFrame({"filter": "informative", "information": [0.0976, 0.05, 0.03125]}),
+    }
+
+
 def published_text():
     """The published numbers of the text, as the stage reads them."""
-    text = dict.fromkeys(("name", "section", "quantity", "home", "quote"), str)
+    text = dict.fromkeys(("name", "section", "quantity", "home", "quote", "note"), str)
     return pd.read_csv(ROOT / "data/thesis/published_text.csv", dtype=text).fillna(dict.fromkeys(text, ""))

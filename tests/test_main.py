@@ -21,8 +21,8 @@ def folder(tmp_path, monkeypatch):
 
 
 def test_params_writes_the_composed_settings(folder):
-    main(["params", "smoothing.delay_step=0.5"])
-    assert yaml.safe_load((folder / "params.yaml").read_text())["smoothing"]["delay_step"] == 0.5
+    main(["params", "smoothing.delay_seconds=0.5"])
+    assert yaml.safe_load((folder / "params.yaml").read_text())["smoothing"]["delay_seconds"] == 0.5
 
 
 def test_params_without_overrides_are_the_committed_ones(folder):
@@ -37,7 +37,7 @@ def test_params_without_overrides_are_the_committed_ones(folder):
 
 def test_a_mistake_ends_with_one_message(folder):
     with pytest.raises(SystemExit) as caught:
-        main(["params", "smoothing.delay_stepp=0.5"])
+        main(["params", "smoothing.delay_secondss=0.5"])
     assert str(caught.value).startswith("placecat: the settings cannot be composed: ")
     assert not (folder / "params.yaml").exists()
 

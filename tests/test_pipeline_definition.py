@@ -78,6 +78,7 @@ def test_params_are_what_conf_composes():
     ), "run `placecat params` and commit params.yaml"
 
 
+NOT_LEARNING = ("title", "schemes", "extra", "cross_validate")
 OWN = {
     "parallel": {"combination", "exclusive", "reliability", "prior", "reliability_smoothing", "uncertainty"},
     "sequential": {"order", "training", "decision", "output"},
@@ -89,7 +90,7 @@ def schemes_compared():
     params = yaml.safe_load((ROOT / "params.yaml").read_text())
     cues = params["cues"]
     whole = {
-        scheme: {key: value for key, value in cues[name].items() if key not in ("title", "schemes", "extra")}
+        scheme: {key: value for key, value in cues[name].items() if key not in NOT_LEARNING}
         for scheme, name in (("parallel", "spatial_pact"), ("sequential", "spatial_pact_sequential"))
     }
     yield "table_29", whole["parallel"], whole["sequential"]
@@ -195,7 +196,8 @@ def settings_in_code():
                 options = {key: value for key, value in classifier[part].items() if key != "name"}
                 given = {"n_values", "n_jobs", "base", "codebook", "n_clusters", "seed"}
                 yield f"{path.stem}.{part}", options, estimator, given
-    given = {"proba", "sequences", "training_sequences", "training_proba", "training_truth", "n_classes"}
+    given = {"proba", "sequences", "frame_rate", "n_classes"}
+    given |= {f"training_{part}" for part in ("sequences", "frame_rates", "proba", "truth")}
     lists = ("cues", "filtered")
     smoothing = {name: value for name, value in params["smoothing"].items() if name not in lists}
     yield "toy.points", params["toy"]["points"], toy_circles, {"n", "seed"}

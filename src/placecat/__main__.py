@@ -158,7 +158,7 @@ def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
         help="a label in CSV whose frames are not scored, as those of transition are; may be repeated",
     )
     predict.add_argument(
-        "--every", type=int, default=1, metavar="N", help="take one frame of N; 1 by default"
+        "--every", type=int, default=1, metavar="N", help="take one frame of N, to be faster; 1 by default"
     )
     predict.add_argument(
         "--seconds", type=float, metavar="S", help="take the first S seconds; a camera is stopped then"

@@ -1,5 +1,6 @@
 """The frames and labels of a home, as the stage `sequences` listed them, and what each seed left."""
 
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
@@ -29,6 +30,17 @@ def sequence_slices(home: str) -> list[slice]:
     return [
         slice(int(start), int(end)) for start, end in zip(starts, np.r_[starts[1:], len(names)], strict=True)
     ]
+
+
+def frame_rate(home: str) -> float:
+    """Frames a second of a home."""
+    return float(files.read_json(paths.sequences(home) / "home.json")["fps"])
+
+
+def walks(homes: Iterable[str]) -> tuple[list[NDArray[np.int16]], list[float]]:
+    """What transitions are counted on: labels of each stretch without a cut, and its frames a second."""
+    parts = [(read_labels(home)[part], frame_rate(home)) for home in homes for part in sequence_slices(home)]
+    return [labels for labels, _ in parts], [rate for _, rate in parts]
 
 
 def seeded(folder: Path, seed: int | None) -> Path:

@@ -28,7 +28,7 @@ SVM = {
 }
 BAYES = {"model": "joint_probability", "base": {"name": "naive_bayes"}, "clusters": 16}
 SMOOTHING = {
-    "delay_step": 0.1,
+    "delay_seconds": 2.0,
     "evidence": "soft",
     "reliability": "soft",
     "transition_counts": 1.0,
@@ -59,7 +59,14 @@ def make_system(tracked=False):
     by_home = {home: proba[homes == home] for home in np.unique(homes)}
     truth = {home: labels[homes == home] for home in by_home}
     fused = integrate.fit(by_home, truth, CLASSES, method="das", classifier=SVM)
-    smooth = smoothing.fit(list(truth.values()), fused.cross_validated, fused.truth, 3, **SMOOTHING)
+    smooth = smoothing.fit(
+        list(truth.values()),
+        fused.cross_validated,
+        fused.truth,
+        3,
+        training_frame_rates=[5.0] * len(truth),
+        **SMOOTHING,
+    )
     card = make_card(
         title="small system",
         data={

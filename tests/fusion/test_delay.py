@@ -1,46 +1,97 @@
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
 
 from placecat.errors import PlacecatError
 from placecat.fusion.delay import Delay, delay
 
+taus = st.floats(0.01, 100.0)
+
+
+def distributions(frames, seed=0):
+    return np.random.default_rng(seed).dirichlet(np.ones(3), frames)
+
 
 def test_follows_equation_16():
     target = np.array([[1.0, 0.0], [0.0, 1.0], [0.0, 1.0]])
-    np.testing.assert_allclose(delay(target, step=0.25), [[1, 0], [0.75, 0.25], [0.5625, 0.4375]])
+    h = 0.25
+    tau = -0.2 / np.log(1 - h)
+    result = delay(target, seconds=tau, frame_rate=5.0)
+    np.testing.assert_allclose(result, [[1, 0], [0.75, 0.25], [0.5625, 0.4375]])
 
 
-def test_step_one_passes_through():
-    target = np.random.default_rng(0).random((7, 3))
-    np.testing.assert_allclose(delay(target, step=1.0), target)
+@pytest.mark.parametrize("seconds", [0, 0.0])
+def test_no_time_constant_passes_through(seconds):
+    target = distributions(7)
+    np.testing.assert_array_equal(delay(target, seconds=seconds, frame_rate=5.0), target)
 
 
 def test_is_causal():
-    target = np.random.default_rng(0).random((9, 3))
-    np.testing.assert_array_equal(delay(target, step=0.3)[:4], delay(target[:4], step=0.3))
+    target = distributions(9)
+    whole = delay(target, seconds=1.0, frame_rate=5.0)
+    np.testing.assert_array_equal(whole[:4], delay(target[:4], seconds=1.0, frame_rate=5.0))
 
 
 def test_frame_by_frame_is_the_whole_sequence():
     """Bit for bit, and as equation (16) is written."""
-    target = np.random.default_rng(0).dirichlet(np.ones(5), 50)
-    whole, follower, state = delay(target, step=0.3), Delay(0.3), target[0]
+    target = distributions(50)
+    whole, follower, state = delay(target, seconds=2.0, frame_rate=5.0), Delay(2.0), target[0]
+    h = 1 - np.exp(-0.2 / 2.0)
     for t in range(50):
-        state = state + 0.3 * (target[t] - state)
-        np.testing.assert_array_equal(whole[t], state)
-        np.testing.assert_array_equal(follower.step(target[t]), state)
+        state = state + h * (target[t] - state)
+        np.testing.assert_allclose(whole[t], state, rtol=1e-13)
+        np.testing.assert_array_equal(follower.step(target[t], 0.2), whole[t])
 
 
-def test_closed_form_of_a_step():
-    target = np.repeat([[1.0, 0.0], [0.0, 1.0]], [1, 20], axis=0)
-    expected = 0.9 ** np.arange(21)
-    np.testing.assert_allclose(delay(target, step=0.1)[:, 0], expected)
+def test_solves_equation_14():
+    """Against an integrator of differential equations, with frames at uneven times."""
+    times = np.cumsum([0.0, 0.1, 0.7, 0.05, 2.0, 0.4])
+    target, follower, tau = distributions(6), Delay(0.8), 0.8
+    state = follower.step(target[0], 0.3)
+    for t in range(1, 6):
+        solved = solve_ivp(
+            lambda _, p, held=target[t]: (held - p) / tau,
+            (times[t - 1], times[t]),
+            state,
+            rtol=1e-10,
+            atol=1e-12,
+        )
+        state = follower.step(target[t], times[t] - times[t - 1])
+        np.testing.assert_allclose(state, solved.y[:, -1], rtol=1e-7)
 
 
-@pytest.mark.parametrize("step", [0.0, -0.5, 1.5])
-def test_impossible_steps_are_refused(step):
-    with pytest.raises(PlacecatError, match=r"smoothing\.delay_step"):
-        delay(np.eye(2), step=step)
+@settings(deadline=None)
+@given(taus, st.integers(2, 30), st.integers(0, 100))
+def test_repeated_frames_at_a_higher_rate_change_nothing(tau, times, seed):
+    target = distributions(12, seed)
+    slow = delay(target, seconds=tau, frame_rate=5.0)
+    fast = delay(np.repeat(target, times, axis=0), seconds=tau, frame_rate=5.0 * times)
+    np.testing.assert_allclose(fast[times - 1 :: times], slow, atol=1e-12)
+
+
+@settings(deadline=None)
+@given(taus, st.floats(0.1, 60.0))
+def test_the_time_constant_is_that_of_a_step(tau, rate):
+    """After tau seconds 63 % of a step are done."""
+    frames = 1 + int(np.ceil(tau * rate))
+    target = np.repeat([[1.0, 0.0], [0.0, 1.0]], [1, frames], axis=0)
+    left = delay(target, seconds=tau, frame_rate=rate)[:, 0]
+    np.testing.assert_allclose(left, np.exp(-np.arange(frames + 1) / rate / tau), atol=1e-12)
+
+
+def test_no_time_no_change():
+    follower = Delay(1.0)
+    first = follower.step(np.array([1.0, 0.0]), 0.2)
+    np.testing.assert_array_equal(follower.step(np.array([0.0, 1.0]), 0.0), first)
+
+
+@pytest.mark.parametrize("seconds", [-0.5, float("nan"), float("inf"), "1", None, True, [1.0]])
+def test_impossible_time_constants_are_refused(seconds):
+    with pytest.raises(PlacecatError, match=r"smoothing\.delay_seconds must be a number of seconds"):
+        Delay(seconds)
 
 
 def test_no_frames():
-    assert delay(np.zeros((0, 5)), step=0.1).shape == (0, 5)
+    assert delay(np.zeros((0, 5)), seconds=1.0, frame_rate=5.0).shape == (0, 5)

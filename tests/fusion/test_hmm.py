@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.linalg import expm
 
 from placecat.errors import PlacecatError
 from placecat.fusion.hmm import (
@@ -117,3 +118,41 @@ def test_likelihoods_of_decision_and_of_distribution():
 def test_unknown_evidence_is_refused(function):
     with pytest.raises(PlacecatError, match=r"smoothing\.evidence must be 'hard' or 'soft'"):
         function()
+
+
+def rarely_left(rng, n):
+    """An embeddable transition matrix: exp of a matrix of rates."""
+    rates = rng.random((n, n)) * 0.05 * (1 - np.eye(n))
+    return expm(rates - np.diag(rates.sum(axis=1)))
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.integers(0, 10_000), st.integers(2, 10))
+def test_slower_frames_count_as_if_those_between_were_not_seen(seed, times):
+    """Exactly: frames that are left out say nothing, so that their likelihood is the same for every place."""
+    rng = np.random.default_rng(seed)
+    likelihood, transition = rng.random((8, 4)) + 1e-3, rarely_left(rng, 4)
+    whole = np.ones(((len(likelihood) - 1) * times + 1, 4))
+    whole[::times] = likelihood
+    expected = forward_filter(whole, transition)[::times]
+    np.testing.assert_allclose(
+        forward_filter(likelihood, transition, steps=float(times)), expected, atol=1e-9
+    )
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.integers(0, 10_000), st.integers(2, 10))
+def test_the_evidence_of_faster_frames_adds_up(seed, times):
+    """Where places never change, a view seen in `times` frames is as much evidence as in one."""
+    rng = np.random.default_rng(seed)
+    likelihood = rng.random((8, 4)) + 1e-3
+    fast = forward_filter(np.repeat(likelihood, times, axis=0), np.eye(4), steps=1 / times)
+    np.testing.assert_allclose(fast[times - 1 :: times], forward_filter(likelihood, np.eye(4)), atol=1e-12)
+
+
+@pytest.mark.parametrize("value", [0, -1.0, float("nan"), float("inf"), "1", None, True])
+def test_impossible_counts_are_refused(value):
+    with pytest.raises(PlacecatError, match=r"smoothing\.transition_counts must be a finite number above 0"):
+        transition_matrix([], 2, smoothing=value)
+    with pytest.raises(PlacecatError, match=r"smoothing\.emission_counts must be a finite number above 0"):
+        emission_matrix(np.zeros(0, np.int16), np.zeros((0, 2)), 2, smoothing=value)

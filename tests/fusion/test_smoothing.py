@@ -1,12 +1,18 @@
-import numpy as np
+from itertools import pairwise
 
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from placecat.errors import PlacecatError
 from placecat.fusion.delay import delay
 from placecat.fusion.hmm import emission_matrix, forward_filter, likelihoods, transition_matrix
-from placecat.fusion.smoothing import smooth
+from placecat.fusion.smoothing import Smoother, SmoothingModel, fit, smooth
 
 SETTINGS = {
     "n_classes": 2,
-    "delay_step": 0.5,
+    "delay_seconds": 0.5,
     "evidence": "hard",
     "reliability": "hard",
     "transition_counts": 1.0,
@@ -19,22 +25,156 @@ def made():
     proba = rng.dirichlet([1, 1], 12)
     training = [np.array([0, 0, 0, 1, 1, 1, 1, 0], np.int16)]
     cv = rng.dirichlet([1, 1], 8)
-    return proba, {"training_sequences": training, "training_proba": cv, "training_truth": training[0]}
+    return proba, {
+        "training_sequences": training,
+        "training_frame_rates": [5.0],
+        "training_proba": cv,
+        "training_truth": training[0],
+    }
 
 
 def test_each_sequence_starts_anew():
     proba, training = made()
-    both = smooth(proba, [slice(0, 5), slice(5, 12)], **training, **SETTINGS)
-    alone = smooth(proba[5:], [slice(0, 7)], **training, **SETTINGS)
+    both = smooth(proba, [slice(0, 5), slice(5, 12)], frame_rate=7.0, **training, **SETTINGS)
+    alone = smooth(proba[5:], [slice(0, 7)], frame_rate=7.0, **training, **SETTINGS)
     np.testing.assert_array_equal(both["hmm"][5:], alone["hmm"])
     np.testing.assert_array_equal(both["delayed"][5:], alone["delayed"])
 
 
-def test_is_the_filter_and_then_the_delay():
+@pytest.mark.parametrize("rate", [5.0, 30.0, 25.0, 49.0, 30000 / 1001, 1 / 0.225])
+def test_is_the_filter_and_then_the_delay_at_the_rate_of_the_training(rate):
+    """To the bit, though 1 / rate is rounded."""
     proba, training = made()
     transition = transition_matrix(training["training_sequences"], 2, smoothing=1.0)
     emission = emission_matrix(training["training_truth"], training["training_proba"], 2)
     expected = forward_filter(likelihoods(proba, emission), transition)
-    result = smooth(proba, [slice(0, 12)], **training, **SETTINGS)
+    training["training_frame_rates"] = [rate]
+    result = smooth(proba, [slice(0, 12)], frame_rate=rate, **training, **SETTINGS)
     np.testing.assert_array_equal(result["hmm"], expected)
-    np.testing.assert_array_equal(result["delayed"], delay(expected, step=0.5))
+    np.testing.assert_array_equal(result["delayed"], delay(expected, seconds=0.5, frame_rate=rate))
+
+
+def model(rate=5.0, leave=0.02, emission=(0.5, 0.25, 0.25), evidence="hard", delay_seconds=2.0):
+    """Three places; a place is left with probability `leave` from frame to frame."""
+    transition = np.full((3, 3), leave / 2) + (1 - 1.5 * leave) * np.eye(3)
+    emissions = np.stack([np.roll(emission, place) for place in range(3)])
+    return SmoothingModel(transition, emissions, evidence, delay_seconds, rate)
+
+
+def run(smoothing_model, proba, seconds):
+    smoother = Smoother(smoothing_model)
+    steps = [smoother.step(row, time) for row, time in zip(proba, seconds, strict=True)]
+    return np.array([hmm for hmm, _ in steps]), np.array([delayed for _, delayed in steps])
+
+
+def stays(rng, frames=40):
+    """Distributions of an integrator on a walk: mostly one place after another, with some wrong frames."""
+    places = np.repeat(rng.integers(0, 3, frames // 8 + 1), 8)[:frames]
+    wrong = rng.random(frames) < 0.3
+    places = np.where(wrong, rng.integers(0, 3, frames), places)
+    return rng.dirichlet(np.ones(3), frames) * 0.5 + 0.5 * np.eye(3)[places]
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    st.integers(0, 10_000),
+    st.floats(0.001, 0.03),
+    st.sampled_from([(0.5, 0.25, 0.25), (0.6, 0.2, 0.2), (0.4, 0.35, 0.25)]),
+    st.sampled_from(["hard", "soft"]),
+    st.floats(0.05, 8.0),
+)
+def test_every_frame_six_times_at_six_times_the_rate_says_the_same(seed, leave, emission, evidence, tau):
+    """Nearly: places change within a frame's time, too. The nearer, the rarer they change."""
+    proba = stays(np.random.default_rng(seed))
+    own = model(5.0, leave, emission, evidence, tau)
+    hmm, delayed = run(own, proba, np.full(40, 1 / 5))
+    fast_hmm, fast_delayed = run(own, np.repeat(proba, 6, axis=0), np.full(240, 1 / 30))
+    # What the unchanged filter would make of it, as a measure.
+    unchanged, _ = run(model(30.0, leave, emission, evidence, tau), np.repeat(proba, 6, axis=0), [None] * 240)
+    assert np.abs(fast_hmm[5::6] - hmm).max() < 0.15
+    assert np.abs(fast_hmm[5::6] - hmm).mean() < 0.03
+    # The delay starts with its first frame, which says less if it stands for less time; that start fades.
+    ends = np.arange(1, 41)[:, None] / 5
+    started, fast_started = (
+        np.exp(-(ends - ends[0]) / tau) * hmm[0],
+        np.exp(-(ends - 1 / 30) / tau) * fast_hmm[0],
+    )
+    assert np.abs(fast_delayed[5::6] - fast_started - (delayed - started)).mean() < 0.03
+    assert np.abs(fast_hmm[5::6] - hmm).mean() < 0.5 * np.abs(unchanged[5::6] - hmm).mean()
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.integers(0, 10_000), st.floats(0.001, 0.03))
+def test_higher_rates_converge(seed, leave):
+    """The finer the time, the less another halving changes: there is a filter in continuous time."""
+    proba = stays(np.random.default_rng(seed))
+    results = []
+    for times in (1, 4, 16, 64):
+        hmm, _ = run(model(5.0, leave), np.repeat(proba, times, axis=0), np.full(40 * times, 0.2 / times))
+        results.append(hmm[times - 1 :: times])
+    first, second, third = (np.abs(a - b).mean() for a, b in pairwise(results))
+    assert third < 0.5 * second < 0.25 * first
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.integers(0, 10_000), st.lists(st.floats(0.0, 3.0), min_size=10, max_size=10))
+def test_distributions_at_uneven_times(seed, seconds):
+    proba = np.random.default_rng(seed).dirichlet(np.ones(3), 10)
+    for result in run(model(), proba, seconds):
+        np.testing.assert_allclose(result.sum(axis=1), 1.0)
+        assert (result >= 0).all()
+
+
+def test_a_frame_at_the_time_of_the_last_changes_nothing():
+    smoother = Smoother(model())
+    first = smoother.step(np.array([0.8, 0.1, 0.1]), 0.2)
+    again = smoother.step(np.array([0.1, 0.8, 0.1]), 0.0)
+    np.testing.assert_allclose(again, first)
+
+
+def test_after_a_long_time_without_frames_the_past_is_forgotten():
+    own, late = model(), np.array([0.1, 0.1, 0.8])
+    for before in np.eye(3):
+        smoother = Smoother(own)
+        for _ in range(20):
+            smoother.step(before)
+        _, delayed = smoother.step(late, 600.0)
+        assert delayed.argmax() == 2
+
+
+@pytest.mark.parametrize("seconds", [-0.1, float("nan"), float("inf")])
+def test_impossible_times_are_refused_and_change_nothing(seconds):
+    smoother, other = Smoother(model()), Smoother(model())
+    proba = np.array([0.8, 0.1, 0.1])
+    with pytest.raises(PlacecatError, match="s between two frames"):
+        smoother.step(proba, seconds)
+    np.testing.assert_array_equal(smoother.step(proba), other.step(proba))
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.integers(0, 10_000), st.integers(2, 8))
+def test_homes_of_different_rates_are_counted_at_the_highest(seed, times):
+    """A home filmed at a lower rate counts as if its frames were repeated, but for its very last frame."""
+    rng = np.random.default_rng(seed)
+    walks = [np.repeat(rng.integers(-1, 3, 9), rng.integers(1, 9, 9)).astype(np.int16) for _ in range(2)]
+    walks = [np.append(walk, rng.integers(0, 3)).astype(np.int16) for walk in walks]
+    mixed = transition_matrix(walks, 3, frame_rates=[5.0, 5.0 * times], smoothing=0.5)
+    repeated = np.repeat(walks[0], times)[: len(walks[0]) * times - (times - 1)]
+    alike = transition_matrix([repeated, walks[1]], 3, smoothing=0.5)
+    np.testing.assert_allclose(mixed, alike, rtol=1e-12)
+    assert (mixed > 0).all()
+
+
+def test_homes_of_one_rate_are_counted_as_they_are():
+    walks = [np.array([0, 0, 1, 1, 0], np.int16), np.array([1, 1, 0], np.int16)]
+    for rates in ([5.0, 5.0], [1 / 3, 1 / 3], [29.97, 29.97]):
+        np.testing.assert_array_equal(
+            transition_matrix(walks, 2, frame_rates=rates), transition_matrix(walks, 2)
+        )
+    fitted = fit(walks, np.eye(2), np.array([0, 1]), training_frame_rates=[5.0, 30.0], **SETTINGS)
+    assert fitted.frame_rate == 30.0
+
+
+def test_an_impossible_delay_is_refused_before_anything_is_counted():
+    with pytest.raises(PlacecatError, match=r"smoothing\.delay_seconds"):
+        fit([], None, None, training_frame_rates=[], **(SETTINGS | {"delay_seconds": -1.0}))

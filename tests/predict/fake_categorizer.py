@@ -25,10 +25,13 @@ class FakeCategorizer:
     frame_sizes = ((WIDTH, HEIGHT),)
     frame_size = (WIDTH, HEIGHT)
 
-    def __init__(self, fps=(25.0,)):
-        self.card = {"title": "a fake", "fps": list(fps), "data": {"homes": ["a"]}, "placecat": "0"}
+    def __init__(self, frame_rate=25.0):
+        self.frame_rate = frame_rate
+        self.card = {"title": "a fake", "data": {"homes": ["a"]}, "placecat": "0"}
+        self.times = []
 
-    def update(self, frame):
+    def update(self, frame, seconds=None):
+        self.times.append(seconds)
         if frame.shape != (HEIGHT, WIDTH, 3):
             raise PlacecatError("another size")
         proba, integrated = expected(decoded(frame))

@@ -57,7 +57,7 @@ def capture(monkeypatch):
 
 
 def camera(text="camera"):
-    return open_source(text, fps=None, usual_fps=None, size=(WIDTH, HEIGHT))
+    return open_source(text, fps=None, usual_fps=5.0, size=(WIDTH, HEIGHT))
 
 
 def test_a_slow_reader_gets_the_newest_frame(capture):
@@ -107,7 +107,7 @@ def test_a_password_is_taken_off():
 
 @pytest.fixture
 def system(monkeypatch):
-    monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: FakeCategorizer(fps=(FPS,)))
+    monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: FakeCategorizer(FPS))
 
 
 def test_a_camera_stops_after_the_seconds_and_never_overwrites(
@@ -139,11 +139,11 @@ def test_ctrl_c_writes_what_was_seen(capture, system, tmp_path, monkeypatch, cap
     monkeypatch.chdir(tmp_path)
     original, calls = FakeCategorizer.update, []
 
-    def update(self, frame):
+    def update(self, frame, seconds):
         calls.append(1)
         if len(calls) == 6:
             raise KeyboardInterrupt
-        return original(self, frame)
+        return original(self, frame, seconds)
 
     monkeypatch.setattr(FakeCategorizer, "update", update)
     main(["predict", "camera"])

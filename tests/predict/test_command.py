@@ -130,11 +130,24 @@ def test_frames_of_another_size_are_scaled_if_asked(folder):
     assert json.loads((folder / "out/summary.json").read_text())["kept"] == [128, 96]
 
 
-def test_a_rate_unlike_the_trained_is_noted(folder, monkeypatch, capsys):
-    monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: FakeCategorizer(fps=(5.0,)))
-    predict("walk.avi")
-    assert "--every 5 comes closest" in capsys.readouterr().err
-    predict("walk.avi", "--every", "5")
+@pytest.mark.parametrize(
+    ("arguments", "period"),
+    [
+        ("walk.avi", 1 / 25),
+        ("walk.avi --every 5", 1 / 5),
+        ("walk.avi --fps 10", 1 / 10),
+        ("images", 1 / 6),
+        ("images --fps 2 --every 3", 3 / 2),
+    ],
+)
+def test_the_system_is_told_the_time_between_frames(folder, monkeypatch, capsys, arguments, period):
+    system = FakeCategorizer(frame_rate=6.0)
+    monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: system)
+    predict(*arguments.split())
+    every = int(arguments.partition("--every ")[2] or 1)
+    assert np.allclose(system.times, period, rtol=1e-9)
+    assert len(system.times) == -(-COUNT // every)
+    # Any rate will do.
     assert capsys.readouterr().err == ""
 
 
@@ -202,11 +215,11 @@ def test_only_an_untouched_prediction_of_the_same_source_is_replaced(folder):
 
 
 def test_ctrl_c_on_a_file_writes_nothing(folder, monkeypatch):
-    def update(self, frame, calls=[]):  # noqa: B006
+    def update(self, frame, seconds, calls=[]):  # noqa: B006
         calls.append(1)
         if len(calls) == 5:
             raise KeyboardInterrupt
-        return original(self, frame)
+        return original(self, frame, seconds)
 
     original = FakeCategorizer.update
     monkeypatch.setattr(FakeCategorizer, "update", update)

@@ -70,14 +70,6 @@ def test_share_of_time_counts_time_and_not_frames():
     assert facts["share_of_time"] == {"bedroom": 0.5, "living_room": 0.0, "kitchen": 0.5}
 
 
-@pytest.mark.parametrize(
-    ("fps", "every", "advice"), [(30, 1, "--every 6"), (30, 6, ""), (7, 1, ""), (1, 1, "given 1")]
-)
-def test_the_rate_is_compared_with_the_trained(fps, every, advice):
-    note = report.rate_note(fps, every, [5.0])
-    assert advice in note and bool(note) == bool(advice)
-
-
 def test_regions_are_circles_of_their_radius():
     shown = Annotator(CLASSES, (WIDTH, HEIGHT))
     decision = FakeCategorizer().update(coded(0))

@@ -47,7 +47,7 @@ def test_the_transitions_do_not_come_from_the_test_home(runs, monkeypatch):
     from placecat.stages.smoothing import smooth_home
 
     model = {
-        "delay_step": 0.2,
+        "delay_seconds": 1.0,
         "evidence": "soft",
         "reliability": "hard",
         "transition_counts": 1.0,

@@ -75,8 +75,8 @@ class Categorizer:
     Examples
     --------
     >>> categorizer = Categorizer.load("data/model.placecat")  # doctest: +SKIP
-    >>> for frame in camera:  # doctest: +SKIP
-    ...     decision = categorizer.update(frame)
+    >>> for frame, seconds in camera:  # doctest: +SKIP
+    ...     decision = categorizer.update(frame, seconds)
     ...     print(decision.place, decision.confidence)
     """
 
@@ -129,24 +129,32 @@ class Categorizer:
         """(width, height) that frames may be scaled to."""
         return self.frame_sizes[0]
 
+    @property
+    def frame_rate(self) -> float:
+        """Frames a second of the footage that its smoothing learnt from."""
+        return self._system.smoothing.frame_rate
+
     def reset(self) -> None:
         """Forget what was seen: call it at a cut, before the first frame of another sequence."""
         self._smoother = Smoother(self._system.smoothing)
         tracking = self._system.tracking
         self._tracker = RegionTracker(**tracking) if tracking is not None and self._tracked else None
 
-    def update(self, frame: NDArray[np.uint8]) -> Decision:
+    def update(self, frame: NDArray[np.uint8], seconds: float | None = None) -> Decision:
         """Take the next frame.
 
         Parameters
         ----------
         frame
             (height, width, 3) uint8 BGR, as OpenCV gives it, of one of `frame_sizes`.
+        seconds
+            Time since the last frame, at or above 0; of the first frame, the time that it stands for. None is
+            one frame at `frame_rate`.
 
         Raises
         ------
         PlacecatError
-            If the frame is of another size or type.
+            If the frame is of another size or type, or the time negative or not finite.
         """
         self._check(frame)
         with self._blas.limit(limits=1, user_api="blas"):
@@ -161,7 +169,7 @@ class Categorizer:
                 )
                 cues[cue.name] = cue.model.predict_proba(seen)[0]
             integrated = self._system.integrator.predict_proba(np.stack(list(cues.values()))[None])[0]
-            hmm, proba = self._smoother.step(integrated)
+            hmm, proba = self._smoother.step(integrated, seconds)
         best = int(proba.argmax())
         shown = followed if self._tracker is not None else arrays
         return Decision(

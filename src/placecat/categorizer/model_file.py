@@ -17,7 +17,7 @@ from placecat.fusion.smoothing import SmoothingModel
 from placecat.reporting.render import environment
 
 # Raise it when what is stored changes its meaning.
-FORMAT = 1
+FORMAT = 2
 _CARD, _TEXT, _SYSTEM = "card.json", "card.md", "system.json"
 
 

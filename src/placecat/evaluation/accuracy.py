@@ -25,26 +25,6 @@ def confusion_matrix(truth: ArrayLike, decision: ArrayLike, n_classes: int) -> N
     return np.bincount(pairs, minlength=n_classes * n_classes).reshape(n_classes, n_classes)
 
 
-def stays(labels: ArrayLike) -> list[NDArray[np.int64]]:
-    """Find the stays, visits to a place, in a sequence.
-
-    Parameters
-    ----------
-    labels
-        (n,) integers in order of time, -1 for frames without a place. Such frames do not end a stay, so that
-        one place seen twice in a row is one stay.
-
-    Returns
-    -------
-    list of arrays
-        The labelled frames of each stay, ascending.
-    """
-    labels = np.asarray(labels, dtype=np.int64)
-    frames = np.flatnonzero(labels >= 0)
-    starts = np.flatnonzero(np.diff(labels[frames])) + 1
-    return [part for part in np.split(frames, starts) if len(part)]
-
-
 def class_accuracies(confusion: NDArray[np.int64]) -> NDArray[np.float64]:
     """Percentage of each class's frames that were named correctly; NaN for a class without frames.
 

@@ -1,5 +1,7 @@
 """The first-order delay behind the hidden Markov model (thesis 3.4, equations 14 to 16)."""
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,42 +11,55 @@ from placecat.errors import PlacecatError
 class Delay:
     """Let the output follow the set point with a lag: p(t+1) = p(t) + h (p*(t) - p(t)), equation (16).
 
+    The thesis sets alpha = -1 in equation (14) and leaves h open, which makes the lag depend on the frame
+    rate. Here alpha = -1 / tau with a time constant tau, and h is the exact solution of equation (14) for a
+    set point that stays for dt seconds: h = 1 - exp(-dt / tau). So after tau seconds the output has gone 63 %
+    of the way to a new set point, whatever the frame rate.
+
     The output for frame t is p(t+1), which uses p*(t): the frame itself counts, no later one does. The first
     output is the first set point.
 
     Parameters
     ----------
-    step
-        h in (0, 1]; 1 passes the input through. The thesis does not give its value.
+    seconds
+        tau, at or above 0; 0 passes the input through.
 
     Raises
     ------
     PlacecatError
-        If h is outside.
+        If tau is no such number.
     """
 
-    def __init__(self, step: float) -> None:
-        if not 0.0 < step <= 1.0:
-            raise PlacecatError(f"smoothing.delay_step must lie in (0, 1], but is {step}")
-        self._h = step
+    def __init__(self, seconds: float) -> None:
+        is_number = isinstance(seconds, int | float) and not isinstance(seconds, bool)
+        if not is_number or not math.isfinite(seconds) or seconds < 0:
+            raise PlacecatError(
+                f"smoothing.delay_seconds must be a number of seconds, 0 or more, but is {seconds!r}"
+            )
+        self._tau = float(seconds)
         self._state: NDArray[np.float64] | None = None
 
-    def step(self, target: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Take the next frame's set point (n_classes,); give the output."""
-        state = np.asarray(target, dtype=np.float64) if self._state is None else self._state
-        self._state = state + self._h * (target - state)
+    def step(self, target: NDArray[np.float64], elapsed: float) -> NDArray[np.float64]:
+        """Take the next frame's set point (n_classes,), `elapsed` seconds after the last; give the output."""
+        target = np.asarray(target, dtype=np.float64)
+        if self._state is None or self._tau == 0:
+            self._state = target
+        else:
+            self._state = self._state - math.expm1(-elapsed / self._tau) * (target - self._state)
         return self._state
 
 
-def delay(set_point: NDArray[np.float64], *, step: float) -> NDArray[np.float64]:
+def delay(set_point: NDArray[np.float64], *, seconds: float, frame_rate: float) -> NDArray[np.float64]:
     """Delay one whole sequence, see :class:`Delay`.
 
     Parameters
     ----------
     set_point
         (frames, n_classes), the distributions p* of the hidden Markov model.
-    step
-        h of equation (16).
+    seconds
+        The time constant tau.
+    frame_rate
+        Frames a second, above 0.
 
     Returns
     -------
@@ -55,5 +70,7 @@ def delay(set_point: NDArray[np.float64], *, step: float) -> NDArray[np.float64]
     PlacecatError
         As :class:`Delay`.
     """
-    follower = Delay(step)
-    return np.array([follower.step(target) for target in set_point]).reshape(set_point.shape)
+    follower = Delay(seconds)
+    return np.array([follower.step(target, 1.0 / frame_rate) for target in set_point]).reshape(
+        set_point.shape
+    )

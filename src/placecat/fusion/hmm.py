@@ -1,40 +1,61 @@
 """The hidden Markov model that smooths a sequence of decisions (thesis 3.4, equation 13)."""
 
-from collections.abc import Iterable
+import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
+from placecat.fusion.transition_power import TransitionPower
 from placecat.learning.products import sum_products
 
 Float = NDArray[np.float64]
 
 
 def transition_matrix(
-    sequences: Iterable[NDArray[np.int16]], n_classes: int, *, smoothing: float = 1.0
+    sequences: Sequence[NDArray[np.int16]],
+    n_classes: int,
+    *,
+    frame_rates: Sequence[float] | None = None,
+    smoothing: float = 1.0,
 ) -> Float:
-    """Count transitions between places in training sequences.
+    """Count transitions between places in training sequences, at the highest of their frame rates.
 
     Successive labelled frames are counted; unlabelled frames (-1) between them are skipped, so that a walk
     from the kitchen through a corridor to the bedroom counts once as kitchen to bedroom.
+
+    A sequence of a lower frame rate is counted as if each of its frames were repeated: the camera changes
+    place as often, and its frames that stay in a place become more in proportion.
 
     Parameters
     ----------
     sequences
         Each (frames,) class indices in order of time, -1 for unlabelled.
+    frame_rates
+        Frames a second of each sequence, above 0; None if all have the same.
     smoothing
-        Added to every count (> 0); the thesis does not give it. Without it, a transition never seen in
-        training would be impossible for ever.
+        Added to every count, finite and above 0; the thesis does not give it. Without it, a transition never
+        seen in training would be impossible for ever.
 
     Returns
     -------
     (n_classes, n_classes), row q' column q is p(l_t = q | l_{t-1} = q'); rows sum to 1.
+
+    Raises
+    ------
+    PlacecatError
+        If `smoothing` is no such number.
     """
-    counts = np.full((n_classes, n_classes), float(smoothing))
-    for labels in sequences:
+    counts = np.full((n_classes, n_classes), _above_zero("smoothing.transition_counts", smoothing))
+    rates = [1.0] * len(sequences) if frame_rates is None else frame_rates
+    for labels, rate in zip(sequences, rates, strict=True):
         labelled = labels[labels >= 0].astype(np.int64)
-        np.add.at(counts, (labelled[:-1], labelled[1:]), 1.0)
+        own = np.zeros((n_classes, n_classes))
+        np.add.at(own, (labelled[:-1], labelled[1:]), 1.0)
+        steps, stays = own.sum(axis=1), np.diagonal(own).copy()
+        np.fill_diagonal(own, steps * (max(rates) / rate) - (steps - stays))
+        counts += own
     return counts / counts.sum(axis=1, keepdims=True)
 
 
@@ -58,11 +79,16 @@ def emission_matrix(
     reliability
         "hard" counts the decisions (arg-max), "soft" adds up the distributions.
     smoothing
-        Added to every count (> 0). The thesis gives neither of the two.
+        Added to every count, finite and above 0. The thesis gives neither of the two.
 
     Returns
     -------
     (n_classes, n_classes), row q column o is p(o | l = q); rows sum to 1.
+
+    Raises
+    ------
+    PlacecatError
+        If `reliability` is unknown, or `smoothing` no such number.
     """
     if reliability == "hard":
         answers = np.eye(n_classes)[np.argmax(proba, axis=1)]
@@ -70,7 +96,7 @@ def emission_matrix(
         answers = np.asarray(proba, dtype=np.float64)
     else:
         raise PlacecatError(f"smoothing.reliability must be 'hard' or 'soft', not {reliability!r}")
-    counts = np.full((n_classes, n_classes), float(smoothing))
+    counts = np.full((n_classes, n_classes), _above_zero("smoothing.emission_counts", smoothing))
     np.add.at(counts, truth.astype(np.int64), answers)
     return counts / counts.sum(axis=1, keepdims=True)
 
@@ -106,27 +132,50 @@ class ForwardFilter:
     Parameters
     ----------
     transition
-        (n_classes, n_classes), rows sum to 1.
+        (n_classes, n_classes), from one frame to the next at the frame rate that it was counted at; rows sum
+        to 1.
     initial
         (n_classes,) distribution of the first place; uniform if not given (the thesis does not give it).
     """
 
     def __init__(self, transition: Float, *, initial: Float | None = None) -> None:
         n_classes = len(transition)
-        self.transition = transition
-        self._predicted: Float = (
+        self._transitions = TransitionPower(transition)
+        self._initial: Float = (
             np.full(n_classes, 1.0 / n_classes) if initial is None else np.asarray(initial, dtype=np.float64)
         )
+        self._filtered: Float | None = None
 
-    def step(self, likelihood: Float) -> Float:
-        """Take the next frame's p(o_t | l_t = q), (n_classes,), one above 0; give p(l_t = q | o_1 .. o_t)."""
-        joint = likelihood * self._predicted
+    def step(self, likelihood: Float, *, steps: float = 1.0) -> Float:
+        """Take the next frame.
+
+        Parameters
+        ----------
+        likelihood
+            (n_classes,) p(o_t | l_t = q) at or above 0, one above 0.
+        steps
+            Time since the last frame, at or above 0, in steps of the transition matrix; 1 is equation (13) as
+            it stands, to the bit.
+
+            The place changes with P^steps. Frames that come faster show the same view again, which is no
+            more evidence: below 1, the likelihood is raised to the power `steps`, so that as many seconds
+            are as much evidence. Frames that come slower count once each, as if those between had been left
+            out of a sequence of the model's own rate.
+
+        Returns
+        -------
+        (n_classes,) p(l_t = q | o_1 .. o_t).
+        """
+        predicted = self._initial if self._filtered is None else self._filtered @ self._transitions(steps)
+        joint = likelihood**steps * predicted if steps < 1.0 else likelihood * predicted
         filtered: Float = joint / joint.sum()
-        self._predicted = filtered @ self.transition
+        self._filtered = filtered
         return filtered
 
 
-def forward_filter(likelihood: Float, transition: Float, *, initial: Float | None = None) -> Float:
+def forward_filter(
+    likelihood: Float, transition: Float, *, initial: Float | None = None, steps: float = 1.0
+) -> Float:
     """Filter one whole sequence, see :class:`ForwardFilter`.
 
     Parameters
@@ -135,10 +184,19 @@ def forward_filter(likelihood: Float, transition: Float, *, initial: Float | Non
         (frames, n_classes), p(o_t | l_t = q) up to a factor per frame; no row all zero.
     transition, initial
         As for :class:`ForwardFilter`.
+    steps
+        Between two frames, as for :meth:`ForwardFilter.step`.
 
     Returns
     -------
     (frames, n_classes), p(l_t = q | o_1 .. o_t); rows sum to 1.
     """
     forwards = ForwardFilter(transition, initial=initial)
-    return np.array([forwards.step(row) for row in likelihood]).reshape(likelihood.shape)
+    return np.array([forwards.step(row, steps=steps) for row in likelihood]).reshape(likelihood.shape)
+
+
+def _above_zero(name: str, value: float) -> float:
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    if not is_number or not math.isfinite(value) or value <= 0:
+        raise PlacecatError(f"{name} must be a finite number above 0, but is {value!r}")
+    return float(value)

@@ -1,13 +1,18 @@
 """Smoothing of a home's decisions: the hidden Markov model, then the delay (thesis 3.4)."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from placecat.errors import PlacecatError
 from placecat.fusion.delay import Delay
 from placecat.fusion.hmm import ForwardFilter, emission_matrix, likelihoods, transition_matrix
+
+# Times of frames are rounded: a step of this much more or less than one is one.
+_ROUNDING = 1e-6
 
 
 @dataclass(frozen=True)
@@ -20,29 +25,58 @@ class SmoothingModel:
         (n_classes, n_classes), see `placecat.fusion.hmm`.
     evidence
         See :func:`placecat.fusion.hmm.likelihoods`.
-    delay_step
-        h of equation (16).
+    delay_seconds
+        Time constant of the delay, see :class:`placecat.fusion.delay.Delay`.
+    frame_rate
+        Frames a second at which the transitions were counted.
     """
 
     transition: NDArray[np.float64]
     emission: NDArray[np.float64]
     evidence: str
-    delay_step: float
+    delay_seconds: float
+    frame_rate: float
 
 
 class Smoother:
-    """Smooth one sequence, frame by frame; frame t uses frames up to t only."""
+    """Smooth one sequence, frame by frame; frame t uses frames up to t only.
+
+    The frames may come at any rate, also a changing one: transitions, evidence and delay count in seconds.
+    """
 
     def __init__(self, model: SmoothingModel) -> None:
         self.model = model
         self._filter = ForwardFilter(model.transition)
-        self._delay = Delay(model.delay_step)
+        self._delay = Delay(model.delay_seconds)
 
-    def step(self, proba: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Take the next frame's distribution (n_classes,); give those of the filter and of the delay."""
+    def step(
+        self, proba: NDArray[np.float64], seconds: float | None = None
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Take the next frame; give the distributions of the filter and of the delay.
+
+        Parameters
+        ----------
+        proba
+            (n_classes,) distribution of the integrator.
+        seconds
+            Time since the last frame, at or above 0; of the first frame, the time that it stands for. None
+            is one frame at the rate of the model, and whatever is as long gives the same bits.
+
+        Raises
+        ------
+        PlacecatError
+            If `seconds` is negative or not finite.
+        """
+        steps = 1.0
+        if seconds is not None:
+            if not (math.isfinite(seconds) and seconds >= 0):
+                raise PlacecatError(f"{seconds:g} s between two frames: give a finite number, 0 or more")
+            steps = seconds * self.model.frame_rate
+            if abs(steps - 1.0) < _ROUNDING:
+                steps = 1.0
         likelihood = likelihoods(proba[None], self.model.emission, evidence=self.model.evidence)[0]
-        filtered = self._filter.step(likelihood)
-        return filtered, self._delay.step(filtered)
+        filtered = self._filter.step(likelihood, steps=steps)
+        return filtered, self._delay.step(filtered, steps / self.model.frame_rate)
 
 
 def fit(
@@ -51,7 +85,8 @@ def fit(
     training_truth: NDArray[np.int16],
     n_classes: int,
     *,
-    delay_step: float,
+    training_frame_rates: Sequence[float],
+    delay_seconds: float,
     evidence: str,
     reliability: str,
     transition_counts: float,
@@ -63,29 +98,42 @@ def fit(
     ----------
     training_sequences
         Labels of the training homes in order of time, -1 for unlabelled: the transitions are counted on them.
+    training_frame_rates
+        Frames a second of each of these; the model has the highest, see
+        :func:`placecat.fusion.hmm.transition_matrix`.
     training_proba, training_truth
         Cross-validated outputs of the integrator on training frames: the emission is counted on them.
-    delay_step
-        h of equation (16).
+    delay_seconds
+        See :class:`placecat.fusion.delay.Delay`.
     evidence, reliability, transition_counts, emission_counts
         See `placecat.fusion.hmm`.
+
+    Raises
+    ------
+    PlacecatError
+        A setting of another type or out of its range.
     """
-    transition = transition_matrix(training_sequences, n_classes, smoothing=transition_counts)
+    Delay(delay_seconds)
+    transition = transition_matrix(
+        training_sequences, n_classes, frame_rates=training_frame_rates, smoothing=transition_counts
+    )
     emission = emission_matrix(
         training_truth, training_proba, n_classes, reliability=reliability, smoothing=emission_counts
     )
-    return SmoothingModel(transition, emission, evidence, delay_step)
+    return SmoothingModel(transition, emission, evidence, float(delay_seconds), max(training_frame_rates))
 
 
 def smooth(
     proba: NDArray[np.float64],
     sequences: Sequence[slice],
     *,
+    frame_rate: float,
     training_sequences: Sequence[NDArray[np.int16]],
+    training_frame_rates: Sequence[float],
     training_proba: NDArray[np.float64],
     training_truth: NDArray[np.int16],
     n_classes: int,
-    delay_step: float,
+    delay_seconds: float,
     evidence: str,
     reliability: str,
     transition_counts: float,
@@ -99,8 +147,10 @@ def smooth(
         (frames, n_classes) distributions for every frame of the home, labelled or not.
     sequences
         Stretches of frames without a cut; the filter starts anew at each.
-    training_sequences, training_proba, training_truth, delay_step, evidence, reliability, \
-transition_counts, emission_counts
+    frame_rate
+        Frames a second of the home.
+    training_sequences, training_frame_rates, training_proba, training_truth, delay_seconds, evidence, \
+reliability, transition_counts, emission_counts
         As for :func:`fit`.
 
     Returns
@@ -113,7 +163,8 @@ transition_counts, emission_counts
         training_proba,
         training_truth,
         n_classes,
-        delay_step=delay_step,
+        training_frame_rates=training_frame_rates,
+        delay_seconds=delay_seconds,
         evidence=evidence,
         reliability=reliability,
         transition_counts=transition_counts,
@@ -123,5 +174,5 @@ transition_counts, emission_counts
     for part in sequences:
         smoother = Smoother(model)
         for t in range(len(proba))[part]:
-            filtered[t], delayed[t] = smoother.step(proba[t])
+            filtered[t], delayed[t] = smoother.step(proba[t], 1.0 / frame_rate)
     return {"hmm": filtered, "delayed": delayed}

@@ -58,11 +58,10 @@ def predict_command(options: Options) -> int:
     _check(options)
     _quiet()
     categorizer = Categorizer.load(options.model)
-    trained = list(categorizer.card.get("fps", []))
     source = open_source(
         options.source,
         fps=options.fps,
-        usual_fps=trained[0] if trained else None,
+        usual_fps=categorizer.frame_rate,
         size=categorizer.frame_size,
     )
     if source.is_live and options.every != 1:
@@ -78,7 +77,7 @@ def predict_command(options: Options) -> int:
     if options.labels is not None:
         count = source.exact_count()
         labels = truth.read(options.labels, count, source.fps, categorizer.classes, options.ignore)
-    _announce(options, source, chosen, categorizer, trained)
+    _announce(options, source, chosen, categorizer)
     with files.replacing(folder) as temporary:
         temporary.mkdir()
         film = temporary / f"{ANNOTATED}{options.film}" if options.film else None
@@ -119,18 +118,12 @@ def _quiet() -> None:
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
 
 
-def _announce(
-    options: Options, source: Source, chosen: Fit, categorizer: Categorizer, trained: Sequence[float]
-) -> None:
+def _announce(options: Options, source: Source, chosen: Fit, categorizer: Categorizer) -> None:
     print(f"{categorizer.card.get('title', options.model)}: {', '.join(categorizer.classes)}")
     if chosen.source != chosen.target:
         print(f"Frames: {chosen}.")
     if Path(options.source).is_dir() and options.fps is None:
         print(f"A folder has no frame rate: {source.fps:g} frames/s, as the model's footage (--fps sets it).")
-    note = report.rate_note(source.fps, options.every, trained)
-    # At which rate frames of a camera will be taken is not known.
-    if note and not source.is_live:
-        _warn(note)
     if source.is_live:
         end = f"after {options.seconds:g} s" if options.seconds is not None else "with Ctrl-C"
         print(f"Always the newest frame is taken, others are dropped. Ends {end}; then all is written.")

@@ -86,23 +86,6 @@ def speed_text(speed: Speed, every: int, fps: float, *, dropped: int | None = No
     return text
 
 
-def rate_note(fps: float, every: int, trained: Sequence[float]) -> str:
-    """Whether frames come at another rate than those that the model learnt to smooth; "" if not.
-
-    Parameters
-    ----------
-    trained
-        Frames a second of the training footage.
-    """
-    wanted = fps / every
-    if not trained or any(0.5 < wanted / rate < 2.0 for rate in trained):
-        return ""
-    best = max(1, round(fps / max(trained)))
-    text = f"the model's smoothing learnt from {' or '.join(f'{rate:.4g}' for rate in trained)} frames/s"
-    advice = f"; --every {best} comes closest" if best != every else ""
-    return f"{text}, and is given {wanted:.4g}{advice}"
-
-
 def segment_lines(prediction: Prediction, most: int) -> list[str]:
     """Lines: the first segments with their times."""
     parts = prediction.segments()

@@ -27,8 +27,8 @@ class System(Protocol):
 
     classes: tuple[str, ...]
 
-    def update(self, frame: NDArray[np.uint8], /) -> Decision:
-        """Take the next frame."""
+    def update(self, frame: NDArray[np.uint8], seconds: float, /) -> Decision:
+        """Take the next frame, so many seconds after the last."""
 
 
 @dataclass
@@ -125,13 +125,16 @@ def run(
         frames = source.frames(wish.every)
         stack.callback(frames.close)  # type: ignore[attr-defined]
         start = time.perf_counter()
+        # The first frame stands for its time in the footage.
+        seen = -1.0 / speed.wanted
         try:
             for raw in frames:
                 if wish.seconds is not None and raw.seconds >= wish.seconds:
                     break
                 frame = Frame(raw.number, raw.seconds, raw.file, fit(raw.image))
                 before = time.perf_counter()
-                decision = system.update(frame.image)
+                decision = system.update(frame.image, frame.seconds - seen)
+                seen = frame.seconds
                 speed.categorizing += time.perf_counter() - before
                 if film is not None:
                     label = _label(wish.truth, frame.number, system.classes)

@@ -69,7 +69,7 @@ class Source(Protocol):
         """What is odd about the footage that was read; may be empty."""
 
 
-def open_source(text: str, *, fps: float | None, usual_fps: float | None, size: tuple[int, int]) -> Source:
+def open_source(text: str, *, fps: float | None, usual_fps: float, size: tuple[int, int]) -> Source:
     """Open footage.
 
     Parameters
@@ -186,7 +186,7 @@ class Folder:
 
     is_live = False
 
-    def __init__(self, path: Path, fps: float | None) -> None:
+    def __init__(self, path: Path, fps: float) -> None:
         found = [entry.name for entry in path.iterdir() if entry.suffix.lower() in image_folder.SUFFIXES]
         self._images = sorted((name for name in found if not name.startswith(".")), key=natural)
         if not self._images:
@@ -194,10 +194,8 @@ class Folder:
                 f"{path}: no images here ({', '.join(image_folder.SUFFIXES)}); give a folder of frames, or a "
                 "video"
             )
-        if fps is None:
-            raise PlacecatError(f"{path}: a folder has no frame rate: give it with --fps")
         self.name = path.resolve().name
-        self.fps = float(fps)
+        self.fps = fps
         self.reached = 0
         self._path = path
         first = read_image(path / self._images[0])

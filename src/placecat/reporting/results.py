@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -16,6 +16,14 @@ from placecat.evaluation.protocol import NO_SEED
 SCORE_COLUMNS = ["result", "home", "seed", "truth", "decision", "frames"]
 MISSING_COLUMNS = ["result", "home", "reason"]
 DROPPED_COLUMNS = ["filter", "home", "threshold", "frames", "dropped", "labelled", "dropped_labelled"]
+# Those that are means, the others being counts; and what a table calls them.
+MEASURES = {
+    "log_loss": "Log loss",
+    "calibration_error": "Calibration error",
+    "stay_accuracy": "Stay accuracy",
+}
+# Decimals: of nats three, of percent two.
+DECIMALS = {"log_loss": 3, "calibration_error": 2, "stay_accuracy": 2}
 
 
 @dataclass(frozen=True)
@@ -64,6 +72,46 @@ class Measured:
 
 
 @dataclass(frozen=True)
+class Quality:
+    """The distributions of one result on some test homes, once for each seed.
+
+    Attributes
+    ----------
+    homes
+        Names of the test homes, in the order of the data set.
+    seeds
+        Names of the seeds, as for :class:`Measured`.
+    values
+        Name of a number of :class:`placecat.evaluation.quality.HomeQuality` to (seeds, homes) values.
+    """
+
+    homes: tuple[str, ...]
+    seeds: tuple[str, ...]
+    values: Mapping[str, NDArray[np.float64]]
+
+    @property
+    def is_random(self) -> bool:
+        """Whether the result depends on a seed."""
+        return self.seeds != (NO_SEED,)
+
+    def over_homes(self, measure: str) -> NDArray[np.float64]:
+        """(seeds,) means over the homes of one of `MEASURES`; (0,) if no home has a labelled frame."""
+        values = self.values[measure]
+        there = np.isfinite(values).all(axis=0)
+        return values[:, there].mean(axis=1) if there.any() else np.empty(0)
+
+    def stay_share(self) -> NDArray[np.float64]:
+        """(seeds,) percent of all stays of all homes that are named rightly; (0,) if there is none."""
+        stays = self.values["stays"].sum(axis=1)
+        return 100.0 * self.values["stays_right"].sum(axis=1) / stays if stays.all() else np.empty(0)
+
+    def averages(self) -> dict[str, float]:
+        """Each of `MEASURES` as the mean over homes and seeds, rounded; without those that have no number."""
+        means = {measure: self.over_homes(measure) for measure in MEASURES}
+        return {name: round(float(one.mean()), DECIMALS[name]) for name, one in means.items() if len(one)}
+
+
+@dataclass(frozen=True)
 class Results:
     """All results of a run.
 
@@ -83,6 +131,8 @@ class Results:
     dropped
         Name of an information filter to what it drops (:func:`placecat.fusion.information_filter.dropped`):
         columns home, threshold, frames, dropped, labelled, dropped_labelled.
+    quality
+        Name of a result to how good its distributions are; those of trials are not kept.
     """
 
     homes: tuple[str, ...]
@@ -91,6 +141,7 @@ class Results:
     missing: dict[tuple[str, str], str]
     stays: dict[str, Measured] = field(default_factory=dict)
     dropped: dict[str, pd.DataFrame] = field(default_factory=dict)
+    quality: Mapping[str, Quality] = field(default_factory=dict)
 
     def of(self, name: str) -> Measured:
         """Look up one result.

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 KIND, TABLE, DIGEST = "placecat.kind", "placecat.table", "placecat.digest"
 CURRENT, SUPERSEDED_BY = "placecat.current", "placecat.superseded_by"
 # Change it when the runs get other content for the same numbers, so that they are logged anew.
-_FORM = "2"
+_FORM = "3"
 # Where a description shows its run's id.
 RUN_ID = "{run_id}"
 
@@ -41,7 +41,8 @@ class RowRun:
     name
         For people, e.g. "5-5-1, all cues, Gist".
     params, metrics
-        What identifies it, and its numbers: ``average``, ``home_1``, ... in percent.
+        What identifies it, and its numbers: ``average``, ``home_1``, ... in percent, and how good its
+        probabilities are (:meth:`placecat.reporting.quality.Quality.averages`).
     files
         Writes the row's files into the folder that it is given, and gives their paths.
     """
@@ -67,7 +68,7 @@ class TableRun:
     params
         Flat settings that the numbers depend on.
     metrics
-        Name to percent.
+        Name to number, percent unless it says otherwise.
     description
         Markdown for people; `RUN_ID` in it becomes the run's id.
     rows

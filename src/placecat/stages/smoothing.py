@@ -52,15 +52,13 @@ def smooth_home(
             f"{source / 'cross_validated.npy'} is missing: a cue in smoothing.cues must have a classifier "
             "that is cross-validated, such as nu_svm; take it out of the list, or run `dvc repro`"
         )
-    training = [
-        listing.read_labels(home)[part]
-        for home in fold.integration_homes
-        for part in listing.sequence_slices(home)
-    ]
+    walks, frame_rates = listing.walks(fold.integration_homes)
     return smooth(
         files.read_array(source / "test.npy", memory_map=False),
         listing.sequence_slices(fold.test),
-        training_sequences=training,
+        frame_rate=listing.frame_rate(fold.test),
+        training_sequences=walks,
+        training_frame_rates=frame_rates,
         training_proba=files.read_array(source / "cross_validated.npy", memory_map=False),
         training_truth=files.read_array(source / "cross_validated_truth.npy", memory_map=False),
         n_classes=n_classes,

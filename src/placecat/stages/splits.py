@@ -136,7 +136,11 @@ def apply_system(
     """Integrate some cues' outputs and smooth the decisions, for every test sequence."""
     train = {home: np.stack([one[f"fuse_{home}"] for one in outputs], axis=1) for home, _, _ in fuse}
     truth = {home: labels[rows] for home, labels, rows in fuse}
-    sequences = [labels[part] for home, labels, _ in fuse for part in listing.sequence_slices(home)]
+    walks = [
+        (labels[part], listing.frame_rate(home))
+        for home, labels, _ in fuse
+        for part in listing.sequence_slices(home)
+    ]
     tests = [np.stack([one[f"test_{sequence}"] for one in outputs], axis=1) for sequence in own["test"]]
     fused = integrate(train, truth, np.concatenate(tests), classes, **own["integrator"])
     parts = np.split(fused["test"], np.cumsum([len(test) for test in tests])[:-1])
@@ -145,7 +149,9 @@ def apply_system(
         | smooth(
             proba,
             listing.sequence_slices(f"{split}/{sequence}"),
-            training_sequences=sequences,
+            frame_rate=listing.frame_rate(f"{split}/{sequence}"),
+            training_sequences=[labels for labels, _ in walks],
+            training_frame_rates=[rate for _, rate in walks],
             training_proba=fused["cross_validated"],
             training_truth=fused["cross_validated_truth"],
             n_classes=len(classes),

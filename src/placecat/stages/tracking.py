@@ -68,6 +68,7 @@ def _settings(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, 
             "axes": json.dumps(table["axes"], sort_keys=True),
         }
     results = [row["result"] for row in table.get("rows", [])] or [table["result"]]
+    shown["probabilities"] = params["probabilities"]
     names = {part for result in results for part in result.split("/")}
     for kind in ("systems", "splits"):
         shown[kind] = {key: value for key, value in params[kind].items() if key in names}
