@@ -167,8 +167,8 @@ def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str
     verdict = judge_shares(shares[0], shares[1], rules.rare)
     texts = [f"{100 * one.estimate:.0f} % ({100 * one.low:.0f} to {100 * one.high:.0f})" for one in shares]
     return verdict, (
-        f"{counts}; by {rules.noticeable:g} points or more worse in {texts[0]}, better in {texts[1]} of all "
-        f"cases, as it takes more than {100 * rules.rare:g} % of both"
+        f"{counts}; by at least {rules.noticeable:g} points worse in {texts[0]}, better in {texts[1]} of all "
+        f"cases; both have to be above {100 * rules.rare:g} %"
     )
 
 
