@@ -172,6 +172,7 @@ PARAMS = {
             },
         }
     },
+    "probabilities": {"bins": 10, "smallest": 1e-9},
     "smoothing": {
         "delay_step": 0.2,
         "evidence": "soft",

@@ -3,9 +3,8 @@
 import pandas as pd
 import pytest
 
-from made_results import PARAMS, ROOT, made
+from made_results import PARAMS, ROOT, made, write_scores
 from placecat import files, paths
-from placecat.reporting.results import MISSING_COLUMNS, SCORE_COLUMNS, score_rows
 from placecat.stages import tables
 from project import contents
 
@@ -30,11 +29,7 @@ def prepare(folder):
     paths.PARAMS.write_text((ROOT / "params.yaml").read_text())
     results = made()
     del results.measured[LOST[0]]
-    rows = [row for name, one in results.measured.items() for row in score_rows(name, one)]
-    paths.SCORES.mkdir()
-    files.write_csv(paths.SCORES / "scores.csv", pd.DataFrame(rows, columns=SCORE_COLUMNS))
-    reasons = [(LOST[0], home, "too few frames") for home in ("home_1", "home_6")]
-    files.write_csv(paths.SCORES / "missing.csv", pd.DataFrame(reasons, columns=MISSING_COLUMNS))
+    write_scores(paths.SCORES, results, [(LOST[0], home, "too few frames") for home in ("home_1", "home_6")])
     for home in PARAMS["dataset"]["homes"]:
         for seed in ("seed-0", "seed-1"):
             facts = {"cross_validated_accuracy": {"home_2": 30.5}} if seed == "seed-0" else {}
@@ -44,11 +39,13 @@ def prepare(folder):
 def test_every_table_is_written_in_three_forms_with_all_other_reports(run):
     names = {f"table_{number:02d}" for number in range(1, 32)} | {
         "addition_discriminative_regions",
+        "addition_probabilities",
         "addition_rvm",
     }
     written = {path.name for path in (run / paths.TABLES).iterdir()}
     assert written == {f"{name}.{ending}" for name in names for ending in ("csv", "md", "tex")}
-    for path in (paths.ACCURACIES, paths.CROSS_VALIDATION, paths.IN_TEXT, paths.METRICS, paths.SUMMARY):
+    reports = (paths.ACCURACIES, paths.CROSS_VALIDATION, paths.PROBABILITIES, paths.IN_TEXT)
+    for path in (*reports, paths.METRICS, paths.SUMMARY):
         assert (run / path).stat().st_size > 0
     plots = {path.relative_to(run / paths.PLOTS).as_posix() for path in (run / paths.PLOTS).rglob("*.csv")}
     assert plots == {f"{kind}/{panel}.csv" for kind, panels in PARAMS["plots"].items() for panel in panels}
@@ -61,6 +58,20 @@ def test_no_cell_of_any_table_is_empty_without_a_reason(run):
         lost = table[table["measured"] == ""]
         assert (lost["note"].str.startswith("too few frames")).all()
         assert len(lost) == (3 if path.stem == "table_04" else 0)
+
+
+def test_how_good_probabilities_are_has_a_row_a_result_and_two_of_them_are_in_the_summary(run):
+    table = pd.read_csv(run / paths.PROBABILITIES)
+    quality = made().quality
+    assert table["result"].tolist() == list(quality)
+    log_loss = dict(zip(table["result"], table["log_loss"], strict=True))
+    for name, one in quality.items():
+        assert log_loss[name] == pytest.approx(one.values["log_loss"].mean(), abs=0.0006)
+    chosen = PARAMS["metrics"]["log_loss"]
+    assert len(chosen) == 2
+    summary = files.read_json(run / paths.SUMMARY)
+    assert summary["log_loss"] == {column: log_loss[name] for column, name in chosen.items()}
+    assert set(summary) == {"log_loss", *PARAMS["metrics"]["accuracy"]}
 
 
 def test_cross_validation_has_a_row_a_fold_and_seed(run):
