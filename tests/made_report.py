@@ -57,6 +57,17 @@ def addition():
     return Table(named, pd.DataFrame(rows, columns=columns), DATASET)
 
 
+def captioned():
+    """A table whose numbers are no percentages, and depend on chance."""
+    rows = [
+        ("Addition", "Cues", "Gist", column, np.nan, value, spread, 2, "measured on made-up homes")
+        for column, value, spread in (("Log loss", 1.61, 0.02), ("Stay accuracy", 40.0, 3.0))
+    ]
+    named = {"name": "addition_quality", "number": None, "title": "How good", "thesis_data": None}
+    named["caption"] = "Log loss in nats, stay accuracy in percent."
+    return Table(named, pd.DataFrame(rows, columns=list(cells(5).columns)), DATASET)
+
+
 def png(width=260, height=160, seed=0):
     picture = np.random.default_rng(seed).integers(0, 255, (height // 20, width // 20, 3), np.uint8)
     picture = cv2.resize(picture, (width, height), interpolation=cv2.INTER_NEAREST)
@@ -202,6 +213,7 @@ def report(*, tables=range(1, 32), figures=range(1, 21)):
         Figure(number, f"What figure {number} shows.", png(seed=number)) for number in figures if number != 20
     ]
     drawn += [Figure(20, "The probability.", None, "this run has no university")] * (20 in figures)
+    drawn.append(Figure(None, "How sure.", png(), name="figure_how_sure"))
     times = Times(
         pd.DataFrame({"stage": ["sequences", "features"], "runs": [1, 6], "seconds": [3.25, 63.0]}),
         "made-up homes",
@@ -212,7 +224,7 @@ def report(*, tables=range(1, 32), figures=range(1, 21)):
         dataset=DATASET,
         frames={home: dict.fromkeys(CLASSES, 100) | {"unlabelled": 20} for home in HOMES},
         data_version="0123456789abcdef0123456789abcdef.dir",
-        tables=[*shown, addition()],
+        tables=[*shown, addition(), captioned()],
         figures=drawn,
         in_text=in_text(),
         findings=findings(),

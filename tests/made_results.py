@@ -6,14 +6,17 @@ import numpy as np
 import pandas as pd
 import yaml
 
+from placecat import files
 from placecat.evaluation.trials import expand
 from placecat.learning.toy_circles import NAMES
+from placecat.reporting.quality import QUALITY_COLUMNS, quality_rows
 from placecat.reporting.results import (
     DROPPED_COLUMNS,
     MISSING_COLUMNS,
     NO_SEED,
     SCORE_COLUMNS,
     Measured,
+    Quality,
     Results,
     score_rows,
 )
@@ -35,7 +38,9 @@ def made(params=PARAMS, drawn=0):
     """Every result that the settings ask for; those of seeds have two."""
     rng = np.random.default_rng(drawn)
     homes, classes = params["dataset"]["homes"], tuple(params["dataset"]["classes"])
-    measured = {}
+    measured, quality = {}, {}
+    # Numbers of their own, so that the counts are those that the tests were written for.
+    of_quality = np.random.default_rng([drawn, 1])
 
     def add(name, tested, places, seeds):
         counts = rng.integers(1, 50, (len(seeds), len(tested), len(places), len(places)))
@@ -43,7 +48,9 @@ def made(params=PARAMS, drawn=0):
 
     for name, source in sources(params).items():
         of_one_frame = name.split("/")[-1].startswith(("gist", "spatial")) or "spatial_pact" in name
-        add(name, source.homes, source.classes, (NO_SEED,) if of_one_frame else SEEDS)
+        seeds = (NO_SEED,) if of_one_frame else SEEDS
+        add(name, source.homes, source.classes, seeds)
+        quality[name] = drawn_quality(of_quality, tuple(source.homes), seeds)
     for study in params["studies"].values():
         for table, options in study.items():
             for trial in expand(table, options, homes):
@@ -62,7 +69,7 @@ def made(params=PARAMS, drawn=0):
         ).assign(labelled=40, dropped_labelled=10 * (n + 1))
         for n, name in enumerate(params["filters"])
     }
-    return Results(tuple(homes), classes, measured, {}, stays, dropped)
+    return Results(tuple(homes), classes, measured, {}, stays, dropped, quality)
 
 
 def toy_results(toy):
@@ -88,15 +95,35 @@ def by_stay(one, rng, visits=3, frames=20):
     return Measured(names, one.seeds, one.classes, confusion)
 
 
+def drawn_quality(rng, homes, seeds):
+    """How good distributions are, drawn at random, with as many decimals as the file has."""
+    shape = (len(seeds), len(homes))
+    values = {
+        "log_loss": rng.uniform(0.5, 3.0, shape).round(6),
+        "calibration_error": rng.uniform(0.0, 60.0, shape).round(6),
+        "stays": np.repeat(rng.integers(5, 12, (1, len(homes))), len(seeds), axis=0).astype(float),
+        "stays_right": rng.integers(0, 6, shape).astype(float),
+        "stay_accuracy": rng.uniform(0.0, 100.0, shape).round(6),
+    }
+    return Quality(homes, seeds, values)
+
+
 def write_scores(folder, results, missing=()):
-    """Write what the stage `scores` writes."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, own in (("scores", results.measured), ("stays", results.stays)):
-        rows = [row for result, one in own.items() for row in score_rows(result, one)]
-        pd.DataFrame(rows, columns=SCORE_COLUMNS).to_csv(folder / f"{name}.csv", index=False)
-    pd.DataFrame(missing, columns=MISSING_COLUMNS).to_csv(folder / "missing.csv", index=False)
+    """Write what the stage `scores` leaves in `folder`; `missing` has rows of results, homes and reasons."""
+    rows, stays = (
+        [row for name, one in own.items() for row in score_rows(name, one)]
+        for own in (results.measured, results.stays)
+    )
+    good = [row for name, one in results.quality.items() for row in quality_rows(name, one)]
+    for name, content, columns in (
+        ("scores", rows, SCORE_COLUMNS),
+        ("stays", stays, SCORE_COLUMNS),
+        ("missing", missing, MISSING_COLUMNS),
+        ("probabilities", good, QUALITY_COLUMNS),
+    ):
+        files.write_csv(folder / f"{name}.csv", pd.DataFrame(content, columns=columns))
     dropped = [pd.DataFrame(columns=DROPPED_COLUMNS), *results.dropped.values()]
-    pd.concat(dropped)[DROPPED_COLUMNS].to_csv(folder / "dropped.csv", index=False)
+    files.write_csv(folder / "dropped.csv", pd.concat(dropped)[DROPPED_COLUMNS])
 
 
 def published():

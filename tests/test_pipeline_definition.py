@@ -163,6 +163,7 @@ def _light_conf():
 def settings_in_code():
     """Each part of params.yaml with the function or class whose settings it holds, and what is no setting."""
     from placecat.cues import estimators
+    from placecat.evaluation.quality import home_quality
     from placecat.fusion.smoothing import smooth
     from placecat.learning.toy_circles import toy_circles
     from placecat.vision import holistic, local
@@ -202,6 +203,7 @@ def settings_in_code():
     smoothing = {name: value for name, value in params["smoothing"].items() if name not in lists}
     yield "toy.points", params["toy"]["points"], toy_circles, {"n", "seed"}
     yield "smoothing", smoothing, smooth, given
+    yield "probabilities", params["probabilities"], home_quality, {"truth", "proba", "sequences"}
 
 
 @pytest.mark.parametrize(

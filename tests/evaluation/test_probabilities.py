@@ -182,7 +182,7 @@ def test_impossible_bins_are_refused(bins):
         reliability([0], np.array([[1.0]]), bins=bins)
 
 
-@pytest.mark.parametrize("smallest", [0.0, -1.0, 1.0, float("nan")])
+@pytest.mark.parametrize("smallest", [0.0, -1.0, 1.0, float("nan"), "1e-15"])
 def test_impossible_smallest_probabilities_are_refused(smallest):
-    with pytest.raises(PlacecatError, match=r"probabilities\.smallest must lie in \(0, 1\)"):
+    with pytest.raises(PlacecatError, match=r"probabilities\.smallest must be a number in \(0, 1\)"):
         log_loss([0], np.array([[1.0]]), smallest=smallest)

@@ -138,7 +138,9 @@ def test_both_signs_takes_a_share_of_the_cases_each(gains, counts, verdict):
     judged = compare(measured(shifted(gains)), measured(HOMES), "both_signs")
     assert (judged.measurement.worse, judged.measurement.better) == counts
     assert judged.verdict == verdict
-    assert judged.reason.startswith(f"worse in {counts[0]}, better in {counts[1]} of 6 cases; by at least 1 points")
+    assert judged.reason.startswith(
+        f"worse in {counts[0]}, better in {counts[1]} of 6 cases; by at least 1 points"
+    )
 
 
 def test_both_signs_takes_some_homes():

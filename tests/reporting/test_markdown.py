@@ -1,6 +1,6 @@
 import numpy as np
 
-from made_report import DATASET, addition, cells, settings
+from made_report import DATASET, addition, captioned, cells, settings
 from placecat.reporting.markdown import markdown_text, table_markdown
 
 
@@ -36,6 +36,15 @@ def test_an_addition_has_no_number_and_nothing_published():
     assert "Published" not in text
     assert "| SVM | 33.00 | <sup>a</sup> |" in text
     assert text.endswith("a: too few frames.\n\n")
+
+
+def test_a_table_that_is_not_in_percent_says_what_its_numbers_are():
+    one = captioned()
+    text = table_markdown(one.settings, one.cells, DATASET)
+    start = "# How good\n\nLog loss in nats, stay accuracy in percent. Measured on made-up homes.\n"
+    assert text.startswith(start)
+    assert "Percent, " not in text and "points" not in text
+    assert "| Gist | 1.61 | 40.00 |" in text
 
 
 def test_the_same_data_compare():

@@ -9,7 +9,7 @@ import yaml
 
 from placecat.errors import PlacecatError
 from placecat.reporting.metrics import chosen_averages, nested_metrics, plot_data
-from placecat.reporting.results import Measured, Results
+from placecat.reporting.results import Measured, Quality, Results
 
 ROOT = Path(__file__).resolve().parents[2]
 PLACES = ("kitchen", "bedroom")
@@ -65,7 +65,11 @@ def results():
         [[[[3, 1], [0, 4]], [[1, 1], [0, 0]]], [[[4, 0], [4, 0]], [[2, 0], [0, 0]]]],
     )
     measured = Measured(("A", "B"), ("seed-0", "seed-1"), PLACES, confusion)
-    return Results(("A", "B"), PLACES, {"integration/x": measured}, {("integration/y", "A"): "too few homes"})
+    values = {"calibration_error": np.ones((2, 2)), "stay_accuracy": np.ones((2, 2))}
+    values["log_loss"] = np.array([[1.0, 2.0], [1.5, 1.0004]])
+    quality = {"integration/x": Quality(("A", "B"), measured.seeds, values)}
+    reasons = {("integration/y", "A"): "too few homes"}
+    return Results(("A", "B"), PLACES, {"integration/x": measured}, reasons, quality=quality)
 
 
 def test_a_row_a_frame_of_the_first_seed(results):
@@ -107,11 +111,15 @@ def test_unknown_plots_are_refused(results, plots, message):
 
 
 def test_a_few_averages_are_columns_for_dvc(results):
-    averages = chosen_averages(results, {"after": "integration/x", "lost": "integration/y"})
+    columns = {"after": "integration/x", "lost": "integration/y"}
+    averages = chosen_averages(results, {"accuracy": columns, "log_loss": columns})
     # Homes with 87.5, 50, 50 and 100 percent.
-    assert averages == {"after": 71.88}
-    with pytest.raises(PlacecatError, match=r"metrics\.z: there is no result 'integration/z'"):
-        chosen_averages(results, {"z": "integration/z"})
+    assert averages == {"after": 71.88, "log_loss": {"after": 1.375}}
+    for kind in ("accuracy", "log_loss"):
+        with pytest.raises(PlacecatError, match=rf"metrics\.{kind}\.z: there is no result 'integration/z'"):
+            chosen_averages(results, {kind: {"z": "integration/z"}})
+    with pytest.raises(PlacecatError, match="metrics has no setting 'log_los'; did you mean 'log_loss'"):
+        chosen_averages(results, {"log_los": columns})
 
 
 def test_dvc_draws_the_chosen_panels():

@@ -56,8 +56,9 @@ def test_every_table_and_figure_is_there_and_the_console_is_clean(page, tmp_path
     assert console == []
     assert found["tables"] == [f"table-{number}" for number in range(1, 32)]
     before, after = list(range(1, 11)), [12, 13, 14, 11, 15, 16, 17, 18, 19, 20]
-    assert found["figures"] == [f"figure-{number}" for number in [*before, *after]]
-    assert found["images"] == 21  # figure 20 has a reason instead; speed and scale have a chart
+    added = "addition-figure-how-sure"
+    assert found["figures"] == [*(f"figure-{number}" for number in [*before, *after]), added]
+    assert found["images"] == 22  # figure 20 has a reason instead; speed and scale have a chart
     assert found["broken"] == 0
     assert found["alts"][0] == "What figure 1 shows."
     published = made_report.published_tables().groupby("table").size()

@@ -1,5 +1,6 @@
 """The configurations of the tables: known settings only, and those that the thesis names."""
 
+import numpy as np
 import pytest
 
 from made_results import PARAMS
@@ -20,6 +21,7 @@ SETTINGS = {
     "by_home": {"number", "title", "thesis_data", "layout", "rows"},
     "by_class": {"number", "title", "thesis_data", "layout", "result"},
     "pooled_by_class": {"number", "title", "thesis_data", "layout", "rows", "split"},
+    "probabilities": {"number", "title", "thesis_data", "layout", "caption", "rows"},
     "grid": {"number", "title", "thesis_data", "layout", "trial", "homes", "axes"},
 }
 
@@ -46,6 +48,20 @@ def test_the_results_of_tables_are_those_of_the_pipeline():
     for table in TABLES.values():
         for result in [*(row["result"] for row in table.get("rows", [])), table.get("result")]:
             assert result is None or result in known
+
+
+def test_how_good_probabilities_are_is_shown_of_every_cue_and_system():
+    table = TABLES["addition_probabilities"]
+    shown = [row["result"] for row in table["rows"]]
+    assert len(shown) == len(set(shown))
+    wanted = {f"cues/{cue}/5-5-1" for cue in PARAMS["cues"]}
+    wanted |= {f"integration/{system}" for system in PARAMS["systems"]}
+    wanted |= {name for name in sources(PARAMS) if name.startswith("smoothing/")}
+    assert set(shown) == wanted
+    titles = {row["result"]: row["row"] for row in table["rows"]}
+    for cue, own in PARAMS["cues"].items():
+        assert titles[f"cues/{cue}/5-5-1"] == own["title"]
+    assert f"ln 5 = {np.log(len(PARAMS['dataset']['classes'])):.3f}" in table["caption"]
 
 
 @pytest.mark.parametrize("name", list(STUDIES))

@@ -6,7 +6,7 @@ import pandas as pd
 import pytest
 
 import made_results
-from placecat import mlflow_store
+from placecat import files, mlflow_store
 from placecat.errors import PlacecatError
 from placecat.reporting import tracking
 from placecat.reporting.charts.bars import bars_of
@@ -14,7 +14,7 @@ from placecat.reporting.charts.draw import MatrixDrawer
 from placecat.reporting.confusion import decisions_of, shares
 from placecat.reporting.tables import dataset_of, fill_table, tables_of
 from placecat.reporting.tracking import RowRun, TableRun, flatten, log_tables
-from placecat.reporting.tracking_content import table_run
+from placecat.reporting.tracking_content import figures_run, table_run
 
 pytestmark = pytest.mark.xdist_group("mlflow")
 
@@ -207,10 +207,14 @@ def test_a_row_has_its_numbers_by_home_and_its_confusion_matrix(results, tmp_pat
     run, cells = gathered("table_26", results)
     by_name = {row.name: row for row in run.rows}
     row = by_name["5-5-1, all cues, Gist"]
+    good = results.quality["cues/gist/5-5-1"].averages()
     own = cells[(cells["group"] == "5-5-1, all cues") & (cells["row"] == "Gist")].set_index("column")[
         "measured"
     ]
-    assert row.metrics == {name.lower().replace(" ", "_"): value for name, value in own.items()}
+    assert row.metrics == {name.lower().replace(" ", "_"): value for name, value in own.items()} | good
+    assert good.keys() == {"log_loss", "calibration_error", "stay_accuracy"}
+    for measure, value in good.items():
+        assert run.metrics[f"{measure}/5-5-1 all cues/Gist"] == value
     assert run.metrics["average/5-5-1 all cues/Gist"] == own["Average"]
     assert row.params["result"] == "cues/gist/5-5-1"
     paths = {path.name: path for path in row.files(tmp_path)}
@@ -220,6 +224,46 @@ def test_a_row_has_its_numbers_by_home_and_its_confusion_matrix(results, tmp_pat
     for (home, truth), counts in table.groupby(["home", "truth"])[list(measured.classes)].sum().iterrows():
         h, i = measured.homes.index(home), measured.classes.index(truth)
         np.testing.assert_array_equal(counts, measured.confusion[:, h, i].sum(axis=0))
+
+
+def test_a_table_of_one_result_and_one_of_probabilities_have_their_numbers_once(results, tmp_path):
+    of_one, _ = gathered("table_06", results)
+    name = made_results.PARAMS["tables"]["table_06"]["result"]
+    good = results.quality[name].averages()
+    assert {measure: of_one.metrics[measure] for measure in good} == good
+    assert not any(good.keys() & row.metrics.keys() for row in of_one.rows)
+    run, cells = gathered("addition_probabilities", results)
+    row = next(one for one in run.rows if one.params["result"] == "smoothing/das_551_best")
+    expected = results.quality["smoothing/das_551_best"].averages()
+    assert row.metrics == pytest.approx(expected, abs=0.0051)
+    assert len(run.metrics) == len(cells) == 3 * len(run.rows)
+    # No bars of nats beside percent, but what the numbers are.
+    assert "chart.png" not in {path.name for path in run.files(tmp_path)}
+    assert "chart.png" not in run.description and "accuracy in percent" not in run.description
+    assert "Log loss in nats" in run.description
+
+
+def test_the_figures_are_one_run_with_added_ones_among_them(tmp_path):
+    entries = [
+        {"name": "figure_02", "number": 2, "file": "figure_02.png", "title": "Two.", "reason": None},
+        {"name": "figure_20", "number": 20, "file": None, "title": "Twenty.", "reason": "no such data"},
+        {"name": "figure_reliability", "number": None, "file": "figure_reliability.png", "title": "Sure."}
+        | {"reason": None},
+    ]
+    files.write_json(tmp_path / "figures.json", entries)
+    for name in ("figure_02", "figure_reliability"):
+        (tmp_path / f"{name}.png").write_bytes(name.encode())
+    run = figures_run(tmp_path)
+    assert [path.name for path in run.files(tmp_path)] == ["figure_02.png", "figure_reliability.png"]
+    lines = run.description.splitlines()[-3:]
+    assert lines == [
+        "- **Figure 2.** Two.",
+        "- **Figure 20.** Left out: no such data",
+        "- **Addition.** Sure.",
+    ]
+    first = run.digest("v1")
+    (tmp_path / "figure_reliability.png").write_bytes(b"another")
+    assert figures_run(tmp_path).digest("v1") != first
 
 
 def test_a_description_has_the_measured_table_and_no_foreign_numbers(results):
@@ -232,18 +276,21 @@ def test_a_description_has_the_measured_table_and_no_foreign_numbers(results):
     assert len(run.description) < 8000 - 32
 
 
-def test_the_digest_covers_every_decision(results):
+def test_the_digest_covers_every_decision_and_how_sure_they_are(results):
     table, cells = filled("table_05", results)
     dataset = dataset_of(table, made_results.PARAMS)
     one = results.of("cues/gist/5-5-1")
     moved = one.confusion.copy()
     moved[0, 0, 0, [1, 2]] = moved[0, 0, 0, [2, 1]] + [1, -1]
     changed = replace(results, measured=results.measured | {"cues/gist/5-5-1": replace(one, confusion=moved)})
-    first, second = (
+    good = results.quality["cues/gist/5-5-1"]
+    surer = replace(good, values=good.values | {"log_loss": good.values["log_loss"] + 0.01})
+    better = replace(results, quality=dict(results.quality) | {"cues/gist/5-5-1": surer})
+    digests = {
         table_run(table, cells, each, dataset, {}, [], MatrixDrawer()).digest("v1")
-        for each in (results, changed)
-    )
-    assert first != second
+        for each in (results, changed, better)
+    }
+    assert len(digests) == 3
 
 
 @pytest.mark.parametrize("name", ["table_01", "table_12", "table_15", "table_22", "table_06", "table_30"])

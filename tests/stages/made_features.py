@@ -180,6 +180,7 @@ PARAMS = {
             },
         }
     },
+    "probabilities": {"bins": 10, "smallest": 1e-9},
     "smoothing": {
         "delay_seconds": 1.0,
         "evidence": "soft",

@@ -16,8 +16,11 @@ def project(tmp_path, monkeypatch):
     params = made_run.parameters()
     made_run.build(tmp_path, params)
     # The rest is left out here: it takes the time of all frames.
-    monkeypatch.setattr(figures, "names", lambda: ["figure_02", "figure_11", "figure_19"])
-    own = {name: params["figures"][name] for name in ("example", "clusters", "figure_11", "figure_19")}
+    monkeypatch.setattr(
+        figures, "names", lambda: ["figure_02", "figure_11", "figure_19", "figure_reliability"]
+    )
+    names = ("example", "clusters", "figure_11", "figure_19", "figure_reliability")
+    own = {name: params["figures"][name] for name in names}
     return params | {"figures": own}
 
 
@@ -29,8 +32,9 @@ def test_what_the_data_lack_is_left_out_with_its_reason(project, tmp_path):
     save(project)
     stage.main()
     entries = json.loads((tmp_path / "reports/figures/figures.json").read_text())
-    assert [entry["number"] for entry in entries] == [2, 11, 19]
-    assert [entry["file"] for entry in entries] == ["figure_02.png", None, "figure_19.png"]
+    assert [entry["number"] for entry in entries] == [2, 11, 19, None]
+    assert [entry["name"] for entry in entries] == figures.names()
+    assert [entry["file"] for entry in entries] == ["figure_02.png", None, "figure_19.png", None]
     assert "was not computed" in entries[1]["reason"] and entries[0]["reason"] is None
     assert entries[2]["title"] == figures.load("figure_19").TITLE
     written = {path.name for path in (tmp_path / "reports/figures").iterdir()}

@@ -30,8 +30,21 @@ def folder(tmp_path, monkeypatch):
         cells = made_report.addition().cells if number is None else made_report.cells(number)
         files.write_csv(paths.TABLES / f"{name}.csv", cells)
     figures = [
-        {"number": 2, "file": "figure_02.png", "title": "Two", "reason": None},
-        {"number": 20, "file": None, "title": "Twenty", "reason": "there is no university"},
+        {"name": "figure_02", "number": 2, "file": "figure_02.png", "title": "Two", "reason": None},
+        {
+            "name": "figure_20",
+            "number": 20,
+            "file": None,
+            "title": "Twenty",
+            "reason": "there is no university",
+        },
+        {
+            "name": "figure_more",
+            "number": None,
+            "file": "figure_02.png",
+            "title": "More.",
+            "reason": None,
+        },
     ]
     files.write_json(paths.FIGURES / "figures.json", figures)
     (paths.FIGURES / "figure_02.png").write_bytes(made_report.png())
@@ -51,6 +64,8 @@ def test_it_reads_everything_and_writes_the_page(folder):
     assert re.findall(r'<section class="table" id="table-(\d+)"', text) == [str(n) for n in range(1, 32)]
     assert '<figure id="figure-2">\n<img src="data:image/' in text
     assert "Not drawn: there is no university." in text
+    assert '<figure id="addition-figure-more">\n<img src="data:image/' in text
+    assert "<b>Addition</b> More." in text
     assert (
         '<th scope="row">Home 1: home_1</th><td>2</td><td>1</td><td>0</td><td>0</td><td>0</td><td>1</td>'
         in text

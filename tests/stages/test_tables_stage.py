@@ -54,7 +54,13 @@ def test_every_table_is_written_in_three_forms_with_all_other_reports(run):
     assert {f"table_{number:02d}" for number in range(1, 32)} < names
     written = {path.name for path in (run / paths.TABLES).iterdir()}
     assert written == {f"{name}.{ending}" for name in names for ending in ("csv", "md", "tex")}
-    for path in (paths.ACCURACIES, paths.IN_TEXT, paths.METRICS, paths.SUMMARY):
+    for path in (
+        paths.ACCURACIES,
+        paths.PROBABILITIES,
+        paths.IN_TEXT,
+        paths.METRICS,
+        paths.SUMMARY,
+    ):
         assert (run / path).stat().st_size > 0
     plots = {path.relative_to(run / paths.PLOTS).as_posix() for path in (run / paths.PLOTS).rglob("*.csv")}
     assert plots == {f"{kind}/{panel}.csv" for kind, panels in PARAMS["plots"].items() for panel in panels}
@@ -75,6 +81,20 @@ def test_numbers_that_are_no_accuracies_are_read_off_what_was_recorded(run):
     assert sorted(lines["uninformative_views"]) == [0.05, 0.09]
     # What git keeps is not there.
     assert lines[["processing_rate", "test_cycle", "svm_training"]].isna().all()
+
+
+def test_how_good_probabilities_are_has_a_row_a_result_and_two_of_them_are_in_the_summary(run):
+    table = pd.read_csv(run / paths.PROBABILITIES)
+    quality = made().quality
+    assert table["result"].tolist() == list(quality)
+    log_loss = dict(zip(table["result"], table["log_loss"], strict=True))
+    for name, one in quality.items():
+        assert log_loss[name] == pytest.approx(one.values["log_loss"].mean(), abs=0.0006)
+    chosen = PARAMS["metrics"]["log_loss"]
+    assert len(chosen) == 2
+    summary = files.read_json(run / paths.SUMMARY)
+    assert summary["log_loss"] == {column: log_loss[name] for column, name in chosen.items()}
+    assert set(summary) == {"log_loss", *PARAMS["metrics"]["accuracy"]}
 
 
 def test_the_same_scores_give_the_same_bytes(run, monkeypatch):

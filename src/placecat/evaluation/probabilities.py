@@ -70,10 +70,10 @@ def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
     Raises
     ------
     PlacecatError
-        If `smallest` is outside.
+        If `smallest` is no such number.
     """
-    if not 0.0 < smallest < 1.0:
-        raise PlacecatError(f"probabilities.smallest must lie in (0, 1), but is {smallest}")
+    if not isinstance(smallest, int | float) or not 0.0 < smallest < 1.0:
+        raise PlacecatError(f"probabilities.smallest must be a number in (0, 1), but is {smallest!r}")
     truth = np.asarray(truth, dtype=np.int64)
     weights = balanced_weights(truth)
     scored = np.flatnonzero(truth >= 0)

@@ -54,8 +54,7 @@ class Sequential(ClassifierMixin, BaseEstimator):
     decision
         What `predict` does: the first node that says yes, else the last class, where yes is the ``sign`` of
         the two-class decision value, or a ``probability`` p(o_k|x) above 0.5; or the largest of the
-        probability-like output, ``product``. The thesis speaks of negative decisions only; on its toy problem
-        the sign gives the threefold error on the last class that it reports, the probability half of that.
+        probability-like output, ``product``. The thesis speaks of negative decisions only, which is the sign.
     output
         What `predict_proba` gives: the probability-like ``product``, whose largest entry need not be what
         `predict` decides, or 1 for what `predict` says (``decision``).

@@ -37,8 +37,12 @@ def texts(figure):
 def test_figures_are_found_by_name():
     names = figures.names()
     assert {f"figure_{number}" for number in MINE} <= set(names)
-    assert all(re.fullmatch(r"figure_\d\d", name) for name in names)
-    assert [figures.number(name) for name in names] == sorted(figures.number(name) for name in names)
+    of_thesis = [name for name in names if re.fullmatch(r"figure_\d\d", name)]
+    numbers = [figures.number(name) for name in of_thesis]
+    assert numbers == sorted(numbers)
+    # Added ones have no number, and come last.
+    assert names == [*of_thesis, "figure_reliability"]
+    assert figures.number("figure_reliability") is None
     with pytest.raises(PlacecatError, match="there is no figure 'figure_99'"):
         figures.load("figure_99")
 

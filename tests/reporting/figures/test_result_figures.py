@@ -1,4 +1,4 @@
-"""Figures 11, 15, 16, 17 and 20, on a stand-in for a run with known distributions."""
+"""Figures 11, 15 to 17, 20, and reliability diagrams, on a stand-in for a run with known distributions."""
 
 from itertools import pairwise
 from pathlib import Path
@@ -13,10 +13,18 @@ from matplotlib.figure import Figure
 from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.reporting import figures
-from placecat.reporting.figures import figure_11, figure_15, figure_16, figure_17, figure_20, strips
+from placecat.reporting.figures import (
+    figure_11,
+    figure_15,
+    figure_16,
+    figure_17,
+    figure_20,
+    figure_reliability,
+    strips,
+)
 from placecat.reporting.figures.choice import home_of
 from placecat.reporting.figures.segment import changes, most_smoothed, stretches
-from placecat.reporting.results import Measured, Results
+from placecat.reporting.results import Measured, Quality, Results
 from placecat.reporting.sources import Source
 
 CONF = Path(__file__).parents[3] / "conf/figures/figures.yaml"
@@ -47,6 +55,7 @@ class Run:
 
     def __init__(self, homes=HOMES, **options):
         self.homes = homes
+        self.params = {"probabilities": {"bins": 10, "smallest": 1e-15}}
         self.settings = yaml.safe_load(CONF.read_text(encoding="utf-8"))
         self.settings["figure_11"]["frames"] = LENGTH
         for figure, own in options.items():
@@ -91,7 +100,11 @@ class Run:
         measured = {
             name: Measured(self.homes, ("seed-0", "seed-1"), CLASSES, confusion[name]) for name in names
         }
-        return Results(self.homes, CLASSES, measured, {})
+        values = dict.fromkeys(("log_loss", "calibration_error", "stay_accuracy"), np.ones((2, 4)))
+        values["log_loss"] = np.array([[1.0, 2.0, 2.0, 2.0], [1.2, 2.2, 2.2, 2.2]])
+        quality = Quality(self.homes, ("seed-0", "seed-1"), values)
+        names = self.settings["figure_reliability"]["panels"].values()
+        return Results(self.homes, CLASSES, measured, {}, quality=dict.fromkeys(names, quality))
 
 
 def texts(figure):
@@ -102,7 +115,7 @@ def titles(figure):
     return [axes.get_title(loc="left").strip() for axes in figure.axes if axes.get_title(loc="left")]
 
 
-@pytest.mark.parametrize("number", [11, 15, 16, 17, 20])
+@pytest.mark.parametrize("number", [11, 15, 16, 17, 20, "reliability"])
 def test_a_figure_is_drawn_and_its_bytes_repeat(number, tmp_path):
     assert figures.load(f"figure_{number}").TITLE.endswith(".")
     first, second = tmp_path / "first.png", tmp_path / "second.png"
@@ -112,14 +125,14 @@ def test_a_figure_is_drawn_and_its_bytes_repeat(number, tmp_path):
     assert first.stat().st_size > 5000
 
 
-@pytest.mark.parametrize("number", [11, 15, 16, 17, 20])
+@pytest.mark.parametrize("number", [11, 15, 16, 17, 20, "reliability"])
 def test_no_text_is_smaller_than_seven_points(number):
     figure = figures.load(f"figure_{number}").draw(Run())
     written = figure.findobj(lambda artist: hasattr(artist, "get_fontsize") and artist.get_text())
     assert written and min(text.get_fontsize() for text in written) >= 7
 
 
-@pytest.mark.parametrize("number", [11, 15, 16, 17, 20])
+@pytest.mark.parametrize("number", [11, 15, 16, 17, 20, "reliability"])
 def test_an_unknown_setting_of_a_figure_is_refused(number):
     with pytest.raises(PlacecatError, match=rf"figures\.figure_{number} has no setting 'hose'"):
         figures.load(f"figure_{number}").draw(Run(**{f"figure_{number}": {"hose": 3}}))
@@ -213,6 +226,40 @@ def test_figure_20_has_every_test_sequence_beside_each_other():
     assert titles(figure) == ["(a) After the integration of HOG, Gist and Centrist", "(b) After smoothing"]
     with pytest.raises(PlacecatError, match="names no result"):
         figure_20.draw(Run(figure_20={"panels": {}}))
+
+
+def test_a_reliability_diagram_has_its_bins_where_they_belong_and_the_numbers_of_the_table():
+    figure = figure_reliability.draw(Run())
+    above = [axes for axes in figure.axes if axes.get_title(loc="left")]
+    assert [axes.get_title(loc="left").split("\n")[0] for axes in above] == [
+        "(a) Gist",
+        "(b) Spatial PACT",
+        "(c) HOG + y-Pos",
+        "(d) Integration",
+        "(e) Smoothing",
+    ]
+    # All decisions have the probability 0.9. Of one of three places 10 frames of 30 are wrong in every home,
+    # of another one in one of the four.
+    right = [(8 / 9 + 8 / 9 + 8 / 9 + 7 / 9) / 4] * 4 + [1.0]
+    for axes, expected in zip(above, right, strict=True):
+        np.testing.assert_allclose(axes.collections[-1].get_offsets(), [[0.9, expected]])
+    below = [axes for axes in figure.axes if axes.patches]
+    assert len(below) == len(above)
+    for axes in below:
+        heights = {round(bar.get_x() + bar.get_width() / 2, 3): bar.get_height() for bar in axes.patches}
+        assert heights[0.85] == pytest.approx(100.0) and sum(heights.values()) == pytest.approx(100.0)
+    assert above[0].get_title(loc="left") == "(a) Gist\nlog loss 1.85, error 1.0 %"
+
+
+def test_reliability_diagrams_need_results_and_labels():
+    with pytest.raises(PlacecatError, match="panels names no result"):
+        figure_reliability.draw(Run(figure_reliability={"panels": {}}))
+    with pytest.raises(PlacecatError, match="there are no distributions of 'nothing'"):
+        figure_reliability.draw(Run(figure_reliability={"panels": {"Nothing": "nothing"}}))
+    run = Run()
+    run.labels = lambda home: np.full(FRAMES, -1)
+    with pytest.raises(PlacecatError, match="no frame that cues/gist/5-5-1 was tested on has a label"):
+        figure_reliability.draw(run)
 
 
 def test_figure_15_has_percentages_of_the_true_place_and_counts_of_the_first_seed():

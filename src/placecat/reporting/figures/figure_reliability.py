@@ -18,17 +18,19 @@ if TYPE_CHECKING:
 
 TITLE = (
     "Reliability diagrams: frames sorted into bins by the probability of their decided place. A point is a "
-    "bin, the larger the more frames it has: on the dashed line decisions are right as often as their "
-    "probability says, below it they are too sure, above it not sure enough. Below each diagram the shares "
-    "of the frames. Places, test homes and seeds weigh the same. Log loss and calibration error are those of "
-    "the added table, means over homes and seeds; homes pooled, as drawn, have a smaller error, since being "
-    "too sure in one home makes up for the contrary in another."
+    "bin, the larger the more frames it has (bins of less than 0.5 % are not drawn): on the dashed line "
+    "decisions are right as often as their probability says, below it they are too sure, above it not sure "
+    "enough. Below each diagram the shares of the frames. Places, test homes and seeds weigh the same. Log "
+    "loss and calibration error are those of the added table, means over homes and seeds; that of pooled "
+    "homes, as drawn, is smaller, since being too sure in one home makes up for the contrary in another."
 )
 
 COLUMNS = 3
 # In inches.
-WIDTH, ROW, LEGEND = 6.5, 2.55, 0.25
+WIDTH, ROW, LEGEND = 6.5, 2.65, 0.25
 POINT, GAP = "#0072b2", "#d55e00"
+# Share of the frames from which a bin is drawn: what happened to a handful of frames says little.
+LEAST = 0.005
 # Points squared: what a bin of all frames and the smallest bin have.
 LARGEST, SMALLEST = 150.0, 5.0
 
@@ -48,15 +50,13 @@ def _draw(run: "Run", *, panels: Mapping[str, str]) -> Figure:
     grid = drawn.subplots(
         2 * rows, COLUMNS, squeeze=False, sharex=True, gridspec_kw={"height_ratios": heights}
     )
-    diagrams = {title: diagram_of(run, result) for title, result in panels.items()}
-    most = max(float(one.weight.max()) for one in diagrams.values())
-    for number, (title, diagram) in enumerate(diagrams.items()):
+    for number, (title, result) in enumerate(panels.items()):
+        diagram = diagram_of(run, result)
         row, column = divmod(number, COLUMNS)
         above, below = grid[2 * row, column], grid[2 * row + 1, column]
         points(above, diagram)
-        bars(below, diagram, most)
-        above.set_title(f"({chr(ord('a') + number)}) {title}", loc="left")
-        above.text(0.04, 0.97, numbers(run, panels[title]), transform=above.transAxes, va="top", fontsize=7)
+        bars(below, diagram)
+        above.set_title(f"({chr(ord('a') + number)}) {title}\n{numbers(run, result)}", loc="left")
         below.set_xlabel("probability of the decided place")
         below.tick_params(labelbottom=True)
         if column == 0:
@@ -64,7 +64,6 @@ def _draw(run: "Run", *, panels: Mapping[str, str]) -> Figure:
             below.set_ylabel("frames, %")
         else:
             above.tick_params(labelleft=False)
-            below.tick_params(labelleft=False)
     for number in range(len(panels), rows * COLUMNS):
         row, column = divmod(number, COLUMNS)
         for axes in grid[2 * row : 2 * row + 2, column]:
@@ -103,25 +102,25 @@ def diagram_of(run: "Run", result: str) -> Reliability:
 def numbers(run: "Run", result: str) -> str:
     """Log-loss and calibration error as in the added table."""
     averages = run.results.quality[result].averages()
-    return f"log loss {averages['log_loss']:.2f}\ncalibration error {averages['calibration_error']:.1f} %"
+    return f"log loss {averages['log_loss']:.2f}, error {averages['calibration_error']:.1f} %"
 
 
 def points(axes: Axes, diagram: Reliability) -> None:
     """Draw the bins of a diagram, their distances from the diagonal, and the diagonal."""
     axes.plot([0, 1], [0, 1], color=palette.MUTED, linewidth=0.8, linestyle="--")
-    there = diagram.weight > 0
+    there = diagram.weight >= LEAST
     confidence, accuracy, weight = (part[there] for part in diagram)
     axes.vlines(confidence, confidence, accuracy, color=GAP, linewidth=2.0, alpha=0.5)
     axes.plot(confidence, accuracy, color=POINT, linewidth=0.8)
     axes.scatter(confidence, accuracy, np.maximum(LARGEST * weight, SMALLEST), color=POINT, zorder=3)
     axes.set_xlim(0, 1)
     axes.set_ylim(0, 1)
-    axes.set_yticks([0, 0.5, 1])
-    axes.set_xticks([0, 0.5, 1])
+    axes.set_yticks([0, 0.5, 1], ["0", "0.5", "1"])
+    axes.set_xticks([0, 0.5, 1], ["0", "0.5", "1"])
 
 
-def bars(axes: Axes, diagram: Reliability, most: float) -> None:
-    """Draw the shares of the frames; the axis goes up to `most`, 0 to 1."""
+def bars(axes: Axes, diagram: Reliability) -> None:
+    """Draw the shares of the frames."""
     count = len(diagram.weight)
     axes.bar((np.arange(count) + 0.5) / count, 100.0 * diagram.weight, 0.9 / count, color=palette.MUTED)
-    axes.set_ylim(0, 105.0 * most)
+    axes.set_yticks([0, round(100.0 * float(diagram.weight.max()))])

@@ -1,0 +1,85 @@
+"""The stage `scores`, on distributions written by hand."""
+
+import numpy as np
+import pandas as pd
+import pytest
+import yaml
+from made_features import CLASSES, HOMES, PARAMS, make
+
+from placecat import files, listing, paths, settings
+from placecat.errors import PlacecatError
+from placecat.evaluation.accuracy import confusion_matrix
+from placecat.evaluation.quality import home_quality
+from placecat.reporting.sources import sources
+from placecat.stages import scores
+
+OPTIONS = PARAMS["probabilities"]
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """A project in which every result has distributions, drawn at random, on every test home."""
+    make(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    rng = np.random.default_rng(0)
+    for source in sources(settings.load()).values():
+        for home in source.homes:
+            frames = len(listing.read_labels(source.listed(home)))
+            for seed in ("seed-0", "seed-1"):
+                proba = rng.dirichlet(np.ones(len(source.classes)), frames)
+                files.write_array(source.array(home, seed), proba)
+    for name in PARAMS["studies"]:
+        files.write_csv(paths.TRIALS / name / "scores.csv", pd.DataFrame(columns=scores.SCORE_COLUMNS))
+        files.write_csv(paths.TRIALS / name / "missing.csv", pd.DataFrame(columns=scores.MISSING_COLUMNS))
+    files.write_csv(paths.TOY, pd.DataFrame(columns=scores.SCORE_COLUMNS))
+    return tmp_path
+
+
+def test_every_result_has_its_numbers_in_every_home_with_every_seed(folder):
+    scores.main()
+    table = pd.read_csv(folder / "data/scores/probabilities.csv").set_index(["result", "home", "seed"])
+    counts = (
+        pd.read_csv(folder / "data/scores/scores.csv").groupby(["result", "home", "seed"])["frames"].sum()
+    )
+    found = sources(settings.load())
+    assert set(table.index.get_level_values("result")) == set(found)
+    kinds = {name.split("/")[0] for name in found}
+    assert kinds == {"cues", "integration", "filtered", "hmm", "smoothing", "splits"}
+    for name, source in found.items():
+        for home in source.homes:
+            truth = listing.read_labels(source.listed(home))
+            assert (truth < 0).any()
+            for seed in source.seeds():
+                proba = np.load(source.array(home, seed))
+                parts = [slice(0, 50), slice(50, 90)]
+                expected = home_quality(truth, proba, parts, **OPTIONS)
+                row = table.loc[(name, home, seed)]
+                assert row.tolist() == pytest.approx(list(expected), abs=1e-6)
+                assert counts[name, home, seed] == (truth >= 0).sum()
+                assert (
+                    confusion_matrix(truth, proba.argmax(1), len(source.classes)).sum()
+                    == (counts[name, home, seed])
+                )
+    assert len(CLASSES) == 3 and len(HOMES) == 4
+
+
+def test_it_writes_the_same_bytes_again(folder):
+    scores.main()
+    first = (folder / "data/scores/probabilities.csv").read_bytes()
+    scores.main()
+    assert (folder / "data/scores/probabilities.csv").read_bytes() == first
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"bin": 10}, r"probabilities has no setting 'bin'; did you mean 'bins'"),
+        ({"bins": 0, "smallest": 1e-9}, r"probabilities\.bins must be a whole number"),
+        ({"bins": 10, "smallest": 0}, r"probabilities\.smallest must be a number in"),
+    ],
+)
+def test_impossible_settings_are_refused_and_leave_nothing(folder, options, message):
+    paths.PARAMS.write_text(yaml.safe_dump(PARAMS | {"probabilities": options}))
+    with pytest.raises(PlacecatError, match=message):
+        scores.main()
+    assert not paths.SCORES.exists()
