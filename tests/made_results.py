@@ -8,8 +8,17 @@ import yaml
 
 from placecat.evaluation.trials import expand
 from placecat.learning.toy_circles import NAMES
-from placecat.reporting.results import NO_SEED, Measured, Results
+from placecat.reporting.results import (
+    DROPPED_COLUMNS,
+    MISSING_COLUMNS,
+    NO_SEED,
+    SCORE_COLUMNS,
+    Measured,
+    Results,
+    score_rows,
+)
 from placecat.reporting.sources import sources
+from placecat.reporting.tables import contradictions_of
 
 ROOT = Path(__file__).resolve().parents[1]
 PARAMS = yaml.safe_load((ROOT / "params.yaml").read_text())
@@ -41,9 +50,53 @@ def made(params=PARAMS, drawn=0):
                 if trial.homes:
                     seeds = SEEDS if "codebook" in trial.settings else (NO_SEED,)
                     add(trial.name, trial.homes, classes, seeds)
-    for scheme in ("parallel", "sequential"):
-        add(f"toy/{scheme}", ("toy",), NAMES, SEEDS)
-    return Results(tuple(homes), classes, measured, {})
+    for name in toy_results(params["toy"]):
+        add(name, ("toy",), NAMES, SEEDS)
+    stays = {name: by_stay(one, rng) for name, one in measured.items() if name.startswith("splits/")}
+    dropped = {
+        name: pd.DataFrame(
+            [
+                {"filter": name, "home": home, "threshold": 0.1 + n / 100, "frames": 50, "dropped": 20}
+                for home in homes
+            ]
+        ).assign(labelled=40, dropped_labelled=10 * (n + 1))
+        for n, name in enumerate(params["filters"])
+    }
+    return Results(tuple(homes), classes, measured, {}, stays, dropped)
+
+
+def toy_results(toy):
+    """Names of the results of the stage `toy`."""
+    radii, decisions = toy["sensitivity"]["radii"], toy["sensitivity"]["decisions"]
+    return [
+        *("toy/parallel", "toy/sequential", "toy/last/parallel", "toy/last/sequential"),
+        *(f"toy/{radius:g}/parallel" for radius in radii),
+        *(f"toy/{radius:g}/sequential/{decision}" for radius in radii for decision in decisions),
+    ]
+
+
+def by_stay(one, rng, visits=3, frames=20):
+    """Decisions on some visits to each place, in each of which a result names some frames rightly."""
+    seeds, places = len(one.seeds), len(one.classes)
+    confusion = np.zeros((seeds, places * visits, places, places), int)
+    for stay in range(places * visits):
+        place = stay % places
+        right = rng.integers(0, frames + 1, seeds)
+        confusion[:, stay, place, place] = right
+        confusion[:, stay, place, (place + 1) % places] = frames - right
+    names = tuple(f"{one.homes[0]}/{number}" for number in range(1, places * visits + 1))
+    return Measured(names, one.seeds, one.classes, confusion)
+
+
+def write_scores(folder, results, missing=()):
+    """Write what the stage `scores` writes."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, own in (("scores", results.measured), ("stays", results.stays)):
+        rows = [row for result, one in own.items() for row in score_rows(result, one)]
+        pd.DataFrame(rows, columns=SCORE_COLUMNS).to_csv(folder / f"{name}.csv", index=False)
+    pd.DataFrame(missing, columns=MISSING_COLUMNS).to_csv(folder / "missing.csv", index=False)
+    dropped = [pd.DataFrame(columns=DROPPED_COLUMNS), *results.dropped.values()]
+    pd.concat(dropped)[DROPPED_COLUMNS].to_csv(folder / "dropped.csv", index=False)
 
 
 def published():
@@ -52,7 +105,26 @@ def published():
     return pd.read_csv(ROOT / "data/thesis/published_tables.csv", dtype=text).fillna(dict.fromkeys(text, ""))
 
 
+def contradictions():
+    """Notes on published cells, as the stage reads them."""
+    text = dict.fromkeys(("group", "row", "column", "note"), str)
+    table = pd.read_csv(ROOT / "data/thesis/contradictions.csv", dtype=text).fillna("")
+    return contradictions_of(table)
+
+
+def records():
+    """What numbers of the text are read off: what git keeps, and made-up facts of models and frames."""
+    return {
+        "benchmarks": pd.read_csv(ROOT / "reports/benchmarks.csv"),
+        "scale": pd.read_csv(ROOT / "reports/scale.csv"),
+        "nu": pd.DataFrame(
+            {"asked": [0.2, 0.2, 0.1], "lowest": [0.2, 0.17, 0.1], "highest": [0.2, 0.19, 0.1]}
+        ),
+        "rejected": pd.DataFrame({"filter": "informative", "information": [0.0976, 0.05, 0.03125]}),
+    }
+
+
 def published_text():
     """The published numbers of the text, as the stage reads them."""
-    text = dict.fromkeys(("name", "section", "quantity", "home", "quote"), str)
+    text = dict.fromkeys(("name", "section", "quantity", "home", "quote", "note"), str)
     return pd.read_csv(ROOT / "data/thesis/published_text.csv", dtype=text).fillna(dict.fromkeys(text, ""))

@@ -51,6 +51,7 @@ SMALL = [
     "toy.training=200",
     "toy.testing=500",
     "toy.seeds=[0,1]",
+    "toy.sensitivity.seeds=[0]",
     "verdict.resamples=200",
 ]
 

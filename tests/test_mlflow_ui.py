@@ -65,7 +65,7 @@ def logged(server, tmp_path_factory):
     folder = tmp_path_factory.mktemp("logged")
     results, table = made_results.made(), tables_of(made_results.PARAMS)["table_26"]
     dataset = dataset_of(table, made_results.PARAMS)
-    cells = fill_table(table, results, made_results.published(), dataset)
+    cells = fill_table(table, results, made_results.published(), dataset, {})
     files.write_csv(folder / "table_26.csv", cells)
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("MLFLOW_TRACKING_URI", server)

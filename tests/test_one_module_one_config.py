@@ -42,6 +42,7 @@ input: features
 reads: features
 codebook: null
 schemes: [5-5-1]
+cross_validate: false
 extra: false
 descriptor:
   kind: holistic
@@ -83,6 +84,7 @@ input: codebooks/thumbnail_y
 reads: features
 codebook: thumbnail_y
 schemes: [5-5-1]
+cross_validate: false
 extra: false
 descriptor:
   kind: local

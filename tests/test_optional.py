@@ -4,20 +4,25 @@ import inspect
 from pathlib import Path
 
 import pytest
+import yaml
+from helpers_sequences import write_image
 
 from made_results import PARAMS, made
 from optional import with_optional
-from placecat import references
+from placecat import listing, paths, references
 from placecat.compose import found
 from placecat.cues import estimators
 from placecat.errors import PlacecatError
 from placecat.reporting import layouts
 from placecat.reporting.sources import sources
 from placecat.reporting.tables import tables_of
+from placecat.stages import site_sequences
 from placecat.vision import holistic, local
 from project import ROOT
 
 NAMES = sorted(path.stem for path in (ROOT / "conf/optional").glob("*.yaml"))
+# Other data in place of those of a split.
+DATA = ["cold"]
 EVERY = pytest.mark.parametrize("name", NAMES)
 
 
@@ -31,7 +36,7 @@ def differences(one, other, where=""):
             yield name
 
 
-@EVERY
+@pytest.mark.parametrize("name", [name for name in NAMES if name not in DATA])
 def test_everything_that_was_there_stays(name):
     extended = with_optional(name)
     references.check(extended)
@@ -74,6 +79,60 @@ def test_the_embedding_is_one_more_cue_and_system():
     system = extended["systems"]["das_551_best_embedding"]
     assert system == best | {"title": system["title"], "cues": [*best["cues"], "embedding"]}
     assert extended["smoothing"]["cues"] == [*PARAMS["smoothing"]["cues"], "embedding"]
+
+
+def test_cold_is_the_university_with_the_sequences_of_the_thesis():
+    """Thesis 4.9: Saarbruecken for north, Freiburg for south."""
+    extended = with_optional("cold")
+    references.check(extended)
+    changed = {"dataset", "cue_parts", "integration_parts", "test"}
+    assert {name.split(".")[2] for name in differences(PARAMS, extended)} == changed
+    assert all(name.startswith("splits.university.") for name in differences(PARAMS, extended))
+    own, cold = PARAMS["splits"]["university"], extended["splits"]["university"]
+
+    def real(sequence):
+        site, route, weather, number = sequence.split("_")
+        town = {"north": "saarbruecken", "south": "freiburg"}[site]
+        return f"{town}-seq{route}_{weather}{number}"
+
+    assert set(cold["dataset"]["homes"]) == {real(one) for one in own["dataset"]["homes"]}
+    assert cold["test"] == [real(one) for one in own["test"]]
+    for parts in ("cue_parts", "integration_parts"):
+        expected = [{"sequence": real(one["sequence"]), "places": one["places"]} for one in own[parts]]
+        assert cold[parts] == expected
+    assert cold["dataset"]["thesis_data"] == PARAMS["tables"]["table_30"]["thesis_data"]
+    assert cold["dataset"]["classes"] == own["dataset"]["classes"]
+
+
+CODES = ["CR", "TL", "PA", "1PO", "2PO", "LO", "KT", "ST", "LAB", "RL", "TR", "CNR"]
+
+
+def test_every_room_of_cold_is_mapped_to_a_class():
+    dataset = with_optional("cold")["splits"]["university"]["dataset"]
+    assert sorted(dataset["aliases"]) == sorted(CODES)
+    assert set(dataset["aliases"].values()) == set(dataset["classes"])
+    assert dataset["ignored"] == []
+
+
+def test_cold_on_disk_is_listed_as_the_university(tmp_path, monkeypatch):
+    dataset = with_optional("cold")["splits"]["university"]["dataset"]
+    for sequence in dataset["homes"]:
+        site, name = sequence.split("-")
+        folder = tmp_path / "COLD" / site / name
+        images = [f"t{1152000000 + number}.000000_x0.1_y-0.2_a0.5.jpeg" for number in range(len(CODES))]
+        for image in images:
+            write_image(folder / "std_cam" / image, 1)
+        (folder / "localization").mkdir()
+        labels = "".join(f"{image} {code}1-A\n" for image, code in zip(images, CODES, strict=True))
+        (folder / "localization/places.lst").write_text(labels)
+    monkeypatch.chdir(tmp_path)
+    params = {"splits": {"university": {"dataset": dataset | {"root": "COLD"}}}}
+    paths.PARAMS.write_text(yaml.safe_dump(params))
+    site_sequences.main("university")
+    for sequence in dataset["homes"]:
+        labels = listing.read_labels(f"university/{sequence}")
+        assert [dataset["classes"][index] for index in labels] == [dataset["aliases"][code] for code in CODES]
+    assert listing.sequence_slices("university/freiburg-seq3_cloudy2") == [slice(0, len(CODES))]
 
 
 def test_tables_of_additions_are_listed_for_the_runs_without_them(tmp_path: Path):

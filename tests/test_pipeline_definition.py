@@ -78,6 +78,53 @@ def test_params_are_what_conf_composes():
     ), "run `placecat params` and commit params.yaml"
 
 
+NOT_LEARNING = ("title", "schemes", "extra", "cross_validate")
+OWN = {
+    "parallel": {"combination", "exclusive", "reliability", "prior", "reliability_smoothing", "uncertainty"},
+    "sequential": {"order", "training", "decision", "output"},
+}
+
+
+def schemes_compared():
+    """Where the thesis compares the two schemes: the settings of both."""
+    params = yaml.safe_load((ROOT / "params.yaml").read_text())
+    cues = params["cues"]
+    whole = {
+        scheme: {key: value for key, value in cues[name].items() if key not in NOT_LEARNING}
+        for scheme, name in (("parallel", "spatial_pact"), ("sequential", "spatial_pact_sequential"))
+    }
+    yield "table_29", whole["parallel"], whole["sequential"]
+    schemes = params["toy"]["schemes"]
+    yield "toy", {"classifier": schemes["parallel"]}, {"classifier": schemes["sequential"]}
+    files = {
+        name: yaml.safe_load(compose.compose([f"classifier@cues.gist.classifier={name}"], conf=_light_conf()))
+        for name in ("nu_svm", "nu_svm_sequential")
+    }
+    yield "conf/classifier", files["nu_svm"]["cues"]["gist"], files["nu_svm_sequential"]["cues"]["gist"]
+
+
+@pytest.mark.parametrize("compared", ["table_29", "toy", "conf/classifier"])
+def test_the_two_schemes_differ_in_the_scheme_alone(compared):
+    parallel, sequential = next((one, other) for name, one, other in schemes_compared() if name == compared)
+    own = []
+    for name, settings in (("parallel", parallel), ("sequential", sequential)):
+        scheme = settings["classifier"]["scheme"]
+        assert OWN[name] <= set(scheme)
+        shared = {key: value for key, value in scheme.items() if key not in {"name", *OWN[name]}}
+        own.append(settings | {"classifier": settings["classifier"] | {"scheme": shared}})
+    assert own[0] == own[1]
+
+
+def test_changed_settings_of_the_parallel_scheme_are_those_of_the_sequential_one():
+    changed = "cues.spatial_pact.classifier.scheme.sigmoid_weights=balanced"
+    nu = "cues.spatial_pact.classifier.base.nu=0.1"
+    cue = yaml.safe_load(compose.compose([changed, nu], conf=_light_conf()))["cues"][
+        "spatial_pact_sequential"
+    ]
+    assert cue["classifier"]["scheme"]["sigmoid_weights"] == "balanced"
+    assert cue["classifier"]["base"]["nu"] == 0.1
+
+
 def test_there_are_few_stages():
     params = yaml.safe_load((ROOT / "params.yaml").read_text())
     loops = {"${dataset.homes}": params["dataset"]["homes"]} | {

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from made_features import make
 
-from placecat import listing, store
+from placecat import files, listing, store
 from placecat.errors import PlacecatError
 from placecat.vision import local
 
@@ -76,3 +76,38 @@ def test_a_missing_descriptor_names_its_file(folder):
 
 def test_sequences_are_cut_where_the_name_changes(folder):
     assert listing.sequence_slices("H1") == [slice(0, 50), slice(50, 90)]
+
+
+VARIANT = HOG | {"variant": "other"}
+
+
+@pytest.fixture
+def variant(folder):
+    """Regions of a variant in every third frame: those of the frame after it."""
+    rows = np.arange(0, 90, 3)
+    for name in ("count", "regions", "local_hog"):
+        files.write_array(folder / f"variant_other/{name}.npy", np.load(folder / f"{name}.npy")[rows + 1])
+    files.write_array(folder / "variant_other/frames.npy", rows)
+    files.write_json(folder / "variant_other/descriptors.json", files.read_json(folder / "descriptors.json"))
+
+
+@pytest.mark.usefixtures("variant")
+def test_a_variant_has_its_own_regions_of_its_frames(folder):
+    read = store.read_descriptors("H1", VARIANT, np.array([3, 60]))
+    same = store.read_descriptors("H1", HOG, np.array([4, 61]))
+    np.testing.assert_array_equal(read.x, same.x)
+    np.testing.assert_array_equal(read.counts, same.counts)
+    np.testing.assert_array_equal(store.described("H1", VARIANT, np.arange(5, 12)), [6, 9])
+    np.testing.assert_array_equal(store.described("H1", HOG, np.arange(5, 12)), np.arange(5, 12))
+
+
+@pytest.mark.usefixtures("variant")
+@pytest.mark.parametrize("rows", [None, np.array([3, 4])])
+def test_frames_that_a_variant_lacks_are_refused(rows):
+    with pytest.raises(PlacecatError, match="a variant of the regions is for trials"):
+        store.read_descriptors("H1", VARIANT, rows)
+
+
+def test_an_unknown_variant_is_refused(folder):
+    with pytest.raises(PlacecatError, match=r"variant_other/frames.npy is missing: name the variant"):
+        store.described("H1", VARIANT, np.arange(3))

@@ -11,7 +11,7 @@ from placecat.errors import PlacecatError
 from placecat.vision import local
 from placecat.vision.local.concatenate import concatenate
 
-LOCAL = {"kind", "name", "y_pos", "y_weight", "color", "max_regions", "tracked"}
+LOCAL = {"kind", "name", "y_pos", "y_weight", "color", "max_regions", "tracked", "variant"}
 HOLISTIC = {"kind", "name"}
 
 
@@ -22,7 +22,8 @@ def check(descriptor: Mapping[str, Any]) -> None:
     ----------
     descriptor
         ``kind`` (local or holistic) and ``name``; for local ones also ``y_pos``, ``y_weight``, ``color`` (the
-        colour descriptor to append, or None), ``max_regions`` and, for tracked regions, ``tracked: true``.
+        colour descriptor to append, or None), ``max_regions`` and, for tracked regions, ``tracked: true``, or
+        for those of conf/region_variants the name of a ``variant``.
 
     Raises
     ------

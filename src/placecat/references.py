@@ -9,7 +9,7 @@ from placecat.errors import PlacecatError
 
 # Where a name is said, what it names, the name, and those that there are.
 _Reference = tuple[str, str, str, Collection[str]]
-_OF_A_CUE = ("title", "input", "reads", "codebook", "schemes", "extra", "classifier")
+_OF_A_CUE = ("title", "input", "reads", "codebook", "schemes", "cross_validate", "extra", "classifier")
 
 
 def check(params: Mapping[str, Any]) -> None:
@@ -57,8 +57,10 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
     for name, codebook in codebooks.items():
         yield from _of_descriptor(_file("codebook", name), codebook.get("descriptor"), descriptors)
     for name, system in systems.items():
+        judged = [cue for cue in cues if cues[cue]["cross_validate"]] if system["temperature"] else cues
         for cue in system["cues"]:
             yield _file("system", name), "cue", cue, cues
+            yield f"{_file('system', name)} has temperature: true", "cue with cross_validate", cue, judged
             yield _file("system", name), f"cue {cue} with the scheme", system["scheme"], cues[cue]["schemes"]
     for name, own in filters.items():
         for cue in own["cues"]:
@@ -67,6 +69,7 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
             yield _file("filter", name), "system", system, systems
     for cue in smoothing.get("cues", []):
         yield "smoothing.cues", "cue", cue, cues
+        yield "smoothing.cues", "cue with cross_validate", cue, [c for c in cues if cues[c]["cross_validate"]]
     filtered = [
         f"{name}/{result}" for name, own in filters.items() for result in own["cues"] + own["systems"]
     ]

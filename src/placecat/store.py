@@ -1,6 +1,7 @@
 """The descriptors of a home, as the stages `features` and `tracks` left them."""
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 from placecat import cue_input, files, paths
 from placecat.cues.descriptors import Descriptors
 from placecat.errors import PlacecatError
+from placecat.vision.variants import FOLDER, FRAMES
 
 
 def read_descriptors(
@@ -28,10 +30,13 @@ def read_descriptors(
     Raises
     ------
     PlacecatError
-        An unknown setting, more regions than there are, or a descriptor that was not computed.
+        An unknown setting, more regions than there are, or a descriptor that was not computed at all or not
+        of these frames.
     """
     cue_input.check(descriptor)
-    folder = paths.TRACKS / home if descriptor.get("tracked", False) else paths.features(home)
+    folder = _folder(home, descriptor)
+    if "variant" in descriptor:
+        rows = _rows(folder, rows)
     arrays = {}
     for name in cue_input.array_names(descriptor):
         path = folder / f"{name}.npy"
@@ -49,6 +54,44 @@ def read_descriptors(
         height=files.read_json(paths.sequences(home) / "home.json")["height"] if is_local else 0,
         modules=files.read_json(folder / "descriptors.json") if is_local else {},
     )
+
+
+def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Of some frames of a home, in order of time, those that a descriptor was computed of.
+
+    All of them, unless it is of a variant of the regions.
+    """
+    if "variant" not in descriptor:
+        return rows
+    there: NDArray[np.int64] = np.intersect1d(rows, _described(_folder(home, descriptor)))
+    return there
+
+
+def _folder(home: str, descriptor: Mapping[str, Any]) -> Path:
+    if descriptor.get("tracked", False):
+        return paths.TRACKS / home
+    folder = paths.features(home)
+    return folder / FOLDER.format(descriptor["variant"]) if "variant" in descriptor else folder
+
+
+def _described(folder: Path) -> NDArray[np.int64]:
+    path = folder / FRAMES
+    if not path.is_file():
+        raise PlacecatError(
+            f"{path} is missing: name the variant in conf/region_variants and run `dvc repro`"
+        )
+    return files.read_array(path, memory_map=False)
+
+
+def _rows(folder: Path, frames: NDArray[np.int64] | None) -> NDArray[np.int64]:
+    """Where frames stand in the arrays of a variant."""
+    there = _described(folder)
+    if frames is None or not np.isin(frames, there).all():
+        raise PlacecatError(
+            f"{folder} has the frames of region_variants.frames only: a variant of the regions is for trials"
+        )
+    rows: NDArray[np.int64] = np.searchsorted(there, frames)
+    return rows
 
 
 def read_training(

@@ -5,7 +5,7 @@ import pytest
 
 from placecat import cues
 from placecat.cues import Codebook, Descriptors
-from placecat.fusion import das, votes
+from placecat.fusion import integrate, votes
 
 PLACES = ["bedroom", "kitchen", "bathroom", "hallway"]
 TREE = {"name": "hierarchical_kmeans", "max_clusters": 31, "branching": 4, "max_iter": 5}
@@ -92,7 +92,18 @@ def test_integrated_frames():
     proba = rng.dirichlet(np.ones(4), (300, 9))
     labels = (np.arange(300) % 4).astype(np.int16)
     classifier = {"model": "one_against_all", **CLASSIFIERS["one_against_all"][0]}
-    model = das.fit(proba, labels, np.repeat(["A", "B", "C"], 100), PLACES, classifier=classifier)
-    assert_alone_as_in_a_batch(lambda some: das.predict_proba(model, proba[some]), 300)
+    homes = {name: proba[100 * k : 100 * k + 100] for k, name in enumerate("ABC")}
+    truth = {name: labels[100 * k : 100 * k + 100] for k, name in enumerate("ABC")}
+    for temperatures in (None, np.linspace(0.3, 3.0, 9)):
+        model = integrate.fit(
+            homes,
+            truth,
+            PLACES,
+            method="das",
+            classifier=classifier,
+            temperatures=temperatures,
+            cross_validated=False,
+        ).integrator
+        assert_alone_as_in_a_batch(lambda some, model=model: model.predict_proba(proba[some]), 300)
     for vote in (votes.vote_decision, votes.vote_distribution):
         assert_alone_as_in_a_batch(lambda some, vote=vote: vote(proba[some]), 300)

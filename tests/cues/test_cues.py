@@ -132,3 +132,42 @@ def test_a_descriptor_that_cannot_be_cut_is_refused():
 def test_estimators_are_found_by_their_module():
     made = estimators.build({"name": "nu_svm", "gamma": 1.0}, "base", nu=0.1)
     assert (made.gamma, made.nu) == (1.0, 0.1)
+
+
+def test_cross_validation_owes_nothing_to_the_home_itself():
+    """Each home's distributions are those of a cue fitted on the others, whatever its own labels."""
+    train, labels, homes = whole()
+    classifier = {
+        "model": "one_against_all",
+        "base": {"name": "nu_svm", "gamma": 2.0, "nu": 0.2},
+        "scheme": {"name": "one_against_all"},
+        "scaling": "standard",
+    }
+    proba = cues.cross_validate(train, labels, homes, classifier=classifier, classes=PLACES)
+    others = homes != "B"
+    model = cues.fit(
+        train.take(np.flatnonzero(others)),
+        labels[others],
+        homes[others],
+        classifier=classifier,
+        classes=PLACES,
+    )
+    own = np.flatnonzero(~others)
+    np.testing.assert_array_equal(proba[own], model.predict_proba(train.take(own)))
+    marked = np.where(others, labels, (labels + 1) % 3)
+    again = cues.cross_validate(train, marked, homes, classifier=classifier, classes=PLACES)
+    np.testing.assert_array_equal(again[own], proba[own])
+    assert (again[homes == "A"] != proba[homes == "A"]).any()
+
+
+def test_cross_validation_without_homes_to_leave_out(caplog):
+    train, labels, homes = regions()
+    codebook = Codebook.fit(train, cells=1, seed=3, tree=TREE)
+    # Only one home has bathrooms.
+    homes = np.where(labels == 2, "A", homes)
+    proba = cues.cross_validate(
+        train, labels, homes, classifier=naive_bayes(13), classes=PLACES, codebook=codebook
+    )
+    assert "consecutive frames are left out instead" in caplog.text
+    assert proba.shape == (120, 3)
+    assert 0.5 < (proba.argmax(axis=1) == labels).mean() < 1.0

@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from placecat.evaluation.bootstrap import Interval, paired_bootstrap, stretch
+from placecat.evaluation.bootstrap import Interval, paired_bootstrap, stratified_bootstrap, stretch
 
 UNITS = st.lists(st.floats(-50, 50), min_size=3, max_size=9).map(np.array)
 
@@ -88,3 +88,41 @@ def test_one_unit_has_no_interval():
 
 def test_rounded_has_no_negative_zero():
     assert str(Interval(-0.001, -0.004, 0.004).rounded()) == "Interval(estimate=0.0, low=0.0, high=0.0)"
+
+
+def strata_of(*sizes):
+    return np.repeat(np.arange(len(sizes)), sizes)
+
+
+def test_strata_keep_their_weight_and_a_single_block_has_no_spread():
+    strata, values = strata_of(1, 4), np.array([100.0, 1.0, 2.0, 3.0, 4.0])
+    seen = []
+
+    def mean(weights):
+        seen.append(weights)
+        return weights @ values / 2
+
+    interval = stratified_bootstrap(mean, strata, 0, resamples=500)
+    assert interval.estimate == pytest.approx(51.25)
+    assert 50.0 < interval.low < interval.estimate < interval.high < 52.5
+    for weights in seen:
+        np.testing.assert_allclose(weights[:, :1].sum(axis=1), 1.0)
+        np.testing.assert_allclose(weights[:, 1:].sum(axis=1), 1.0)
+
+
+@pytest.mark.parametrize("sizes", [(2, 2, 2, 2, 2), (8, 8, 8, 8, 8)])
+def test_coverage_of_a_mean_over_places(sizes):
+    """What the docstring reports."""
+    rng, strata, covered = np.random.default_rng(0), strata_of(*sizes), 0
+    for seed in range(400):
+        values = rng.normal(size=len(strata))
+        interval = stratified_bootstrap(
+            lambda weights, own=values: weights @ own, strata, seed, resamples=500
+        )
+        covered += interval.low <= 0.0 <= interval.high
+    assert 0.88 <= covered / 400 <= 0.985
+
+
+def test_single_blocks_have_no_interval():
+    with pytest.raises(ValueError, match="single block"):
+        stratified_bootstrap(lambda weights: weights.sum(axis=1), strata_of(1, 1), 0)

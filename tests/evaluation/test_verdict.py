@@ -1,9 +1,19 @@
+import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from placecat.evaluation.bootstrap import Interval
-from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED, Range, combine, judge
+from placecat.evaluation.bootstrap import Interval, paired_bootstrap
+from placecat.evaluation.verdict import (
+    FAILS,
+    HOLDS,
+    UNDECIDED,
+    Range,
+    combine,
+    corrected_level,
+    judge,
+    judge_shares,
+)
 
 INFINITE = float("inf")
 NUMBER = st.floats(-100, 100)
@@ -56,6 +66,50 @@ def test_combine(verdicts):
     assert (combined == HOLDS) == all(one == HOLDS for one in verdicts)
     assert (combined == FAILS) == any(one == FAILS for one in verdicts)
     assert combine(verdicts[::-1]) == combined
+
+
+def test_a_claim_fails_by_the_wider_interval_and_holds_by_the_other():
+    better = Range(0.0, INFINITE)
+    assert judge(interval(-3, -1), better, interval(-4, 1)) == UNDECIDED
+    assert judge(interval(-3, -1), better, interval(-4, -0.5)) == FAILS
+    assert judge(interval(1, 3), better, interval(-1, 4)) == HOLDS
+
+
+def test_bonferroni():
+    assert corrected_level(0.95, 1) == 0.95
+    assert corrected_level(0.95, 14) == pytest.approx(0.9964, abs=5e-5)
+
+
+@pytest.mark.parametrize("comparisons", [2, 5, 14])
+def test_a_claim_of_several_true_comparisons_falsely_fails_in_5_percent_at_most(comparisons):
+    """Each difference is exactly 0, the worst for "not below 0"; without a correction it is more of 14."""
+    rng = np.random.default_rng(comparisons)
+    better, runs, level = Range(0.0, INFINITE), 250, corrected_level(0.95, comparisons)
+    wrong = {0.95: 0, level: 0}
+    for run in range(runs):
+        units = rng.normal(size=(comparisons, 6))
+        for each in wrong:
+            found = [
+                paired_bootstrap(lambda weights, own=own: weights @ own, 6, run, level=each, resamples=1000)
+                for own in units
+            ]
+            wrong[each] += combine([judge(one, better) for one in found]) == FAILS
+    assert wrong[level] <= 0.05 * runs
+    assert comparisons < 14 or wrong[0.95] > 0.15 * runs
+
+
+@pytest.mark.parametrize(
+    ("worse", "better", "verdict"),
+    [
+        ((0.1, 0.4), (0.2, 0.6), HOLDS),
+        ((0.0, 0.03), (0.7, 1.0), FAILS),
+        ((0.3, 0.9), (0.0, 0.04), FAILS),
+        ((0.04, 0.4), (0.2, 0.6), UNDECIDED),
+        ((0.01, 0.9), (0.0, 0.5), UNDECIDED),
+    ],
+)
+def test_hurting_and_helping(worse, better, verdict):
+    assert judge_shares(interval(*worse), interval(*better), 0.05) == verdict
 
 
 def test_ranges_in_words():

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 from placecat.errors import PlacecatError
-from placecat.fusion.information_filter import hold
+from placecat.fusion.information_filter import check, dropped, hold, threshold_of
 
 
 def by_hand(proba, information, threshold, sequences):
@@ -72,3 +72,44 @@ def test_without_a_threshold_nothing_changes():
 def test_another_number_of_measures_is_refused():
     with pytest.raises(PlacecatError, match="5 distributions have 4 measures"):
         hold(np.eye(5), np.zeros(4), threshold=0.1, sequences=[slice(0, 5)])
+
+
+@given(hnp.arrays(np.float32, st.integers(1, 60), elements=st.floats(0, 1, width=32)), st.floats(0.01, 0.99))
+def test_a_share_of_the_frames_lies_below_its_threshold(information, share):
+    threshold = threshold_of(share, information)
+    low = (information < np.float32(threshold)).mean()
+    assert low <= share
+    # As many as there can be: with one more frame, or its equals, it would be more.
+    assert (information <= np.float32(threshold)).mean() > share - 1 / len(information)
+
+
+def test_the_share_of_frames_without_equals_is_exact():
+    information = np.random.default_rng(0).permutation(200).astype(np.float32)
+    kept = information >= threshold_of(0.1, information)
+    assert kept.sum() == 180
+
+
+def test_dropped_frames_are_counted_with_and_without_label():
+    information = np.array([0.05, 0.2, 0.05, 0.1, np.nan], np.float32)
+    counted = dropped(information, np.array([0, 1, -1, 2, 0], np.int16), 0.1)
+    assert counted == {"threshold": 0.1, "frames": 5, "dropped": 3, "labelled": 4, "dropped_labelled": 2}
+
+
+@pytest.mark.parametrize(
+    ("threshold", "share", "message"),
+    [
+        (None, None, "either a threshold or a share"),
+        (0.1, 0.1, "either a threshold or a share"),
+        (-0.1, None, "must be 0 or more"),
+        (float("nan"), None, "must be 0 or more"),
+        (None, 0.0, "between 0 and 1"),
+        (None, 1.0, "between 0 and 1"),
+        (None, "a tenth", "a number is needed"),
+        (True, None, "a number is needed"),
+    ],
+)
+def test_a_filter_has_a_threshold_or_a_share(threshold, share, message):
+    with pytest.raises(PlacecatError, match=f"filters.x.*{message}"):
+        check(threshold, share, "filters.x")
+    check(0.0, None, "filters.x")
+    check(None, 0.1, "filters.x")

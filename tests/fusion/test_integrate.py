@@ -50,3 +50,12 @@ def test_unknown_methods_and_a_missing_classifier_are_refused(data):
         integrate(*data[:3], CLASSES, method="mean")
     with pytest.raises(PlacecatError, match=r"integrator\.classifier is missing"):
         integrate(*data[:3], CLASSES, method="das")
+
+
+def test_temperatures_sharpen_before_a_vote(data):
+    """A cue that is right and unsure is outvoted by one that is wrong and sure, until both are tempered."""
+    proba = np.array([[[0.55, 0.45], [0.1, 0.9]]])
+    train, truth = {"a": proba}, {"a": np.zeros(1, np.int16)}
+    for temperatures, place in ((None, 1), ((0.05, 10.0), 0)):
+        fused = integrate(train, truth, proba, CLASSES, method="vote_distribution", temperatures=temperatures)
+        assert fused["test"].argmax() == place

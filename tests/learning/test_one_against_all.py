@@ -1,5 +1,4 @@
 import io
-import logging
 
 import numpy as np
 import pytest
@@ -13,9 +12,10 @@ from sklearn.naive_bayes import GaussianNB
 from sklearn.svm import NuSVC
 
 from placecat.errors import PlacecatError
+from placecat.learning.calibration import make_folds
 from placecat.learning.gentle_adaboost import GentleAdaBoost
 from placecat.learning.nu_svm import NuSVM
-from placecat.learning.one_against_all import OneAgainstAll, make_folds
+from placecat.learning.one_against_all import OneAgainstAll
 from placecat.learning.rvm import RVM
 
 BASES = [NuSVM(gamma=0.5, nu=0.2), RVM(gamma=0.5), GentleAdaBoost(n_rounds=10)]
@@ -28,15 +28,15 @@ def homes(n=150, classes=3, homes=3, seed=0, spread=1.0):
     return X.astype(np.float32), y, np.arange(n) * homes // n
 
 
-@pytest.mark.parametrize("grouped", [True, False])
-def test_outputs_equal_calibrated_nusvc(grouped):
+@pytest.mark.parametrize("calibration", ["samples", "consecutive", "homes_averaged"])
+def test_outputs_equal_calibrated_nusvc(calibration):
     X, y, groups = homes(240)
-    groups = groups if grouped else None
-    ours = OneAgainstAll(NuSVM(gamma=0.5, nu=0.3, tol=1e-5)).fit(X, y, groups=groups)
-    folds = make_folds(y, groups, 5)
-    assert len(folds) == (3 if grouped else 5)
+    ours = OneAgainstAll(NuSVM(gamma=0.5, nu=0.3, tol=1e-5), calibration).fit(X, y, groups=groups)
+    folds = make_folds(y, groups, calibration, 5)
+    ensemble = calibration == "homes_averaged"
+    assert len(folds) == (3 if ensemble else 5)
     svm = NuSVC(gamma=0.5, nu=0.3, tol=1e-5)
-    theirs = OneVsRestClassifier(CalibratedClassifierCV(svm, method="sigmoid", ensemble=False, cv=folds))
+    theirs = OneVsRestClassifier(CalibratedClassifierCV(svm, method="sigmoid", ensemble=ensemble, cv=folds))
     theirs.fit(X.astype(float), y)
     test = np.random.default_rng(5).normal(size=(50, 3))
     expected = np.stack([e.predict_proba(test)[:, 1] for e in theirs.estimators_], axis=1)
@@ -70,29 +70,14 @@ def test_scheme_against_a_naive_transcription(exclusive, named_prior):
         np.testing.assert_allclose(proba, np.array(p) / sum(p), atol=1e-12)
 
 
-def test_cross_validated_distributions_owe_nothing_to_their_own_home():
-    """Held-out outputs of a home, with reliabilities of the other homes only."""
-    X, y, groups = homes()
-    model = OneAgainstAll(BASES[0], reliability_smoothing=0.0).fit(X, y, groups=groups)
-    answers = model.cv_outputs_ / model.cv_outputs_.sum(axis=1, keepdims=True)
-    for home in range(3):
-        others = groups != home
-        reliability = np.array([answers[others & (y == i)].mean(axis=0) for i in range(3)])
-        expected = answers[~others] @ (reliability / reliability.sum(axis=0)).T
-        np.testing.assert_allclose(
-            model.cv_proba_[~others], expected / expected.sum(axis=1, keepdims=True), atol=1e-12
-        )
-
-
 def test_weak_classifiers_do_not_all_name_the_frequent_class():
-    """With honest folds and weak outputs the literal variant names one class only; the default does not."""
+    """With weak outputs the literal variant names one class only; the default does not."""
     rng = np.random.default_rng(0)
     y = np.repeat([0, 0, 0, 1, 2], 60)
-    X = rng.normal(size=(300, 8)) + 0.6 * np.eye(8)[y]
-    groups = np.arange(300) % 5
+    X, test = (rng.normal(size=(300, 3)) + np.eye(3)[y] for _ in range(2))
     literal = OneAgainstAll(BASES[0], exclusive=False, prior="training", reliability="soft")
-    literal = literal.fit(X, y, groups=groups).cv_proba_.argmax(axis=1)
-    default = OneAgainstAll(BASES[0]).fit(X, y, groups=groups).cv_proba_.argmax(axis=1)
+    literal = literal.fit(X, y).predict(test)
+    default = OneAgainstAll(BASES[0]).fit(X, y).predict(test)
     assert len(np.unique(literal)) == 1
     assert len(np.unique(default)) == 3
     assert np.mean([(default[y == k] == k).mean() for k in range(3)]) > 0.4
@@ -140,7 +125,7 @@ def test_all_bases_learn_and_do_not_depend_on_threads(base):
         if name != "settings":
             assert array.tobytes() == three.to_arrays()[name].tobytes(), name
     assert one.predict_proba(X).tobytes() == three.predict_proba(X).tobytes()
-    assert (one.cv_proba_.argmax(axis=1) == y).mean() > 0.8
+    assert (one.combine(one.cv_outputs_).argmax(axis=1) == y).mean() > 0.8
     assert (one.predict(X) == y).mean() > 0.85
     assert (np.diag(one.reliability_) > 0.6).all()
 
@@ -171,22 +156,21 @@ def test_rows_sum_to_one(seed, reliability, prior, uncertainty, spread):
     X, y, groups = homes(60, seed=seed, spread=spread)
     model = OneAgainstAll(BASES[0], reliability=reliability, prior=prior, uncertainty=uncertainty)
     model.fit(X, y, groups=groups)
-    for proba in (model.predict_proba(X), model.cv_proba_):
+    for proba in (model.predict_proba(X), model.combine(model.cv_outputs_)):
         assert (proba >= 0).all()
         np.testing.assert_allclose(proba.sum(axis=1), 1.0)
 
 
 @settings(max_examples=6, deadline=None)
-@given(permutation=st.permutations([0, 1, 2]), grouped=st.booleans())
-def test_renamed_classes_permute_the_columns(permutation, grouped):
+@given(permutation=st.permutations([0, 1, 2]), calibration=st.sampled_from(["consecutive", "homes_centred"]))
+def test_renamed_classes_permute_the_columns(permutation, calibration):
     X, y, groups = homes(90)
-    groups = groups if grouped else None
-    plain = OneAgainstAll(BASES[0]).fit(X, y, groups=groups)
-    renamed = OneAgainstAll(BASES[0]).fit(X, np.array(permutation)[y], groups=groups)
+    plain = OneAgainstAll(BASES[0], calibration).fit(X, y, groups=groups)
+    renamed = OneAgainstAll(BASES[0], calibration).fit(X, np.array(permutation)[y], groups=groups)
     np.testing.assert_allclose(
         renamed.predict_proba(X)[:, permutation], plain.predict_proba(X), rtol=1e-9, atol=1e-12
     )
-    np.testing.assert_allclose(renamed.cv_proba_[:, permutation], plain.cv_proba_, rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(renamed.cv_outputs_[:, permutation], plain.cv_outputs_, rtol=1e-9, atol=1e-12)
 
 
 def test_a_given_gram_changes_nothing():
@@ -196,36 +180,13 @@ def test_a_given_gram_changes_nothing():
         OneAgainstAll(BASES[0]).fit(X, y, groups),
         OneAgainstAll(BASES[0]).fit(X, y, groups, gram=gram),
     )
-    assert own.cv_proba_.tobytes() == given_.cv_proba_.tobytes()
-
-
-def test_folds_are_homes_where_there_are_any():
-    y = np.repeat([0, 1], 10)
-    groups = np.tile([7, 8, 9, 9, 9], 4)
-    held_out = [set(groups[test]) for _, test in make_folds(y, groups, 5)]
-    assert held_out == [{7}, {8}, {9}]
-    assert len(make_folds(y, None, 5)) == 5
-    assert len(make_folds(y, np.zeros(20), 4)) == 4
-    # Held out: consecutive samples of each class.
-    assert make_folds(y, None, 5)[0][1].tolist() == [0, 1, 10, 11]
-
-
-def test_class_missing_from_a_folds_training_part(caplog):
-    """Class 2 lives in home 0 only: it is judged by consecutive samples, the others by home."""
-    X, y, _ = homes(150)
-    groups = np.where(y == 2, 0, np.arange(150) * 3 // 150)
-    with caplog.at_level(logging.WARNING):
-        model = OneAgainstAll(BASES[0]).fit(X, y, groups=groups)
-    assert "class '2': cannot be cross-validated by group" in caplog.text
-    assert np.isfinite(model.cv_outputs_).all()
-    assert model.reliability_[2, 2] > model.reliability_[:2, 2].max()
-    np.testing.assert_allclose(model.cv_proba_.sum(axis=1), 1.0)
+    assert own.cv_outputs_.tobytes() == given_.cv_outputs_.tobytes()
 
 
 def test_nu_is_lowered_per_class_and_fold():
     X, y, groups = homes(200)
     y = np.where((y == 2) & (np.arange(200) % 4 > 0), 1, y)
-    model = OneAgainstAll(NuSVM(gamma=0.5, nu=0.6)).fit(X, y, groups=groups)
+    model = OneAgainstAll(NuSVM(gamma=0.5, nu=0.6), "homes_centred").fit(X, y, groups=groups)
     for k in range(3):
         rare = min((y == k).sum(), (y != k).sum())
         assert model.nu_[k] == pytest.approx(min(0.6, 2 * rare / 200))
@@ -243,13 +204,13 @@ def test_any_scikit_learn_classifier_can_be_the_base():
             model.to_arrays()
 
 
-def test_calibration_settings():
+def test_sigmoid_settings():
     X, y, groups = homes()
-    own = OneAgainstAll(RVM(gamma=0.5), calibration="own").fit(X, y, groups=groups)
+    own = OneAgainstAll(RVM(gamma=0.5), sigmoid="own").fit(X, y, groups=groups)
     assert own.sigmoid_.tolist() == [[-1.0, 0.0]] * 3
     boosted = OneAgainstAll(GentleAdaBoost(5)).fit(X, y, groups=groups)
     assert boosted.sigmoid_.tolist() == [[-2.0, 0.0]] * 3
-    platt = OneAgainstAll(GentleAdaBoost(5), calibration="platt").fit(X, y, groups=groups)
+    platt = OneAgainstAll(GentleAdaBoost(5), sigmoid="platt").fit(X, y, groups=groups)
     assert platt.sigmoid_.tolist() != boosted.sigmoid_.tolist()
     balanced = OneAgainstAll(BASES[0], sigmoid_weights="balanced").fit(X, y, groups=groups)
     plain = OneAgainstAll(BASES[0]).fit(X, y, groups=groups)
@@ -277,8 +238,10 @@ X3, Y3, _ = homes(30)
             r"nu = 0.9 is infeasible for class '0' .*largest feasible value is 0.666667",
         ),
         (OneAgainstAll(NuSVM(nu=2.0)), Y3, r"nu = 2.0 is outside \(0, 1\]"),
-        (OneAgainstAll(calibration="own"), Y3, "calibration 'own' needs a base with probabilities"),
+        (OneAgainstAll(sigmoid="own"), Y3, "sigmoid 'own' needs a base with probabilities"),
+        (OneAgainstAll(sigmoid="x"), Y3, "unknown sigmoid 'x'"),
         (OneAgainstAll(calibration="x"), Y3, "unknown calibration 'x'"),
+        (OneAgainstAll(calibration="homes_centred"), Y3, "'homes_centred' needs the home of each sample"),
         (OneAgainstAll(reliability="x"), Y3, "unknown reliability 'x'"),
         (OneAgainstAll(prior="x"), Y3, "unknown prior 'x'"),
         (OneAgainstAll(combination="x"), Y3, "unknown combination 'x'"),

@@ -25,8 +25,12 @@ def test_against_scikit_learn(scale, shift):
 
 
 @settings(max_examples=30, deadline=None)
-@given(n=st.integers(2, 60), seed=st.integers(0, 9999), scale=st.floats(1e-3, 1e3))
-def test_no_general_optimiser_finds_a_better_sigmoid(n, seed, scale):
+@given(
+    n=st.integers(2, 60),
+    seed=st.integers(0, 9999),
+    scale=st.floats(-1e3, 1e3).filter(lambda s: abs(s) > 1e-3),
+)
+def test_no_general_optimiser_finds_a_better_sigmoid_that_does_not_fall(n, seed, scale):
     d, positive = draw(n, seed, scale)
     target = np.where(positive, (positive.sum() + 1) / (positive.sum() + 2), 1 / ((~positive).sum() + 2))
 
@@ -35,7 +39,9 @@ def test_no_general_optimiser_finds_a_better_sigmoid(n, seed, scale):
         return float((np.logaddexp(0, f) - (1 - target) * f).sum())
 
     a, b = fit_sigmoid(d, positive)
-    assert loss([a * scale, b]) <= minimize(loss, [0.0, 0.0]).fun + 1e-7
+    assert a <= 0
+    bounds = [(None, 0.0) if scale > 0 else (0.0, None), (None, None)]
+    assert loss([a * scale, b]) <= minimize(loss, [0.0, 0.0], bounds=bounds).fun + 1e-6
 
 
 def test_balanced_is_the_weighted_logistic_regression():
@@ -51,6 +57,16 @@ def test_one_class_only_and_equal_decisions():
     assert (a, apply_sigmoid(np.array([5.0]), a, b)[0]) == (0.0, pytest.approx(1 / 5))
     a, b = fit_sigmoid([1.0, 2.0, 3.0], [False, False, False])
     np.testing.assert_allclose(apply_sigmoid(np.array([1.0, 9.0]), a, b), 1 / 5, atol=1e-6)
+
+
+def test_the_contrary_becomes_flat():
+    d, positive = draw(300, 0)
+    a, b = fit_sigmoid(-d, positive)
+    assert a == 0.0
+    # The rate of the smoothed targets.
+    n = positive.sum()
+    rate = (n * (n + 1) / (n + 2) + (300 - n) / (302 - n)) / 300
+    assert apply_sigmoid(np.array([3.0]), a, b)[0] == pytest.approx(rate)
 
 
 def test_literal_sigmoid():

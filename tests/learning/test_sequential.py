@@ -25,6 +25,7 @@ def listed(order, **settings_):
     model = Sequential(**settings_)
     model.order_ = np.array(order)
     model.sigmoid_ = np.array([[-1.0, 0.0]] * len(order))
+    model.machine_class_ = np.arange(len(order))
     return model
 
 
@@ -50,6 +51,14 @@ def test_sign_and_probability_differ_by_the_sigmoids_offset():
         model.sigmoid_[0] = [-1.0, 2.0]
     assert sign.decide(outputs).tolist() == [0]
     assert probability.decide(outputs).tolist() == [1]
+
+
+@pytest.mark.parametrize("decision", ["sign", "probability"])
+def test_a_flat_sigmoid_never_says_yes(decision):
+    """Whether its constant is above or below a half by the weights of the sigmoid: it knows nothing."""
+    model = listed([0, 1], decision=decision)
+    model.sigmoid_[0] = [0.0, 0.0]
+    assert model.decide(np.array([[0.5, 0.1]])).tolist() == [1]
 
 
 @settings(max_examples=50, deadline=None)
@@ -80,7 +89,7 @@ def test_strongest_first(order):
     X = np.array([[0.0, 0.0], [1.0, 0.0], [9.0, 9.0]])[y] + rng.normal(size=(180, 2))
     model = Sequential(BASE, order=order, decision="probability").fit(X, y, groups=np.arange(180) // 60)
     assert model.order_[0] == 2
-    yes = model.cv_outputs_ >= 0.5
+    yes = model.cv_outputs_ > 0.5
     for k in range(3):
         truth = y == k
         right = yes[:, k] == truth
@@ -109,7 +118,7 @@ def test_threads_and_arrays(training):
     labels = np.array(["bath", "hall", "bed"])[y]
     one = Sequential(GentleAdaBoost(5), training=training, n_jobs=1).fit(X, labels, groups)
     three = Sequential(GentleAdaBoost(5), training=training, n_jobs=3).fit(X, labels, groups)
-    assert one.cv_proba_.tobytes() == three.cv_proba_.tobytes()
+    assert one.cv_outputs_.tobytes() == three.cv_outputs_.tobytes()
     file = io.BytesIO()
     np.savez(file, **one.to_arrays())
     file.seek(0)

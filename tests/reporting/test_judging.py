@@ -13,7 +13,9 @@ from placecat.reporting.judging import judge_comparison
 from placecat.reporting.published import Published
 from placecat.reporting.rules import Rules
 
-RULES = Rules(level=0.95, resamples=2000, minimum_units=4, few_homes=2, about=0.5, margin=2.0, noticeable=1.0)
+RULES = Rules(
+    level=0.95, resamples=2000, minimum_units=4, few_homes=2, about=0.5, margin=2.0, noticeable=1.0, rare=0.05
+)
 INFINITE = float("inf")
 NUMBERS = pd.DataFrame(
     [("points", "", "", 3.0), ("best", "", "", 40.0), ("worst", "", "", 30.0)],
@@ -27,11 +29,11 @@ def shifted(gains):
     return HOMES + np.array(gains)
 
 
-def compare(left, right=None, kind="better", number=None, rules=RULES, **options):
+def compare(left, right=None, kind="better", number=None, rules=RULES, comparisons=1, **options):
     named = {"left": left} if right is None else {"left": left, "right": right}
     sides = [Side(name, (name,)) for name in named]
     comparison = Comparison(sides[0], sides[1] if right is not None else None, (kind, number), **options)
-    return judge_comparison("finding_01", comparison, rules, results(**named), PUBLISHED)
+    return judge_comparison("finding_01", comparison, rules, results(**named), PUBLISHED, comparisons)
 
 
 def test_what_is_better_in_every_home_alike_holds():
@@ -121,15 +123,28 @@ def test_best_is_compared_with_the_best():
 @pytest.mark.parametrize(
     ("gains", "counts", "verdict"),
     [
-        ([3, 2, 4, 1, 5, -2], (1, 5), HOLDS),
-        ([3, 2, 4, 1, 5, -0.5], (0, 5), UNDECIDED),
-        ([-3, -2, -4, -1, -5, -2], (6, 0), UNDECIDED),
+        # As often hurt as helped.
+        ([8, -7, 9, -8, 6, -6], (3, 3), HOLDS),
+        # It helps, alike in every home: that it hurts in one of twenty is out of the question.
+        ([5, 5.5, 4.8, 5.2, 5.1, 4.9], (0, 6), FAILS),
+        ([-5, -5.5, -4.8, -5.2, -5.1, -4.9], (6, 0), FAILS),
+        # It changes nothing.
+        ([0.1, -0.1, 0.2, 0, -0.2, 0.1], (0, 0), FAILS),
+        # It hurts in one home; in how many others is not known.
+        ([3, 2, 4, 1, 5, -2], (1, 5), UNDECIDED),
     ],
 )
-def test_both_signs_takes_one_home_each(gains, counts, verdict):
+def test_both_signs_takes_a_share_of_the_cases_each(gains, counts, verdict):
     judged = compare(measured(shifted(gains)), measured(HOMES), "both_signs")
     assert (judged.measurement.worse, judged.measurement.better) == counts
     assert judged.verdict == verdict
+    assert judged.reason.startswith(f"worse in {counts[0]}, better in {counts[1]} of 6 cases; by 1 points")
+
+
+def test_both_signs_takes_some_homes():
+    judged = compare(measured([40, 50, 30]), measured([45, 45, 35]), "both_signs")
+    assert judged.verdict == UNDECIDED
+    assert judged.reason.endswith("3 homes are too few for a verdict")
 
 
 def test_both_signs_takes_every_seed():
@@ -152,3 +167,33 @@ def test_a_wider_margin_never_makes_a_verdict_worse(gains, margin, more, one_sid
         for points in (margin, margin + more)
     ]
     assert order.index(verdicts[0]) <= order.index(verdicts[1])
+
+
+def test_what_fails_by_itself_need_not_fail_among_many():
+    """Its 95 % interval is below 0, the one that allows for 14 comparisons is not."""
+    left, right = measured(shifted([-3, -4, -1, -2.5, -0.5, -3.5])), measured(HOMES)
+    alone = compare(left, right)
+    assert (alone.verdict, alone.reason) == (FAILS, "none of the interval is above 0")
+    assert alone.measurement.corrected == alone.measurement.interval
+    among = compare(left, right, comparisons=14)
+    assert among.verdict == UNDECIDED
+    assert among.reason == "none of the interval is above 0, but a part of the 99.64 % one"
+    assert among.measurement.interval == alone.measurement.interval
+    assert among.measurement.corrected.low < among.measurement.interval.low
+    clear = compare(measured(HOMES - 4), right, comparisons=14)
+    assert (clear.verdict, clear.measurement.results) == (FAILS, (("left",), ("right",)))
+    # To hold takes no correction.
+    assert compare(right, left, comparisons=14).verdict == HOLDS
+
+
+def test_the_published_number_is_of_the_cell_that_was_measured():
+    """The last is the last that was measured, the best the best of those; so are their published numbers."""
+    cells = ({"text": "points"}, {"text": "best"}, {"text": "worst"})
+    found = results({("c", "home_1"): "too few frames"}, a=measured(HOMES), b=measured(HOMES + 1))
+    for combine, published, used in (("last", 40.0, "b"), ("best", 40.0, "b"), ("mean", 21.5, "a")):
+        left = Side("left", ("a", "b", "c"), combine=combine, published=cells)
+        right = Side("right", ("a", "b", "c"), published=cells)
+        comparison = Comparison(left, right, ("better", None))
+        judged = judge_comparison("finding_01", comparison, RULES, found, PUBLISHED)
+        assert judged.thesis.numbers == (published, 21.5)
+        assert used in judged.measurement.results[0]

@@ -60,6 +60,7 @@ def test_last_is_that_of_those_measured():
     last = side("a", "b", "c", combine="last")
     paired = pair(results(a=FIXED, b=RANDOM), [last], few_homes=2)
     assert paired.sides[0].results == ("b",)
+    assert paired.note == "side without c, which this data cannot give"
     with pytest.raises(NotComputable, match="this run has no result c"):
         pair(results(), [last], few_homes=2)
 

@@ -5,7 +5,9 @@ from placecat.errors import PlacecatError
 from placecat.evaluation.verdict import Range
 from placecat.reporting.rules import Rules, claimed_range
 
-RULES = Rules(level=0.95, resamples=2000, minimum_units=4, few_homes=2, about=0.5, margin=2.0, noticeable=1.0)
+RULES = Rules(
+    level=0.95, resamples=2000, minimum_units=4, few_homes=2, about=0.5, margin=2.0, noticeable=1.0, rare=0.05
+)
 INFINITE = float("inf")
 
 

@@ -61,9 +61,14 @@ def check(trial):
     assert set(trial) <= {"descriptor", "classifier", "codebook"}
     assert descriptor["name"] in PARAMS["descriptors"][descriptor["kind"]]
     if descriptor["kind"] == "local":
-        assert set(descriptor) == {"kind", "name", "y_pos", "y_weight", "color", "max_regions"}
+        regions = PARAMS["regions"]
+        if "variant" in descriptor:
+            assert descriptor["name"] in PARAMS["region_variants"]["descriptors"]
+            regions = regions | PARAMS["region_variants"]["variants"][descriptor["variant"]]["regions"]
+        known = {"kind", "name", "y_pos", "y_weight", "color", "max_regions"}
+        assert set(descriptor) - {"variant"} == known
         assert descriptor["color"] is None or descriptor["color"] in PARAMS["descriptors"]["local"]
-        assert descriptor["max_regions"] <= PARAMS["regions"]["max_regions"]
+        assert descriptor["max_regions"] <= regions["max_regions"]
     assert classifier["model"] in model_names()
     if classifier["model"] == "discriminative_regions":
         assert set(classifier) == {"model", "cue", "clusters", "keep"}
@@ -232,3 +237,26 @@ def test_the_addition_is_marked_and_limits_what_regions_train_on():
         for row in ("Gist", "HOG + y-Pos")
     }
     assert limits == {"Gist": None, "HOG + y-Pos": 1000}
+
+
+def test_the_attention_of_the_addition_differs_in_one_setting_a_row():
+    variants = PARAMS["region_variants"]["variants"]
+    scales, used = PARAMS["attention"]["scales"], variants["as_used"]
+    assert used == {"scales": None, "regions": {"max_regions": 25}}
+    assert PARAMS["region_variants"]["frames"] == PARAMS["protocol"]["cue_frames"]
+    assert scales == [2, 3, 4, 5]
+    assert PARAMS["attention"]["use_residual"]
+    changes = {name: one for name, one in variants.items() if name != "as_used"}
+    assert changes == {
+        "without_residual": {"scales": None, "regions": {"max_regions": 25, "use_residual": False}},
+        "scales_2_to_4": {"scales": [2, 3, 4], "regions": {"max_regions": 25}},
+        "fifty_regions": {"scales": None, "regions": {"max_regions": 50}},
+    }
+    own = PARAMS["cues"]["hog_y"]
+    for name, trial in TRIALS.items():
+        if name.startswith("trials/addition_attention/"):
+            assert trial["classifier"] == own["classifier"]
+            descriptor = PARAMS["codebooks"][own["codebook"]]["descriptor"]
+            number = variants[trial["descriptor"]["variant"]]["regions"]["max_regions"]
+            expected = descriptor | {"variant": trial["descriptor"]["variant"], "max_regions": number}
+            assert trial["descriptor"] == expected

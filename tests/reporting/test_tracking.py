@@ -194,7 +194,7 @@ def results():
 
 def filled(name, results, params=made_results.PARAMS):
     table = tables_of(params)[name]
-    return table, fill_table(table, results, made_results.published(), dataset_of(table, params))
+    return table, fill_table(table, results, made_results.published(), dataset_of(table, params), {})
 
 
 def gathered(name, results):

@@ -46,6 +46,17 @@ def run_here(words, folder, log):
     return Watched(20.0, 3.0, 1.5) if folder.name == "360" else Watched(40.0, 6.0, 2.5)
 
 
+def make_variant(features):
+    """A variant of the regions in every third frame: those there are, with other descriptors."""
+    folder = features / "variant_other"
+    folder.mkdir()
+    shutil.copy(features / "descriptors.json", folder)
+    rows = np.arange(0, len(np.load(features / "count.npy")), 3)
+    np.save(folder / "frames.npy", rows)
+    for name in ("count", "regions", "local_hog"):
+        np.save(folder / f"{name}.npy", np.load(features / f"{name}.npy")[rows])
+
+
 @pytest.fixture(scope="module")
 def ran(tmp_path_factory):
     folder = tmp_path_factory.mktemp("project")
@@ -54,6 +65,8 @@ def ran(tmp_path_factory):
     params["codebooks"] = {"gist_cells": params["codebooks"]["gist_cells"]}
     make(folder, params=params)
     shutil.copytree(folder / "data/features", folder / "data/tracks")
+    for home in HOMES:
+        make_variant(folder / "data/features" / home)
     shutil.copy(ROOT / "dvc.yaml", folder)
     for path in (*paths.SITES.parts, "data/splits", "data/thesis", "reports", "conf"):
         (folder / path).mkdir(exist_ok=True)
@@ -102,6 +115,16 @@ def test_homes_have_the_size_and_the_walk_that_was_asked_for(ran):
     for place in (0, 1, 2):
         nearest = ((drawn[where == place, None] - source[None]) ** 2).sum(axis=2).argmin(axis=1)
         assert (own[nearest] == place).mean() > 0.95
+
+
+def test_a_variant_of_the_regions_is_drawn_for_its_frames_alone(ran):
+    folder, _ = ran
+    drawn = folder / "data/scale/720/data/features/a/variant_other"
+    assert np.load(drawn / "frames.npy").tolist() == list(range(0, 180, 3))
+    most = np.load(folder / f"data/features/{HOMES[0]}/regions.npy").shape[1]
+    assert np.load(drawn / "local_hog.npy").shape == (60, most, 6)
+    assert (np.load(drawn / "count.npy") == most).all()
+    assert (drawn / "descriptors.json").is_file()
 
 
 def test_the_stage_ran_for_the_test_home_alone(ran):

@@ -58,7 +58,7 @@ def test_labels_of_another_form(label: str) -> None:
 def test_a_sequence(tmp_path: Path) -> None:
     write_sequence(tmp_path, "town/seq1", ["CR-A", "2PO1-A", "TL"])
     write_image(tmp_path / "town/seq1/std_cam/t1152000009.000000_x0_y0_a0.jpeg", 99)
-    home = cold.read_home(tmp_path, "town/seq1", camera="robot")
+    home = cold.read_home(tmp_path, "town-seq1", camera="robot")
     assert home.frames["label"].tolist() == ["CR", "2PO", "TL"]
     assert home.frames["sequence"].tolist() == ["seq1"] * 3
     assert home.frames["number"].tolist() == [1, 2, 3]
@@ -69,13 +69,13 @@ def test_a_sequence(tmp_path: Path) -> None:
     assert home.fps == pytest.approx(1 / 0.225)
     assert (home.camera, home.width, home.height) == ("robot", 64, 48)
     assert [decoded(image) for image in read_frames(tmp_path, home.frames)] == [1, 2, 3]
-    assert cold.read_home(tmp_path, "town/seq1", fps=5.0).fps == 5.0
+    assert cold.read_home(tmp_path, "town-seq1", fps=5.0).fps == 5.0
 
 
 def test_a_site_is_all_its_sequences(tmp_path: Path) -> None:
     for number in (10, 2):
         write_sequence(tmp_path, f"town/seq{number}", ["CR", "CR", "KT"], first=number)
-    assert cold.list_homes(tmp_path) == ["town/seq2", "town/seq10"]
+    assert cold.list_homes(tmp_path) == ["town-seq2", "town-seq10"]
     home = cold.read_home(tmp_path, "town")
     assert home.frames["sequence"].tolist() == ["seq2"] * 3 + ["seq10"] * 3
     assert home.frames["number"].tolist() == [1, 2, 3, 1, 2, 3]
@@ -88,11 +88,11 @@ def test_a_site_is_all_its_sequences(tmp_path: Path) -> None:
 def test_another_image_folder(tmp_path: Path) -> None:
     write_sequence(tmp_path, "town/seq1", ["CR", "CR", "KT"])
     (tmp_path / "town/seq1/std_cam").rename(tmp_path / "town/seq1/omni_cam")
-    assert len(cold.read_home(tmp_path, "town/seq1", images="omni_cam").frames) == 3
+    assert len(cold.read_home(tmp_path, "town-seq1", images="omni_cam").frames) == 3
     with pytest.raises(
         PlacecatError, match=r"seq1/std_cam: the folder of images is missing; .*dataset.images"
     ):
-        cold.read_home(tmp_path, "town/seq1")
+        cold.read_home(tmp_path, "town-seq1")
 
 
 @pytest.mark.parametrize(
@@ -120,7 +120,7 @@ def test_messages(text: str, message: str, tmp_path: Path) -> None:
     write_sequence(tmp_path, "town/seq1", ["CR", "CR", "KT"])
     write_list(tmp_path, "town/seq1", text)
     with pytest.raises(PlacecatError, match=message):
-        cold.read_home(tmp_path, "town/seq1")
+        cold.read_home(tmp_path, "town-seq1")
 
 
 def test_image_is_a_link_elsewhere(tmp_path: Path) -> None:
@@ -130,18 +130,24 @@ def test_image_is_a_link_elsewhere(tmp_path: Path) -> None:
     image.unlink()
     image.symlink_to(tmp_path / "secret.jpeg")
     with pytest.raises(PlacecatError, match=r"places\.lst line 2: .* is a link that leads out of"):
-        cold.read_home(tmp_path, "town/seq1")
+        cold.read_home(tmp_path, "town-seq1")
 
 
 def test_no_label_file(tmp_path: Path) -> None:
     (tmp_path / "town/seq1").mkdir(parents=True)
     with pytest.raises(PlacecatError, match=r"seq1/localization/places\.lst: the label file is missing"):
-        cold.read_home(tmp_path, "town/seq1")
+        cold.read_home(tmp_path, "town-seq1")
 
 
 def test_one_frame_has_no_rate(tmp_path: Path) -> None:
     write_sequence(tmp_path, "town/seq1", ["CR", "CR", "KT"])
     write_list(tmp_path, "town/seq1", f"{NAMES[0]} CR\n")
     with pytest.raises(PlacecatError, match=r"the frame rate is unknown from the files; set dataset.fps"):
+        cold.read_home(tmp_path, "town-seq1")
+    assert len(cold.read_home(tmp_path, "town-seq1", fps=5.0).frames) == 1
+
+
+def test_a_name_with_a_slash_is_refused(tmp_path: Path) -> None:
+    write_sequence(tmp_path, "town/seq1", ["CR", "CR", "KT"])
+    with pytest.raises(PlacecatError, match=r"'town/seq1' has a slash; write 'town-seq1'"):
         cold.read_home(tmp_path, "town/seq1")
-    assert len(cold.read_home(tmp_path, "town/seq1", fps=5.0).frames) == 1

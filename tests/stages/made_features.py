@@ -21,6 +21,7 @@ PARAMS = {
         "cue_frames": {"offset": 0, "step": 3},
         "integration_frames": {"offset": 1, "step": 3},
     },
+    "region_variants": {"frames": {"offset": 0, "step": 3}, "descriptors": ["hog"], "variants": {}},
     "codebooks": {
         "hog_y": {
             "descriptor": {
@@ -46,6 +47,7 @@ PARAMS = {
         "hog_y": {
             "codebook": "hog_y",
             "schemes": ["5-5-1", "4-5-1"],
+            "cross_validate": True,
             "extra": True,
             "classifier": {
                 "model": "joint_probability",
@@ -56,12 +58,14 @@ PARAMS = {
         "hog_y_knn": {
             "codebook": "hog_y",
             "schemes": ["5-5-1"],
+            "cross_validate": False,
             "extra": False,
             "classifier": {"model": "knn", "base": {"name": "knn"}, "clusters": 13},
         },
         "gist_tree": {
             "codebook": "gist_cells",
             "schemes": ["5-5-1"],
+            "cross_validate": False,
             "extra": False,
             "classifier": {
                 "model": "joint_probability",
@@ -73,6 +77,7 @@ PARAMS = {
             "codebook": None,
             "descriptor": {"kind": "holistic", "name": "gist"},
             "schemes": ["5-5-1", "4-5-1"],
+            "cross_validate": True,
             "extra": True,
             "classifier": {
                 "model": "one_against_all",
@@ -86,6 +91,7 @@ PARAMS = {
     "systems": {
         "das": {
             "scheme": "5-5-1",
+            "temperature": False,
             "extra": False,
             "cues": ["hog_y", "gist"],
             "integrator": {
@@ -100,6 +106,7 @@ PARAMS = {
         },
         "das_451": {
             "scheme": "4-5-1",
+            "temperature": True,
             "extra": False,
             "cues": ["hog_y", "gist"],
             "integrator": {
@@ -114,6 +121,7 @@ PARAMS = {
         },
         "vote": {
             "scheme": "5-5-1",
+            "temperature": False,
             "extra": True,
             "cues": ["hog_y", "gist"],
             "integrator": {"method": "vote_distribution"},

@@ -14,18 +14,14 @@ sys.path.insert(0, str(ROOT / "tests/reporting"))
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    from made_results import PARAMS, made
-    from placecat.reporting.results import MISSING_COLUMNS, SCORE_COLUMNS, score_rows
+    from made_results import PARAMS, made, write_scores
 
     own = {
         path.stem: yaml.safe_load(path.read_text()) for path in sorted((ROOT / "conf/finding").glob("*.yaml"))
     }
     verdict = yaml.safe_load((ROOT / "conf/verdict/bootstrap.yaml").read_text()) | {"resamples": 200}
     (tmp_path / paths.PARAMS).write_text(yaml.safe_dump(PARAMS | {"findings": own, "verdict": verdict}))
-    (tmp_path / paths.SCORES).mkdir(parents=True)
-    rows = [row for name, one in made().measured.items() for row in score_rows(name, one)]
-    pd.DataFrame(rows, columns=SCORE_COLUMNS).to_csv(tmp_path / paths.SCORES / "scores.csv", index=False)
-    pd.DataFrame([], columns=MISSING_COLUMNS).to_csv(tmp_path / paths.SCORES / "missing.csv", index=False)
+    write_scores(tmp_path / paths.SCORES, made())
     (tmp_path / paths.PUBLISHED).parent.mkdir(parents=True)
     for path in (paths.PUBLISHED, paths.PUBLISHED_TEXT):
         (tmp_path / path).write_bytes((ROOT / path).read_bytes())

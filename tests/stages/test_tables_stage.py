@@ -1,11 +1,12 @@
 """The stage `tables`, on results that were drawn at random."""
 
+import numpy as np
 import pandas as pd
 import pytest
 
-from made_results import PARAMS, ROOT, made
+from made_results import PARAMS, ROOT, made, write_scores
 from placecat import files, paths
-from placecat.reporting.results import MISSING_COLUMNS, SCORE_COLUMNS, score_rows
+from placecat.reporting.tables import tables_of
 from placecat.stages import tables
 from project import contents
 
@@ -30,25 +31,30 @@ def prepare(folder):
     paths.PARAMS.write_text((ROOT / "params.yaml").read_text())
     results = made()
     del results.measured[LOST[0]]
-    rows = [row for name, one in results.measured.items() for row in score_rows(name, one)]
-    paths.SCORES.mkdir()
-    files.write_csv(paths.SCORES / "scores.csv", pd.DataFrame(rows, columns=SCORE_COLUMNS))
-    reasons = [(LOST[0], home, "too few frames") for home in ("home_1", "home_6")]
-    files.write_csv(paths.SCORES / "missing.csv", pd.DataFrame(reasons, columns=MISSING_COLUMNS))
+    write_scores(paths.SCORES, results, [(LOST[0], home, "too few frames") for home in ("home_1", "home_6")])
     for home in PARAMS["dataset"]["homes"]:
-        for seed in ("seed-0", "seed-1"):
-            facts = {"cross_validated_accuracy": {"home_2": 30.5}} if seed == "seed-0" else {}
-            files.write_json(paths.CUES / "hog_y/5-5-1" / home / seed / "facts.json", facts)
+        nu = {"nu": [0.2, 0.2, 0.175 if home == "home_2" else 0.2]}
+        files.write_json(paths.CUES / "gist/5-5-1" / home / "no-seed/facts.json", nu)
+        # The second frame is the least informative, and has no label.
+        labels = pd.DataFrame({"label": "x", "class": [0, -1, 1, 2]})
+        files.write_csv(paths.sequences(home) / "labels.csv", labels)
+        information = np.array([0.09, 0.01, 0.05, 0.3], np.float32)
+        files.write_array(paths.features(home) / "information.npy", information)
+    trials = [
+        ("trials/table_03/gamma=1.0||0.2", "home_6", "no-seed", 0.15625, 0.2),
+        ("trials/table_03/gamma=1.0||0.01", "home_6", "no-seed", 0.01, 0.01),
+        ("trials/table_01/||46", "home_1", "seed-0", "", ""),
+    ]
+    facts = pd.DataFrame(trials, columns=["trial", "home", "seed", "nu_lowest", "nu_highest"])
+    files.write_csv(paths.TRIALS / "gist/facts.csv", facts)
 
 
 def test_every_table_is_written_in_three_forms_with_all_other_reports(run):
-    names = {f"table_{number:02d}" for number in range(1, 32)} | {
-        "addition_discriminative_regions",
-        "addition_rvm",
-    }
+    names = set(tables_of(PARAMS))
+    assert {f"table_{number:02d}" for number in range(1, 32)} < names
     written = {path.name for path in (run / paths.TABLES).iterdir()}
     assert written == {f"{name}.{ending}" for name in names for ending in ("csv", "md", "tex")}
-    for path in (paths.ACCURACIES, paths.CROSS_VALIDATION, paths.IN_TEXT, paths.METRICS, paths.SUMMARY):
+    for path in (paths.ACCURACIES, paths.IN_TEXT, paths.METRICS, paths.SUMMARY):
         assert (run / path).stat().st_size > 0
     plots = {path.relative_to(run / paths.PLOTS).as_posix() for path in (run / paths.PLOTS).rglob("*.csv")}
     assert plots == {f"{kind}/{panel}.csv" for kind, panels in PARAMS["plots"].items() for panel in panels}
@@ -63,12 +69,12 @@ def test_no_cell_of_any_table_is_empty_without_a_reason(run):
         assert len(lost) == (3 if path.stem == "table_04" else 0)
 
 
-def test_cross_validation_has_a_row_a_fold_and_seed(run):
-    table = pd.read_csv(run / paths.CROSS_VALIDATION)
-    assert list(table.columns) == ["result", "test_home", "seed", "training_home", "accuracy"]
-    assert table["test_home"].tolist() == PARAMS["dataset"]["homes"]
-    assert set(table["seed"]) == {"seed-0"}
-    assert set(table["accuracy"]) == {30.5}
+def test_numbers_that_are_no_accuracies_are_read_off_what_was_recorded(run):
+    lines = pd.read_csv(run / paths.IN_TEXT).set_index(["name", "quantity"])["measured"]
+    assert lines["nu_in_force"].to_dict() == {"lowest nu in force": 0.15625, "highest nu in force": 0.2}
+    assert sorted(lines["uninformative_views"]) == [0.05, 0.09]
+    # What git keeps is not there.
+    assert lines[["processing_rate", "test_cycle", "svm_training"]].isna().all()
 
 
 def test_the_same_scores_give_the_same_bytes(run, monkeypatch):

@@ -16,6 +16,7 @@ from placecat.cues.codebook import Codebook, seed_of
 from placecat.errors import PlacecatError
 from placecat.evaluation import protocol
 from placecat.fusion import integrate, smoothing
+from placecat.fusion.temperature import fit_temperature
 from placecat.lockfile import data_version
 
 Probabilities = dict[str, NDArray[np.float64]]
@@ -95,16 +96,23 @@ def train(
         f"{sections['extra']['split']}/{sequence}"
         for sequence in (sections["extra"]["sequences"] if system["extra"] else [])
     ]
-    tasks = [(params, cue, fold, seed, extra, classes) for cue in system["cues"]]
+    tempered = bool(system["temperature"])
+    tasks = [(params, cue, fold, seed, extra, classes, tempered) for cue in system["cues"]]
     done = parallel.in_parallel(_train_cue, tasks, f"training of {name}")
-    cues = tuple(cue for cue, _ in done)
+    cues = tuple(cue for cue, *_ in done)
     chosen = _integration_frames(params, fold, extra, classes)
     proba = {
-        home: np.stack([one[home] for _, one in done], axis=1) for home in (*fold.integration_homes, *extra)
+        home: np.stack([one[home] for _, one, _ in done], axis=1)
+        for home in (*fold.integration_homes, *extra)
     }
     trained = integrate.fit(
-        proba, {home: labels for home, (_, labels) in chosen.items()}, classes, **system["integrator"]
+        proba,
+        {home: labels for home, (_, labels) in chosen.items()},
+        classes,
+        temperatures=[one for *_, one in done] if tempered else None,
+        **system["integrator"],
     )
+    assert trained.cross_validated is not None
     walks, frame_rates = listing.walks(fold.integration_homes)
     options = {key: value for key, value in params["smoothing"].items() if key not in ("cues", "filtered")}
     model = smoothing.fit(
@@ -153,8 +161,9 @@ def _train_cue(
     seed: int,
     extra: Sequence[str],
     classes: Sequence[str],
-) -> tuple[TrainedCue, Probabilities]:
-    """Train one cue; give it, and its distributions for the frames that train the integration."""
+    tempered: bool,
+) -> tuple[TrainedCue, Probabilities, float]:
+    """Train one cue; give it, its distributions for the integration's frames, and its temperature."""
     cue = settings.get(params, f"cues.{name}")
     frames = settings.get(params, "protocol.cue_frames")
     codebook = None
@@ -170,19 +179,23 @@ def _train_cue(
             seed=seed_of(params["dataset"]["name"], descriptor, own["cells"], fold.training_set, seed),
             tree=own["tree"],
         )
-    model, _, _ = cue_training.train(
+    trained = cue_training.train(
         fold.cue_homes,
         descriptor,
         classifier=cue["classifier"],
         codebook=codebook,
         frames=frames,
         classes=classes,
+        cross_validate=tempered,
     )
+    temperature = 1.0
+    if trained.cross_validated is not None:
+        temperature = fit_temperature(trained.cross_validated, trained.truth)
     proba = {
-        home: model.predict_proba(store.read_descriptors(home, descriptor, rows))
+        home: trained.model.predict_proba(store.read_descriptors(home, descriptor, rows))
         for home, (rows, _) in _integration_frames(params, fold, extra, classes).items()
     }
-    return TrainedCue(name, dict(descriptor), model), proba
+    return TrainedCue(name, dict(descriptor), trained.model), proba, temperature
 
 
 def _vision(params: Mapping[str, Any], cues: Sequence[TrainedCue]) -> dict[str, Any]:

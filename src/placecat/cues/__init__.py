@@ -6,6 +6,7 @@ module; there is no list to extend.
 """
 
 import importlib
+import logging
 import pkgutil
 from collections.abc import Mapping, Sequence
 from types import ModuleType
@@ -19,9 +20,14 @@ from placecat.cues.codebook import Codebook
 from placecat.cues.descriptors import Descriptors
 from placecat.cues.model import CueModel
 from placecat.errors import PlacecatError
+from placecat.learning.calibration import CENTRED, CONSECUTIVE, make_folds
 
-__all__ = ["Codebook", "CueModel", "Descriptors", "fit", "model_names", "of_regions_only"]
+logger = logging.getLogger(__name__)
 
+__all__ = ["Codebook", "CueModel", "Descriptors", "cross_validate", "fit", "model_names", "of_regions_only"]
+
+# Where frames are left out instead of homes.
+_PARTS = 5
 _SHARED = {"codebook", "descriptors", "model", "estimators"}
 
 
@@ -80,6 +86,61 @@ def fit(
         settings=options,
         where=f"classifier {classifier['model']}",
     )
+
+
+def cross_validate(
+    train: Descriptors,
+    labels: NDArray[np.int16],
+    homes: NDArray[np.str_],
+    *,
+    classifier: Mapping[str, Any],
+    classes: Sequence[str],
+    codebook: Codebook | None = None,
+) -> NDArray[np.float64]:
+    """Judge each home's training frames by a cue that was trained on the other homes.
+
+    All that is fitted is fitted anew for each home, calibration and scaling too, so that the distributions of
+    different homes compare. A codebook, which knows no labels, is the same for all.
+
+    Parameters
+    ----------
+    train, labels, homes, classifier, classes, codebook
+        As for :func:`fit`.
+
+    Returns
+    -------
+    (n, n_classes)
+        Distributions of the training frames. Where the other homes lack a place, or there is one home only,
+        five parts of consecutive frames of each place are left out instead of homes, with a warning.
+
+    Raises
+    ------
+    PlacecatError
+        As :func:`fit`.
+    """
+    index = labels.astype(np.intp)
+    names = np.unique(homes)
+    if len(names) > 1 and all(len(np.unique(labels[homes != home])) == len(classes) for home in names):
+        folds = make_folds(index, homes, CENTRED, _PARTS)
+    else:
+        logger.warning(
+            "%s: the homes cannot be left out one by one without losing a place; consecutive frames are "
+            "left out instead",
+            ", ".join(names.tolist()),
+        )
+        folds = make_folds(index, None, CONSECUTIVE, _PARTS)
+    proba = np.empty((len(train), len(classes)))
+    for kept, held_out in folds:
+        model = fit(
+            train.take(kept),
+            labels[kept],
+            homes[kept],
+            classifier=classifier,
+            classes=classes,
+            codebook=codebook,
+        )
+        proba[held_out] = model.predict_proba(train.take(held_out))
+    return proba
 
 
 def of_regions_only(name: str) -> bool:

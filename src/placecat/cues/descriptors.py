@@ -24,6 +24,10 @@ class Descriptors:
     def __len__(self) -> int:
         return len(self.x)
 
+    def take(self, frames: NDArray[np.intp]) -> "Descriptors":
+        """Those of some frames, by index, in the order asked for."""
+        return Descriptors(self.x[frames], None if self.counts is None else self.counts[frames])
+
     @property
     def is_set(self) -> bool:
         """Whether a frame has a set of vectors."""

@@ -27,7 +27,6 @@ class DiscriminativeRegionsCue:
         self.codebook = codebook
         self.kept = kept
         self.cue = cue
-        self.cross_validated: NDArray[np.float64] | None = cue.cross_validated
         self.facts: dict[str, Any] = cue.facts | {"kept_codewords": int(kept.sum())}
 
     def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:

@@ -20,7 +20,6 @@ class JointProbabilityCue:
         self.codebook = codebook
         self.clusters = clusters
         self.estimator = estimator
-        self.cross_validated: NDArray[np.float64] | None = None
         self.facts: dict[str, Any] = {}
 
     def codes(self, frames: Descriptors) -> NDArray[Any]:

@@ -17,7 +17,6 @@ class NearestNeighboursCue:
 
     def __init__(self, estimator: Any) -> None:
         self.estimator = estimator
-        self.cross_validated: NDArray[np.float64] | None = None
         self.facts: dict[str, Any] = {}
 
     def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:

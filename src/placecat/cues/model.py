@@ -13,14 +13,10 @@ class CueModel(Protocol):
 
     Attributes
     ----------
-    cross_validated
-        (n, n_classes) distribution of each training frame by a model that saw neither the frame nor its home;
-        None where the classifier is not cross-validated.
     facts
         What is worth knowing about the training, e.g. the nu that was feasible; JSON types only.
     """
 
-    cross_validated: NDArray[np.float64] | None
     facts: dict[str, Any]
 
     def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:

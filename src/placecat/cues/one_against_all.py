@@ -17,10 +17,6 @@ from placecat.learning.spatial_pca import SpatialPCA
 class OneAgainstAllCue:
     """Reduction and scaling of the descriptor, then the multi-class scheme."""
 
-    #: What prediction does without: a stored system leaves it out.
-    TRAINING_ONLY = ("cross_validated",)
-    cross_validated: NDArray[np.float64] | None = None
-
     def __init__(self, steps: list[Any], scheme: Any) -> None:
         self.steps = steps
         self.scheme = scheme
@@ -56,6 +52,7 @@ def fit(
     base: Mapping[str, Any],
     scheme: Mapping[str, Any],
     scaling: str,
+    gamma_scale: float = 1.0,
     reduction: Mapping[str, Any] | None = None,
     max_rows: int | None = None,
 ) -> OneAgainstAllCue:
@@ -70,6 +67,8 @@ def fit(
     scaling
         How descriptors are scaled before the kernel, a kind of
         :class:`~placecat.learning.scaling.KernelScaling`.
+    gamma_scale
+        What squared distances are multiplied by after that: the scale on which gamma acts.
     reduction
         Settings of :class:`~placecat.learning.spatial_pca.SpatialPCA`, e.g. 16 cells of 64 components for
         spatial PACT; None for no reduction.
@@ -86,23 +85,21 @@ def fit(
     if reduction is not None:
         steps.append(SpatialPCA(**reduction).fit(x))
         x = steps[-1].transform(x)
-    steps.append(KernelScaling(kind=scaling).fit(x))
+    steps.append(KernelScaling(scaling, gamma_scale).fit(x))
     x = steps[-1].transform(x)
     binary = estimators.build(base, "classifier.base")
     multi = estimators.build(scheme, "classifier.scheme", base=binary)
     multi.fit(x, labels[rows], groups=homes[rows], class_names=classes)
     cue = OneAgainstAllCue(steps, multi)
-    if not train.is_set and len(x) == len(train):
-        cue.cross_validated = getattr(multi, "cv_proba_", None)
     cue.facts = facts_of(multi)
     return cue
 
 
 def facts_of(scheme: Any) -> dict[str, Any]:
-    """What a fitted multi-class scheme is asked to report: the feasible nu of each class, reliabilities."""
-    facts: dict[str, Any] = {}
-    if getattr(scheme, "nu_", None) is not None:
-        facts["nu"] = [round(float(nu), 6) for nu in np.ravel(scheme.nu_)]
+    """What a fitted multi-class scheme reports: nu in force, flat sigmoids of each class, reliabilities."""
+    facts: dict[str, Any] = {"flat_sigmoids": [int(count) for count in scheme.flat_]}
+    if np.isfinite(scheme.nu_).all():
+        facts["nu"] = [round(float(nu), 6) for nu in scheme.nu_]
     if getattr(scheme, "reliability_", None) is not None:
         facts["reliability"] = np.round(scheme.reliability_, 6).tolist()
     return facts

@@ -99,6 +99,62 @@ def paired_bootstrap(
     return Interval(estimate, float(low), float(high))
 
 
+def stratified_bootstrap(
+    statistic: Callable[[NDArray[np.float64]], NDArray[np.float64]],
+    strata: NDArray[np.int64],
+    seed: int,
+    *,
+    level: float = 0.95,
+    resamples: int = 10000,
+) -> Interval:
+    """Interval of a statistic of blocks, e.g. of stays in rooms, of which each stratum keeps its number.
+
+    A mean over places has one stratum a place. Of the n blocks of a stratum n - 1 are drawn with replacement
+    (Rao and Wu), so that the variance of a stratum's mean divides by n - 1 as it should: for strata as small
+    as two this matters more than anything else. A stratum of one block has no spread. Both arms are stretched
+    by t / z with as many degrees of freedom as there are blocks beyond one a stratum.
+
+    How often an interval of the mean of five strata's means covers the truth, `level` 0.95, in 2000
+    simulations each:
+
+    ================================ ====== ===========
+    blocks of the strata             normal exponential
+    ================================ ====== ===========
+    2, 2, 2, 2, 2                    NORMAL EXPO
+    8, 5, 3, 2, 2                    NORMAL EXPO
+    8, 8, 8, 8, 8                    NORMAL EXPO
+    ================================ ====== ===========
+
+    Parameters
+    ----------
+    statistic
+        Takes (resamples, n) weights of the blocks, those of each stratum summing to 1, and gives (resamples,)
+        values.
+    strata
+        (n,) number of the stratum of each block, from 0.
+    seed, level, resamples
+        As for :func:`paired_bootstrap`.
+
+    References
+    ----------
+    J. N. K. Rao and C. F. J. Wu, Resampling Inference With Complex Survey Data, JASA 83, 1988.
+    """
+    sizes = np.bincount(strata)
+    free = int((sizes - 1).sum())
+    if free < 1:
+        raise ValueError("every stratum has a single block: there is no interval")
+    rng = np.random.default_rng(seed)
+    weights = np.empty((resamples, len(strata)))
+    for stratum, size in enumerate(sizes):
+        drawn = rng.multinomial(max(size - 1, 1), [1.0 / size] * size, size=resamples)
+        weights[:, strata == stratum] = drawn / max(size - 1, 1)
+    estimate = float(statistic((1.0 / sizes)[strata][None])[0])
+    arms = np.quantile(statistic(weights), [(1.0 - level) / 2.0, (1.0 + level) / 2.0]) - estimate
+    upper = (1.0 + level) / 2.0
+    low, high = estimate + stats.t.ppf(upper, free) / stats.norm.ppf(upper) * arms
+    return Interval(estimate, float(low), float(high))
+
+
 def stretch(n_units: int, level: float) -> float:
     """What the arms of a percentile interval are multiplied by, at least 1: sqrt(n / (n - 1)) t / z."""
     upper = (1.0 + level) / 2.0

@@ -29,11 +29,37 @@ class Range:
         return min(interval.low - self.low, self.high - interval.high)
 
 
-def judge(interval: Interval, claimed: Range) -> str:
-    """`HOLDS` if the whole interval is in the range, `FAILS` if none of it is, else `UNDECIDED`."""
+def corrected_level(level: float, comparisons: int) -> float:
+    """Level of each of several intervals so that, with probability `level`, all of them cover (Bonferroni).
+
+    Holm's procedure starts with the same level, so that it finds one comparison failing exactly where this
+    does.
+
+    Parameters
+    ----------
+    level
+        Between 0 and 1.
+    comparisons
+        How many, at least 1.
+    """
+    return 1.0 - (1.0 - level) / comparisons
+
+
+def judge(interval: Interval, claimed: Range, corrected: Interval | None = None) -> str:
+    """Judge one comparison.
+
+    Parameters
+    ----------
+    interval
+        `HOLDS` if the whole of it is in the range.
+    corrected
+        `FAILS` if none of it is in the range: the wider interval of a claim that makes several comparisons
+        (:func:`corrected_level`); None for the same interval.
+    """
     if claimed.low < interval.low and interval.high < claimed.high:
         return HOLDS
-    if interval.high <= claimed.low or claimed.high <= interval.low:
+    wide = corrected or interval
+    if wide.high <= claimed.low or claimed.high <= wide.low:
         return FAILS
     return UNDECIDED
 
@@ -41,9 +67,32 @@ def judge(interval: Interval, claimed: Range) -> str:
 def combine(verdicts: Collection[str]) -> str:
     """Verdict on a claim that makes several comparisons: all have to hold, and one that fails is enough.
 
-    That all hold takes no correction for their number. That one fails by chance, of k that are barely true,
-    is up to k times as likely as for a single one.
+    That all hold takes no correction for their number: if one of them is false, it alone has to hold by
+    chance (an intersection-union test). That one fails does: of k that are true, each may fail by chance, so
+    `judge` takes the corrected interval for that.
     """
     if FAILS in verdicts:
         return FAILS
     return HOLDS if verdicts and set(verdicts) == {HOLDS} else UNDECIDED
+
+
+def judge_shares(worse: Interval, better: Interval, rare: float) -> str:
+    """Judge that something can hurt as well as help.
+
+    Parameters
+    ----------
+    worse, better
+        Shares of the cases that it makes worse and better, from 0 to 1.
+    rare
+        Share up to which a case is an exception.
+
+    Returns
+    -------
+    str
+        `HOLDS` if both shares are above `rare` with their whole interval, `FAILS` if one of them is below it
+        with its whole interval, else `UNDECIDED`. Two intervals of 95 % make a false `FAILS` in at most 5 %,
+        since each errs in 2.5 % to its lower side.
+    """
+    if worse.low > rare and better.low > rare:
+        return HOLDS
+    return FAILS if min(worse.high, better.high) < rare else UNDECIDED

@@ -93,7 +93,7 @@ def _outcome(experiment: Experiment, fold: protocol.Fold, seed: int | None) -> O
     if not data.is_split:
         return trials.run_together(
             [experiment.settings], fold, seed, data.name, experiment.frames, data.classes
-        )[0]
+        )[0][0]
     train = []
     for home in fold.cue_homes:
         labels = data.labels(home, training=True)

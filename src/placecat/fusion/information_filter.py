@@ -8,6 +8,58 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 
+def check(threshold: float | None, share: float | None, where: str) -> None:
+    """Refuse a filter that has not exactly one of `threshold` and `share`, or one out of its range.
+
+    Parameters
+    ----------
+    threshold
+        At least 0.
+    share
+        Between 0 and 1, without both ends.
+    where
+        What the message calls the filter.
+    """
+    if (threshold is None) == (share is None):
+        raise PlacecatError(f"{where} needs either a threshold or a share; set the other one to null")
+    for name, value in (("threshold", threshold), ("share", share)):
+        if value is not None and (isinstance(value, bool) or not isinstance(value, int | float)):
+            raise PlacecatError(f"{where}: {name} is {value!r}, but a number is needed")
+    if threshold is not None and not threshold >= 0:
+        raise PlacecatError(f"{where}: threshold is {threshold}, but must be 0 or more")
+    if share is not None and not 0 < share < 1:
+        raise PlacecatError(f"{where}: share is {share}, but must be between 0 and 1")
+
+
+def threshold_of(share: float, information: NDArray[np.float32]) -> float:
+    """The threshold below which a share of training frames lies.
+
+    The thesis gives its threshold in a unit that it does not define, and not how many frames that drops.
+
+    Parameters
+    ----------
+    share
+        Between 0 and 1; rounded down to whole frames.
+    information
+        (frames,) measures of the training frames, at least 1.
+    """
+    return float(np.sort(information)[int(share * len(information))])
+
+
+def dropped(
+    information: NDArray[np.float32], labels: NDArray[np.int16], threshold: float
+) -> dict[str, float]:
+    """Count what a threshold drops: frames, dropped, labelled, dropped_labelled, and the threshold."""
+    low = ~(information >= threshold)
+    return {
+        "threshold": threshold,
+        "frames": len(low),
+        "dropped": int(low.sum()),
+        "labelled": int((labels >= 0).sum()),
+        "dropped_labelled": int((low & (labels >= 0)).sum()),
+    }
+
+
 def hold(
     proba: NDArray[np.float64],
     information: NDArray[np.float32],
@@ -28,7 +80,7 @@ def hold(
     information
         (frames,) measure of each frame, see `placecat.vision.information.information`.
     threshold
-        0.09766 in the thesis, and 0.13021 in a check.
+        0.09766 in the thesis, and 0.13021 in a check; or from :func:`threshold_of`.
     sequences
         Stretches of frames without a cut that cover all frames; the filter starts anew at each.
 

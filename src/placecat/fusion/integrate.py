@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from placecat import cues
 from placecat.cues import CueModel
 from placecat.errors import PlacecatError
 from placecat.fusion import das, votes
+from placecat.fusion.temperature import temper
 
 METHODS = ("das", "vote_distribution", "vote_decision")
 
@@ -24,16 +26,22 @@ class Integrator:
         One of `METHODS`.
     model
         The integrating classifier of SVM-DAS; None for a vote.
+    temperatures
+        (cues,) what the cues' distributions are tempered with before, see
+        :func:`placecat.fusion.temperature.temper`; None to take them as they are.
     """
 
     method: str
     model: CueModel | None
+    temperatures: NDArray[np.float64] | None = None
 
     def predict_proba(self, proba: NDArray[np.float64]) -> NDArray[np.float64]:
         """Fuse (frames, cues, n_classes) distributions to (frames, n_classes); rows sum to 1."""
+        if self.temperatures is not None:
+            proba = temper(proba, self.temperatures)
         if self.model is None:
             return getattr(votes, self.method)(proba)
-        return das.predict_proba(self.model, proba)
+        return self.model.predict_proba(das.frames_of(proba))
 
 
 @dataclass(frozen=True)
@@ -46,13 +54,13 @@ class Trained:
         To be applied.
     cross_validated, truth
         (n, n_classes) distributions of the training frames by a model that saw neither the frame nor its
-        home, and their (n,) classes; home after home.
+        home, None if not asked for, and their (n,) classes; home after home.
     facts
         JSON types only.
     """
 
     integrator: Integrator
-    cross_validated: NDArray[np.float64]
+    cross_validated: NDArray[np.float64] | None
     truth: NDArray[np.int16]
     facts: dict[str, Any]
 
@@ -64,6 +72,8 @@ def fit(
     *,
     method: str,
     classifier: Mapping[str, Any] | None = None,
+    temperatures: Sequence[float] | None = None,
+    cross_validated: bool = True,
 ) -> Trained:
     """Train an integration on the cues' outputs for training homes.
 
@@ -79,6 +89,10 @@ def fit(
         ``das`` (SVM-DAS), ``vote_distribution`` or ``vote_decision``.
     classifier
         Of SVM-DAS, as for :func:`placecat.cues.fit`.
+    temperatures
+        Of each cue, as for :class:`Integrator`.
+    cross_validated
+        Whether each home's frames are judged by an integration of the others as well.
 
     Raises
     ------
@@ -89,16 +103,20 @@ def fit(
         raise PlacecatError(f"integrator.method {method!r} does not exist: use one of {', '.join(METHODS)}")
     together = np.concatenate(list(train.values()))
     labels = np.concatenate([truth[home] for home in train])
+    own = None if temperatures is None else np.asarray(temperatures, dtype=np.float64)
     if method != "das":
         # A vote has nothing to train, so that its statistics need no cross-validation of its own.
-        vote = Integrator(method, None)
-        return Trained(vote, vote.predict_proba(together), labels, {})
+        vote = Integrator(method, None, own)
+        return Trained(vote, vote.predict_proba(together) if cross_validated else None, labels, {})
     if classifier is None:
         raise PlacecatError("integrator.classifier is missing: SVM-DAS needs one, such as nu_svm")
-    home_of_frame = np.concatenate([np.full(len(proba), home) for home, proba in train.items()])
-    model = das.fit(together, labels, home_of_frame, classes, classifier=classifier)
-    assert model.cross_validated is not None
-    return Trained(Integrator(method, model), model.cross_validated, labels, dict(model.facts))
+    homes = np.concatenate([np.full(len(proba), home) for home, proba in train.items()])
+    frames = das.frames_of(together if own is None else temper(together, own))
+    model = cues.fit(frames, labels, homes, classifier=classifier, classes=classes)
+    held_out = None
+    if cross_validated:
+        held_out = cues.cross_validate(frames, labels, homes, classifier=classifier, classes=classes)
+    return Trained(Integrator(method, model, own), held_out, labels, dict(model.facts))
 
 
 def integrate(
@@ -109,12 +127,13 @@ def integrate(
     *,
     method: str,
     classifier: Mapping[str, Any] | None = None,
+    temperatures: Sequence[float] | None = None,
 ) -> dict[str, Any]:
     """Train an integration as :func:`fit` does and apply it to a test home.
 
     Parameters
     ----------
-    train, truth, classes, method, classifier
+    train, truth, classes, method, classifier, temperatures
         As for :func:`fit`.
     test
         (frames, cues, n_classes).
@@ -130,7 +149,7 @@ def integrate(
     PlacecatError
         An unknown method.
     """
-    trained = fit(train, truth, classes, method=method, classifier=classifier)
+    trained = fit(train, truth, classes, method=method, classifier=classifier, temperatures=temperatures)
     return {
         "facts": trained.facts,
         "test": trained.integrator.predict_proba(test),

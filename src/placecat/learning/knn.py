@@ -80,7 +80,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         n_clusters: int = 196,
         n_neighbors: int = 1,
         smoothing: float = 1.0,
-        class_weighting: str = "once",
+        class_weighting: str = "per_region",
         codebook: HierarchicalKMeans | None = None,
         seed: int = 0,
     ) -> None:

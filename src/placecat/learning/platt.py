@@ -14,10 +14,13 @@ def fit_sigmoid(
     tol: float = 1e-10,
     max_iter: int = 100,
 ) -> tuple[float, float]:
-    """Fit p(positive | d) = 1 / (1 + exp(A d + B)) by maximum likelihood on smoothed targets.
+    """Fit p(positive | d) = 1 / (1 + exp(A d + B)), A <= 0, by maximum likelihood on smoothed targets.
 
     Targets are (n+ + 1) / (n+ + 2) and 1 / (n- + 2). Newton's method with step halving; the problem is
     convex. The thesis (3.3.1.2) takes dlib's probabilistic decision function, which is this method.
+
+    A larger decision value never makes the positive class less probable: where the best sigmoid falls, the
+    best one that does not is flat, A = 0.
 
     Parameters
     ----------
@@ -35,7 +38,7 @@ def fit_sigmoid(
     Returns
     -------
     tuple of float
-        A (negative when larger decisions mean positive) and B.
+        A, at most 0, and B.
 
     Raises
     ------
@@ -52,6 +55,8 @@ def fit_sigmoid(
     >>> a, b = fit_sigmoid([-2.0, -1.0, 1.0, 2.0], [False, False, True, True])
     >>> a < 0, abs(b) < 1e-8
     (True, True)
+    >>> fit_sigmoid([-2.0, -1.0, 1.0, 2.0], [True, True, False, False])
+    (0.0, 0.0)
     """
     d = np.asarray(decisions, dtype=np.float64).ravel()
     is_positive = np.asarray(positive, dtype=bool).ravel()
@@ -67,17 +72,17 @@ def fit_sigmoid(
 
     # Standardised decisions make the Hessian well conditioned whatever the units.
     shift, scale = float(d.mean()), float(d.std())
+    rate = float(np.average(target, weights=weights))
+    flat = 0.0, float(np.log((1.0 - rate) / rate))
     if scale <= 1e-12 * max(1.0, abs(shift)):
-        rate = float(np.average(target, weights=weights))
-        return 0.0, float(np.log((1.0 - rate) / rate))
+        return flat
     z = (d - shift) / scale
 
     def loss(slope: float, offset: float) -> float:
         f = slope * z + offset
         return float(weights @ (np.logaddexp(0.0, f) - (1.0 - target) * f))
 
-    rate = float(np.average(target, weights=weights))
-    slope, offset = 0.0, float(np.log((1.0 - rate) / rate))
+    slope, offset = flat
     value = loss(slope, offset)
     for _ in range(max_iter):
         p = expit(-(slope * z + offset))
@@ -102,7 +107,8 @@ def fit_sigmoid(
         else:
             break
         slope, offset, value = slope + step * d_slope, offset + step * d_offset, new
-    return slope / scale, offset - slope * shift / scale
+    # Convex: the best non-falling sigmoid is at the boundary where the best one falls.
+    return flat if slope > 0.0 else (slope / scale, offset - slope * shift / scale)
 
 
 def apply_sigmoid(decisions: NDArray[np.float64], a: ArrayLike, b: ArrayLike) -> NDArray[np.float64]:

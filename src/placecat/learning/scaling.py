@@ -10,7 +10,7 @@ from placecat.errors import PlacecatError
 from placecat.learning.kernels import check_samples
 from placecat.learning.products import squared_lengths
 
-KINDS = ("none", "minmax", "standard", "distance", "unit")
+KINDS = ("none", "minmax", "standard", "root", "distance", "unit")
 
 
 class KernelScaling(TransformerMixin, BaseEstimator):
@@ -22,6 +22,8 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     - ``none``: x as it is.
     - ``minmax``: each dimension to [0, 1] on the training data; the mean depends on the data.
     - ``standard``: each dimension to mean 0 and variance 1 / D; mean 2 n / (n - 1).
+    - ``root``: each dimension to mean 0 and divided by the root of its deviation, halfway between
+      ``standard`` and ``distance``; then as ``distance``; mean 1.
     - ``distance``: all of x minus the mean, divided by the root of that mean; mean 1. Keeps the dimensions'
       relative weight.
     - ``unit``: each sample to Euclidean length 1 (a zero sample stays zero); at most 4.
@@ -32,6 +34,9 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     ----------
     kind
         One of the above.
+    gamma_scale
+        Squared distances are multiplied by it as well, > 0; 1 leaves the means above. It says on which scale
+        gamma acts.
 
     Attributes
     ----------
@@ -50,8 +55,9 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     [[0.0, 0.0], [1.0, 0.0]]
     """
 
-    def __init__(self, kind: str = "standard") -> None:
+    def __init__(self, kind: str = "standard", gamma_scale: float = 1.0) -> None:
         self.kind = kind
+        self.gamma_scale = gamma_scale
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
         """Learn offset and factor from training data only.
@@ -70,6 +76,8 @@ class KernelScaling(TransformerMixin, BaseEstimator):
         """
         if self.kind not in KINDS:
             raise PlacecatError(f"unknown scaling {self.kind!r}; choose one of {', '.join(KINDS)}")
+        if not 0 < self.gamma_scale < np.inf:
+            raise PlacecatError(f"gamma_scale = {self.gamma_scale}; squared distances need a factor above 0")
         samples = check_samples(X)
         width = samples.shape[1]
         self.n_features_in_ = width
@@ -78,7 +86,7 @@ class KernelScaling(TransformerMixin, BaseEstimator):
         if self.kind == "minmax":
             low, high = samples.min(axis=0).astype(np.float64), samples.max(axis=0).astype(np.float64)
             self.offset_, self.factor_ = low, _inverse(high - low, np.maximum(abs(low), abs(high)))
-        elif self.kind in ("standard", "distance"):
+        elif self.kind in ("standard", "root", "distance"):
             mean = samples.mean(axis=0, dtype=np.float64)
             deviation = samples.std(axis=0, dtype=np.float64)
             self.offset_ = mean
@@ -87,8 +95,12 @@ class KernelScaling(TransformerMixin, BaseEstimator):
                 self.factor_ = inverse / np.sqrt(float(max(int(np.count_nonzero(inverse)), 1)))
             else:
                 n = len(samples)
-                mean_square = 2.0 * n / (n - 1) * float((deviation**2).sum()) if n > 1 else 0.0
+                if self.kind == "root":
+                    self.factor_ = np.sqrt(_inverse(deviation, abs(mean)))
+                spread = float(((deviation * self.factor_) ** 2).sum())
+                mean_square = 2.0 * n / (n - 1) * spread if n > 1 else 0.0
                 self.factor_ *= 1.0 / np.sqrt(mean_square) if mean_square > 0 else 1.0
+        self.factor_ *= np.sqrt(self.gamma_scale)
         return self
 
     def transform(self, X: ArrayLike) -> NDArray[np.float32]:
@@ -104,24 +116,31 @@ class KernelScaling(TransformerMixin, BaseEstimator):
             raise PlacecatError(
                 f"X has {samples.shape[1]} features; the scaling was fitted on {self.n_features_in_}"
             )
-        if self.kind == "none":
-            return samples
         if self.kind == "unit":
             length = np.sqrt(squared_lengths(samples))
-            inverse = np.divide(1.0, length, out=np.zeros_like(length), where=length > 0)
+            inverse = np.divide(
+                np.sqrt(self.gamma_scale), length, out=np.zeros_like(length), where=length > 0
+            )
             return samples * inverse[:, None].astype(np.float32)
+        if (self.factor_ == 1.0).all() and not self.offset_.any():
+            return samples
         scaled = samples - self.offset_.astype(np.float32)
         scaled *= self.factor_.astype(np.float32)
         return scaled
 
     def to_arrays(self) -> dict[str, NDArray[Any]]:
         """Give plain arrays, enough for `from_arrays`."""
-        return {"kind": np.array(self.kind), "offset": self.offset_, "factor": self.factor_}
+        return {
+            "kind": np.array(self.kind),
+            "gamma_scale": np.array(self.gamma_scale),
+            "offset": self.offset_,
+            "factor": self.factor_,
+        }
 
     @classmethod
     def from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Self:
         """Rebuild a fitted scaling from `to_arrays`."""
-        scaling = cls(str(arrays["kind"]))
+        scaling = cls(str(arrays["kind"]), float(arrays["gamma_scale"]))
         scaling.offset_, scaling.factor_ = arrays["offset"], arrays["factor"]
         scaling.n_features_in_ = len(scaling.offset_)
         return scaling

@@ -9,27 +9,26 @@ from scipy.special import expit
 from sklearn.base import BaseEstimator, ClassifierMixin
 
 from placecat.errors import PlacecatError
+from placecat.learning.calibration import Problem, fit_problems, make_folds
 from placecat.learning.one_against_all import (
-    Problem,
-    as_base,
+    MACHINES,
+    calibration_of,
     encode_classes,
-    fit_problems,
-    is_balanced,
-    make_folds,
+    keep_machines,
+    outputs_of,
     pack_settings,
     scorer_width,
     unpack_settings,
-    uses_own,
 )
-from placecat.learning.platt import apply_sigmoid
 from placecat.learning.single_thread import single_blas_thread
+from placecat.learning.two_class import as_base
 
 ORDERS = ("balanced_accuracy", "error")
 TRAINING = ("all", "remaining")
 DECISIONS = ("sign", "probability", "product")
 OUTPUTS = ("product", "decision")
 
-ARRAYS = ("classes_", "order_", "strength_", "sigmoid_", "nu_", "cv_outputs_", "cv_proba_")
+ARRAYS = (*MACHINES, "order_", "strength_")
 
 
 class Sequential(ClassifierMixin, BaseEstimator):
@@ -41,7 +40,7 @@ class Sequential(ClassifierMixin, BaseEstimator):
 
     Parameters
     ----------
-    base, calibration, sigmoid_weights, folds, n_jobs
+    base, calibration, sigmoid, sigmoid_weights, folds, n_jobs
         As in `OneAgainstAll`.
     order
         Strength of a class's classifier against all others, from its held-out decisions:
@@ -54,7 +53,7 @@ class Sequential(ClassifierMixin, BaseEstimator):
         only, without those of earlier nodes. The thesis does not give this.
     decision
         What `predict` does: the first node that says yes, else the last class, where yes is the ``sign`` of
-        the two-class decision value, or a ``probability`` p(o_k|x) of at least 0.5; or the largest of the
+        the two-class decision value, or a ``probability`` p(o_k|x) above 0.5; or the largest of the
         probability-like output, ``product``. The thesis speaks of negative decisions only; on its toy problem
         the sign gives the threefold error on the last class that it reports, the probability half of that.
     output
@@ -69,13 +68,7 @@ class Sequential(ClassifierMixin, BaseEstimator):
         (K,) indices into `classes_`, strongest first. The last has no node.
     strength_
         (K,) the measure of `order` of each class, larger is stronger.
-    sigmoid_
-        (K, 2) as in `OneAgainstAll`.
-    cv_outputs_, cv_proba_
-        (n, K) held-out p(o_k|x) and the distributions from them.
-    nu_
-        (K,) nu in force of each node, NaN for a base without one.
-    scorer_, n_features_in_
+    sigmoid_, machine_class_, flat_, cv_outputs_, nu_, fold_nu_, scorer_, n_features_in_
         As in `OneAgainstAll`.
 
     References
@@ -93,12 +86,13 @@ class Sequential(ClassifierMixin, BaseEstimator):
     """
 
     #: Attributes that prediction does without: a stored system leaves them out.
-    TRAINING_ONLY = ("cv_outputs_", "cv_proba_")
+    TRAINING_ONLY = ("cv_outputs_",)
 
     def __init__(
         self,
         base: Any = None,
-        calibration: str = "auto",
+        calibration: str = "samples",
+        sigmoid: str = "auto",
         sigmoid_weights: str = "none",
         order: str = "balanced_accuracy",
         training: str = "all",
@@ -109,6 +103,7 @@ class Sequential(ClassifierMixin, BaseEstimator):
     ) -> None:
         self.base = base
         self.calibration = calibration
+        self.sigmoid = sigmoid
         self.sigmoid_weights = sigmoid_weights
         self.order = order
         self.training = training
@@ -127,20 +122,19 @@ class Sequential(ClassifierMixin, BaseEstimator):
     ) -> Self:
         """Fit the nodes and their order. Parameters and errors as in `OneAgainstAll.fit`."""
         base = as_base(self.base)
-        own = uses_own(self.calibration, base)
-        balanced = is_balanced(self.sigmoid_weights)
+        calibration = calibration_of(self, base)
         self._check_settings()
         samples, self.classes_, index, names = encode_classes(X, y, class_names)
         n, n_classes = len(samples), len(self.classes_)
-        folds = make_folds(index, groups, self.folds)
+        folds = make_folds(index, groups, calibration.kind, calibration.folds)
         everyone = np.ones(n, dtype=bool)
         problems = [Problem(f"class {names[k]!r}", index == k, everyone) for k in range(n_classes)]
         with single_blas_thread():
             shared = base.prepare(samples, gram=gram, n_jobs=self.n_jobs)
-            fitted = fit_problems(base, shared, problems, folds, own, balanced, self.n_jobs)
+            fitted = fit_problems(base, shared, problems, folds, calibration, self.n_jobs)
             self.strength_ = np.array(
                 [
-                    self._strength(f.outputs, self._threshold(f.sigmoid), p.positive)
+                    self._strength(f.outputs, self._threshold(f.sigmoids), p.positive)
                     for f, p in zip(fitted, problems, strict=True)
                 ]
             )
@@ -156,15 +150,11 @@ class Sequential(ClassifierMixin, BaseEstimator):
                     if place > 0
                 ]
                 if later:
-                    again = fit_problems(base, shared, later, folds, own, balanced, self.n_jobs)
+                    again = fit_problems(base, shared, later, folds, calibration, self.n_jobs)
                     for k, fit in zip(self.order_[1:-1], again, strict=True):
                         fitted[k] = fit
         self.n_features_in_ = samples.shape[1]
-        self.scorer_ = base.collect([f.machine for f in fitted], samples)
-        self.sigmoid_ = np.array([f.sigmoid for f in fitted])
-        self.nu_ = np.array([float(getattr(f.machine, "nu_", np.nan)) for f in fitted])
-        self.cv_outputs_ = np.stack([f.outputs for f in fitted], axis=1)
-        self.cv_proba_ = self.combine(self.cv_outputs_)
+        keep_machines(self, base, fitted, samples)
         return self
 
     def _check_settings(self) -> None:
@@ -176,22 +166,20 @@ class Sequential(ClassifierMixin, BaseEstimator):
         ):
             if value not in known:
                 raise PlacecatError(f"unknown {name} {value!r}; choose one of {', '.join(known)}")
-        if self.folds < 2:
-            raise PlacecatError(f"folds = {self.folds}; cross-validation needs 2 or more")
 
-    def _threshold(self, sigmoid: tuple[float, float]) -> float:
-        # p at decision value 0; falling sigmoids only come from classifiers worse than chance.
-        return float(expit(-sigmoid[1])) if self.decision == "sign" else 0.5
+    def _threshold(self, sigmoids: NDArray[np.float64]) -> float:
+        # The sign: p at decision value 0. A flat sigmoid gives just that to every sample, which is no yes.
+        return float(expit(-sigmoids[:, 1]).mean()) if self.decision == "sign" else 0.5
 
     def _strength(self, outputs: NDArray[np.float64], threshold: float, positive: NDArray[np.bool_]) -> float:
-        right = (outputs >= threshold) == positive
+        right = (outputs > threshold) == positive
         if self.order == "error":
             return float(right.mean())
         return float((right[positive].mean() + right[~positive].mean()) / 2.0)
 
     def outputs(self, X: ArrayLike) -> NDArray[np.float64]:
         """Give p(o_k|x) of samples (n, D) as (n, K)."""
-        return apply_sigmoid(self.scorer_.decisions(X), self.sigmoid_[:, 0], self.sigmoid_[:, 1])
+        return outputs_of(self, X)
 
     def combine(self, outputs: NDArray[np.float64]) -> NDArray[np.float64]:
         """Combine outputs p(o_k|x) (n, K) to what `output` says, (n, K); rows sum to 1."""
@@ -216,8 +204,8 @@ class Sequential(ClassifierMixin, BaseEstimator):
         """Index into `classes_` (n,) that `decision` picks from outputs p(o_k|x) (n, K)."""
         if self.decision == "product":
             return self._product(outputs).argmax(axis=1)
-        thresholds = np.array([self._threshold((a, b)) for a, b in self.sigmoid_])
-        yes = (outputs >= thresholds)[:, self.order_]
+        of_class = [self.sigmoid_[self.machine_class_ == k] for k in range(len(self.order_))]
+        yes = (outputs > np.array([self._threshold(own) for own in of_class]))[:, self.order_]
         yes[:, -1] = True
         return self.order_[yes.argmax(axis=1)]
 

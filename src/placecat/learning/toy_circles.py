@@ -1,61 +1,60 @@
 """The toy problem of thesis 4.8: four disjoint circles in the plane and the area around them."""
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
-CENTRES = ((-2.0, -2.0), (-2.0, 2.0), (2.0, -2.0), (2.0, 2.0))
+from placecat.errors import PlacecatError
+
 # Of the classes in order.
 NAMES = ("circle_1", "circle_2", "circle_3", "circle_4", "around")
+# In half widths of the square, in the order of the classes.
+_MIDDLES = ((-0.5, -0.5), (-0.5, 0.5), (0.5, -0.5), (0.5, 0.5))
 
 
 def toy_circles(
-    n: int, seed: int, radius: float = 0.5, half_width: float = 4.0, around: float = 0.5
+    n: int, seed: int, radius: float = 1.0, inside: float = 0.5
 ) -> tuple[NDArray[np.float64], NDArray[np.int16]]:
-    """Draw points of the five classes, uniformly within each.
+    """Draw points uniformly from a square with a circle in the middle of each quarter.
 
-    The thesis does not give centres, radii, area or counts. Here: centres (+-2, +-2), radius 0.5, the square
-    [-4, 4]^2, half of the points around the circles and an eighth in each (so that nu = 0.2 is feasible).
-    With gamma = 2 and 2000 points this gives about the thesis's accuracies.
+    The thesis does not give centres, radii, area or counts; conf/toy says how they were chosen.
 
     Parameters
     ----------
     n
-        Points, at least 16.
+        Points, at least 1.
     seed
         Of the generator.
     radius
-        Of each circle; below 2 they are disjoint.
-    half_width
-        Half the side of the square.
-    around
-        Share of the points around the circles, between 0 and 1. 0.2 makes the classes equal.
+        Of each circle, above 0.
+    inside
+        Share of the square that the circles cover, above 0 and below pi / 4, where they touch. Half a side of
+        the square is ``radius sqrt(pi / inside)``.
 
     Returns
     -------
     X, y
-        (n, 2) float64, and (n,) int16: 0 to 3 the circles in the order of `CENTRES`, 4 the area around.
-        Sorted by class.
+        (n, 2) float64, and (n,) int16: 0 to 3 the circles from the lower left upwards, 4 the area around.
+
+    Raises
+    ------
+    PlacecatError
+        A radius or a share out of its range.
 
     Examples
     --------
     >>> X, y = toy_circles(800, seed=1)
     >>> X.shape, np.bincount(y).tolist()
-    ((800, 2), [100, 100, 100, 100, 400])
+    ((800, 2), [103, 98, 90, 101, 408])
     """
-    rng = np.random.default_rng(seed)
-    in_circle = [round(n * (1.0 - around) / 4)] * 4
-    y = np.repeat(np.arange(5, dtype=np.int16), [*in_circle, n - sum(in_circle)])
-    parts = []
-    for centre, count in zip(CENTRES, in_circle, strict=True):
-        distance = radius * np.sqrt(rng.random(count))
-        angle = 2.0 * np.pi * rng.random(count)
-        parts.append(
-            np.array(centre) + np.stack([distance * np.cos(angle), distance * np.sin(angle)], axis=1)
-        )
-    needed = n - sum(in_circle)
-    rest = np.empty((0, 2))
-    while len(rest) < needed:
-        points = rng.uniform(-half_width, half_width, (2 * needed, 2))
-        inside = [np.hypot(*(points - np.array(centre)).T) <= radius for centre in CENTRES]
-        rest = np.concatenate([rest, points[~np.any(inside, axis=0)]])
-    return np.concatenate([*parts, rest[:needed]]), y
+    if not radius > 0:
+        raise PlacecatError(f"the toy problem's radius is {radius}, but must be above 0")
+    if not 0 < inside < math.pi / 4:
+        raise PlacecatError(f"the toy problem's inside is {inside}, but must be above 0 and below pi / 4")
+    half = radius * math.sqrt(math.pi / inside)
+    X = np.random.default_rng(seed).uniform(-half, half, (n, 2))
+    y = np.full(n, len(_MIDDLES), np.int16)
+    for label, middle in enumerate(_MIDDLES):
+        y[np.hypot(*(X - half * np.array(middle)).T) <= radius] = label
+    return X, y

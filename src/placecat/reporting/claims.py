@@ -1,7 +1,7 @@
 """What the thesis claims, as comparisons of results: the files of conf/finding."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from placecat import settings
@@ -32,6 +32,8 @@ class Side:
         Name of the class whose accuracy counts; None for the mean over the classes present.
     error
         Whether 100 minus the accuracy counts.
+    plain
+        Whether the share of all frames counts, whatever their class.
     published
         Where the thesis has the number of each result; None if that follows from its name.
     """
@@ -41,7 +43,25 @@ class Side:
     combine: str = "mean"
     place: str | None = None
     error: bool = False
+    plain: bool = False
     published: tuple[Mapping[str, Any], ...] | None = None
+
+    def only(self, results: Sequence[str]) -> "Side":
+        """The side with some of its results, each beside the published number of its own cell."""
+        published = self.published
+        if published is not None and len(published) == len(self.results):
+            published = tuple(
+                one for name, one in zip(self.results, published, strict=True) if name in results
+            )
+        return replace(self, results=tuple(results), published=published)
+
+    def renamed(self, parts: Mapping[str, str]) -> "Side":
+        """The side with other results beside the same published numbers; `parts` are of their names."""
+        results = tuple("/".join(parts.get(part, part) for part in name.split("/")) for name in self.results)
+        published = self.published
+        if published is None and self.place is None and not self.error:
+            published = tuple({"result": name} for name in self.results)
+        return replace(self, results=results, published=published)
 
 
 @dataclass(frozen=True)
@@ -61,6 +81,8 @@ class Comparison:
         Where the thesis has the difference itself; None if it follows from the sides.
     published_home
         Whose published numbers are meant, where a table has those of several homes; None for their average.
+    pooled
+        Whether the frames of all test sequences are counted as one, as in Tables 30 and 31.
     """
 
     left: Side
@@ -69,6 +91,7 @@ class Comparison:
     compare: str = "difference"
     published: Mapping[str, Any] | None = None
     published_home: str | None = None
+    pooled: bool = False
 
     @property
     def sides(self) -> tuple[Side, ...]:
@@ -92,6 +115,11 @@ class Finding:
         The sentence.
     comparisons
         What has to hold for it.
+    readings
+        Other ways to read the thesis: a name, e.g. ``as_printed``, to the parts of results' names that stand
+        for others then.
+    filters
+        Names of the information filters of which the reason tells how many frames they drop.
     """
 
     name: str
@@ -99,6 +127,21 @@ class Finding:
     section: str
     claim: str
     comparisons: tuple[Comparison, ...]
+    readings: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    filters: tuple[str, ...] = ()
+
+    def read_as(self, reading: str) -> "Finding":
+        """The same claim on the results of another reading."""
+        parts = self.readings[reading]
+        comparisons = tuple(
+            replace(
+                one,
+                left=one.left.renamed(parts),
+                right=None if one.right is None else one.right.renamed(parts),
+            )
+            for one in self.comparisons
+        )
+        return replace(self, comparisons=comparisons)
 
 
 def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
@@ -112,21 +155,43 @@ def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
     PlacecatError
         For settings that are unknown, missing or contradictory.
     """
-    _check(config, ["number", "section", "claim", "comparisons"], [], name)
+    _check(config, ["number", "section", "claim", "comparisons"], ["readings", "filters"], name)
     comparisons = []
     for one in config["comparisons"]:
         rest = {key: value for key, value in one.items() if key != "each"}
         comparisons += [_comparison(_substitute(rest, values), name) for values in one.get("each", [{}])]
     if not comparisons:
         raise PlacecatError(f"{name} makes no comparison")
+    if len({one.range[0] == BOTH_SIGNS for one in comparisons}) > 1:
+        raise PlacecatError(f"{name} has {BOTH_SIGNS} beside other ranges: it is judged over all comparisons")
+    readings = {str(reading): dict(parts) for reading, parts in config.get("readings", {}).items()}
+    named = {
+        part
+        for one in comparisons
+        for side in one.sides
+        for result in side.results
+        for part in result.split("/")
+    }
+    for reading, parts in readings.items():
+        for part in parts:
+            if part not in named:
+                raise PlacecatError(
+                    f"{name} reads {part!r} in another way ({reading}), but compares no such result"
+                )
     return Finding(
-        name, int(config["number"]), str(config["section"]), str(config["claim"]), tuple(comparisons)
+        name,
+        int(config["number"]),
+        str(config["section"]),
+        str(config["claim"]),
+        tuple(comparisons),
+        readings,
+        tuple(config.get("filters", ())),
     )
 
 
 def _comparison(config: Mapping[str, Any], where: str) -> Comparison:
     options = dict(config)
-    _check(options, ["left", "range"], ["right", "compare", "published", "published_home"], where)
+    _check(options, ["left", "range"], ["right", "compare", "published", "published_home", "pooled"], where)
     left = _side(options.pop("left"), where)
     right = _side(options.pop("right"), where) if "right" in options else None
     kind = options.pop("range")
@@ -144,6 +209,10 @@ def _comparison(config: Mapping[str, Any], where: str) -> Comparison:
         raise PlacecatError(f"{where} needs either a right side or the range {ABOVE!r}")
     if right is None and comparison.compare == "ratio":
         raise PlacecatError(f"a ratio of {where} has no right side")
+    if side_error := next((one for one in comparison.sides if one.plain and (one.place or one.error)), None):
+        raise PlacecatError(
+            f"{side_error.label!r} of {where} cannot be both plain and of one place or an error"
+        )
     if kind[0] == BOTH_SIGNS and right and len(left.results) != len(right.results):
         raise PlacecatError(f"{BOTH_SIGNS} of {where} needs as many results on the right as on the left")
     return comparison

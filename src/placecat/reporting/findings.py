@@ -8,9 +8,9 @@ import pandas as pd
 
 from placecat import settings
 from placecat.evaluation.bootstrap import Interval
-from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED, combine
+from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED, combine, corrected_level
 from placecat.reporting.claims import Comparison, Finding, read_finding
-from placecat.reporting.judging import Judged, judge_comparison
+from placecat.reporting.judging import Judged, judge_cases, judge_comparison, percent
 from placecat.reporting.published import Published
 from placecat.reporting.results import Results
 from placecat.reporting.rules import Rules
@@ -35,11 +35,14 @@ def ledger(
     -------
     findings, comparisons
         One row a finding, in order of their numbers: number, section, claim, published, measured, difference,
-        low, high, units, verdict, reason. A finding of several comparisons shows the one that decides it;
-        `difference` is the ratio if that one is of a ratio.
-        And one row a comparison: finding, left, right, compare, published_left, published_right, published,
-        measured_left, measured_right, measured, low, high, range, units, verdict, reason, left_results,
-        right_results; `published` and `measured` are the difference, or the ratio where `compare` says so.
+        low, high, units, verdict, one ``verdict_...`` a reading ("" where the finding has no such reading),
+        reason. A finding of several comparisons shows the one that decides it; `difference` is the ratio if
+        that one is of a ratio.
+        And one row a comparison: finding, reading ("" or the other reading's name), left, right, compare,
+        published_left, published_right, published, measured_left, measured_right, measured, low, high,
+        corrected_low, corrected_high, range, units, verdict, reason, left_results, right_results; `published`
+        and `measured` are the difference, or the ratio where `compare` says so. A comparison holds by `low`
+        and `high` and fails by the corrected ends, which allow for the number of the finding's comparisons.
         Numbers are percent and points with 2 decimals, NaN for none.
 
     Raises
@@ -49,28 +52,50 @@ def ledger(
     """
     rules: Rules = settings.call(Rules, settings=verdict, where="verdict")
     read = sorted((read_finding(name, one) for name, one in findings.items()), key=lambda one: one.number)
+    readings = list(dict.fromkeys(reading for finding in read for reading in finding.readings))
     rows, details = [], []
     for finding in read:
-        judged = [
-            judge_comparison(finding.name, one, rules, results, published) for one in finding.comparisons
-        ]
-        rows.append(_finding_row(finding, judged))
-        details += [_comparison_row(finding, one) for one in judged]
+        judged = _judge(finding, rules, results, published)
+        row = _finding_row(finding, judged, rules)
+        reason = "; ".join(
+            [row.pop("reason"), *filter(None, (results.drops(f"filtered/{one}") for one in finding.filters))]
+        )
+        for reading in readings:
+            row[f"verdict_{reading}"] = ""
+        details += [_comparison_row(finding, "", one) for one in judged]
+        for reading in finding.readings:
+            again = _judge(finding.read_as(reading), rules, results, published)
+            row[f"verdict_{reading}"] = _finding_row(finding, again, rules)["verdict"]
+            details += [_comparison_row(finding, reading, one) for one in again]
+        rows.append(row | {"reason": reason})
     return pd.DataFrame(rows), pd.DataFrame(details)
 
 
-def _finding_row(finding: Finding, judged: Sequence[Judged]) -> dict[str, Any]:
+def _judge(finding: Finding, rules: Rules, results: Results, published: Published) -> list[Judged]:
+    count = len(finding.comparisons)
+    return [
+        judge_comparison(finding.name, one, rules, results, published, count) for one in finding.comparisons
+    ]
+
+
+def _finding_row(finding: Finding, judged: Sequence[Judged], rules: Rules) -> dict[str, Any]:
     verdict, reasons = combine([one.verdict for one in judged]), []
-    if all(one.claimed is None for one in judged):
+    if about_cases := all(one.claimed is None for one in judged):
         measured = [one.measurement for one in judged if one.measurement]
-        worse, better = sum(one.worse for one in measured), sum(one.better for one in measured)
-        verdict = HOLDS if worse and better else UNDECIDED
-        reasons.append(f"worse in {worse}, better in {better} of {sum(one.cases for one in measured)} cases")
-    shown = min((one for one in judged if one.verdict == verdict), key=_margin, default=judged[0])
+        if measured:
+            verdict, reason = judge_cases(measured, rules)
+            reasons.append(reason)
+    candidates = judged if about_cases else [one for one in judged if one.verdict == verdict]
+    shown = min(candidates, key=_margin, default=judged[0])
     if len(judged) > 1:
         counts = {kind: sum(one.verdict == kind for one in judged) for kind in _VERDICTS}
         listed = ", ".join(f"{kind} {count}" for kind, count in counts.items() if count)
+        if not about_cases:
+            level = percent(corrected_level(rules.level, len(judged)))
+            listed += f", allowing for {len(judged)} comparisons (Bonferroni: {level} intervals)"
         reasons.append(f"of {len(judged)} comparisons: {listed}; shown is {_names(shown.comparison)}")
+    if len(judged) == 1 or not about_cases:
+        reasons.append(shown.reason)
     return {
         "number": finding.number,
         "section": finding.section,
@@ -80,7 +105,7 @@ def _finding_row(finding: Finding, judged: Sequence[Judged]) -> dict[str, Any]:
         **_interval("difference", shown),
         "units": shown.measurement.units if shown.measurement else "",
         "verdict": verdict,
-        "reason": "; ".join([*reasons, shown.reason]),
+        "reason": "; ".join(dict.fromkeys(reasons)),
     }
 
 
@@ -91,11 +116,13 @@ def _margin(judged: Judged) -> tuple[bool, float]:
     return False, judged.claimed.margin(judged.measurement.interval) if judged.claimed else 0.0
 
 
-def _comparison_row(finding: Finding, judged: Judged) -> dict[str, Any]:
+def _comparison_row(finding: Finding, reading: str, judged: Judged) -> dict[str, Any]:
     comparison, measurement = judged.comparison, judged.measurement
     results = measurement.results if measurement else tuple(side.results for side in comparison.sides)
+    corrected = measurement.corrected if measurement else _NOTHING
     return {
         "finding": finding.number,
+        "reading": reading,
         "left": comparison.left.label,
         "right": _right_label(comparison),
         "compare": comparison.compare,
@@ -103,6 +130,8 @@ def _comparison_row(finding: Finding, judged: Judged) -> dict[str, Any]:
         "published": _round(judged.thesis.difference),
         **_sides("measured", measurement.numbers if measurement else ()),
         **_interval("measured", judged),
+        "corrected_low": corrected.low,
+        "corrected_high": corrected.high,
         "range": "both signs" if judged.claimed is None else str(judged.claimed),
         "units": measurement.units if measurement else "",
         "verdict": judged.verdict,

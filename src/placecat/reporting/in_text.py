@@ -8,20 +8,22 @@ import pandas as pd
 
 from placecat import settings
 from placecat.errors import PlacecatError
-from placecat.reporting.comparison import Line, compare
+from placecat.reporting.comparison import Line, alone, compare
 from placecat.reporting.number import Number, joined, nothing
+from placecat.reporting.records import read_off
 from placecat.reporting.results import Results
 from placecat.reporting.tables import comparable
 
 COLUMNS = ["name", "section", "quantity", "home", "published", "measured", "spread", "seeds", "note"]
-_OF_THE_DATA = ("thesis_data", "data")
+_OF_THE_DATA = ("thesis_data", "data", "split")
 
 
 class _Said(NamedTuple):
-    """What the thesis says of one quantity: the number, NaN where it has only words, and the words."""
+    """What the thesis says of one quantity: a number, NaN where it has only words; the words; a note."""
 
     value: float = np.nan
     quote: str = ""
+    note: str = ""
 
 
 def in_text(
@@ -29,19 +31,27 @@ def in_text(
     results: Results,
     published: pd.DataFrame,
     dataset: Mapping[str, Any],
+    splits: Mapping[str, Mapping[str, Any]],
+    records: Mapping[str, pd.DataFrame],
 ) -> pd.DataFrame:
     """Put the measured numbers beside those of the text.
 
     Parameters
     ----------
     entries
-        Name of an entry to its settings, see conf/in_text/thesis.yaml: a comparison of two results
-        (:func:`~placecat.reporting.comparison.compare`) with ``thesis_data`` and, if it is not the main data
-        set, what it was measured on (``data``); or a ``reference``, the reason why it was not measured.
+        Name of an entry to its settings, see conf/in_text/thesis.yaml: a comparison
+        (:func:`~placecat.reporting.comparison.compare`), a single ``result``
+        (:func:`~placecat.reporting.comparison.alone`) or a ``record``
+        (:func:`~placecat.reporting.records.read_off`), each with ``thesis_data`` and, if it is not the main
+        data set, what it was measured on (``split``, or ``data`` in words); or a ``reference``, the reason
+        why it was not measured.
     published
-        Columns name, section, quantity, home, value (NaN where the thesis gives only words) and quote.
-    dataset
-        ``title`` and ``thesis_data`` of the main data set.
+        Columns name, section, quantity, home, value (NaN where the thesis gives only words), quote and note,
+        which says what in the thesis contradicts the value.
+    dataset, splits
+        ``title`` and ``thesis_data`` of the main data set, and of that of each split.
+    records
+        Tables by name.
 
     Returns
     -------
@@ -57,17 +67,19 @@ def in_text(
     """
     sections = dict(zip(published["name"], published["section"], strict=True))
     _same_names(list(entries), list(sections))
-    columns = [published[name] for name in ("name", "quantity", "home", "value", "quote")]
+    columns = [published[name] for name in ("name", "quantity", "home", "value", "quote", "note")]
     said = {
-        (name, quantity, home): _Said(float(value), quote)
-        for name, quantity, home, value, quote in zip(*columns, strict=True)
+        (name, quantity, home): _Said(float(value), quote, note)
+        for name, quantity, home, value, quote, note in zip(*columns, strict=True)
     }
     rows = []
     for name, entry in entries.items():
         known = [(quantity, home) for own, quantity, home in said if own == name]
-        for quantity, home, number in _lines(name, entry, results, known):
+        own_dataset = splits[entry["split"]] if "split" in entry else dataset
+        for quantity, home, number in _lines(name, entry, results, records, known):
             words = said.get((name, quantity, home), _Said())
-            measured = (number.measured, number.spread, number.seeds, _note(entry, number, words, dataset))
+            note = _note(entry, number, words, own_dataset)
+            measured = (number.measured, number.spread, number.seeds, note)
             rows.append((name, str(sections[name]), quantity, home, words.value, *measured))
     return pd.DataFrame(rows, columns=COLUMNS)
 
@@ -82,13 +94,20 @@ def _same_names(entries: Sequence[str], published: Sequence[str]) -> None:
 
 
 def _lines(
-    name: str, entry: Mapping[str, Any], results: Results, known: Sequence[tuple[str, str]]
+    name: str,
+    entry: Mapping[str, Any],
+    results: Results,
+    records: Mapping[str, pd.DataFrame],
+    known: Sequence[tuple[str, str]],
 ) -> list[Line]:
     where = f"in_text.{name}"
+    own = {key: value for key, value in entry.items() if key not in _OF_THE_DATA}
     if "reference" in entry:
         settings.refuse_unknown(entry, ["reference"], where)
         return [Line(quantity, home, nothing(str(entry["reference"]))) for quantity, home in known]
-    return compare({key: value for key, value in entry.items() if key not in _OF_THE_DATA}, results, where)
+    if "record" in entry:
+        return read_off(own, records, where)
+    return (alone if "result" in entry else compare)(own, results, where)
 
 
 def _note(entry: Mapping[str, Any], number: Number, words: _Said, dataset: Mapping[str, Any]) -> str:
@@ -98,6 +117,7 @@ def _note(entry: Mapping[str, Any], number: Number, words: _Said, dataset: Mappi
         thesis_data = entry.get("thesis_data")
         if np.isfinite(words.value) and thesis_data is not None and not comparable(entry, dataset):
             notes.append(f"the published number is from the {thesis_data} and does not compare")
+    notes.append(words.note)
     if words.quote:
         notes.append(f'the thesis says "{words.quote}"')
     return joined(notes)

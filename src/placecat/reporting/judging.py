@@ -8,10 +8,20 @@ from numpy.typing import NDArray
 
 from placecat import seeds
 from placecat.errors import NotComputable
-from placecat.evaluation.bootstrap import Interval, paired_bootstrap
-from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED, Range, judge
+from placecat.evaluation.bootstrap import Interval
+from placecat.evaluation.tail import share_below
+from placecat.evaluation.verdict import (
+    FAILS,
+    HOLDS,
+    UNDECIDED,
+    Range,
+    corrected_level,
+    judge,
+    judge_shares,
+)
 from placecat.reporting.claims import Comparison, Side
 from placecat.reporting.pairing import Paired, pair
+from placecat.reporting.pooling import Pooled, pool
 from placecat.reporting.published import AVERAGE, Published
 from placecat.reporting.results import Results
 from placecat.reporting.rules import Rules, claimed_range
@@ -43,13 +53,16 @@ class Measurement:
         Those that each side was made of in the end.
     interval
         Of the difference (or ratio), rounded to 2 decimals; NaN ends if there is a single unit.
+    corrected
+        The same at the level that allows for the number of the finding's comparisons.
     n_units, units
         Their number, and what they are.
-    by_seed
-        Whether they are seeds of a few homes.
-    worse, better, cases
+    gains
+        Of each home (or all pooled sequences), (results,): left minus right, result by result, mean over
+        seeds; empty if the sides have no such pairs.
+    worse, better
         A case is a result in a home; in how many the left was noticeably worse and better than the right,
-        whatever the seed, and their number.
+        whatever the seed.
     note
         What was left out, "" for nothing.
     """
@@ -57,12 +70,12 @@ class Measurement:
     numbers: tuple[float, ...]
     results: tuple[tuple[str, ...], ...]
     interval: Interval
+    corrected: Interval
     n_units: int
     units: str
-    by_seed: bool
+    gains: tuple[NDArray[np.float64], ...]
     worse: int
     better: int
-    cases: int
     note: str
 
 
@@ -87,7 +100,12 @@ class Judged:
 
 
 def judge_comparison(
-    finding: str, comparison: Comparison, rules: Rules, results: Results, published: Published
+    finding: str,
+    comparison: Comparison,
+    rules: Rules,
+    results: Results,
+    published: Published,
+    comparisons: int = 1,
 ) -> Judged:
     """Judge one comparison.
 
@@ -95,83 +113,155 @@ def judge_comparison(
     ----------
     finding
         Name of the finding that makes it; the bootstrap's seed is derived from it.
+    comparisons
+        How many the finding makes, each of which has to hold.
 
     Raises
     ------
     PlacecatError
         For settings that are wrong. What was not measured only makes the verdict undecided.
     """
-    thesis = look_up(comparison, published)
+    try:
+        paired = _pair(comparison, rules, results)
+    except NotComputable as error:
+        return _without(comparison, rules, published, str(error))
+    thesis = look_up(comparison, published, paired.sides)
     claimed = claimed_range(comparison.range, thesis.difference, rules)
     try:
-        measured = measure(finding, comparison, rules, results)
+        measured = measure(finding, comparison, rules, paired, comparisons)
     except NotComputable as error:
-        return Judged(comparison, thesis, claimed, None, UNDECIDED, str(error))
+        return _without(comparison, rules, published, str(error))
     if claimed is None:
-        verdict = HOLDS if measured.worse and measured.better else UNDECIDED
-        reason = f"worse in {measured.worse}, better in {measured.better} of {measured.cases} cases"
-    elif measured.n_units < rules.minimum_units:
-        verdict, reason = UNDECIDED, f"{measured.units} are too few for a verdict"
+        verdict, reason = judge_cases([measured], rules)
+    elif too_few := paired.too_few(rules.minimum_units):
+        verdict, reason = UNDECIDED, too_few
     else:
-        verdict = judge(measured.interval, claimed)
-        reason = _WHERE[verdict].format(claimed) + (", in these homes" if measured.by_seed else "")
+        verdict = judge(measured.interval, claimed, measured.corrected)
+        reason = _reason(verdict, measured, claimed, corrected_level(rules.level, comparisons))
+        reason += ", in these homes" if paired.at_hand else ""
     if measured.note:
         reason += f"; {measured.note}"
     return Judged(comparison, thesis, claimed, measured, verdict, reason)
 
 
-def look_up(comparison: Comparison, published: Published) -> Thesis:
-    """Find the published numbers of a comparison."""
+def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str]:
+    """Judge that something can hurt as well as help: the verdict on all cases together, and why.
+
+    A case is a result in a home; :func:`placecat.evaluation.verdict.judge_shares` has the rule.
+
+    Parameters
+    ----------
+    measured
+        Of each comparison that was measured, in homes that no other has.
+    """
+    worse, better = sum(one.worse for one in measured), sum(one.better for one in measured)
+    gains = [gain for one in measured for gain in one.gains]
+    counts = f"worse in {worse}, better in {better} of {sum(len(one) for one in gains)} cases"
+    if len(gains) < rules.minimum_units:
+        few = "1 home is" if len(gains) == 1 else f"{len(gains)} homes are"
+        return UNDECIDED, f"{counts}; {few} too few for a verdict"
+    shares = [
+        share_below([sign * gain for gain in gains], -rules.noticeable, level=rules.level)
+        for sign in (1.0, -1.0)
+    ]
+    verdict = judge_shares(shares[0], shares[1], rules.rare)
+    texts = [f"{100 * one.estimate:.0f} % ({100 * one.low:.0f} to {100 * one.high:.0f})" for one in shares]
+    return verdict, (
+        f"{counts}; by {rules.noticeable:g} points or more worse in {texts[0]}, better in {texts[1]} of all "
+        f"cases, as it takes more than {100 * rules.rare:g} % of both"
+    )
+
+
+def look_up(comparison: Comparison, published: Published, sides: Sequence[Side] | None = None) -> Thesis:
+    """Find the published numbers of a comparison.
+
+    Parameters
+    ----------
+    sides
+        With only the results that were measured: the number of no other cell stands beside them. None for
+        all.
+    """
+    sides = comparison.sides if sides is None else sides
     home = comparison.published_home or AVERAGE
-    numbers = [_combine(side, _published(side, published, home)[:, None]) for side in comparison.sides]
+    numbers = [_combine(side, _published(side, published, home)[:, None]) for side in sides]
     difference = _compare(comparison, numbers)[0]
     if comparison.published is not None:
         difference = published.number(comparison.published)
     return Thesis(tuple(float(number[0]) for number in numbers), float(difference))
 
 
-def measure(finding: str, comparison: Comparison, rules: Rules, results: Results) -> Measurement:
-    """Measure a comparison, with the interval from a paired bootstrap over its units.
+def measure(
+    finding: str, comparison: Comparison, rules: Rules, paired: Paired | Pooled, comparisons: int = 1
+) -> Measurement:
+    """Measure a comparison, with the interval from a bootstrap over its units.
+
+    Parameters
+    ----------
+    comparisons
+        As for :func:`judge_comparison`.
 
     Raises
     ------
     NotComputable
-        If this run does not have all results on one home.
+        If a ratio divides by 0.
     """
-    paired = pair(results, comparison.sides, rules.few_homes)
-    by_unit = paired.by_unit()
-    n_units = by_unit[0].shape[1]
 
-    def sides_at(weights: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-        return [
-            _combine(side, values @ weights.T) for side, values in zip(paired.sides, by_unit, strict=True)
-        ]
+    def sides_of(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
+        return [_combine(side, own) for side, own in zip(paired.sides, values, strict=True)]
 
-    numbers = [float(one[0]) for one in sides_at(np.full((1, n_units), 1.0 / n_units))]
-    if n_units > 1:
-        interval = paired_bootstrap(
-            lambda weights: _compare(comparison, sides_at(weights)),
-            n_units,
-            seeds.derive("finding", finding, *(side.label for side in comparison.sides)),
-            level=rules.level,
-            resamples=rules.resamples,
+    overall = paired.overall()
+    numbers = sides_of(overall)
+    estimate = float(_compare(comparison, numbers)[0])
+    interval = corrected = Interval(estimate, float("nan"), float("nan"))
+    if paired.n_units > 1:
+        interval, corrected = (
+            paired.interval(
+                lambda values: _compare(comparison, sides_of(values)),
+                seeds.derive("finding", finding, *(side.label for side in comparison.sides)),
+                level,
+                rules.resamples,
+            )
+            for level in (rules.level, corrected_level(rules.level, comparisons))
         )
-    else:
-        estimate = float(_compare(comparison, [np.array([one]) for one in numbers])[0])
-        interval = Interval(estimate, float("nan"), float("nan"))
     gains = _gains(paired)
     return Measurement(
-        numbers=tuple(numbers),
-        results=tuple(_used(side, values) for side, values in zip(paired.sides, by_unit, strict=True)),
+        numbers=tuple(float(one[0]) for one in numbers),
+        results=tuple(_used(side, own) for side, own in zip(paired.sides, overall, strict=True)),
         interval=interval.rounded(),
-        n_units=n_units,
+        corrected=corrected.rounded(),
+        n_units=paired.n_units,
         units=paired.units,
-        by_seed=paired.by_seed,
+        gains=tuple(gains.mean(axis=2).T),
         worse=int((gains <= -rules.noticeable).all(axis=2).sum()),
         better=int((gains >= rules.noticeable).all(axis=2).sum()),
-        cases=gains[:, :, 0].size,
         note=paired.note,
     )
+
+
+def _pair(comparison: Comparison, rules: Rules, results: Results) -> Paired | Pooled:
+    if comparison.pooled:
+        return pool(results, comparison.sides)
+    return pair(results, comparison.sides, rules.few_homes)
+
+
+def _without(comparison: Comparison, rules: Rules, published: Published, reason: str) -> Judged:
+    thesis = look_up(comparison, published)
+    claimed = claimed_range(comparison.range, thesis.difference, rules)
+    return Judged(comparison, thesis, claimed, None, UNDECIDED, reason)
+
+
+def _reason(verdict: str, measured: Measurement, claimed: Range, level: float) -> str:
+    wide = measured.corrected != measured.interval
+    if verdict == FAILS and wide:
+        return f"none of the {percent(level)} interval is {claimed}"
+    if verdict == UNDECIDED and judge(measured.interval, claimed) == FAILS:
+        return f"none of the interval is {claimed}, but a part of the {percent(level)} one"
+    return _WHERE[verdict].format(claimed)
+
+
+def percent(level: float) -> str:
+    """A level for people, e.g. "95 %" or "99.64 %"."""
+    return f"{100 * level:.4g} %"
 
 
 def _combine(side: Side, values: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -190,22 +280,22 @@ def _compare(comparison: Comparison, sides: Sequence[NDArray[np.float64]]) -> ND
     return sides[0] / sides[1]
 
 
-def _gains(paired: Paired) -> NDArray[np.float64]:
+def _gains(paired: Paired | Pooled) -> NDArray[np.float64]:
     """(results, homes, seeds): left minus right, result by result; empty if the sides have no such pairs."""
     if len(paired.values) == 2 and len(paired.values[0]) == len(paired.values[1]):
         return paired.values[0] - paired.values[1]
-    return np.empty((0, len(paired.homes), 1))
+    return np.empty((0, *paired.values[0].shape[1:]))
 
 
-def _used(side: Side, by_unit: NDArray[np.float64]) -> tuple[str, ...]:
+def _used(side: Side, overall: NDArray[np.float64]) -> tuple[str, ...]:
     if side.combine == "best":
-        return (side.results[int(by_unit.mean(axis=1).argmax())],)
+        return (side.results[int(overall[:, 0].argmax())],)
     return side.results
 
 
 def _published(side: Side, published: Published, home: str) -> NDArray[np.float64]:
     if side.published is not None:
-        numbers = [published.number(one) for one in side.published]
+        numbers = [published.number(one, home) for one in side.published]
     elif side.place is not None or side.error:
         numbers = [float("nan")]
     else:

@@ -8,7 +8,7 @@ from jinja2 import Environment
 
 from placecat.reporting.grid import homes_sentence, make_grid, seeds_sentence
 from placecat.reporting.render import environment
-from placecat.reporting.tables import comparable
+from placecat.reporting.tables import comparable, in_percent
 
 _SPECIAL = {
     "\\": r"\textbackslash{}",
@@ -50,7 +50,7 @@ def table_latex(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mappi
     ----------
     settings
         The table's configuration (``name``; ``number``, None for what is no table of the thesis; ``title``,
-        ``thesis_data``).
+        ``thesis_data``; ``caption``, if the numbers are no percentages).
     table
         From :func:`placecat.reporting.tables.fill_table`.
     dataset
@@ -65,10 +65,11 @@ def table_latex(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mappi
             thesis_data=settings["thesis_data"],
             comparable=comparable(settings, dataset),
             data=dataset["title"],
+            caption=settings.get("caption", ""),
             homes=homes_sentence(table, dataset["homes"]),
             label=str(settings["name"]).replace("_", "-"),
             grid=make_grid(table),
-            seeds=seeds_sentence(table),
+            seeds=seeds_sentence(table) if in_percent(settings) else "",
         )
     )
 

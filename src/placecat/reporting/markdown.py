@@ -7,7 +7,7 @@ import pandas as pd
 
 from placecat.reporting.grid import homes_sentence, make_grid, seeds_sentence
 from placecat.reporting.render import environment
-from placecat.reporting.tables import comparable
+from placecat.reporting.tables import comparable, in_percent
 
 # Characters that would end a cell or begin markup.
 _SPECIAL = str.maketrans({character: f"\\{character}" for character in "\\|*`<"})
@@ -25,7 +25,7 @@ def table_markdown(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Ma
     ----------
     settings
         The table's configuration (``number``, None for what is no table of the thesis; ``title``,
-        ``thesis_data``).
+        ``thesis_data``; ``caption``, if the numbers are no percentages).
     table
         From :func:`placecat.reporting.tables.fill_table`.
     dataset
@@ -38,9 +38,10 @@ def table_markdown(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Ma
         thesis_data=settings["thesis_data"],
         comparable=comparable(settings, dataset),
         data=dataset["title"],
+        caption=settings.get("caption", ""),
         homes=homes_sentence(table, dataset["homes"]),
         grid=make_grid(table),
-        seeds=seeds_sentence(table),
+        seeds=seeds_sentence(table) if in_percent(settings) else "",
     )
 
 

@@ -10,7 +10,8 @@ from placecat.errors import PlacecatError
 from placecat.reporting.results import Measured, Results
 from placecat.settings import refuse_unknown
 
-CONFUSION, ACCURACY = "confusion", "accuracy_by_home"
+CONFUSION, ACCURACY_BY_HOME = "confusion", "accuracy_by_home"
+ACCURACY, LOG_LOSS = "accuracy", "log_loss"
 _AXES = ("group", "row", "column")
 # For the few rows or groups without a name in a table whose others have one.
 _NAMELESS = "-"
@@ -49,34 +50,42 @@ def _nest(table: pd.DataFrame) -> dict[str, Any]:
     return nested
 
 
-def chosen_averages(results: Results, chosen: Mapping[str, str]) -> dict[str, float]:
-    """Average accuracies of a few results, a column each in `dvc exp show`.
+def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -> dict[str, Any]:
+    """Averages of a few results, a column each in `dvc exp show`.
 
     Parameters
     ----------
     chosen
-        Name of a column, e.g. ``gist``, to the name of its result, e.g. ``cues/gist/5-5-1``.
+        ``accuracy`` and ``log_loss``: name of a column, e.g. ``gist``, to the name of its result, e.g.
+        ``cues/gist/5-5-1``.
 
     Returns
     -------
     dict
-        Name to percent, the mean over homes and seeds as in the tables, rounded to two decimals; none for a
-        result that these data cannot give.
+        Name to accuracy in percent, rounded to two decimals, and in ``log_loss`` name to log-loss in nats,
+        rounded to three: means over homes and seeds as in the tables; none for a result that these data
+        cannot give.
 
     Raises
     ------
     PlacecatError
-        A result that does not exist.
+        Another kind of number, or a result that does not exist.
     """
+    refuse_unknown(chosen, [ACCURACY, LOG_LOSS], "metrics")
     impossible = {name for name, _ in results.missing}
-    averages = {}
-    for column, name in chosen.items():
-        try:
-            averages[column] = round(float(results.of(name).by_home().mean()), 2)
-        except PlacecatError as error:
-            if name not in impossible:
-                raise PlacecatError(f"metrics.{column}: {error}") from None
-    return averages
+    averages: dict[str, dict[str, float]] = {ACCURACY: {}, LOG_LOSS: {}}
+    for kind, columns in chosen.items():
+        for column, name in columns.items():
+            try:
+                accuracy = round(float(results.of(name).by_home().mean()), 2)
+            except PlacecatError as error:
+                if name not in impossible:
+                    raise PlacecatError(f"metrics.{kind}.{column}: {error}") from None
+                continue
+            found = {ACCURACY: accuracy} | (results.quality[name].averages() if kind == LOG_LOSS else {})
+            if kind in found:
+                averages[kind][column] = found[kind]
+    return averages[ACCURACY] | {LOG_LOSS: averages[LOG_LOSS]}
 
 
 def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[str, pd.DataFrame]:
@@ -98,7 +107,7 @@ def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[
     PlacecatError
         Another kind of plot, or a result that does not exist.
     """
-    kinds = {CONFUSION: decisions, ACCURACY: accuracies}
+    kinds = {CONFUSION: decisions, ACCURACY_BY_HOME: accuracies}
     refuse_unknown(plots, list(kinds), "plots")
     impossible = {name for name, _ in results.missing}
     found = {}

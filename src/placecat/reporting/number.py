@@ -25,16 +25,19 @@ class Number:
         Whether it depends on a seed.
     note
         The reason, if there is no number; else what is to be said about it, or "".
+    digits
+        After the point.
     """
 
     values: NDArray[np.float64]
     is_random: bool
     note: str = ""
+    digits: int = 2
 
     @property
     def measured(self) -> float:
-        """Mean over the seeds, 2 decimals; NaN if there is no number."""
-        return mean_and_spread(self.values, random=False)[0] if len(self.values) else float("nan")
+        """Mean over the seeds, rounded; NaN if there is no number."""
+        return round(float(self.values.mean()), self.digits) if len(self.values) else float("nan")
 
     @property
     def spread(self) -> float:

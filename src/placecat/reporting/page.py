@@ -1,7 +1,7 @@
 """The report: one self-contained HTML page with every table, figure, finding and setting."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import pandas as pd
@@ -10,6 +10,7 @@ from markupsafe import Markup, escape
 from placecat.reporting.benchmarks import shown_rows
 from placecat.reporting.embed import embed
 from placecat.reporting.grid import (
+    Cell,
     homes_sentence,
     make_cell,
     make_grid,
@@ -27,8 +28,9 @@ from placecat.reporting.summary import (
     WU_SIFT,
     count_verdicts,
     headlines,
+    readings_of,
 )
-from placecat.reporting.tables import comparable
+from placecat.reporting.tables import comparable, in_percent
 
 # CSS pixels a pixel of a figure: 200 pixels an inch are then shown at 125 %.
 _FIGURE_SCALE = 0.6
@@ -45,12 +47,27 @@ class Table:
 
 @dataclass(frozen=True)
 class Figure:
-    """One figure: its number in the thesis, its caption, and its PNG or the reason why it was not drawn."""
+    """One figure.
 
-    number: int
+    Attributes
+    ----------
+    number
+        In the thesis; None for an added one.
+    title
+        Its caption.
+    png
+        None if it was not drawn.
+    reason
+        Why it was not drawn, "" if it was.
+    name
+        E.g. "figure_reliability"; where an added one stands on the page comes from it.
+    """
+
+    number: int | None
     title: str
     png: bytes | None
     reason: str = ""
+    name: str = ""
 
 
 @dataclass(frozen=True)
@@ -133,7 +150,7 @@ class Report:
         spread, seeds, note.
     findings
         From :func:`placecat.reporting.findings.ledger`: number, section, claim, published, measured,
-        difference, low, high, units, verdict, reason.
+        difference, low, high, units, verdict, one ``verdict_...`` a reading, reason.
     comparisons
         From there too; shown without the names of the results.
     settings
@@ -160,7 +177,8 @@ def page_html(report: Report) -> str:
     """Render the page: the same report gives the same text."""
     tables = {one.settings["number"]: _shown_table(one) for one in report.tables if _numbered(one)}
     additions = [_shown_table(one) for one in report.tables if not _numbered(one)]
-    figures = {one.number: _shown_figure(one) for one in report.figures}
+    figures = {one.number: _shown_figure(one) for one in report.figures if one.number is not None}
+    added_figures = [_shown_figure(one) for one in report.figures if one.number is None]
     sections, rest = arrange(tables, figures)
     table_26 = next((one.cells for one in report.tables if one.settings["number"] == 26), None)
     return (
@@ -174,6 +192,10 @@ def page_html(report: Report) -> str:
             wu={"frames": WU_FRAMES, "filtered": WU_FILTERED, "sift": WU_SIFT},
             verdicts=count_verdicts(report.findings),
             findings=_records(report.findings),
+            readings=[
+                {"column": column, "name": name.replace("_", " ")}
+                for column, name in readings_of(report.findings).items()
+            ],
             interval_limit=_interval_limit(report.findings),
             comparisons=_plain(
                 report.comparisons.drop(columns=["left_results", "right_results"], errors="ignore")
@@ -183,6 +205,7 @@ def page_html(report: Report) -> str:
             tables=tables,
             figures=figures,
             additions=additions,
+            added_figures=added_figures,
             in_text=_entries(report.in_text),
             in_text_seeds=seeds_sentence(
                 report.in_text.rename(columns={"quantity": "row", "home": "column"})
@@ -241,13 +264,18 @@ def _shown_table(table: Table) -> dict[str, Any]:
         "comparable": comparable(settings, table.dataset),
         "grid": make_grid(table.cells),
         "homes": homes_sentence(table.cells, table.dataset["homes"]),
-        "seeds": seeds_sentence(table.cells),
+        "caption": settings.get("caption", ""),
+        "seeds": seeds_sentence(table.cells) if in_percent(settings) else "",
     }
 
 
 def _shown_figure(figure: Figure) -> dict[str, Any]:
     shown: dict[str, Any] = {
-        "number": figure.number,
+        "anchor": f"addition-{figure.name}".replace("_", "-")
+        if figure.number is None
+        else f"figure-{figure.number}",
+        "label": "Addition" if figure.number is None else f"Figure {figure.number}",
+        "name": figure.name.removeprefix("figure_").replace("_", " "),
         "title": figure.title,
         "reason": figure.reason,
         "source": None,
@@ -284,7 +312,7 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
             {
                 "quantity": record["quantity"],
                 "home": record["home"],
-                "cell": make_cell(*(record[key] for key in ("measured", "published", "spread", "seeds"))),
+                "cell": _cell_of_text(record),
                 "note": "; ".join(own_notes(record["note"])),
             }
             for record in part.to_dict("records")
@@ -292,6 +320,18 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
         section = part["section"].iloc[0]
         entries.append({"name": str(name).replace("_", " "), "section": section, "rows": rows})
     return entries
+
+
+def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
+    """The cell of a number in the text; one that is no percentage may have more decimals than two."""
+    cell = make_cell(*(record[key] for key in ("measured", "published", "spread", "seeds")))
+    values = [value for value in (record["measured"], record["published"]) if pd.notna(value)]
+    if all(value == round(value, 2) for value in values):
+        return cell
+    measured, published = (
+        "" if pd.isna(record[key]) else f"{record[key]:.5f}" for key in ("measured", "published")
+    )
+    return replace(cell, measured=measured, published=published, difference=None)
 
 
 def _records(table: pd.DataFrame) -> list[dict[str, Any]]:

@@ -1,14 +1,17 @@
-"""What two sides of a comparison measured on the same homes."""
+"""What two sides of a comparison measured on the same homes, or on the same stays."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import NotComputable
+from placecat.evaluation.bootstrap import Interval, paired_bootstrap
 from placecat.reporting.claims import Side
 from placecat.reporting.results import Measured, Results
+
+Statistic = Callable[[Sequence[NDArray[np.float64]]], NDArray[np.float64]]
 
 
 @dataclass(frozen=True)
@@ -50,6 +53,35 @@ class Paired:
             return tuple(values.reshape(len(values), -1) for values in self.values)
         return tuple(values.mean(axis=2) for values in self.values)
 
+    @property
+    def n_units(self) -> int:
+        """Number of units."""
+        return self.by_unit()[0].shape[1]
+
+    @property
+    def at_hand(self) -> bool:
+        """Whether an interval is for the homes at hand only."""
+        return self.by_seed
+
+    def too_few(self, minimum: int) -> str:
+        """Why there are too few units for a verdict, "" if there are enough."""
+        return f"{self.units} are too few for a verdict" if self.n_units < minimum else ""
+
+    def overall(self) -> tuple[NDArray[np.float64], ...]:
+        """A side: (results, 1) percent, all units alike."""
+        return tuple(values.mean(axis=1, keepdims=True) for values in self.by_unit())
+
+    def interval(self, statistic: Statistic, seed: int, level: float, resamples: int) -> Interval:
+        """Interval of a statistic of the sides, which takes (results, n) of each and gives (n,)."""
+        by_unit = self.by_unit()
+        return paired_bootstrap(
+            lambda weights: statistic([values @ weights.T for values in by_unit]),
+            self.n_units,
+            seed,
+            level=level,
+            resamples=resamples,
+        )
+
 
 def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
     """Bring sides together.
@@ -64,12 +96,12 @@ def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
     NotComputable
         If a result was not measured, or if no home has all of them; the message has the reasons.
     """
-    used = _computable(results, sides)
+    used = computable(results, sides)
     names = list(dict.fromkeys(name for side in used for name in side.results))
-    measured = {name: _measured(results, name) for name in names}
+    measured = {name: look_up(results, name) for name in names}
     everywhere = list(dict.fromkeys(home for one in measured.values() for home in one.homes))
     common = [home for home in everywhere if all(home in one.homes for one in measured.values())]
-    seeds = _common_seeds(measured.values())
+    seeds = common_seeds(measured.values())
     values = [
         np.stack([_values(measured[name], side, common, seeds) for name in side.results]) for side in used
     ]
@@ -83,15 +115,16 @@ def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
         homes,
         len(seeds),
         by_seed=len(seeds) > 0 and len(homes) <= few_homes,
-        note="; ".join(filter(None, [*_left_out(sides, used), _note(results, names, everywhere)])),
+        note="; ".join(filter(None, [*left_out(sides, used), _note(results, names, everywhere)])),
     )
 
 
-def _computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
+def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
     """Leave out what this data cannot give: numbers of which a side has several.
 
     The best, the last: of those that there are. Of means with one result for each, both sides keep the same
-    places. A side keeps all its results where none would be left, so that the reasons are told.
+    places. A side keeps all its results where none would be left, so that the reasons are told. What a side
+    keeps stays beside the published number of its own cell.
     """
     impossible = {name for name, _ in results.missing} - set(results.measured)
     together = len({len(side.results) for side in sides}) == 1
@@ -109,11 +142,12 @@ def _computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
         else:
             kept = tuple(name for name in side.results if name not in impossible)
         last = side.results[-1:] if side.combine == "last" else side.results
-        used.append(replace(side, results=kept or last))
+        used.append(side.only(kept or last))
     return tuple(used)
 
 
-def _measured(results: Results, name: str) -> Measured:
+def look_up(results: Results, name: str) -> Measured:
+    """Find a result; NotComputable with the reasons why it was not measured."""
     if name not in results.measured:
         reasons = {reason for (result, _), reason in results.missing.items() if result == name}
         if reasons:
@@ -122,7 +156,8 @@ def _measured(results: Results, name: str) -> Measured:
     return results.measured[name]
 
 
-def _common_seeds(measured: Iterable[Measured]) -> tuple[str, ...]:
+def common_seeds(measured: Iterable[Measured]) -> tuple[str, ...]:
+    """Names of the seeds that all random results have, none where nothing is random."""
     random = [one for one in measured if one.is_random]
     if not random:
         return ()
@@ -130,7 +165,9 @@ def _common_seeds(measured: Iterable[Measured]) -> tuple[str, ...]:
 
 
 def _values(one: Measured, side: Side, homes: Sequence[str], seeds: tuple[str, ...]) -> NDArray[np.float64]:
-    if side.place is None:
+    if side.plain:
+        percent = one.plain()
+    elif side.place is None:
         percent = one.by_home()
     elif side.place in one.classes:
         percent = one.by_class()[:, :, one.classes.index(side.place)]
@@ -145,12 +182,15 @@ def _values(one: Measured, side: Side, homes: Sequence[str], seeds: tuple[str, .
     return np.broadcast_to(percent.mean(axis=0), (max(len(seeds), 1), len(homes))).T
 
 
-def _left_out(sides: Sequence[Side], used: Sequence[Side]) -> list[str]:
-    """Say which results of a best or a mean could not be computed."""
+def left_out(sides: Sequence[Side], used: Sequence[Side]) -> list[str]:
+    """Say which results could not be computed; of the last one, those after it."""
     texts = []
     for side, kept in zip(sides, used, strict=True):
-        gone = [name.rpartition("|")[2] or name for name in side.results if name not in kept.results]
-        if gone and side.combine != "last":
+        asked = side.results
+        if side.combine == "last":
+            asked = asked[asked.index(kept.results[-1]) :]
+        gone = [name.rpartition("|")[2] or name for name in asked if name not in kept.results]
+        if gone:
             texts.append(f"{side.label} without {', '.join(gone)}, which this data cannot give")
     return texts
 

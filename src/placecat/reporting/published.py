@@ -30,7 +30,7 @@ class Published:
     tables: pd.DataFrame
     text: pd.DataFrame
 
-    def number(self, reference: Mapping[str, Any]) -> float:
+    def number(self, reference: Mapping[str, Any], home: str = AVERAGE) -> float:
         """Look up one number.
 
         Parameters
@@ -38,7 +38,9 @@ class Published:
         reference
             ``{table, group, row, column}``, labels as published, without the axes that the table lacks; or
             ``{text, quantity, home}``, the name of a number in the text and, where the name has several,
-            which one.
+            which one; or ``{result}``, as for :meth:`of_trial`.
+        home
+            As for :meth:`of_trial`.
 
         Returns
         -------
@@ -50,6 +52,8 @@ class Published:
         PlacecatError
             If the thesis has no such number, or several.
         """
+        if "result" in reference:
+            return self.of_trial(reference["result"], home)
         if "text" in reference:
             settings.refuse_unknown(reference, ["text", "quantity", "home"], "a number in the text")
             found = self.text[self.text["name"] == reference["text"]]

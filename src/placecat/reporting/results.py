@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 import pandas as pd
@@ -15,6 +15,15 @@ from placecat.evaluation.protocol import NO_SEED
 
 SCORE_COLUMNS = ["result", "home", "seed", "truth", "decision", "frames"]
 MISSING_COLUMNS = ["result", "home", "reason"]
+DROPPED_COLUMNS = ["filter", "home", "threshold", "frames", "dropped", "labelled", "dropped_labelled"]
+# Those that are means, the others being counts; and what a table calls them.
+MEASURES = {
+    "log_loss": "Log loss",
+    "calibration_error": "Calibration error",
+    "stay_accuracy": "Stay accuracy",
+}
+# Decimals: of nats three, of percent two.
+DECIMALS = {"log_loss": 3, "calibration_error": 2, "stay_accuracy": 2}
 
 
 @dataclass(frozen=True)
@@ -51,9 +60,55 @@ class Measured:
         """(seeds, homes, classes) percentages, NaN where a home has no frame of a class."""
         return np.array([[class_accuracies(of_home) for of_home in of_seed] for of_seed in self.confusion])
 
+    def plain(self) -> NDArray[np.float64]:
+        """(seeds, homes) percentages of all frames, whatever their place."""
+        right = np.diagonal(self.confusion, axis1=2, axis2=3).sum(axis=2)
+        frames = self.confusion.sum(axis=(2, 3))
+        return np.divide(100.0 * right, frames, out=np.full(right.shape, np.nan), where=frames > 0)
+
     def pooled(self) -> Measured:
         """The same with the frames of all homes counted as one."""
         return Measured(("all",), self.seeds, self.classes, self.confusion.sum(axis=1, keepdims=True))
+
+
+@dataclass(frozen=True)
+class Quality:
+    """The distributions of one result on some test homes, once for each seed.
+
+    Attributes
+    ----------
+    homes
+        Names of the test homes, in the order of the data set.
+    seeds
+        Names of the seeds, as for :class:`Measured`.
+    values
+        Name of a number of :class:`placecat.evaluation.quality.HomeQuality` to (seeds, homes) values.
+    """
+
+    homes: tuple[str, ...]
+    seeds: tuple[str, ...]
+    values: Mapping[str, NDArray[np.float64]]
+
+    @property
+    def is_random(self) -> bool:
+        """Whether the result depends on a seed."""
+        return self.seeds != (NO_SEED,)
+
+    def over_homes(self, measure: str) -> NDArray[np.float64]:
+        """(seeds,) means over the homes of one of `MEASURES`; (0,) if no home has a labelled frame."""
+        values = self.values[measure]
+        there = np.isfinite(values).all(axis=0)
+        return values[:, there].mean(axis=1) if there.any() else np.empty(0)
+
+    def stay_share(self) -> NDArray[np.float64]:
+        """(seeds,) percent of all stays of all homes that are named rightly; (0,) if there is none."""
+        stays = self.values["stays"].sum(axis=1)
+        return 100.0 * self.values["stays_right"].sum(axis=1) / stays if stays.all() else np.empty(0)
+
+    def averages(self) -> dict[str, float]:
+        """Each of `MEASURES` as the mean over homes and seeds, rounded; without those that have no number."""
+        means = {measure: self.over_homes(measure) for measure in MEASURES}
+        return {name: round(float(one.mean()), DECIMALS[name]) for name, one in means.items() if len(one)}
 
 
 @dataclass(frozen=True)
@@ -70,12 +125,23 @@ class Results:
         Name of the result, e.g. ``cues/gist/5-5-1``, to what was measured.
     missing
         (result, home) to the reason why it could not be computed on this data.
+    stays
+        The same results of further data sets by stay: a stay, a visit to a place, is a "home" here, with
+        frames of a single place.
+    dropped
+        Name of an information filter to what it drops (:func:`placecat.fusion.information_filter.dropped`):
+        columns home, threshold, frames, dropped, labelled, dropped_labelled.
+    quality
+        Name of a result to how good its distributions are; those of trials are not kept.
     """
 
     homes: tuple[str, ...]
     classes: tuple[str, ...]
     measured: dict[str, Measured]
     missing: dict[tuple[str, str], str]
+    stays: dict[str, Measured] = field(default_factory=dict)
+    dropped: dict[str, pd.DataFrame] = field(default_factory=dict)
+    quality: Mapping[str, Quality] = field(default_factory=dict)
 
     def of(self, name: str) -> Measured:
         """Look up one result.
@@ -91,6 +157,18 @@ class Results:
             near = difflib.get_close_matches(name, self.measured, n=3) or sorted(self.measured)[:5]
             raise PlacecatError(f"there is no result {name!r}: did you mean {' or '.join(near)}?")
         return self.measured[name]
+
+    def drops(self, name: str, home: str = "") -> str:
+        """What the information filter of a result drops, in all homes or in one; "" for an unfiltered one."""
+        homes = next((self.dropped[part] for part in name.split("/")[1:2] if part in self.dropped), None)
+        if homes is None:
+            return ""
+        if home:
+            homes = homes[homes["home"] == home]
+        share = 100.0 * homes["dropped_labelled"].sum() / max(int(homes["labelled"].sum()), 1)
+        low, high = homes["threshold"].min(), homes["threshold"].max()
+        threshold = f"{low:.5f}" if low == high else f"{low:.5f} to {high:.5f}"
+        return f"the threshold {threshold} drops {share:.0f} % of the labelled frames"
 
     def accuracy_table(self) -> pd.DataFrame:
         """All accuracies: result, home, place, frames, accuracy (mean over seeds), spread, seeds.
@@ -136,6 +214,8 @@ def from_scores(
     homes: Sequence[str],
     classes: Sequence[str],
     other_classes: Iterable[Sequence[str]] = (),
+    stays: pd.DataFrame | None = None,
+    dropped: pd.DataFrame | None = None,
 ) -> Results:
     """Build the results from the rows that `score_rows` gives.
 
@@ -148,11 +228,28 @@ def from_scores(
     other_classes
         Lists of places of the other data sets, in order; a result gets the first list that has all its
         places, the main one first.
+    stays
+        As `scores`, with stays for homes.
+    dropped
+        A row a filter and home, see `Results`.
     """
+    reasons = {(str(row.result), str(row.home)): str(row.reason) for row in missing.itertuples(index=False)}
+    lists = (tuple(classes), *map(tuple, other_classes))
+    return Results(
+        tuple(homes),
+        tuple(classes),
+        _measured(scores, lists),
+        reasons,
+        {} if stays is None else _measured(stays, lists),
+        {} if dropped is None else {str(name): rows for name, rows in dropped.groupby("filter", sort=False)},
+    )
+
+
+def _measured(scores: pd.DataFrame, lists: Sequence[tuple[str, ...]]) -> dict[str, Measured]:
     measured = {}
     for name, rows in scores.groupby("result", sort=False):
         seen = set(rows["truth"]) | set(rows["decision"])
-        own = next((tuple(one) for one in (classes, *other_classes) if seen <= set(one)), tuple(sorted(seen)))
+        own = next((one for one in lists if seen <= set(one)), tuple(sorted(seen)))
         own_homes, seeds = tuple(dict.fromkeys(rows["home"])), tuple(dict.fromkeys(rows["seed"]))
         confusion = np.zeros((len(seeds), len(own_homes), len(own), len(own)), np.int64)
         index = [
@@ -166,5 +263,4 @@ def from_scores(
         ]
         confusion[tuple(index)] = rows["frames"]
         measured[str(name)] = Measured(own_homes, seeds, own, confusion)
-    reasons = {(str(row.result), str(row.home)): str(row.reason) for row in missing.itertuples(index=False)}
-    return Results(tuple(homes), tuple(classes), measured, reasons)
+    return measured

@@ -29,6 +29,8 @@ class Rules:
         Points that are still "little", and that make nothing "better".
     noticeable
         Points from which on a single home got better or worse.
+    rare
+        Share of the cases up to which it is an exception that one got better or worse, below 0.5.
     """
 
     level: float
@@ -38,6 +40,7 @@ class Rules:
     about: float
     margin: float
     noticeable: float
+    rare: float
 
 
 def claimed_range(kind: tuple[str, float | None], published_difference: float, rules: Rules) -> Range | None:
@@ -49,7 +52,7 @@ def claimed_range(kind: tuple[str, float | None], published_difference: float, r
         ``better``: above 0. ``worse``: below 0. ``about``: about the published difference. ``little``: not
         far from 0. ``no_better``: at most a little above 0. ``within`` and a number: nearer to 0 than that.
         ``above`` and a number: above 0, since the number is what the left is compared with. ``both_signs``:
-        below 0 in some homes, above in others.
+        noticeably below 0 in more than a rare share of the cases, and above 0 in as many.
 
     Returns
     -------

@@ -82,6 +82,12 @@ def _of_row(part: pd.DataFrame, row: str) -> Cell:
     return make_cell(one["measured"], one["published"], one["spread"], one["seeds"])
 
 
+def readings_of(findings: pd.DataFrame) -> dict[str, str]:
+    """Columns with the verdicts of other readings of the thesis, to the readings' names."""
+    first = "verdict_"
+    return {name: name.removeprefix(first) for name in findings.columns if name.startswith(first)}
+
+
 def count_verdicts(findings: pd.DataFrame) -> dict[str, int]:
     """Number of findings of each verdict, the usual three first."""
     counts = findings["verdict"].value_counts()

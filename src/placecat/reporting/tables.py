@@ -15,12 +15,8 @@ ADDITION = "Addition"
 COLUMNS = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "note"]
 _KEY = ["group", "row", "column"]
 
-# Averages that contradict their own rows in the thesis; the published number stays.
-CONTRADICTIONS = {
-    (6, "", "Home 2", "Average"): "the published average contradicts its own row",
-    (31, "", "Centrist + y-Pos", "Average"): "the published average contradicts its own row",
-    (31, "", "HMM", "Average"): "the published average contradicts its own row",
-}
+# Table, group, row and column of a published cell.
+PublishedKey = tuple[int, str, str, str]
 
 
 def tables_of(params: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
@@ -36,7 +32,9 @@ def tables_of(params: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
 
 
 def dataset_of(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, Any]:
-    """The data set that a table is measured on: the main one, or its split's with the test sequences."""
+    """What a table is measured on: the main data set, its split's with the test sequences, or other data."""
+    if "data" in table:
+        return settings.get(params, "dataset") | {"title": table["data"], "thesis_data": None}
     if "split" not in table:
         return dict(settings.get(params, "dataset"))
     split = settings.get(params, f"splits.{table['split']}")
@@ -48,8 +46,30 @@ def label(table: Mapping[str, Any]) -> str:
     return ADDITION if table["number"] is None else f"Table {table['number']}"
 
 
+def contradictions_of(notes: pd.DataFrame) -> dict[PublishedKey, str]:
+    """Notes on published cells that contradict the thesis's own numbers, by cell; the numbers stay.
+
+    Parameters
+    ----------
+    notes
+        Columns table, group, row, column, note, as in data/thesis/contradictions.csv. A note starts with "the
+        published", so that tables show it on the published number.
+    """
+    keys = zip(*(notes[name] for name in ["table", *_KEY]), strict=True)
+    return {(int(number), *labels): note for (number, *labels), note in zip(keys, notes["note"], strict=True)}
+
+
+def in_percent(table: Mapping[str, Any]) -> bool:
+    """Whether a table's numbers are percentages; otherwise its ``caption`` says what they are."""
+    return "caption" not in table
+
+
 def fill_table(
-    table: Mapping[str, Any], results: Results, published: pd.DataFrame, dataset: Mapping[str, Any]
+    table: Mapping[str, Any],
+    results: Results,
+    published: pd.DataFrame,
+    dataset: Mapping[str, Any],
+    contradictions: Mapping[PublishedKey, str],
 ) -> pd.DataFrame:
     """Fill one table.
 
@@ -64,15 +84,17 @@ def fill_table(
         What the table is measured on (:func:`dataset_of`): ``homes``, ``classes``, ``title``, which every
         measured cell's note names, and ``thesis_data``; if that is not the table's ``thesis_data``, every
         note says that the numbers do not compare.
+    contradictions
+        From :func:`contradictions_of`.
 
     Returns
     -------
     DataFrame
         Columns table ("Addition" for an addition), group, row, column, published, measured, spread, seeds,
         note: first the published cells in their order, then cells that only this run has. ``measured``
-        (percent, mean over seeds, 2 decimals) is NaN only with a note that says why. ``spread`` is the
-        largest minus the smallest of the seeds in points, NaN where nothing is random; ``seeds`` is their
-        number, then 0.
+        (percent, see :func:`in_percent`; mean over seeds, 2 decimals) is NaN only with a note that says why.
+        ``spread`` is the largest minus the smallest of the seeds in points, NaN where nothing is random;
+        ``seeds`` is their number, then 0.
     """
     number = table["number"]
     known = published[published["table"] == number]
@@ -89,7 +111,7 @@ def fill_table(
                 notes.append(f"the published number is from the {table['thesis_data']} and does not compare")
         if key in value and np.isnan(value[key]):
             notes.append("the published cell is n/a")
-        notes.append(CONTRADICTIONS.get((number, *key), ""))
+        notes.append(contradictions.get((number, *key), ""))
         rows.append(
             (
                 ADDITION if number is None else number,

@@ -1,6 +1,6 @@
 """MLflow: a run a table with nested runs for its rows; running again never duplicates one.
 
-Tags: ``placecat.kind`` is table, row or figures; ``placecat.table`` the name of the table;
+Tags: ``placecat.kind`` is table, row, figures or findings; ``placecat.table`` the name of the table;
 ``placecat.digest`` the checksum of all that a table shows; ``placecat.current`` is "true" for what holds
 now. A run counts only if it is current and FINISHED. The order of writing: the run of the table and every
 row, their end; then what they supersede is no longer current; then the rows are, and last the run of the
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 KIND, TABLE, DIGEST = "placecat.kind", "placecat.table", "placecat.digest"
 CURRENT, SUPERSEDED_BY = "placecat.current", "placecat.superseded_by"
 # Change it when the runs get other content for the same numbers, so that they are logged anew.
-_FORM = "2"
+_FORM = "3"
 # Where a description shows its run's id.
 RUN_ID = "{run_id}"
 
@@ -41,7 +41,8 @@ class RowRun:
     name
         For people, e.g. "5-5-1, all cues, Gist".
     params, metrics
-        What identifies it, and its numbers: ``average``, ``home_1``, ... in percent.
+        What identifies it, and its numbers: ``average``, ``home_1``, ... in percent, and how good its
+        probabilities are (:meth:`placecat.reporting.quality.Quality.averages`).
     files
         Writes the row's files into the folder that it is given, and gives their paths.
     """
@@ -67,7 +68,7 @@ class TableRun:
     params
         Flat settings that the numbers depend on.
     metrics
-        Name to percent.
+        Name to number, percent unless it says otherwise.
     description
         Markdown for people; `RUN_ID` in it becomes the run's id.
     rows
@@ -75,7 +76,7 @@ class TableRun:
     files
         As for a row.
     kind
-        "table", or "figures" for the one run that is none.
+        "table", or "figures" and "findings" for the two runs that are none.
     """
 
     name: str

@@ -15,7 +15,8 @@ from placecat.reporting.confusion import confusion_rows, decisions_of, pooled_ro
 from placecat.reporting.markdown import table_markdown
 from placecat.reporting.number import AVERAGE
 from placecat.reporting.results import Measured, Results, score_rows
-from placecat.reporting.tables import comparable, label
+from placecat.reporting.summary import VERDICTS, readings_of
+from placecat.reporting.tables import comparable, in_percent, label
 from placecat.reporting.tracking import RUN_ID, RowRun, TableRun
 
 # MLflow takes 8000 characters; an id is longer than its place.
@@ -23,13 +24,18 @@ _LONGEST_DESCRIPTION = 7900
 # The user interface ends a line where the text does.
 _READING = (
     "\n**How to read it.** Each row of the table is a nested run: open this run with the plus on its left"
-    " in the list, select its rows and press *Compare*, or see *Model metrics* here. A metric is an "
-    "accuracy in percent, the mean over the places and over the seeds; `average` is the one over the "
-    "homes. *Artifacts* has the table as CSV, Markdown and LaTeX, `chart.png` with the averages (a mark "
-    "is one {point}), and the confusion matrices.\n"
+    " in the list, select its rows and press *Compare*, or see *Model metrics* here. {metrics} *Artifacts* "
+    "has the table as CSV, Markdown and LaTeX, {chart}and the confusion matrices.\n"
 )
+_ACCURACIES = (
+    "A metric is an accuracy in percent, the mean over the places and over the seeds; `average` is the one "
+    "over the homes. `log_loss` (nats), `calibration_error` and `stay_accuracy` (percent) say how good the "
+    "probabilities are, on average over the homes."
+)
+_CHART = "`chart.png` with the averages (a mark is one {point}), "
 _FIGURES = (
-    "The figures of the thesis, drawn from this run's data and models; the numbers are the thesis's.\n\n"
+    "The figures of the thesis, whose numbers they have, and added ones, drawn from this run's data and "
+    "models.\n\n"
 )
 
 
@@ -61,8 +67,16 @@ def table_run(
     beside = comparable(table, dataset)
     decisions = decisions_of(table, results)
     trials = "trial" in table
+    quality = _quality(table, results)
     rows = [
-        _row_run(table, *labels, part, decisions.get(labels, {}), drawer if not trials else None)
+        _row_run(
+            table,
+            *labels,
+            part,
+            decisions.get(labels, {}),
+            quality.get(labels, {}),
+            drawer if not trials else None,
+        )
         for key, part in cells.groupby(["group", "row"], sort=False)
         for labels in [(str(key[0]), str(key[1]))]
     ]
@@ -73,7 +87,7 @@ def table_run(
     ]
 
     def write(folder: Path) -> list[Path]:
-        pictures = draw_table(folder, title, cells, decisions, published=beside)
+        pictures = draw_table(folder, title, cells, decisions, published=beside, chart=in_percent(table))
         matrices = [
             pooled_rows(one).assign(group=group, row=row, column=column)
             for (group, row), of_row in decisions.items()
@@ -91,9 +105,10 @@ def table_run(
     return TableRun(
         name=table["name"],
         title=title,
-        content="\n".join([cells.to_csv(index=False), *counts]),
+        content="\n".join([cells.to_csv(index=False), *counts, repr(sorted(quality.items()))]),
         params=settings,
-        metrics=_metrics(cells),
+        metrics=_metrics(cells)
+        | {key(measure, *labels): value for labels, own in quality.items() for measure, value in own.items()},
         description=_description(table, cells, dataset, beside),
         rows=rows,
         files=write,
@@ -101,7 +116,7 @@ def table_run(
 
 
 def figures_run(folder: Path) -> TableRun:
-    """All figures of the thesis that the stage `figures` drew, as one run.
+    """All figures that the stage `figures` drew, as one run.
 
     Parameters
     ----------
@@ -111,7 +126,7 @@ def figures_run(folder: Path) -> TableRun:
     entries = files.read_json(folder / "figures.json")
     drawn = [folder / Path(entry["file"]).name for entry in entries if entry["file"]]
     lines = [
-        f"- **Figure {entry['number']}.** "
+        ("- **Addition.** " if entry["number"] is None else f"- **Figure {entry['number']}.** ")
         + (entry["title"] if entry["file"] else f"Left out: {entry['reason']}")
         for entry in entries
     ]
@@ -128,12 +143,48 @@ def figures_run(folder: Path) -> TableRun:
     )
 
 
+def findings_run(findings: Path, comparisons: Path) -> TableRun:
+    """The ledger of findings as one run: a metric a verdict, and the verdicts of each reading.
+
+    Parameters
+    ----------
+    findings, comparisons
+        The files that the stage `findings` wrote.
+    """
+    table = files.read_table(findings, ["claim"])
+    readings = readings_of(table)
+    names = [name.replace("_", " ") for name in readings.values()]
+    lines = [
+        "| " + " | ".join(["No.", "Finding", "Verdict", *names]) + " |",
+        "|---:" + "|---" * (2 + len(names)) + "|",
+    ]
+    for one in table.fillna("").to_dict("records"):
+        cells = [str(one[column]) for column in ("number", "claim", "verdict", *readings)]
+        lines.append("| " + " | ".join(cells) + " |")
+    metrics = {
+        key(name, verdict): float((table[column] == verdict).sum())
+        for column, name in ({"verdict": "as_used"} | readings).items()
+        for verdict in VERDICTS
+    }
+    return TableRun(
+        name="findings",
+        title="Findings of the thesis",
+        content="\n".join(path.read_text(encoding="utf-8") for path in (findings, comparisons)),
+        params={"findings": str(len(table))},
+        metrics=metrics,
+        description=_cut("\n".join(lines) + "\n"),
+        files=lambda temporary: [findings, comparisons],
+        kind="findings",
+    )
+
+
 def _row_run(
     table: Mapping[str, Any],
     group: str,
     row: str,
     cells: pd.DataFrame,
     decisions: Mapping[str, Measured],
+    quality: Mapping[str, float],
     drawer: MatrixDrawer | None,
 ) -> RowRun:
     name = ", ".join(part for part in (group, row) if part) or table["title"]
@@ -150,7 +201,8 @@ def _row_run(
         metrics={
             _slug(column): value
             for column, value in zip(measured["column"], measured["measured"], strict=True)
-        },
+        }
+        | dict(quality),
         files=_writer(name, decisions, drawer),
     )
 
@@ -172,6 +224,21 @@ def _writer(
         return [folder / "confusion.csv", folder / "confusion.png"]
 
     return write
+
+
+def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, float]]:
+    """How good the probabilities of each row's result are, by group and row; of a table of one result by "".
+
+    A table that shows just that has it in its cells, and that of trials has nothing.
+    """
+    if not in_percent(table):
+        return {}
+    named = {(row["group"], row["row"]): row["result"] for row in table.get("rows", [])}
+    if "result" in table:
+        named[("", "")] = table["result"]
+    return {
+        labels: results.quality[name].averages() for labels, name in named.items() if name in results.quality
+    }
 
 
 def _metrics(cells: pd.DataFrame) -> dict[str, float]:
@@ -202,11 +269,14 @@ def _description(
             lambda note: "; ".join(part for part in note.split("; ") if not part.startswith("the published "))
         )
         cells = cells.assign(published=np.nan, note=notes)
-    point = "home" if table["layout"] != "pooled_by_class" else "place"
-    chart = f"![Chart of the averages](get-artifact?path=chart.png&run_uuid={RUN_ID})\n"
+    chart, reading = "", _READING.format(metrics="", chart="")
+    if in_percent(table):
+        point = "home" if table["layout"] != "pooled_by_class" else "place"
+        chart = f"![Chart of the averages](get-artifact?path=chart.png&run_uuid={RUN_ID})\n"
+        reading = _READING.format(metrics=_ACCURACIES, chart=_CHART.format(point=point))
     # Without the heading, which is the run's name.
     text = table_markdown(table, cells, dataset).partition("\n")[2].lstrip()
-    return _cut(f"{text}\n{chart}{_READING.format(point=point)}")
+    return _cut(f"{text}\n{chart}{reading}")
 
 
 def _cut(text: str) -> str:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from placecat import files, seeds
 from placecat.scale.database import Stretch
+from placecat.vision.variants import FRAMES
 
 # Arrays with an axis of regions after that of frames.
 REGIONS = "regions"
@@ -136,8 +137,8 @@ def write_jittered(
 
 
 def arrays_in(folder: Path) -> list[str]:
-    """Names of the arrays of features or tracks in a folder, without the count of regions."""
-    return sorted(path.stem for path in folder.glob("*.npy") if path.stem != COUNT)
+    """Names of the arrays of features or tracks in a folder, without the count of regions and the frames."""
+    return sorted(path.stem for path in folder.glob("*.npy") if path.stem != COUNT and path.name != FRAMES)
 
 
 def has_regions(name: str) -> bool:

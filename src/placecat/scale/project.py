@@ -8,11 +8,13 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
 
 from placecat import compose, files, listing, parallel, paths, settings
 from placecat.errors import PlacecatError
 from placecat.scale import drawing
 from placecat.scale.database import Home, Stretch, classes_of
+from placecat.vision.variants import FOLDER, FRAMES
 
 # What stages read besides, as the project has it.
 LINKED = (paths.SITES, paths.SPLITS, paths.TOY, paths.PUBLISHED.parent)
@@ -53,7 +55,7 @@ def build(
     tasks = []
     for number, home in enumerate(homes):
         source, walk = sources[number % len(sources)], home.walk()
-        tasks += _plan(folder, home.name, source, walk, own["dataset"], regions, jitter)
+        tasks += _plan(folder, home.name, source, walk, own, regions, jitter)
     parallel.in_parallel(
         drawing.write_jittered,
         tasks,
@@ -89,11 +91,12 @@ def _plan(
     home: str,
     source: str,
     walk: Sequence[Stretch],
-    dataset: Mapping[str, Any],
+    params: Mapping[str, Any],
     regions: int,
     jitter: float,
 ) -> list[tuple[Any, ...]]:
     """Write all of a home but its big arrays; give the tasks that write those."""
+    dataset, frames = params["dataset"], params["region_variants"]["frames"]
     index = classes_of(walk, dataset["classes"], dataset["ignored"])
     _write_sequences(folder / paths.SEQUENCES / home, walk, index, paths.SEQUENCES / source)
     labels = files.read_csv(paths.SEQUENCES / source / "labels.csv")["label"].astype(str).tolist()
@@ -101,15 +104,38 @@ def _plan(
     chosen = drawing.draw_frames(walk, labels, classes, index, home)
     tasks = []
     for kind in (paths.FEATURES, paths.TRACKS):
-        target = folder / kind / home
-        counts = files.read_array(kind / source / f"{drawing.COUNT}.npy", memory_map=False)
-        frame, place = drawing.draw_regions(chosen, counts.astype(np.int64), classes, regions, home)
-        files.write_array(target / f"{drawing.COUNT}.npy", np.full(len(chosen), regions, counts.dtype))
-        shutil.copy(kind / source / "descriptors.json", target / "descriptors.json")
-        for name in drawing.arrays_in(kind / source):
-            file = f"{name}.npy"
-            rows = (frame, place) if drawing.has_regions(name) else (chosen, None)
-            tasks.append((kind / source / file, target / file, *rows, jitter, home))
+        tasks += _plan_arrays(kind / source, folder / kind / home, chosen, classes, regions, jitter, home)
+    for variant in sorted((paths.FEATURES / source).glob(FOLDER.format("*"))):
+        target = folder / paths.FEATURES / home / variant.name
+        there = files.read_array(variant / FRAMES, memory_map=False)
+        rows = np.arange(frames["offset"], len(chosen), frames["step"])
+        files.write_array(target / FRAMES, rows)
+        # The last frame of the source, up to the one drawn, that has the variant.
+        own = np.maximum(np.searchsorted(there, chosen[rows], side="right") - 1, 0)
+        most = files.read_array(variant / f"{drawing.REGIONS}.npy").shape[1]
+        tasks += _plan_arrays(variant, target, own, classes[there], most, jitter, home)
+    return tasks
+
+
+def _plan_arrays(
+    source: Path,
+    target: Path,
+    chosen: NDArray[np.int64],
+    classes: NDArray[np.int64],
+    regions: int,
+    jitter: float,
+    home: str,
+) -> list[tuple[Any, ...]]:
+    """The tasks for the arrays of one folder, whose rows of `classes` are `chosen` from."""
+    counts = files.read_array(source / f"{drawing.COUNT}.npy", memory_map=False)
+    frame, place = drawing.draw_regions(chosen, counts.astype(np.int64), classes, regions, home)
+    files.write_array(target / f"{drawing.COUNT}.npy", np.full(len(chosen), regions, counts.dtype))
+    shutil.copy(source / "descriptors.json", target / "descriptors.json")
+    tasks = []
+    for name in drawing.arrays_in(source):
+        file = f"{name}.npy"
+        rows = (frame, place) if drawing.has_regions(name) else (chosen, None)
+        tasks.append((source / file, target / file, *rows, jitter, home))
     return tasks
 
 

@@ -24,7 +24,7 @@ class Home:
     Attributes
     ----------
     name
-        Unique within its data set. A COLD name holds a slash (``freiburg/seq1_cloudy1``).
+        Unique within its data set. A COLD name has the site, too (``freiburg-seq1_cloudy1``).
     root
         The folder that the `source` column is relative to.
     fps

@@ -3,9 +3,9 @@
 A line of the label file is ``t<seconds>.<microseconds>_x<m>_y<m>_a<rad>.jpeg LABEL``. The label stays a
 code; which class it stands for is the data set's ``aliases`` setting.
 
-A home is one sequence, named ``<site>/<sequence>``. The name of a site alone reads all its sequences as one
-home: they show the same rooms, so a fold by home that must not train on the tested rooms has to take the
-site.
+A home is one sequence, named ``<site>-<sequence>``, since a slash cannot be part of a home's name. The name
+of a site alone reads all its sequences as one home: they show the same rooms, so a fold by home that must not
+train on the tested rooms has to take the site.
 
 References
 ----------
@@ -48,16 +48,15 @@ def list_homes(root: Path) -> list[str]:
     Returns
     -------
     list of str
-        ``<site>/<sequence>`` in natural order, at least one.
+        ``<site>-<sequence>`` in natural order, at least one.
 
     Raises
     ------
     PlacecatError
         If the folder is missing or holds no sequence.
     """
-    homes = [
-        file.parents[1].relative_to(root).as_posix() for file in data_folder(root).glob(f"*/*/{LABEL_FILE}")
-    ]
+    folders = [file.parents[1] for file in data_folder(root).glob(f"*/*/{LABEL_FILE}")]
+    homes = [f"{folder.parent.name}-{folder.name}" for folder in folders]
     return some_homes(homes, root, f"<site>/<sequence>/{LABEL_FILE}")
 
 
@@ -71,7 +70,7 @@ def read_home(
     root
         The folder that holds the sites.
     name
-        ``<site>/<sequence>`` or ``<site>``.
+        ``<site>-<sequence>`` or ``<site>``.
     fps
         Frames a second; None takes the median time between frames.
     camera
@@ -87,9 +86,11 @@ def read_home(
     Raises
     ------
     PlacecatError
-        If a label file or an image is missing or wrong, naming the line.
+        If a label file or an image is missing or wrong, naming the line; a name with a slash.
     """
-    folder = home_folder(root, name)
+    if "/" in name:
+        raise PlacecatError(f"dataset.homes: {name!r} has a slash; write {name.replace('/', '-', 1)!r}.")
+    folder = home_folder(root, name.replace("-", "/", 1))
     if (folder / LABEL_FILE).is_file():
         folders = [folder]
     else:

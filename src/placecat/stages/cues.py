@@ -5,7 +5,7 @@ from typing import Any
 
 from placecat import cue_training, cues, files, listing, parallel, paths, settings, store
 from placecat.evaluation import protocol
-from placecat.evaluation.accuracy import accuracy_by_home
+from placecat.fusion.temperature import fit_temperature, temper
 from placecat.stages import run
 
 
@@ -58,14 +58,16 @@ def apply(
         file = folder / protocol.codebook_file(fold.training_set, seed)
         codebook = cues.Codebook.from_arrays(files.read_arrays(file))
         descriptor = files.read_json(folder / "descriptor.json")
-    model, truth, home_of_frame = cue_training.train(
+    trained = cue_training.train(
         fold.cue_homes,
         descriptor,
         classifier=cue["classifier"],
         codebook=codebook,
         frames=selections["cue_frames"],
         classes=classes,
+        cross_validate=cue["cross_validate"],
     )
+    model = trained.model
     result: dict[str, Any] = {"facts": dict(model.facts)}
     result["test"] = model.predict_proba(store.read_descriptors(fold.test, descriptor))
     for home in fold.integration_homes:
@@ -74,12 +76,12 @@ def apply(
     for home in extra:
         frames = store.read_descriptors(home, descriptor)
         result[f"extra_{home.rpartition('/')[2]}"] = model.predict_proba(frames)
-    if model.cross_validated is not None:
-        result["cross_validated"] = model.cross_validated
-        result["cross_validated_truth"] = truth
-        result["facts"]["cross_validated_accuracy"] = accuracy_by_home(
-            truth, model.cross_validated.argmax(axis=1), home_of_frame, len(classes)
-        )
+    if trained.cross_validated is not None:
+        result["cross_validated"] = trained.cross_validated
+        result["cross_validated_truth"] = trained.truth
+        temperature = fit_temperature(trained.cross_validated, trained.truth)
+        result["facts"]["temperature"] = temperature
+        result["tempered"] = temper(result["test"], temperature)
     return result
 
 

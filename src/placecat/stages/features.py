@@ -1,6 +1,6 @@
 """Stage `features`: one pass over the frames of a home computes every descriptor."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,13 +12,15 @@ from placecat.sequences.base import read_frames
 from placecat.stages import run
 from placecat.vision.frame import check, describe_frame
 from placecat.vision.memory import keep_freed_memory
+from placecat.vision.variants import FOLDER, FRAMES
 
 
 def main(home: str) -> None:
     """Describe all frames of one home."""
     params = settings.load()
     root = Path(settings.get(params, "dataset.root"))
-    describe_home(home, root, feature_options(params, settings.get(params, "descriptors")))
+    options = feature_options(params, settings.get(params, "descriptors"))
+    describe_home(home, root, options, variants=settings.get(params, "region_variants"))
 
 
 def feature_options(params: Mapping[str, Any], descriptors: Mapping[str, Any]) -> dict[str, Any]:
@@ -37,7 +39,9 @@ def feature_options(params: Mapping[str, Any], descriptors: Mapping[str, Any]) -
     return options
 
 
-def describe_home(home: str, root: Path, options: Mapping[str, Any]) -> None:
+def describe_home(
+    home: str, root: Path, options: Mapping[str, Any], *, variants: Mapping[str, Any] | None = None
+) -> None:
     """Write the descriptors of all frames of a home.
 
     Parameters
@@ -48,32 +52,61 @@ def describe_home(home: str, root: Path, options: Mapping[str, Any]) -> None:
         Folder of the data set.
     options
         From :func:`feature_options`.
+    variants
+        As conf/region_variants: variants of the salient regions, and the frames that they are found in.
     """
     frames = listing.read_frames(home)
+    also, rows = {}, np.arange(0)
+    if variants is not None:
+        also = {
+            name: own | {"descriptors": variants["descriptors"]} for name, own in variants["variants"].items()
+        }
+        check({**options, "variants": also})
+        rows = np.arange(variants["frames"]["offset"], len(frames), variants["frames"]["step"])
     # A video is decoded from its start, so that it is cut into few parts only.
     is_video = bool((frames["position"] >= 0).any())
     chunk = max(32, -(-len(frames) // (4 * parallel.workers()))) if is_video else 32
     facts = files.read_json(paths.sequences(home) / "home.json")
     size = (facts["width"], facts["height"])
     tasks = [
-        (root, size, frames.iloc[start : start + chunk], options) for start in range(0, len(frames), chunk)
+        (root, size, frames.iloc[start : start + chunk], options, also, set(rows.tolist()))
+        for start in range(0, len(frames), chunk)
     ]
     with files.replacing(paths.features(home)) as folder:
         folder.mkdir(parents=True)
         parts = parallel.in_parallel(describe, tasks, f"features of {home}")
         modules = {name: own.get("descriptor", name) for name, own in options["local"].items()}
         files.write_json(folder / "descriptors.json", modules)
-        for name in parts[0]:
-            files.write_array(folder / f"{name}.npy", np.concatenate([part[name] for part in parts]))
+        for name in also:
+            files.write_json(folder / FOLDER.format(name) / "descriptors.json", modules)
+            files.write_array(folder / FOLDER.format(name) / FRAMES, rows)
+        for name in _names(parts):
+            array = np.concatenate([part[name] for part in parts if name in part])
+            files.write_array(folder / f"{name}.npy", array)
 
 
 def describe(
-    root: Path, size: tuple[int, int], frames: pd.DataFrame, options: Mapping[str, Any]
+    root: Path,
+    size: tuple[int, int],
+    frames: pd.DataFrame,
+    options: Mapping[str, Any],
+    variants: Mapping[str, Any],
+    rows: Collection[int],
 ) -> dict[str, np.ndarray]:
-    """Describe some frames of a home: each array's first axis is the frame."""
+    """Describe some frames of a home, those in `rows` with the variants of their regions.
+
+    Each array's first axis is the frame, or that of `rows` for a variant.
+    """
     keep_freed_memory()
-    described = [describe_frame(image, options) for image in read_frames(root, frames, size=size)]
-    return {name: np.stack([one[name] for one in described]) for name in described[0]}
+    more = {**options, "variants": variants}
+    images = zip(frames.index, read_frames(root, frames, size=size), strict=True)
+    described = [describe_frame(image, more if row in rows else options) for row, image in images]
+    return {name: np.stack([one[name] for one in described if name in one]) for name in _names(described)}
+
+
+def _names(described: Sequence[Mapping[str, np.ndarray]]) -> list[str]:
+    """Names of arrays in order; not every part has those of the variants."""
+    return list(dict.fromkeys(name for one in described for name in one))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Stage `figures`: every figure of the thesis that this data can give."""
+"""Stage `figures`: every figure of the thesis, and every added one, that this data can give."""
 
 import logging
 
@@ -31,6 +31,7 @@ def main() -> None:
                 file, reason = None, str(error)
             entries.append(
                 {
+                    "name": name,
                     "number": figures.number(name),
                     "file": file,
                     "title": figures.load(name).TITLE,

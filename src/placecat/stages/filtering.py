@@ -1,14 +1,17 @@
 """Stage `filtering`: what the information filter makes of decisions (thesis 4.6)."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
 
 from placecat import files, listing, parallel, paths, settings
 from placecat.evaluation import protocol
-from placecat.fusion.information_filter import hold
+from placecat.fusion.information_filter import check, dropped, hold, threshold_of
+from placecat.reporting.results import DROPPED_COLUMNS
 from placecat.stages import run
 
 # What smoothing needs of a filtered result besides the frames of the test home: it is not filtered.
@@ -18,21 +21,48 @@ STATISTICS = ("cross_validated", "cross_validated_truth")
 def main() -> None:
     """Filter every cue and system that a filter names, in every test home, once for each seed."""
     params = settings.load()
-    homes = protocol.tested_homes(
-        settings.get(params, "dataset.homes"), settings.get(params, "protocol.test_homes")
-    )
+    filters = settings.get(params, "filters")
+    for name, options in filters.items():
+        settings.refuse_unknown(options, ["threshold", "share", "cues", "systems"], f"filters.{name}")
+        check(options.get("threshold"), options.get("share"), f"filters.{name}")
+    names = list(settings.get(params, "dataset.homes"))
+    homes = protocol.tested_homes(names, settings.get(params, "protocol.test_homes"))
+    thresholds = {
+        (name, home): _threshold(options, [other for other in names if other != home])
+        for name, options in filters.items()
+        for home in homes
+    }
     tasks: dict[Path, tuple[Path, str, float]] = {}
     with files.replacing(paths.FILTERED) as folder:
-        for name, options in settings.get(params, "filters").items():
+        for name, options in filters.items():
             for result, source in _sources(params, options).items():
                 for home in homes:
                     for seed in listing.seeds_in(source / home):
-                        task = source / home / seed, home, float(options["threshold"])
+                        task = source / home / seed, home, thresholds[name, home]
                         tasks[Path(name, result, home, seed)] = task
         results = parallel.in_parallel(filter_home, list(tasks.values()), "information filter")
         for place, result in zip(tasks, results, strict=True):
             for array_name, array in result.items():
                 files.write_array(folder / place / f"{array_name}.npy", array)
+        rows = [
+            {"filter": name, "home": home}
+            | dropped(_information(home), listing.read_labels(home), thresholds[name, home])
+            for name, home in thresholds
+        ]
+        folder.mkdir(parents=True, exist_ok=True)
+        files.write_csv(folder / "dropped.csv", pd.DataFrame(rows, columns=DROPPED_COLUMNS))
+
+
+def _threshold(options: Mapping[str, Any], training: Sequence[str]) -> float:
+    """The threshold of a filter, from labelled frames of the training homes if it is given as a share."""
+    if options.get("threshold") is not None:
+        return float(options["threshold"])
+    seen = [_information(home)[listing.read_labels(home) >= 0] for home in training]
+    return threshold_of(options["share"], np.concatenate(seen))
+
+
+def _information(home: str) -> NDArray[np.float32]:
+    return files.read_array(paths.features(home) / "information.npy", memory_map=False)
 
 
 def _sources(params: Mapping[str, Any], options: Mapping[str, Any]) -> dict[str, Path]:
@@ -49,9 +79,8 @@ def _sources(params: Mapping[str, Any], options: Mapping[str, Any]) -> dict[str,
 
 def filter_home(source: Path, home: str, threshold: float) -> dict[str, np.ndarray]:
     """Give the filtered distributions of one home, and the statistics that smoothing needs."""
-    information = files.read_array(paths.features(home) / "information.npy", memory_map=False)
     proba = files.read_array(source / "test.npy", memory_map=False)
-    held = hold(proba, information, threshold=threshold, sequences=listing.sequence_slices(home))
+    held = hold(proba, _information(home), threshold=threshold, sequences=listing.sequence_slices(home))
     found = {"test": held}
     for name in STATISTICS:
         if (source / f"{name}.npy").exists():

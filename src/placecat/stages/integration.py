@@ -1,6 +1,7 @@
 """Stage `integration`: fuse the cues' distributions to one."""
 
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -8,7 +9,6 @@ import numpy as np
 from placecat import files, listing, parallel, paths, settings
 from placecat.errors import PlacecatError
 from placecat.evaluation import protocol
-from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.fusion.integrate import integrate
 from placecat.stages import run
 
@@ -25,18 +25,11 @@ def main(name: str) -> None:
     random = [cue for cue in system["cues"] if settings.get(params, f"cues.{cue}.codebook") is not None]
     seeds = settings.get(params, "protocol.seeds") if random else [None]
     extra = _extra(params, selection, classes) if system["extra"] else {}
-    # Cues that left a second home out let the same integration be judged on training homes.
-    inner = "4-5-1" in settings.get(params, "protocol.schemes") and system["scheme"] == "5-5-1"
-    within = protocol.folds(homes, "4-5-1", tested) if inner else [None] * len(folds)
     with files.replacing(paths.INTEGRATION / name) as folder:
         folder.mkdir(parents=True)
-        tasks = [
-            (system, fold, kept, seed, selection, extra, classes)
-            for fold, kept in zip(folds, within, strict=True)
-            for seed in seeds
-        ]
+        tasks = [(system, fold, seed, selection, extra, classes) for fold in folds for seed in seeds]
         results = parallel.in_parallel(apply, tasks, f"integration {name}")
-        for (_, fold, _, seed, *_), result in zip(tasks, results, strict=True):
+        for (_, fold, seed, *_), result in zip(tasks, results, strict=True):
             place = folder / fold.test / protocol.seed_folder(seed)
             files.write_json(place / "facts.json", result.pop("facts"))
             for array_name, array in result.items():
@@ -61,7 +54,6 @@ def _extra(
 def apply(
     system: Mapping[str, Any],
     fold: protocol.Fold,
-    within: protocol.Fold | None,
     seed: int | None,
     selection: Mapping[str, int],
     extra: Mapping[str, tuple[np.ndarray, np.ndarray]],
@@ -77,24 +69,32 @@ def apply(
         proba = _proba(cues, fold, seed, f"extra_{name.rpartition('/')[2]}")
         train[name], truth[name] = proba[rows], own
     test = _proba(cues, fold, seed, "test")
-    result = integrate(train, truth, test, classes, **system["integrator"])
-    if within is not None and all((paths.CUES / cue / within.scheme).exists() for cue in cues):
-        (kept,) = set(within.integration_homes) - set(within.cue_homes)
-        inner = {home: _proba(cues, within, seed, f"integration_{home}") for home in within.cue_homes}
-        judged = integrate(
-            inner, truth, _proba(cues, within, seed, f"integration_{kept}"), classes, **system["integrator"]
-        )
-        confusion = confusion_matrix(truth[kept], judged["test"].argmax(axis=1), len(classes))
-        result["facts"]["cross_validated_accuracy"] = {kept: round(home_accuracy(confusion), 2)}
-    return result
+    temperatures = _temperatures(cues, fold, seed) if system["temperature"] else None
+    return integrate(train, truth, test, classes, temperatures=temperatures, **system["integrator"])
+
+
+def _temperatures(cues: Sequence[str], fold: protocol.Fold, seed: int | None) -> list[float]:
+    """The temperature of each cue, from its training frames."""
+    found = []
+    for cue in cues:
+        facts = files.read_json(_place(cue, fold, seed) / "facts.json")
+        if "temperature" not in facts:
+            raise PlacecatError(
+                f"cues.{cue} has no temperature: set cues.{cue}.cross_validate, and run `dvc repro`"
+            )
+        found.append(facts["temperature"])
+    return found
+
+
+def _place(cue: str, fold: protocol.Fold, seed: int | None) -> Path:
+    return listing.seeded(paths.CUES / cue / fold.scheme / fold.test, seed)
 
 
 def _proba(cues: Sequence[str], fold: protocol.Fold, seed: int | None, array: str) -> np.ndarray:
     """(frames, cues, classes) distributions of the cues."""
     parts = []
     for cue in cues:
-        place = listing.seeded(paths.CUES / cue / fold.scheme / fold.test, seed)
-        path = place / f"{array}.npy"
+        path = _place(cue, fold, seed) / f"{array}.npy"
         if not path.exists():
             raise PlacecatError(
                 f"{path} is missing: add {fold.scheme} to cues.{cue}.schemes, or set cues.{cue}.extra where "

@@ -57,7 +57,7 @@ def _frames(home: str, places: list[str]) -> dict[str, int]:
 
 def _figure(entry: dict[str, Any]) -> Figure:
     png = None if entry["file"] is None else _existing(paths.FIGURES / entry["file"]).read_bytes()
-    return Figure(entry["number"], entry["title"], png, entry["reason"] or "")
+    return Figure(entry["number"], entry["title"], png, entry["reason"] or "", entry["name"])
 
 
 def _times() -> Times | None:

@@ -1,5 +1,6 @@
-"""Stage `scores`: how often frames of a place were decided to be which, for everything computed."""
+"""Stage `scores`: how often frames of a place were decided to be which, and how good probabilities are."""
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -8,19 +9,32 @@ import pandas as pd
 from placecat import files, listing, paths, settings
 from placecat.evaluation import protocol
 from placecat.evaluation.accuracy import confusion_matrix
-from placecat.reporting.results import MISSING_COLUMNS, SCORE_COLUMNS, Measured, score_rows
+from placecat.evaluation.quality import home_quality
+from placecat.evaluation.stays import find_stays
+from placecat.reporting.quality import QUALITY_COLUMNS, gather, quality_rows
+from placecat.reporting.results import MISSING_COLUMNS, SCORE_COLUMNS, Measured, Quality, score_rows
 from placecat.reporting.sources import Source, sources
 from placecat.stages import run
 
 
 def main() -> None:
-    """Write scores.csv and missing.csv of the main pipeline, the splits, the trials and the toy problem."""
+    """Write scores.csv and missing.csv of the main pipeline, the splits, the trials and the toy problem.
+
+    And stays.csv: the scores of the splits by stay; and dropped.csv: what each information filter drops.
+    And probabilities.csv of all that keeps its distributions: the main pipeline and the splits.
+    """
     params = settings.load()
     rows: list[Any] = []
+    by_stay: list[Any] = []
     untested: list[Any] = []
+    qualities: list[Any] = []
     for name, source in sources(params).items():
-        rows += score_rows(name, measure(source))
-        if not source.site:
+        measured, quality = measure(source, settings.get(params, "probabilities"))
+        rows += score_rows(name, measured)
+        qualities += quality_rows(name, quality)
+        if source.site:
+            by_stay += score_rows(name, measure_stays(source))
+        else:
             others = [home for home in settings.get(params, "dataset.homes") if home not in source.homes]
             untested += [(name, home, protocol.NOT_TESTED) for home in others]
     scores = [pd.DataFrame(rows, columns=SCORE_COLUMNS), files.read_csv(paths.TOY)]
@@ -32,24 +46,60 @@ def main() -> None:
         folder.mkdir(parents=True)
         files.write_csv(folder / "scores.csv", pd.concat(scores, ignore_index=True))
         files.write_csv(folder / "missing.csv", pd.concat(missing, ignore_index=True))
+        files.write_csv(folder / "stays.csv", pd.DataFrame(by_stay, columns=SCORE_COLUMNS))
+        files.write_csv(folder / "dropped.csv", files.read_csv(paths.FILTERED / "dropped.csv"))
+        files.write_csv(folder / "probabilities.csv", pd.DataFrame(qualities, columns=QUALITY_COLUMNS))
 
 
-def measure(source: Source) -> Measured:
-    """Count the decisions of one result in all its test homes."""
+def measure(source: Source, options: Mapping[str, Any]) -> tuple[Measured, Quality]:
+    """Count the decisions of one result in all its test homes, and judge its distributions.
+
+    Parameters
+    ----------
+    options
+        Settings of :func:`placecat.evaluation.quality.home_quality`.
+    """
     seeds = source.seeds()
     labels = {home: listing.read_labels(source.listed(home)) for home in source.homes}
-    confusion = [
-        [
-            confusion_matrix(
-                labels[home],
-                files.read_array(source.array(home, seed), memory_map=False).argmax(axis=1),
-                len(source.classes),
-            )
-            for home in source.homes
-        ]
-        for seed in seeds
-    ]
-    return Measured(source.homes, seeds, source.classes, np.array(confusion))
+    parts = {home: listing.sequence_slices(source.listed(home)) for home in source.homes}
+    confusion, quality = [], []
+    for seed in seeds:
+        probas = {home: files.read_array(source.array(home, seed), memory_map=False) for home in source.homes}
+        confusion.append(
+            [
+                confusion_matrix(labels[home], proba.argmax(axis=1), len(source.classes))
+                for home, proba in probas.items()
+            ]
+        )
+        quality.append(
+            [
+                settings.call(
+                    home_quality, labels[home], proba, parts[home], settings=options, where="probabilities"
+                )
+                for home, proba in probas.items()
+            ]
+        )
+    counted = Measured(source.homes, seeds, source.classes, np.array(confusion))
+    return counted, gather(source.homes, seeds, quality)
+
+
+def measure_stays(source: Source) -> Measured:
+    """Count the decisions of one result in each stay of its test homes."""
+    names, by_seed = [], []
+    stays = {}
+    for home in source.homes:
+        name = source.listed(home)
+        labels = listing.read_labels(name)
+        found = find_stays(labels, listing.sequence_slices(name))
+        stays[home] = labels, [slice(stay.start, stay.stop) for stay in found]
+        names += [f"{home}/{number + 1}" for number in range(len(found))]
+    for seed in source.seeds():
+        confusion = []
+        for home, (labels, parts) in stays.items():
+            decided = files.read_array(source.array(home, seed), memory_map=False).argmax(axis=1)
+            confusion += [confusion_matrix(labels[own], decided[own], len(source.classes)) for own in parts]
+        by_seed.append(confusion)
+    return Measured(tuple(names), source.seeds(), source.classes, np.array(by_seed))
 
 
 if __name__ == "__main__":

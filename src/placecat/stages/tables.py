@@ -7,18 +7,16 @@ from typing import Any
 import pandas as pd
 
 from placecat import files, paths, settings
-from placecat.reporting.collect import read_results
+from placecat.reporting.collect import read_records, read_results
 from placecat.reporting.in_text import in_text
 from placecat.reporting.latex import table_latex
 from placecat.reporting.markdown import table_markdown
 from placecat.reporting.metrics import chosen_averages, nested_metrics, plot_data
+from placecat.reporting.quality import quality_table
 from placecat.reporting.results import Results
-from placecat.reporting.sources import sources
-from placecat.reporting.tables import dataset_of, fill_table, tables_of
+from placecat.reporting.tables import contradictions_of, dataset_of, fill_table, tables_of
 from placecat.stages import run
 
-# Results whose models were judged on training homes, in facts.json beside their distributions.
-TRAINED = ("cues/", "integration/")
 FORMS = ("csv", "md", "tex")
 
 
@@ -27,11 +25,13 @@ def main() -> None:
     params = settings.load()
     results = read_results(params)
     published = files.read_table(paths.PUBLISHED, ["group", "row", "column"])
+    notes = files.read_table(paths.CONTRADICTIONS, ["group", "row", "column", "note"])
+    contradictions = contradictions_of(notes)
     filled = {}
     with files.replacing(paths.TABLES) as folder:
         for name, table in tables_of(params).items():
             dataset = dataset_of(table, params)
-            filled[name] = fill_table(table, results, published, dataset)
+            filled[name] = fill_table(table, results, published, dataset, contradictions)
             files.write_csv(folder / f"{name}.csv", filled[name])
             files.write_text(folder / f"{name}.md", table_markdown(table, filled[name], dataset))
             files.write_text(folder / f"{name}.tex", table_latex(table, filled[name], dataset))
@@ -39,7 +39,7 @@ def main() -> None:
             if name not in filled:
                 _keep(name, folder)
     files.write_csv(paths.ACCURACIES, results.accuracy_table())
-    files.write_csv(paths.CROSS_VALIDATION, _cross_validation(params))
+    files.write_csv(paths.PROBABILITIES, quality_table(results.quality))
     files.write_csv(paths.IN_TEXT, _in_text(params, results))
     files.write_json(paths.METRICS, nested_metrics(filled))
     files.write_json(paths.SUMMARY, chosen_averages(results, settings.get(params, "metrics")))
@@ -58,23 +58,15 @@ def _keep(name: str, folder: Path) -> None:
 
 def _in_text(params: dict[str, Any], results: Results) -> pd.DataFrame:
     entries = settings.get(params, "in_text")
-    published = files.read_table(paths.PUBLISHED_TEXT, ["name", "section", "quantity", "home", "quote"])
-    return in_text(entries, results, published, settings.get(params, "dataset"))
-
-
-def _cross_validation(params: dict[str, Any]) -> pd.DataFrame:
-    """Accuracy on training homes that the model in question did not see: what settings may be chosen by."""
-    rows = [
-        (name, test, seed, home, accuracy)
-        for name, source in sources(params).items()
-        if name.startswith(TRAINED)
-        for test in source.homes
-        for seed in source.seeds()
-        for home, accuracy in files.read_json(source.folder / test / seed / "facts.json")
-        .get("cross_validated_accuracy", {})
-        .items()
-    ]
-    return pd.DataFrame(rows, columns=["result", "test_home", "seed", "training_home", "accuracy"])
+    text = ["name", "section", "quantity", "home", "quote", "note"]
+    return in_text(
+        entries,
+        results,
+        files.read_table(paths.PUBLISHED_TEXT, text),
+        settings.get(params, "dataset"),
+        {name: own["dataset"] for name, own in settings.get(params, "splits").items()},
+        read_records(params),
+    )
 
 
 if __name__ == "__main__":

@@ -1,45 +1,84 @@
 """Stage `toy`: the parallel against the sequential scheme on the toy problem of thesis 4.8."""
 
+import copy
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
 
 from placecat import files, parallel, paths, seeds, settings
 from placecat.cues import estimators
+from placecat.evaluation import protocol
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.learning.toy_circles import NAMES, toy_circles
 from placecat.reporting.results import SCORE_COLUMNS, Measured, score_rows
 from placecat.stages import run
 
 
+class Task(NamedTuple):
+    """One of the problems: the scheme or schemes to compare by name, and the points."""
+
+    schemes: dict[str, Any]
+    points: dict[str, float]
+    training: int
+    testing: int
+    seed: int
+
+
 def main() -> None:
-    """Train both schemes on each seed's points and test them on others."""
+    """Train the schemes on each seed's points and test them on others; and so for other radii and decisions.
+
+    Results are ``toy/parallel`` and ``toy/sequential``; ``toy/last/...``, the same on the points alone of
+    the class that is last in the sequential scheme's list; and ``toy/RADIUS/parallel`` and
+    ``toy/RADIUS/sequential/DECISION``.
+    """
     toy = settings.get(settings.load(), "toy")
-    tasks = [
-        (toy["schemes"][scheme], toy["points"], toy["training"], toy["testing"], seed)
-        for scheme in toy["schemes"]
-        for seed in toy["seeds"]
-    ]
-    confusions = iter(parallel.in_parallel(compare, tasks, "toy problem"))
+    numbers = toy["training"], toy["testing"]
+    tasks = [Task(toy["schemes"], toy["points"], *numbers, seed) for seed in toy["seeds"]]
+    for radius in toy["sensitivity"]["radii"]:
+        own = _deciding(toy["schemes"], toy["sensitivity"]["decisions"], float(radius))
+        points = toy["points"] | {"radius": radius}
+        tasks += [Task(own, points, *numbers, seed) for seed in toy["sensitivity"]["seeds"]]
+    found: dict[str, dict[str, np.ndarray]] = {}
+    done = parallel.in_parallel(compare, tasks, "toy problem")
+    for task, (confusions, last) in zip(tasks, done, strict=True):
+        seed = protocol.seed_folder(task.seed)
+        for name, counts in confusions.items():
+            found.setdefault(f"toy/{name}", {})[seed] = counts
+            if task.schemes is toy["schemes"]:
+                of_last = counts * (np.arange(len(NAMES)) == last)[:, None]
+                found.setdefault(f"toy/last/{name}", {})[seed] = of_last
     rows = []
-    names = tuple(f"seed-{seed}" for seed in toy["seeds"])
-    for scheme in toy["schemes"]:
-        counts = np.array([[next(confusions)] for _ in names])
-        rows += score_rows(f"toy/{scheme}", Measured(("toy",), names, NAMES, counts))
+    for name, of_seeds in found.items():
+        counts = np.array(list(of_seeds.values()))[:, None]
+        rows += score_rows(name, Measured(("toy",), tuple(of_seeds), NAMES, counts))
     files.write_csv(paths.TOY, pd.DataFrame(rows, columns=SCORE_COLUMNS))
 
 
+def _deciding(schemes: Mapping[str, Any], decisions: list[str], radius: float) -> dict[str, Any]:
+    """The schemes by names with the radius, the sequential one once for each way to decide."""
+    found = {f"{radius:g}/parallel": schemes["parallel"]}
+    for decision in decisions:
+        found[name := f"{radius:g}/sequential/{decision}"] = copy.deepcopy(schemes["sequential"])
+        found[name]["scheme"]["decision"] = decision
+    return found
+
+
 def compare(
-    classifier: Mapping[str, Any], points: Mapping[str, float], training: int, testing: int, seed: int
-) -> np.ndarray:
-    """Confusion matrix of one scheme on the test points of one seed."""
+    schemes: Mapping[str, Any], points: Mapping[str, float], training: int, testing: int, seed: int
+) -> tuple[dict[str, np.ndarray], int]:
+    """Confusion matrix of each scheme on the test points of one seed, and the last class of the last list."""
     X, y = toy_circles(training, seeds.derive("toy", "training", seed), **points)
     X_test, y_test = toy_circles(testing, seeds.derive("toy", "testing", seed), **points)
-    base = estimators.build(classifier["base"], "toy.base")
-    model = estimators.build(classifier["scheme"], "toy.scheme", base=base).fit(X, y)
-    return confusion_matrix(y_test, model.predict(X_test), len(NAMES))
+    found, last = {}, -1
+    for name, classifier in schemes.items():
+        base = estimators.build(classifier["base"], "toy.base")
+        model = estimators.build(classifier["scheme"], "toy.scheme", base=base).fit(X, y)
+        found[name] = confusion_matrix(y_test, model.predict(X_test), len(NAMES))
+        if hasattr(model, "order_"):
+            last = int(model.order_[-1])
+    return found, last
 
 
 if __name__ == "__main__":

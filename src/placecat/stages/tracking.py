@@ -1,4 +1,4 @@
-"""Stage `tracking`: each table as a run in MLflow, its rows as nested runs, and the figures."""
+"""Stage `tracking`: each table as a run in MLflow, its rows as nested runs, the figures and the findings."""
 
 import json
 from collections.abc import Mapping
@@ -12,7 +12,7 @@ from placecat.reporting.charts.draw import MatrixDrawer
 from placecat.reporting.collect import read_results
 from placecat.reporting.tables import dataset_of, tables_of
 from placecat.reporting.tracking import TableRun, flatten, log_tables
-from placecat.reporting.tracking_content import figures_run, table_run
+from placecat.reporting.tracking_content import figures_run, findings_run, table_run
 from placecat.stages import run
 
 ARTIFACTS = Path("mlartifacts")
@@ -41,7 +41,7 @@ def main() -> None:
             drawer,
         )
         by_split.setdefault(table.get("split", ""), []).append(made)
-    by_split[""].append(figures_run(paths.FIGURES))
+    by_split[""] += [figures_run(paths.FIGURES), findings_run(paths.FINDINGS, paths.COMPARISONS)]
     digests: dict[str, str] = {}
     for split, runs in by_split.items():
         dataset = settings.get(params, f"splits.{split}.dataset" if split else "dataset")
@@ -68,6 +68,7 @@ def _settings(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, 
             "axes": json.dumps(table["axes"], sort_keys=True),
         }
     results = [row["result"] for row in table.get("rows", [])] or [table["result"]]
+    shown["probabilities"] = params["probabilities"]
     names = {part for result in results for part in result.split("/")}
     for kind in ("systems", "splits"):
         shown[kind] = {key: value for key, value in params[kind].items() if key in names}
@@ -76,6 +77,8 @@ def _settings(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, 
         names |= {cue for cues in split["systems"].values() for cue in cues}
     for kind in ("cues", "filters"):
         shown[kind] = {key: value for key, value in params[kind].items() if key in names}
+    if "toy" in names:
+        shown["toy"] = params["toy"]
     if {"hmm", "smoothing"} & names:
         shown["smoothing"] = params["smoothing"]
     return shown

@@ -16,7 +16,9 @@ from placecat.evaluation.trials import Trial, expand
 from placecat.reporting.results import MISSING_COLUMNS, SCORE_COLUMNS, Measured, score_rows
 from placecat.stages import run
 
-Outcome = np.ndarray | str
+# Counts of decisions or why there are none, and the facts of the model.
+Outcome = tuple[np.ndarray | str, Mapping[str, Any]]
+FACT_COLUMNS = ["trial", "home", "seed", "nu_lowest", "nu_highest", "flat_sigmoids"]
 
 
 def main(study: str) -> None:
@@ -52,6 +54,7 @@ def main(study: str) -> None:
         folder.mkdir(parents=True)
         files.write_csv(folder / "scores.csv", scores)
         files.write_csv(folder / "missing.csv", missing)
+        files.write_csv(folder / "facts.csv", _facts(trials, outcomes))
 
 
 def _group(
@@ -78,14 +81,14 @@ def run_together(
     selection: Mapping[str, int],
     classes: Sequence[str],
 ) -> list[Outcome]:
-    """Run trials that share descriptor and clusters; give each confusion matrix, or why there is none."""
+    """Run trials that share descriptor and clusters; give what came out of each."""
     descriptor = trials[0]["descriptor"]
     labels = {home: listing.read_labels(home) for home in (*fold.cue_homes, fold.test)}
     chosen = protocol.select_training({home: labels[home] for home in fold.cue_homes}, **selection)
     truth = np.concatenate([labels[home][chosen[home]] for home in fold.cue_homes])
     home_of_frame = np.concatenate([np.full(len(chosen[home]), home) for home in fold.cue_homes])
     train = store.read_training(fold.cue_homes, descriptor, chosen)
-    scored = np.flatnonzero(labels[fold.test] >= 0)
+    scored = store.described(fold.test, descriptor, np.flatnonzero(labels[fold.test] >= 0))
     test = store.read_descriptors(fold.test, descriptor, scored)
     codebook = None
     if seed is not None:
@@ -110,9 +113,10 @@ def run_together(
             )
             decision = model.predict_proba(test).argmax(axis=1)
         except NotComputable as error:
-            outcomes.append(str(error))
+            outcomes.append((str(error), {}))
         else:
-            outcomes.append(confusion_matrix(labels[fold.test][scored], decision, len(classes)))
+            counts = confusion_matrix(labels[fold.test][scored], decision, len(classes))
+            outcomes.append((counts, model.facts))
     return outcomes
 
 
@@ -128,7 +132,8 @@ def _collect(
         own_seeds = list(seeds) if trial.settings.get("codebook") is not None else [None]
         measured = []
         for home in trial.homes:
-            of_seeds = [outcomes.get((trial.key(), home, seed), protocol.NOT_TESTED) for seed in own_seeds]
+            nothing: Outcome = (protocol.NOT_TESTED, {})
+            of_seeds = [outcomes.get((trial.key(), home, seed), nothing)[0] for seed in own_seeds]
             reasons = [outcome for outcome in of_seeds if isinstance(outcome, str)]
             if reasons:
                 missing.append((trial.name, home, reasons[0]))
@@ -140,6 +145,18 @@ def _collect(
             homes = tuple(home for home, _ in measured)
             scores += score_rows(trial.name, Measured(homes, names, tuple(classes), confusion))
     return pd.DataFrame(scores, columns=SCORE_COLUMNS), pd.DataFrame(missing, columns=MISSING_COLUMNS)
+
+
+def _facts(trials: Sequence[Trial], outcomes: Mapping[tuple[str, str, int | None], Outcome]) -> pd.DataFrame:
+    """The nu in force and the flat sigmoids of every trial of two-class classifiers."""
+    rows = []
+    for trial in trials:
+        for (key, home, seed), (_, facts) in outcomes.items():
+            if key == trial.key() and home in trial.homes and "flat_sigmoids" in facts:
+                nu = facts.get("nu", [np.nan])
+                flat = sum(facts["flat_sigmoids"])
+                rows.append((trial.name, home, protocol.seed_folder(seed), min(nu), max(nu), flat))
+    return pd.DataFrame(rows, columns=FACT_COLUMNS)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 """Everything computed from a frame, in one pass: maps, regions, descriptors, information."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import ModuleType
 from typing import Any
 
@@ -14,8 +14,9 @@ from placecat.vision.attention import compute_maps, find_regions
 from placecat.vision.discovery import check_settings, settings_of
 from placecat.vision.information import information
 from placecat.vision.maps import FIELDS
+from placecat.vision.variants import check_variants, describe_variants, padded
 
-SECTIONS = ("attention", "regions", "local", "holistic", "information")
+SECTIONS = ("attention", "regions", "local", "holistic", "information", "variants")
 
 _Section = Mapping[str, Any]
 # Name of an array to the module that fills it and the settings for that.
@@ -38,6 +39,8 @@ class FrameFeatures:
         The measure of the information filter, see `placecat.vision.information.information`.
     max_regions
         Largest number of regions.
+    variants
+        Arrays of `placecat.vision.variants.describe_variants`.
     """
 
     regions: NDArray[np.float32]
@@ -45,6 +48,7 @@ class FrameFeatures:
     holistic: dict[str, NDArray[np.float32]]
     information: float
     max_regions: int
+    variants: dict[str, NDArray[Any]] = field(default_factory=dict)
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Return the features as arrays whose shapes are the same for every frame.
@@ -54,21 +58,16 @@ class FrameFeatures:
         dict
             ``count`` () int16, the number of regions; ``information`` () float32; ``regions``
             (max_regions, 4) and ``local_<name>`` (max_regions, D) float32, zeros from ``count`` on;
-            ``holistic_<name>`` (D,) float32.
+            ``holistic_<name>`` (D,) float32; then `variants`.
         """
         result: dict[str, NDArray[Any]] = {
             "count": np.array(len(self.regions), np.int16),
             "information": np.array(self.information, np.float32),
-            "regions": self._padded(self.regions),
+            "regions": padded(self.regions, self.max_regions),
         }
-        result.update({f"local_{name}": self._padded(rows) for name, rows in self.local.items()})
+        result.update({f"local_{name}": padded(rows, self.max_regions) for name, rows in self.local.items()})
         result.update({f"holistic_{name}": row for name, row in self.holistic.items()})
-        return result
-
-    def _padded(self, rows: NDArray[np.float32]) -> NDArray[np.float32]:
-        padded = np.zeros((self.max_regions, rows.shape[1]), np.float32)
-        padded[: len(rows)] = rows
-        return padded
+        return result | self.variants
 
 
 def check(settings: Mapping[str, _Section | None]) -> None:
@@ -96,6 +95,7 @@ def check(settings: Mapping[str, _Section | None]) -> None:
     ):
         check_settings(function, settings.get(section) or {}, f"section '{section}' of the features")
     _entries(settings)
+    check_variants(settings.get("variants") or {}, settings.get("local") or {})
 
 
 def _entries(settings: Mapping[str, _Section | None]) -> tuple[_Entries, _Entries]:
@@ -123,9 +123,10 @@ def extract(
         ``information`` (of `information`), ``local`` and ``holistic`` (descriptor name to its settings;
         only the descriptors named are computed). A variant has any name and, among its settings,
         ``descriptor``, whose variant it is: ``{"centrist_full": {"descriptor": "centrist", "width": None}}``.
+        ``variants`` are those of the regions (`describe_variants`), by descriptors in ``local``.
     regions
         (n, 4) float32 regions to describe, such as tracked ones (thesis 4.7); None to find them here. Where
-        they are given, maps that no descriptor reads are not computed.
+        they are given, there are no variants, and maps that no descriptor reads are not computed.
 
     Returns
     -------
@@ -144,7 +145,11 @@ def extract(
     if regions is not None:
         fields = {"grey"}.union(*(module.MAPS for module, _ in (*locals_.values(), *holistics.values())))
     maps = compute_maps(frame_bgr, fields, **own["attention"])
+    variants: dict[str, NDArray[Any]] = {}
     if regions is None:
+        variants = describe_variants(
+            maps, own["variants"], regions=own["regions"], local_settings=own["local"]
+        )
         # Without a descriptor that needs them the search is still done: the regions are a feature.
         regions = find_regions(maps, **own["regions"])
     elif len(regions) > most:
@@ -157,6 +162,7 @@ def extract(
         },
         information=information(maps, **own["information"]),
         max_regions=most,
+        variants=variants,
     )
 
 

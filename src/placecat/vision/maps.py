@@ -1,11 +1,15 @@
 """What one pass over a frame computes once and every descriptor shares."""
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from __future__ import annotations
+
+from collections.abc import Callable, Collection
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
 
 FloatArray = NDArray[np.float32]
 
@@ -52,6 +56,24 @@ class FrameMaps:
     _kept: dict[tuple[Any, ...], tuple[Any, Any]] = field(
         default_factory=dict, init=False, repr=False, compare=False
     )
+
+    def at_scales(self, scales: Collection[int]) -> FrameMaps:
+        """The same maps of some scales only, as if no others had been computed.
+
+        Raises
+        ------
+        PlacecatError
+            None at all, or a scale that there is not.
+        """
+        wanted = tuple(scale for scale in self.scales if scale in scales)
+        if not wanted or len(wanted) < len(set(scales)):
+            there = ", ".join(map(str, self.scales))
+            raise PlacecatError(f"there are maps of the scales {there} only, not of all of {list(scales)}")
+        some: dict[str, Any] = {
+            name: {scale: own[scale] for scale in wanted if scale in own}
+            for name, own in ((name, getattr(self, name)) for name in FIELDS)
+        }
+        return replace(self, scales=wanted, **some)
 
     def once(self, function: Callable[..., Any], array: NDArray[Any], *arguments: Any) -> Any:
         """Call a function of an array, or return what it returned before for this frame.

@@ -77,7 +77,7 @@ def test_groups_stay_together():
 def test_gains_stand_below_the_rows_of_their_group_and_have_no_decisions():
     made = results(gist=measured(GIST), hog=measured(HOG), fused=measured(FUSED))
     published = pd.DataFrame(columns=["table", "group", "row", "column", "value"])
-    filled = fill_table(TABLE, made, published, {"title": "x", "homes": made.homes, "thesis_data": None})
+    filled = fill_table(TABLE, made, published, {"title": "x", "homes": made.homes, "thesis_data": None}, {})
     (group,) = make_grid(filled).groups
     assert [row.name for row in group.rows] == ["Gist", "Hog", "Fused", "Gain"]
     assert group.rows[-1].cells[0].measured == "-9.00"

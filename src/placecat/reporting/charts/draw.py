@@ -25,6 +25,7 @@ def draw_table(
     rows: Mapping[tuple[str, str], Mapping[str, Measured]],
     *,
     published: bool,
+    chart: bool = True,
 ) -> list[Path]:
     """Write ``chart.png`` and ``confusion.png`` of a table; gives the paths of what there is to show.
 
@@ -34,11 +35,13 @@ def draw_table(
         See :func:`placecat.reporting.charts.accuracy.accuracy_chart`.
     rows
         See :func:`placecat.reporting.charts.confusion.confusion_sheet`.
+    chart
+        False for a table whose numbers are no percentages: ``chart.png`` is left out.
     """
     written = []
     with style.context([_STYLE], after_reset=True):
-        if (chart := accuracy_chart(title, cells, published=published)) is not None:
-            _save(chart, folder / "chart.png")
+        if chart and (bars := accuracy_chart(title, cells, published=published)) is not None:
+            _save(bars, folder / "chart.png")
             written.append(folder / "chart.png")
     with style.context([_STYLE, _BY_HAND], after_reset=True):
         caption = "A row of a matrix is a true place, a column what was decided."

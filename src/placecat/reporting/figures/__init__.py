@@ -1,7 +1,8 @@
-"""The thesis's figures, drawn from a run: one module a figure, found by name.
+"""The thesis's figures, and added ones, drawn from a run: one module a figure, found by name.
 
-A module ``figure_NN`` has ``TITLE``, its caption, and ``draw(run)``, which gives the figure or raises
-PlacecatError where this run has not what it shows. All share one style, `placecat.mplstyle`.
+A module, ``figure_NN`` for a figure of the thesis and ``figure_NAME`` for an added one, has ``TITLE``, its
+caption, and ``draw(run)``, which gives the figure or raises PlacecatError where this run has not what it
+shows. All share one style, `placecat.mplstyle`.
 """
 
 import importlib
@@ -24,7 +25,7 @@ PREFIX = "figure_"
 
 
 def names() -> list[str]:
-    """Names of the figures, ``figure_NN``, in order."""
+    """Names of the figures, ``figure_NN`` in order, then the added ones."""
     return sorted(module.name for module in pkgutil.iter_modules(__path__) if module.name.startswith(PREFIX))
 
 
@@ -35,9 +36,10 @@ def load(name: str) -> ModuleType:
     return importlib.import_module(f"{__name__}.{name}")
 
 
-def number(name: str) -> int:
-    """Number of a figure in the thesis."""
-    return int(name.removeprefix(PREFIX))
+def number(name: str) -> int | None:
+    """Number of a figure in the thesis; None for an added one."""
+    own = name.removeprefix(PREFIX)
+    return int(own) if own.isdigit() else None
 
 
 def render(name: str, run: "Run", target: Path) -> None:

@@ -11,15 +11,18 @@ from placecat.reporting.results import Results
 
 
 def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
-    """Cells of every row in ``table["rows"]``, each with `group`, `row` and `result`."""
+    """Cells of every row in ``table["rows"]``, each with `group`, `row` and `result`.
+
+    ``table["plain"]``, if it is there, names a column with the share of all frames, whatever their place.
+    """
     filled = []
     for row in table["rows"]:
-        for column, number in _by_class(results, row["result"]):
+        for column, number in _by_class(results, row["result"], str(table.get("plain", ""))):
             filled.append(cell((row["group"], row["row"], column), number))
     return filled
 
 
-def _by_class(results: Results, name: str) -> list[tuple[str, Number]]:
+def _by_class(results: Results, name: str, plain: str) -> list[tuple[str, Number]]:
     one = results.of(name).pooled()
     found = []
     for place, values in zip(one.classes, one.by_class()[:, 0].T, strict=True):
@@ -29,4 +32,6 @@ def _by_class(results: Results, name: str) -> list[tuple[str, Number]]:
             else nothing(f"no test sequence shows the place {place}")
         )
         found.append((place_column(place), number))
+    if plain:
+        found.append((plain, Number(one.plain()[:, 0], one.is_random)))
     return [*found, (AVERAGE, Number(one.by_home()[:, 0], one.is_random))]

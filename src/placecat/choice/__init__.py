@@ -1,0 +1,1 @@
+"""Settings that the thesis leaves open, chosen on training homes."""

@@ -1,0 +1,27 @@
+"""`python -m placecat.choice [cues] [systems]`: choose settings on training homes (conf/choice.yaml)."""
+
+import sys
+
+import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
+from placecat import compute
+from placecat.choice.command import run, text
+from placecat.errors import PlacecatError
+
+KINDS = ("cues", "systems")
+
+
+def main() -> None:
+    """Judge the candidates for the kinds named, or for all."""
+    kinds = tuple(sys.argv[1:]) or KINDS
+    for kind in kinds:
+        if kind not in KINDS:
+            sys.exit(f"placecat: {kind!r} is neither of {' and '.join(KINDS)}")
+    try:
+        with compute.as_set():
+            print(text(run(kinds)))
+    except PlacecatError as error:
+        sys.exit(f"placecat: {error}")
+
+
+if __name__ == "__main__":
+    main()

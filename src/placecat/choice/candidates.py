@@ -1,0 +1,89 @@
+"""Candidates for settings, and which of them is chosen."""
+
+import copy
+import itertools
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import pandas as pd
+
+from placecat.errors import PlacecatError
+
+COLUMNS = [
+    "data",
+    "kind",
+    "name",
+    "candidate",
+    "test_home",
+    "accuracy",
+    "log_loss",
+    "test_accuracy",
+    "test_log_loss",
+]
+
+
+def combinations(grids: Sequence[Mapping[str, Sequence[Any]]]) -> list[dict[str, Any]]:
+    """List every combination of the values of each grid, the last setting fastest.
+
+    Examples
+    --------
+    >>> combinations([{"scaling": ["standard"], "gamma_scale": [1.0, 2.0]}])
+    [{'scaling': 'standard', 'gamma_scale': 1.0}, {'scaling': 'standard', 'gamma_scale': 2.0}]
+    """
+    return [
+        dict(zip(grid, values, strict=True)) for grid in grids for values in itertools.product(*grid.values())
+    ]
+
+
+def changed(config: Mapping[str, Any], overrides: Mapping[str, Any], where: str) -> dict[str, Any]:
+    """Give a copy of some settings with those of dotted names changed.
+
+    Raises
+    ------
+    PlacecatError
+        If there is no such setting.
+    """
+    result = copy.deepcopy(dict(config))
+    for name, value in overrides.items():
+        *parents, last = name.split(".")
+        place: Any = result
+        for part in parents:
+            place = place.get(part) if isinstance(place, dict) else None
+        if not isinstance(place, dict) or last not in place:
+            raise PlacecatError(f"conf/choice.yaml tries {name}, but {where} has no such setting")
+        place[last] = value
+    return result
+
+
+def label(overrides: Mapping[str, Any]) -> str:
+    """Name a candidate, e.g. ``scaling=standard, gamma_scale=1.0``, by the last part of each setting."""
+    return ", ".join(f"{name.rpartition('.')[2]}={value}" for name, value in overrides.items())
+
+
+def choose(table: pd.DataFrame, margin: float) -> pd.DataFrame:
+    """Choose a candidate for each cue and system.
+
+    Parameters
+    ----------
+    table
+        Columns `COLUMNS`; ``accuracy`` (percent) and ``log_loss`` are means over training homes that the
+        model has not seen. ``test_accuracy`` and ``test_log_loss`` are not looked at.
+    margin
+        Candidates whose mean accuracy is within so many points of the best count as equally good; of them
+        the one with the least log-loss is taken, and of equal ones the first.
+
+    Returns
+    -------
+    DataFrame
+        One row a candidate: kind, name, candidate, accuracy, log_loss, chosen; every data set weighs the
+        same, and in it every test home.
+    """
+    keys = ["kind", "name", "candidate"]
+    numbers = ["accuracy", "log_loss"]
+    means = table.groupby([*keys, "data"], sort=False)[numbers].mean()
+    means = means.groupby(level=keys, sort=False).mean().reset_index()
+    means["chosen"] = False
+    for _, part in means.groupby(keys[:2], sort=False):
+        good = part[part["accuracy"] >= part["accuracy"].max() - margin]
+        means.loc[good["log_loss"].idxmin(), "chosen"] = True
+    return means

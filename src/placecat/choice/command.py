@@ -1,0 +1,161 @@
+"""All of `python -m placecat.choice`."""
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+import yaml
+
+from placecat import files, parallel, paths, settings
+from placecat.choice.candidates import COLUMNS, changed, choose, combinations, label
+from placecat.choice.judging import Judgement, judge_cue, judge_system, left_out
+from placecat.errors import PlacecatError
+from placecat.evaluation import protocol
+
+SETTINGS = paths.CONF / "choice.yaml"
+_NAMES = ["margin", "smallest", "cues", "systems"]
+_DECIMALS = {"accuracy": 2, "test_accuracy": 2, "log_loss": 4, "test_log_loss": 4}
+
+
+def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
+    """Read conf/choice.yaml.
+
+    Raises
+    ------
+    PlacecatError
+        If it is missing, or has an unknown setting, lacks one, or has one of the wrong kind.
+    """
+    try:
+        content = yaml.safe_load(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise PlacecatError(f"{path} is missing: run this in the project's folder") from None
+    except yaml.YAMLError as error:
+        raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None
+    if not isinstance(content, dict):
+        raise PlacecatError(f"{path} is empty: restore it from git")
+    settings.refuse_unknown(content, _NAMES, str(path))
+    for name in _NAMES:
+        settings.get(content, name)
+    margin = content["margin"]
+    if isinstance(margin, bool) or not isinstance(margin, int | float) or not 0 <= margin < 100:
+        raise PlacecatError(f"{path}: margin is {margin!r}; give points of accuracy, 0 or more")
+    for kind in ("cues", "systems"):
+        settings.refuse_unknown(content[kind], ["names", "grids"], f"{path}: {kind}")
+        for grid in settings.get(content[kind], "grids"):
+            for name, values in grid.items():
+                if not isinstance(values, list) or not values:
+                    raise PlacecatError(f"{path}: {kind} needs a list of values for {name}")
+    return content
+
+
+def run(kinds: Sequence[str] = ("cues", "systems"), output: Path = paths.CROSS_VALIDATION) -> pd.DataFrame:
+    """Judge every candidate on the data set of params.yaml; keep what other data sets gave.
+
+    Parameters
+    ----------
+    kinds
+        ``cues`` and ``systems``, or one of them; what the file has of the other stays.
+    output
+        The file, whose rows of this data set and these kinds are replaced.
+
+    Returns
+    -------
+    DataFrame
+        What is chosen, see :func:`placecat.choice.candidates.choose`, on all data sets of the file.
+
+    Raises
+    ------
+    PlacecatError
+        For wrong settings, or features or cues that were not computed.
+    """
+    options, params = read_settings(), settings.load()
+    data = str(settings.get(params, "dataset.title"))
+    rows: list[tuple[Any, ...]] = []
+    for kind in kinds:
+        tasks = _cue_tasks if kind == "cues" else _system_tasks
+        rows += _judge(data, kind, *tasks(options, params))
+    table = pd.DataFrame(rows, columns=COLUMNS).round(_DECIMALS)
+    if output.is_file():
+        old = files.read_csv(output)
+        old = old[(old["data"] != data) | ~old["kind"].isin(kinds)]
+        table = pd.concat([old, table]).sort_values(["data", "kind"], kind="stable")
+    files.write_csv(output, table)
+    return choose(table, float(options["margin"]))
+
+
+Task = tuple[str, str, tuple[Any, ...]]
+
+
+def _judge(
+    data: str, kind: str, function: Callable[..., list[Judgement]], tasks: Sequence[Task]
+) -> list[tuple[Any, ...]]:
+    done = parallel.in_parallel(function, [task for *_, task in tasks], f"candidates for {kind}")
+    judged = [
+        (name, candidate, *judgement)
+        for (name, candidate, _), judgements in zip(tasks, done, strict=True)
+        for judgement in judgements
+    ]
+    frame = pd.DataFrame(judged, columns=["name", "candidate", "test_home", "home", "accuracy", "log_loss"])
+    rows = []
+    for (name, candidate, test), part in frame.groupby(["name", "candidate", "test_home"], sort=False):
+        is_test = part["home"] == test
+        numbers = ["accuracy", "log_loss"]
+        training, tested = part[~is_test][numbers].mean(), part[is_test][numbers].mean()
+        rows.append((data, kind, name, candidate, test, *training, *tested))
+    return rows
+
+
+def _cue_tasks(
+    options: Mapping[str, Any], params: Mapping[str, Any]
+) -> tuple[Callable[..., list[Judgement]], list[Task]]:
+    homes = list(settings.get(params, "dataset.homes"))
+    common = (
+        settings.get(params, "protocol.cue_frames"),
+        settings.get(params, "dataset.classes"),
+        float(options["smallest"]),
+    )
+    tasks: list[Task] = []
+    for name in options["cues"]["names"]:
+        cue = settings.get(params, f"cues.{name}")
+        if cue["codebook"] is not None:
+            raise PlacecatError(f"{SETTINGS}: the cue {name} has a codebook; choose among others")
+        for overrides in combinations(options["cues"]["grids"]):
+            own = changed(cue, overrides, f"the cue {name}")
+            tasks += [(name, label(overrides), (own, homes, pair, *common)) for pair in left_out(homes)]
+    return judge_cue, tasks
+
+
+def _system_tasks(
+    options: Mapping[str, Any], params: Mapping[str, Any]
+) -> tuple[Callable[..., list[Judgement]], list[Task]]:
+    homes = list(settings.get(params, "dataset.homes"))
+    folds = [fold for scheme in ("4-5-1", "5-5-1") for fold in protocol.folds(homes, scheme)]
+    common = (
+        settings.get(params, "protocol.integration_frames"),
+        settings.get(params, "dataset.classes"),
+        float(options["smallest"]),
+    )
+    tasks: list[Task] = []
+    for name in options["systems"]["names"]:
+        system = settings.get(params, f"systems.{name}")
+        for overrides in combinations(options["systems"]["grids"]):
+            own = changed(system, overrides, f"the system {name}")
+            tasks += [
+                (name, label(overrides), (own, fold, seed, *common))
+                for fold in folds
+                for seed in settings.get(params, "protocol.seeds")
+            ]
+    return judge_system, tasks
+
+
+def text(chosen: pd.DataFrame) -> str:
+    """What is chosen, for people: the three best candidates of each cue and system, the chosen one first."""
+    lines = []
+    for (kind, name), part in chosen.groupby(["kind", "name"], sort=False):
+        ordered = part.sort_values(["chosen", "accuracy"], ascending=False)
+        lines.append(f"{name} ({kind}, {len(part)} candidates)")
+        for row in ordered.head(4).itertuples():
+            mark = "chosen" if row.chosen else "      "
+            lines.append(f"  {mark} {row.accuracy:6.2f} %  log-loss {row.log_loss:.3f}  {row.candidate}")
+    return "\n".join(lines)

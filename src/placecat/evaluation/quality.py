@@ -1,0 +1,64 @@
+"""How good the distributions of one home are, in a few numbers."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from placecat.evaluation.probabilities import calibration_error, log_loss, reliability
+from placecat.evaluation.stays import stay_accuracy, stays_by_class
+
+
+class HomeQuality(NamedTuple):
+    """Numbers of one home; NaN where nothing is labelled.
+
+    Attributes
+    ----------
+    log_loss
+        In nats, places weighing the same (:func:`placecat.evaluation.probabilities.log_loss`).
+    calibration_error
+        In percent, places weighing the same (:func:`placecat.evaluation.probabilities.calibration_error`).
+    stays, stays_right
+        Number of stays, and of those named rightly (:func:`placecat.evaluation.stays.stays_by_class`).
+    stay_accuracy
+        In percent, places weighing the same (:func:`placecat.evaluation.stays.stay_accuracy`).
+    """
+
+    log_loss: float
+    calibration_error: float
+    stays: int
+    stays_right: int
+    stay_accuracy: float
+
+
+def home_quality(
+    truth: ArrayLike, proba: NDArray[np.float64], sequences: Sequence[slice], *, bins: int, smallest: float
+) -> HomeQuality:
+    """Measure the distributions of one home.
+
+    Parameters
+    ----------
+    truth
+        (frames,) class indices in order of time, -1 for unlabelled.
+    proba
+        (frames, n_classes) distributions.
+    sequences
+        Stretches of frames without a cut that cover all of them.
+    bins, smallest
+        See :func:`placecat.evaluation.probabilities.reliability` and ``log_loss`` there.
+
+    Raises
+    ------
+    PlacecatError
+        If `bins` or `smallest` is out of range.
+    """
+    counts = stays_by_class(truth, proba.argmax(axis=1), sequences, proba.shape[1])
+    stays, right = (int(count) for count in counts.sum(axis=0))
+    return HomeQuality(
+        log_loss(truth, proba, smallest=smallest),
+        100.0 * calibration_error(reliability(truth, proba, bins=bins)),
+        stays,
+        right,
+        stay_accuracy(counts),
+    )

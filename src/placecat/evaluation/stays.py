@@ -1,0 +1,91 @@
+"""Stays: visits to a place, each named by the decisions on all of its frames (an addition to the thesis)."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+
+class Stay(NamedTuple):
+    """A visit: the class index of its place, its first frame, and the one after its last."""
+
+    place: int
+    start: int
+    stop: int
+
+
+def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
+    """Find the longest runs of one labelled place.
+
+    Parameters
+    ----------
+    truth
+        (frames,) class indices in order of time, -1 for unlabelled ones and transitions, which end a stay.
+    sequences
+        Stretches without a cut that cover all frames; a cut ends a stay, too.
+
+    Returns
+    -------
+    list of Stay
+        In order of time.
+    """
+    truth = np.asarray(truth, dtype=np.int64)
+    if not len(truth):
+        return []
+    begins = np.r_[True, truth[1:] != truth[:-1]]
+    begins[[part.start for part in sequences if part.start < len(truth)]] = True
+    starts = np.flatnonzero(begins)
+    stops = np.r_[starts[1:], len(truth)]
+    return [
+        Stay(int(truth[start]), int(start), int(stop))
+        for start, stop in zip(starts, stops, strict=True)
+        if truth[start] >= 0
+    ]
+
+
+def stays_by_class(
+    truth: ArrayLike, decision: ArrayLike, sequences: Sequence[slice], n_classes: int
+) -> NDArray[np.int64]:
+    """Count stays, and those named rightly.
+
+    A stay is named rightly if its own place is decided in more of its frames than every other. A tie names
+    no place, so it is wrong: whichever class has the smaller index must not matter.
+
+    Parameters
+    ----------
+    truth, sequences
+        As for :func:`find_stays`.
+    decision
+        (frames,) integers in [0, n_classes).
+
+    Returns
+    -------
+    (n_classes, 2) number of stays in each class, and how many of them were named rightly.
+    """
+    decision = np.asarray(decision, dtype=np.int64)
+    counts = np.zeros((n_classes, 2), np.int64)
+    for stay in find_stays(truth, sequences):
+        votes = np.bincount(decision[stay.start : stay.stop], minlength=n_classes)
+        others = np.delete(votes, stay.place)
+        counts[stay.place] += 1, int(votes[stay.place] > others.max(initial=0))
+    return counts
+
+
+def stay_accuracy(counts: NDArray[np.int64]) -> float:
+    """Percentage of the stays of each class that were named rightly, the mean over the classes that have any.
+
+    The measure of frames (thesis 4.2) applied to stays: a place that is visited often does not shadow others.
+
+    Parameters
+    ----------
+    counts
+        From :func:`stays_by_class`.
+
+    Returns
+    -------
+    float
+        NaN if there is no stay.
+    """
+    there = counts[counts[:, 0] > 0]
+    return float((100.0 * there[:, 1] / there[:, 0]).mean()) if len(there) else float("nan")

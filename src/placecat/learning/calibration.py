@@ -1,0 +1,295 @@
+"""Held-out decision values of two-class classifiers, and probabilities from them."""
+
+import logging
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from joblib import Parallel, delayed
+from numpy.typing import ArrayLike, NDArray
+from sklearn.base import clone
+
+from placecat import seeds
+from placecat.errors import PlacecatError
+from placecat.learning.platt import apply_sigmoid, fit_sigmoid
+from placecat.learning.two_class import TwoClassBase
+
+logger = logging.getLogger(__name__)
+
+SAMPLES, CONSECUTIVE = "samples", "consecutive"
+CENTRED, AVERAGED = "homes_centred", "homes_averaged"
+CALIBRATIONS = (SAMPLES, CONSECUTIVE, CENTRED, AVERAGED)
+
+Fold = tuple[NDArray[np.intp], NDArray[np.intp]]
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """How decision values become probabilities.
+
+    A machine that left a home out is another one than the machine that left another home out: where a home
+    has many positives, the machine that judges it saw few, and its values lie low. Such values are never
+    pooled as they are: a sigmoid fitted to them can fall where it should rise.
+
+    Attributes
+    ----------
+    kind
+        What is held out, and what is done with the values. ``samples``: `folds` random parts of each class,
+        as dlib does for the thesis (3.3.1.2), and ``consecutive``: `folds` parts of consecutive samples, as
+        dlib does without shuffling; one sigmoid for all values. ``homes_centred``: one home at a time; the
+        values of a home minus their mean, plus the mean of all, and one sigmoid. ``homes_averaged``: one home
+        at a time; a sigmoid for each machine that left one out, and the mean of their probabilities.
+    folds
+        Number of parts, at least 2; the homes decide where they are held out.
+    own
+        Take the base's own sigmoid instead of Platt's.
+    balanced
+        Of Platt's sigmoid, see :func:`placecat.learning.platt.fit_sigmoid`.
+    """
+
+    kind: str = SAMPLES
+    folds: int = 5
+    own: bool = False
+    balanced: bool = False
+
+    def __post_init__(self) -> None:
+        if self.kind not in CALIBRATIONS:
+            raise PlacecatError(f"unknown calibration {self.kind!r}; choose one of {', '.join(CALIBRATIONS)}")
+        if self.folds < 2:
+            raise PlacecatError(f"folds = {self.folds}; cross-validation needs 2 or more")
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One two-class problem among the samples.
+
+    Attributes
+    ----------
+    name
+        What messages call it.
+    positive
+        (n,) bool.
+    member
+        (n,) bool, samples it is trained and calibrated on.
+    """
+
+    name: str
+    positive: NDArray[np.bool_]
+    member: NDArray[np.bool_]
+
+
+@dataclass
+class FittedProblem:
+    """What decides one two-class problem, and what it said of samples that it had not seen.
+
+    Attributes
+    ----------
+    machines
+        Fitted bases whose probabilities are averaged: one on all members, or one for each home left out.
+    sigmoids
+        (machines, 2) A <= 0 and B of p = 1 / (1 + exp(A d + B)).
+    outputs
+        (n,) held-out p(o|x).
+    nu
+        nu of each held-out part's machine, NaN for a base without one.
+    flat
+        Sigmoids that would have fallen, and are flat.
+    """
+
+    machines: list[Any]
+    sigmoids: NDArray[np.float64]
+    outputs: NDArray[np.float64]
+    nu: NDArray[np.float64]
+    flat: int
+
+
+def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, kind: str, folds: int) -> list[Fold]:
+    """Split samples into training and held-out parts.
+
+    Parameters
+    ----------
+    y
+        (n,) class index, each class at least twice.
+    groups
+        (n,) the home of each sample, or None.
+    kind
+        Of a :class:`Calibration`. With one home only, parts of consecutive samples stand for homes.
+    folds
+        Number of stratified parts, fewer if a class is smaller.
+
+    Returns
+    -------
+    list of (train, test)
+        Ascending indices.
+
+    Raises
+    ------
+    PlacecatError
+        If homes are to be held out and none are given, or not one for each sample.
+    """
+    if kind in (CENTRED, AVERAGED):
+        if groups is None:
+            raise PlacecatError(
+                f"calibration {kind!r} needs the home of each sample (groups); "
+                f"use {SAMPLES!r} or {CONSECUTIVE!r}"
+            )
+        _, home = np.unique(np.asarray(groups), return_inverse=True)
+        if home.shape != y.shape:
+            raise PlacecatError(
+                f"groups has shape {home.shape} for {len(y)} samples; give one group a sample"
+            )
+        if home.max() > 0:
+            return [(np.flatnonzero(home != g), np.flatnonzero(home == g)) for g in range(home.max() + 1)]
+        logger.warning("all samples are of one home: consecutive samples are held out instead of homes")
+    from sklearn.model_selection import StratifiedKFold
+
+    counts = np.bincount(y)
+    parts = int(max(2, min(folds, counts[counts > 0].min())))
+    if kind == SAMPLES:
+        split = StratifiedKFold(parts, shuffle=True, random_state=seeds.derive("calibration", "parts"))
+    else:
+        split = StratifiedKFold(parts)
+    return list(split.split(np.zeros(len(y)), y))
+
+
+def fit_problems(
+    base: TwoClassBase,
+    shared: Any,
+    problems: Sequence[Problem],
+    folds: Sequence[Fold],
+    calibration: Calibration,
+    n_jobs: int | None,
+) -> list[FittedProblem]:
+    """Fit, cross-validate and calibrate two-class problems that share samples; (problem, fold) in threads.
+
+    A problem with a fold whose training part lacks positives or negatives (a class that only one home has)
+    holds out stratified consecutive samples instead, with a warning.
+
+    Parameters
+    ----------
+    base
+        Not fitted itself.
+    shared
+        From ``base.prepare``.
+    folds
+        From :func:`make_folds`.
+    """
+    n = len(problems[0].positive)
+    everything = np.arange(n)
+    plans = [_plan(problem, folds, calibration) for problem in problems]
+    tasks: list[tuple[int, int]] = [(k, -1) for k in range(len(problems))]
+    tasks += [(k, f) for k, (own_folds, _) in enumerate(plans) for f in range(len(own_folds))]
+
+    def run(k: int, f: int) -> tuple[Any, NDArray[np.float64] | None]:
+        problem, own_folds = problems[k], plans[k][0]
+        train = everything if f < 0 else own_folds[f][0]
+        train = train[problem.member[train]]
+        where = problem.name if f < 0 else f"{problem.name} in fold {f + 1} of {len(own_folds)}"
+        machine = clone(base).fit_rows(shared, problem.positive, None if len(train) == n else train, where)
+        return machine, None if f < 0 else machine.decide_rows(shared, own_folds[f][1])
+
+    results = iter(Parallel(n_jobs=n_jobs, backend="threading")(delayed(run)(k, f) for k, f in tasks))
+    whole = [next(results)[0] for _ in problems]
+    fitted = []
+    for problem, machine, (own_folds, own_calibration) in zip(problems, whole, plans, strict=True):
+        held_out = [next(results) for _ in own_folds]
+        values = [decided for _, decided in held_out if decided is not None]
+        tests = [test for _, test in own_folds]
+        machines = [one for one, _ in held_out]
+        nu = np.array([float(getattr(one, "nu_", np.nan)) for one in machines])
+        sigmoids, outputs, flat, averaged = _calibrate(base, problem, tests, values, own_calibration)
+        kept = [machines[f] for f in averaged] if averaged else [machine]
+        fitted.append(FittedProblem(kept, sigmoids, outputs, nu, flat))
+    flat_names = [problem.name for problem, one in zip(problems, fitted, strict=True) if one.flat]
+    if flat_names:
+        logger.warning(
+            "held-out decision values say nothing, or the contrary, of %s: a flat sigmoid instead",
+            ", ".join(flat_names),
+        )
+    return fitted
+
+
+def centre(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
+    """Make the decision values of machines that left different homes out comparable.
+
+    Parameters
+    ----------
+    values
+        Of each home.
+
+    Returns
+    -------
+    list
+        The same minus the mean of each home, plus the mean over homes of these means: what a machine can be
+        expected to say on average of a home that it has not seen.
+
+    Examples
+    --------
+    >>> [one.tolist() for one in centre([np.array([0.0, 2.0]), np.array([10.0, 12.0])])]
+    [[5.0, 7.0], [5.0, 7.0]]
+    """
+    means = [float(one.mean()) for one in values]
+    return [one - mean + float(np.mean(means)) for one, mean in zip(values, means, strict=True)]
+
+
+def _calibrate(
+    base: TwoClassBase,
+    problem: Problem,
+    tests: Sequence[NDArray[np.intp]],
+    values: Sequence[NDArray[np.float64]],
+    calibration: Calibration,
+) -> tuple[NDArray[np.float64], NDArray[np.float64], int, list[int]]:
+    """Sigmoids, held-out outputs, number of flat ones, and which folds' machines are averaged."""
+    outputs = np.empty(len(problem.positive))
+    positive, member = problem.positive, problem.member
+    if calibration.kind == AVERAGED:
+        sigmoids, flat = [], 0
+        for test, decided in zip(tests, values, strict=True):
+            own, is_flat = _sigmoid(base, decided, positive[test], member[test], calibration)
+            sigmoids.append(own)
+            flat += is_flat
+            outputs[test] = apply_sigmoid(decided, *own)
+        return np.array(sigmoids), outputs, flat, list(range(len(tests)))
+    comparable = centre(values) if calibration.kind == CENTRED else values
+    rows, decided = np.concatenate(tests), np.concatenate(comparable)
+    sigmoid, flat = _sigmoid(base, decided, positive[rows], member[rows], calibration)
+    outputs[rows] = apply_sigmoid(decided, *sigmoid)
+    return np.array([sigmoid]), outputs, int(flat), []
+
+
+def _sigmoid(
+    base: TwoClassBase,
+    decided: NDArray[np.float64],
+    positive: NDArray[np.bool_],
+    member: NDArray[np.bool_],
+    calibration: Calibration,
+) -> tuple[tuple[float, float], bool]:
+    if calibration.own and base.own_sigmoid is not None:
+        return base.own_sigmoid, False
+    positive = positive[member]
+    sigmoid = fit_sigmoid(decided[member], positive, calibration.balanced)
+    # A home without one of the two classes says nothing about the slope.
+    return sigmoid, bool(sigmoid[0] == 0.0 and positive.any() and not positive.all())
+
+
+def _plan(
+    problem: Problem, folds: Sequence[Fold], calibration: Calibration
+) -> tuple[list[Fold], Calibration]:
+    positive, member = problem.positive, problem.member
+
+    def trainable(rows: NDArray[np.intp]) -> bool:
+        labels = positive[rows[member[rows]]]
+        return bool(labels.any() and not labels.all())
+
+    if all(trainable(train) for train, _ in folds):
+        return list(folds), calibration
+    logger.warning(
+        "%s: homes cannot be held out, one of them has all its positive or negative samples; "
+        "consecutive samples are held out instead",
+        problem.name,
+    )
+    kind = np.where(member, np.where(positive, 2, 1), 0)
+    index = np.unique(kind, return_inverse=True)[1]
+    own = Calibration(CONSECUTIVE, calibration.folds, calibration.own, calibration.balanced)
+    return make_folds(index, None, CONSECUTIVE, max(len(folds), 2)), own

@@ -1,0 +1,130 @@
+"""Two-class classifiers as the multi-class schemes need them."""
+
+from collections.abc import Sequence
+from typing import Any, Protocol, Self, cast
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from sklearn.base import clone
+
+from placecat.errors import PlacecatError
+from placecat.learning.kernels import check_samples
+from placecat.learning.nu_svm import NuSVM
+
+SIGMOIDS = ("auto", "platt", "own")
+SIGMOID_WEIGHTS = ("none", "balanced")
+
+
+class TwoClassBase(Protocol):
+    """What a base classifier offers so that classes and folds share its preparation."""
+
+    own_sigmoid: tuple[float, float] | None
+
+    def check_parameters(self) -> None:
+        """Raise PlacecatError for an impossible setting."""
+
+    def prepare(
+        self, X: NDArray[np.float32], gram: NDArray[Any] | None = None, n_jobs: int | None = None
+    ) -> Any:
+        """Compute what depends on the samples only."""
+
+    def fit_rows(
+        self,
+        shared: Any,
+        positive: NDArray[np.bool_],
+        rows: NDArray[np.intp] | None = None,
+        context: str = "",
+    ) -> Any:
+        """Fit on some of the samples."""
+
+    def decide_rows(self, shared: Any, rows: NDArray[np.intp]) -> NDArray[np.float64]:
+        """Decision values of some of the samples."""
+
+    def collect(self, machines: Sequence[Any], X: NDArray[np.float32]) -> Any:
+        """Join fitted machines to one function with `decisions` and `to_arrays`."""
+
+
+class _GenericBase:
+    """Adapter: any scikit-learn two-class classifier as a base, without sharing."""
+
+    def __init__(self, estimator: Any) -> None:
+        self.estimator = estimator
+
+    def get_params(self, deep: bool = False) -> dict[str, Any]:
+        return {"estimator": self.estimator}
+
+    @property
+    def own_sigmoid(self) -> tuple[float, float] | None:
+        return None if hasattr(self.estimator, "decision_function") else (-1.0, 0.0)
+
+    def check_parameters(self) -> None:
+        pass
+
+    def prepare(self, X: NDArray[np.float32], gram: object = None, n_jobs: int | None = None) -> Any:
+        return X
+
+    def fit_rows(
+        self,
+        shared: Any,
+        positive: NDArray[np.bool_],
+        rows: NDArray[np.intp] | None = None,
+        context: str = "",
+    ) -> Self:
+        chosen = np.arange(len(shared)) if rows is None else rows
+        self.fitted_ = clone(self.estimator).fit(shared[chosen], positive[chosen])
+        return self
+
+    def decide(self, X: NDArray[np.float32]) -> NDArray[np.float64]:
+        if hasattr(self.fitted_, "decision_function"):
+            return np.asarray(self.fitted_.decision_function(X), dtype=np.float64)
+        p = np.clip(self.fitted_.predict_proba(X)[:, 1], 1e-12, 1 - 1e-12)
+        return np.log(p / (1 - p))
+
+    def decide_rows(self, shared: Any, rows: NDArray[np.intp]) -> NDArray[np.float64]:
+        return self.decide(shared[rows])
+
+    @staticmethod
+    def collect(machines: Sequence["_GenericBase"], X: NDArray[np.float32]) -> "_GenericScorer":
+        return _GenericScorer(machines)
+
+
+class _GenericScorer:
+    kind = "generic"
+
+    def __init__(self, machines: Sequence[_GenericBase]) -> None:
+        self.machines = machines
+
+    def decisions(self, X: ArrayLike) -> NDArray[np.float64]:
+        samples = check_samples(X)
+        return np.stack([machine.decide(samples) for machine in self.machines], axis=1)
+
+    def to_arrays(self) -> dict[str, NDArray[Any]]:
+        raise PlacecatError(
+            "only NuSVM, RVM and GentleAdaBoost can be written as arrays; to save a model, use one as base"
+        )
+
+
+def as_base(base: Any) -> TwoClassBase:
+    """Give `base` itself if it shares its preparation, else adapt a scikit-learn classifier."""
+    base = NuSVM() if base is None else base
+    adapted: Any = base if hasattr(base, "fit_rows") else _GenericBase(base)
+    adapted.check_parameters()
+    return cast(TwoClassBase, adapted)
+
+
+def uses_own(sigmoid: str, base: TwoClassBase) -> bool:
+    """Tell whether the base's own sigmoid is to be used rather than Platt's."""
+    if sigmoid not in SIGMOIDS:
+        raise PlacecatError(f"unknown sigmoid {sigmoid!r}; choose one of {', '.join(SIGMOIDS)}")
+    if sigmoid == "own" and base.own_sigmoid is None:
+        raise PlacecatError("sigmoid 'own' needs a base with probabilities; a nu-SVM has none, use 'platt'")
+    if sigmoid == "auto":
+        return base.own_sigmoid is not None and getattr(base, "prefers_own_sigmoid", True)
+    return sigmoid == "own"
+
+
+def is_balanced(sigmoid_weights: str) -> bool:
+    """Read the setting `sigmoid_weights`."""
+    if sigmoid_weights not in SIGMOID_WEIGHTS:
+        raise PlacecatError(f"unknown sigmoid_weights {sigmoid_weights!r}; choose 'none' or 'balanced'")
+    return sigmoid_weights == "balanced"

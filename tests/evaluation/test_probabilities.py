@@ -1,0 +1,188 @@
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from placecat.errors import PlacecatError
+from placecat.evaluation.probabilities import (
+    balanced_weights,
+    calibration_error,
+    log_loss,
+    pooled,
+    reliability,
+)
+
+SMALLEST = 1e-15
+
+
+def drawn(seed, frames=60, classes=4):
+    """Labels, some of them -1, and distributions."""
+    rng = np.random.default_rng(seed)
+    truth = rng.integers(-1, classes, frames)
+    truth[0] = 0
+    return truth, rng.dirichlet(np.full(classes, 0.4), frames)
+
+
+def error(truth, proba, bins=10):
+    return calibration_error(reliability(truth, proba, bins=bins))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_log_loss_agrees_with_scikit_learn(seed):
+    from sklearn.metrics import log_loss as expected
+    from sklearn.utils.class_weight import compute_sample_weight
+
+    truth, proba = drawn(seed)
+    scored = truth >= 0
+    weights = compute_sample_weight("balanced", truth[scored])
+    reference = expected(truth[scored], proba[scored], sample_weight=weights, labels=range(4))
+    assert log_loss(truth, proba, smallest=np.finfo(float).eps) == pytest.approx(reference, rel=1e-12)
+
+
+@settings(deadline=None)
+@given(st.integers(2, 9), st.lists(st.integers(-1, 1), min_size=1).filter(lambda one: max(one) >= 0))
+def test_guessing_has_the_logarithm_of_the_number_of_places(classes, truth):
+    proba = np.full((len(truth), classes), 1.0 / classes)
+    assert log_loss(truth, proba, smallest=SMALLEST) == pytest.approx(np.log(classes))
+
+
+def test_a_place_weighs_the_same_however_many_frames_it_has():
+    proba = np.array([[0.5, 0.5]] * 9 + [[0.75, 0.25]])
+    expected = (-np.log(0.5) - np.log(0.25)) / 2
+    assert log_loss([0] * 9 + [1], proba, smallest=SMALLEST) == pytest.approx(expected)
+
+
+def test_a_zero_costs_what_the_smallest_probability_costs():
+    proba = np.array([[1.0, 0.0], [1.0, 0.0]])
+    assert log_loss([0, 1], proba, smallest=1e-4) == pytest.approx(-np.log(1e-4) / 2)
+    assert log_loss([0, 0], proba, smallest=1e-4) == 0.0
+
+
+@settings(deadline=None)
+@given(st.integers(0, 1000), st.integers(1, 20))
+def test_unlabelled_frames_and_the_order_of_frames_do_not_count(seed, bins):
+    truth, proba = drawn(seed)
+    scored = truth >= 0
+    shuffled = np.random.default_rng(seed).permutation(len(truth))
+    for own in (scored, shuffled):
+        assert log_loss(truth[own], proba[own], smallest=SMALLEST) == pytest.approx(
+            log_loss(truth, proba, smallest=SMALLEST)
+        )
+        assert error(truth[own], proba[own], bins) == pytest.approx(error(truth, proba, bins))
+
+
+@settings(deadline=None)
+@given(st.integers(0, 1000))
+def test_frames_said_twice_change_nothing(seed):
+    """Places weigh the same, so that the frames of one may be counted twice."""
+    truth, proba = drawn(seed)
+    own = np.concatenate([np.arange(len(truth)), np.flatnonzero(truth == 0)])
+    assert log_loss(truth[own], proba[own], smallest=SMALLEST) == pytest.approx(
+        log_loss(truth, proba, smallest=SMALLEST)
+    )
+    assert error(truth[own], proba[own]) == pytest.approx(error(truth, proba))
+
+
+@settings(deadline=None)
+@given(st.lists(st.integers(-1, 3), max_size=40))
+def test_weights_sum_to_one_place_by_place(truth):
+    weights = balanced_weights(truth)
+    there = {place for place in truth if place >= 0}
+    for place in there:
+        assert weights[np.array(truth) == place].sum() == pytest.approx(1 / len(there))
+    assert weights[np.array(truth, int) < 0].sum() == 0.0
+
+
+def test_the_error_of_a_few_frames_by_hand():
+    """Four frames of kitchen and one of bedroom: weights 1/8 and 1/2; bins (0.6, 0.8] and (0.8, 1]."""
+    proba = np.array([[0.7, 0.3], [0.7, 0.3], [0.3, 0.7], [0.9, 0.1], [0.9, 0.1]])
+    truth = [0, 0, 0, 0, 1]
+    diagram = reliability(truth, proba, bins=5)
+    np.testing.assert_allclose(diagram.weight, [0, 0, 0, 3 / 8, 5 / 8])
+    np.testing.assert_allclose(diagram.confidence[3:], [0.7, 0.9])
+    # Of the first bin two of three are right; of the second 1/8 of 5/8.
+    np.testing.assert_allclose(diagram.accuracy[3:], [2 / 3, 1 / 5])
+    assert np.isnan(diagram.confidence[:3]).all() and np.isnan(diagram.accuracy[:3]).all()
+    assert calibration_error(diagram) == pytest.approx(3 / 8 * (0.7 - 2 / 3) + 5 / 8 * (0.9 - 0.2))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_error_agrees_with_a_loop_over_bins(seed):
+    truth, proba = drawn(seed, frames=200)
+    weights, total, bins = balanced_weights(truth), 0.0, 7
+    for number in range(bins):
+        inside = [
+            frame
+            for frame in range(len(truth))
+            if truth[frame] >= 0 and number / bins < max(proba[frame]) <= (number + 1) / bins
+        ]
+        total += abs(
+            sum(weights[f] * (float(np.argmax(proba[f]) == truth[f]) - max(proba[f])) for f in inside)
+        )
+    assert error(truth, proba, bins) == pytest.approx(total)
+
+
+@settings(deadline=None)
+@given(st.integers(0, 1000), st.integers(1, 30))
+def test_the_error_is_between_that_of_one_bin_and_one(seed, bins):
+    truth, proba = drawn(seed)
+    weights, right = balanced_weights(truth), proba.argmax(axis=1) == truth
+    assert error(truth, proba, 1) == pytest.approx(abs(weights @ (right - proba.max(axis=1))))
+    assert error(truth, proba, 1) - 1e-12 <= error(truth, proba, bins) <= 1
+
+
+@settings(deadline=None)
+@given(st.integers(0, 1000))
+def test_the_width_of_confidences_is_that_of_the_bins(seed):
+    """A confidence is within its bin, upper end included."""
+    truth, proba = drawn(seed)
+    diagram = reliability(truth, proba, bins=10)
+    there = np.flatnonzero(diagram.weight)
+    assert (diagram.confidence[there] > there / 10 - 1e-9).all()
+    assert (diagram.confidence[there] <= (there + 1) / 10 + 1e-9).all()
+
+
+def test_certain_decisions_are_in_the_last_bin_though_rounding_lifts_them():
+    proba = np.array([[1.0 + 1e-12, 0.0], [0.5, 0.5]])
+    np.testing.assert_allclose(reliability([0, 0], proba, bins=10).weight[[4, 9]], [0.5, 0.5])
+
+
+def test_homes_weigh_the_same_in_a_pooled_diagram():
+    one = reliability([0], np.array([[0.9, 0.1]]), bins=2)
+    other = reliability([1, 1, 0, 0], np.array([[0.7, 0.3]] * 4), bins=2)
+    both = pooled([one, other])
+    np.testing.assert_allclose(both.weight, [0, 1])
+    np.testing.assert_allclose([both.confidence[1], both.accuracy[1]], [0.8, 0.75])
+    assert np.isnan(both.confidence[0])
+    # Too sure in one and not sure enough in the other: the error of both is less than their mean.
+    errors = [calibration_error(diagram) for diagram in (one, other)]
+    assert errors == pytest.approx([0.1, 0.2])
+    assert calibration_error(both) == pytest.approx(0.05)
+
+
+@settings(deadline=None)
+@given(st.lists(st.integers(0, 1000), min_size=1, max_size=4))
+def test_a_pooled_error_is_at_most_the_mean(seeds):
+    diagrams = [reliability(*drawn(seed), bins=8) for seed in seeds]
+    mean = np.mean([calibration_error(one) for one in diagrams])
+    assert calibration_error(pooled(diagrams)) <= mean + 1e-12
+    assert pooled(diagrams).weight.sum() == pytest.approx(1)
+
+
+def test_nothing_labelled_has_no_numbers():
+    proba = np.array([[0.5, 0.5]])
+    assert np.isnan(log_loss([-1], proba, smallest=SMALLEST))
+    diagram = reliability([-1], proba, bins=3)
+    assert diagram.weight.tolist() == [0, 0, 0] and np.isnan(calibration_error(diagram))
+
+
+@pytest.mark.parametrize("bins", [0, -1, 2.5, True, "10"])
+def test_impossible_bins_are_refused(bins):
+    with pytest.raises(PlacecatError, match=r"probabilities\.bins must be a whole number from 1 on, but is"):
+        reliability([0], np.array([[1.0]]), bins=bins)
+
+
+@pytest.mark.parametrize("smallest", [0.0, -1.0, 1.0, float("nan")])
+def test_impossible_smallest_probabilities_are_refused(smallest):
+    with pytest.raises(PlacecatError, match=r"probabilities\.smallest must lie in \(0, 1\)"):
+        log_loss([0], np.array([[1.0]]), smallest=smallest)

@@ -1,0 +1,94 @@
+"""Variants of the salient regions are what the attention finds with those settings by itself."""
+
+import numpy as np
+import pytest
+from makers import frame
+
+from placecat.errors import PlacecatError
+from placecat.vision import local
+from placecat.vision.attention import compute_maps, find_regions
+from placecat.vision.frame import check, describe_frame
+from placecat.vision.maps import FIELDS
+
+SETTINGS = {"regions": {"max_regions": 38}, "local": {"hog": {}, "sift": {}}, "holistic": {"gist": {}}}
+VARIANTS = {
+    "as_used": {"scales": None, "regions": {"max_regions": 25}, "descriptors": ["hog"]},
+    "no_residual": {"scales": None, "regions": {"use_residual": False}, "descriptors": ["hog"]},
+    "fewer_scales": {"scales": [2, 3], "regions": {}, "descriptors": ["hog", "sift"]},
+    "more": {"scales": None, "regions": {"max_regions": 50}, "descriptors": []},
+}
+PICTURE = frame(640, 360)
+
+
+@pytest.fixture(scope="module")
+def found():
+    return describe_frame(PICTURE, {**SETTINGS, "variants": VARIANTS})
+
+
+def test_all_else_stays_what_it_is_without_variants(found):
+    alone = describe_frame(PICTURE, SETTINGS)
+    assert list(found)[: len(alone)] == list(alone)
+    assert all(found[name].tobytes() == array.tobytes() for name, array in alone.items())
+    assert {name.split("/")[0] for name in found if name not in alone} == {
+        f"variant_{one}" for one in VARIANTS
+    }
+
+
+@pytest.mark.parametrize(
+    ("name", "attention", "regions"),
+    [
+        ("as_used", {}, {"max_regions": 25}),
+        ("no_residual", {"use_residual": False}, {"max_regions": 38, "use_residual": False}),
+        ("fewer_scales", {"scales": (2, 3)}, {"max_regions": 38}),
+        ("more", {}, {"max_regions": 50}),
+    ],
+)
+def test_a_variant_is_the_attention_with_its_settings(found, name, attention, regions):
+    maps = compute_maps(PICTURE, **attention)
+    expected = find_regions(maps, **regions)
+    count = int(found[f"variant_{name}/count"])
+    assert count == len(expected) > 0
+    assert found[f"variant_{name}/regions"].shape == (regions["max_regions"], 4)
+    np.testing.assert_array_equal(found[f"variant_{name}/regions"][:count], expected)
+    assert not found[f"variant_{name}/regions"][count:].any()
+    for descriptor in VARIANTS[name]["descriptors"]:
+        described = found[f"variant_{name}/local_{descriptor}"]
+        np.testing.assert_array_equal(described[:count], local.load(descriptor).describe(maps, expected))
+
+
+def test_variants_differ_where_they_should(found):
+    def points(name):
+        return found[f"variant_{name}/regions"][:, :3].tolist()
+
+    assert points("as_used") == found["regions"][:25, :3].tolist()
+    assert points("no_residual") != found["regions"][:, :3].tolist()
+    assert max(scale for _, _, scale in points("fewer_scales")) == 3
+    assert points("more")[:38] == found["regions"][:, :3].tolist()
+
+
+def test_maps_of_some_scales_are_those_maps():
+    maps = compute_maps(PICTURE)
+    some = maps.at_scales([4, 2])
+    assert some.scales == (2, 4)
+    for name in FIELDS:
+        assert list(getattr(some, name)) == [2, 4]
+        assert all(getattr(some, name)[scale] is getattr(maps, name)[scale] for scale in (2, 4))
+
+
+@pytest.mark.parametrize("scales", [[], [2, 6]])
+def test_scales_that_there_are_not_are_refused(scales):
+    with pytest.raises(PlacecatError, match="maps of the scales 2, 3, 4, 5 only"):
+        compute_maps(PICTURE).at_scales(scales)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"scale": 2}, "no setting 'scale'; did you mean 'scales'"),
+        ({"regions": {"max_region": 2}}, "max_region"),
+        ({"descriptors": ["surf"]}, r"no local descriptor 'surf' \(valid: hog, sift\)"),
+    ],
+)
+def test_mistakes_are_refused(change, message):
+    with pytest.raises(PlacecatError, match=message):
+        check({**SETTINGS, "variants": {"mine": VARIANTS["as_used"] | change}})
