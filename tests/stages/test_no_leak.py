@@ -21,8 +21,9 @@ def runs(tmp_path_factory):
 def fitted_files(folder, home):
     """Everything fitted when `home` is the test home, and what fitted models say of training frames."""
     codebooks = list(folder.glob(f"data/codebooks/*/without-{home}*.npz"))
-    cues = [path for path in folder.glob(f"data/cues/*/*/{home}/*/*") if path.name != "test.npy"]
-    fused = [path for path in folder.glob(f"data/integration/*/{home}/*/*") if path.name != "test.npy"]
+    of_the_home = ("test.npy", "tempered.npy")
+    cues = [path for path in folder.glob(f"data/cues/*/*/{home}/*/*") if path.name not in of_the_home]
+    fused = [path for path in folder.glob(f"data/integration/*/{home}/*/*") if path.name not in of_the_home]
     return {path.relative_to(folder): path.read_bytes() for path in [*codebooks, *cues, *fused]}
 
 

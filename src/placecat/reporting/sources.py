@@ -57,7 +57,7 @@ def sources(params: Mapping[str, Any]) -> dict[str, Source]:
     Returns
     -------
     dict
-        E.g. ``cues/gist/5-5-1``, ``integration/das_551_all``, ``hmm/...`` and ``smoothing/...`` (before and
+        E.g. ``cues/gist/5-5-1``, ``tempered/gist``, ``integration/das_551_all``, ``hmm/...`` and ``smoothing/...`` (before and
         after the delay), ``filtered/informative/gist``, ``splits/university/cues/gist``.
     """
     homes = protocol.tested_homes(
@@ -72,6 +72,9 @@ def sources(params: Mapping[str, Any]) -> dict[str, Source]:
     for cue, options in settings.get(params, "cues").items():
         for scheme in options["schemes"]:
             add(f"cues/{cue}/{scheme}", paths.CUES / cue / scheme, "test")
+        if options["cross_validate"]:
+            scheme = options["schemes"][0]
+            add(f"tempered/{cue}", paths.CUES / cue / scheme, "tempered")
     systems = settings.get(params, "systems")
     for system in systems:
         add(f"integration/{system}", paths.INTEGRATION / system, "test")

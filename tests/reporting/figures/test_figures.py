@@ -154,7 +154,9 @@ def test_the_shares_of_figure_9_give_its_product(run):
     frame = int(re.search(r"frame (\d+)", named)[1]) - 1
     train = training_regions(run, "hog_y", "flat_1")
     tree = run.codebook("hog_y", "without-flat_1").trees[0]
-    model = ModifiedKNN(n_clusters=CLUSTERS, codebook=tree).fit(train.x, train.labels)
+    # The figure shows equation (2) as it is printed.
+    model = ModifiedKNN(n_clusters=CLUSTERS, codebook=tree, class_weighting="once")
+    model.fit(train.x, train.labels)
     query = run.descriptors("flat_1", "hog_y", [frame]).x[:, :3]
     np.testing.assert_allclose(model.predict_proba_sets(query, [3])[0], product, rtol=1e-6)
     assert LABELS[frame] >= 0

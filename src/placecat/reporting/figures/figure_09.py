@@ -68,7 +68,9 @@ def _draw(
     test = home_of(run, home)
     train = training_regions(run, codebook, test)
     tree = run.codebook(codebook, run.fold(test).training_set).trees[0]
-    model = ModifiedKNN(n_clusters=clusters, codebook=tree).fit(train.x, train.labels)
+    # Equation (2) as it is printed, which the thesis's figure shows.
+    model = ModifiedKNN(n_clusters=clusters, codebook=tree, class_weighting="once")
+    model.fit(train.x, train.labels)
     pca = _plane(train)
     query = _query(run, model, pca, codebook, test, frame, regions)
     rng = np.random.default_rng(seeds.derive("figure_09", "points"))
