@@ -44,7 +44,7 @@ def without(results, lost):
             values = {key: all_[:, kept] for key, all_ in results.quality[name].values.items()}
             quality[name] = Quality(homes, one.seeds, values)
     reasons = dict.fromkeys(lost, "too few frames")
-    return Results(results.homes, results.classes, measured, reasons, quality)
+    return Results(results.homes, results.classes, measured, reasons, quality=quality)
 
 
 def test_every_published_table_has_one_configuration_and_all_others_are_additions():
