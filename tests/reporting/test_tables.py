@@ -44,7 +44,7 @@ def without(results, lost):
             values = {key: all_[:, kept] for key, all_ in results.quality[name].values.items()}
             quality[name] = Quality(homes, one.seeds, values)
     reasons = dict.fromkeys(lost, "too few frames")
-    return Results(results.homes, results.classes, measured, reasons, quality)
+    return Results(results.homes, results.classes, measured, reasons, quality=quality)
 
 
 def test_every_published_table_has_one_configuration_and_all_others_are_additions():
@@ -225,7 +225,9 @@ def test_a_place_that_the_data_set_lacks_has_a_reason():
 @settings(max_examples=30, deadline=None)
 @given(data=st.data())
 def test_every_cell_has_a_number_or_a_reason_whatever_could_not_be_computed(data):
-    name = data.draw(st.sampled_from([name for name, table in TABLES.items() if "split" not in table]))
+    # Of the homes alone: what a split or the toy problem asks for is never left out.
+    of_homes = [name for name, table in TABLES.items() if not {"split", "data"} & set(table)]
+    name = data.draw(st.sampled_from(of_homes))
     table = TABLES[name]
     asked = {table.get("result"), *(row["result"] for row in table.get("rows", []))}
     used = [one for one in RESULTS.measured if one in asked or one.startswith(f"trials/{name}/")]

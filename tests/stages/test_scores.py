@@ -31,6 +31,7 @@ def folder(tmp_path, monkeypatch):
     for name in PARAMS["studies"]:
         files.write_csv(paths.TRIALS / name / "scores.csv", pd.DataFrame(columns=scores.SCORE_COLUMNS))
         files.write_csv(paths.TRIALS / name / "missing.csv", pd.DataFrame(columns=scores.MISSING_COLUMNS))
+    files.write_csv(paths.FILTERED / "dropped.csv", pd.DataFrame(columns=["filter", "home"]))
     files.write_csv(paths.TOY, pd.DataFrame(columns=scores.SCORE_COLUMNS))
     return tmp_path
 
