@@ -18,10 +18,14 @@ def runs(tmp_path_factory):
     return folders
 
 
+# What models say of the test home: its frames may change that.
+APPLIED = ("test.npy", "tempered.npy")
+
+
 def fitted_files(folder, home):
     """Everything fitted when `home` is the test home, and what fitted models say of training frames."""
     codebooks = list(folder.glob(f"data/codebooks/*/without-{home}*.npz"))
-    cues = [path for path in folder.glob(f"data/cues/*/*/{home}/*/*") if path.name != "test.npy"]
+    cues = [path for path in folder.glob(f"data/cues/*/*/{home}/*/*") if path.name not in APPLIED]
     fused = [path for path in folder.glob(f"data/integration/*/{home}/*/*") if path.name != "test.npy"]
     return {path.relative_to(folder): path.read_bytes() for path in [*codebooks, *cues, *fused]}
 
