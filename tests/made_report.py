@@ -213,7 +213,7 @@ def report(*, tables=range(1, 32), figures=range(1, 21)):
         Figure(number, f"What figure {number} shows.", png(seed=number)) for number in figures if number != 20
     ]
     drawn += [Figure(20, "The probability.", None, "this run has no university")] * (20 in figures)
-    drawn.append(Figure(None, "How sure.", png(), name="figure_how_sure"))
+    drawn += [Figure(None, "How sure.", png(), name="figure_how_sure")] * bool(figures)
     times = Times(
         pd.DataFrame({"stage": ["sequences", "features"], "runs": [1, 6], "seconds": [3.25, 63.0]}),
         "made-up homes",

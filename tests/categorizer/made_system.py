@@ -30,6 +30,7 @@ BAYES = {"model": "joint_probability", "base": {"name": "naive_bayes"}, "cluster
 SMOOTHING = {
     "delay_seconds": 2.0,
     "evidence": "soft",
+    "evidence_seconds": 1.0,
     "reliability": "soft",
     "transition_counts": 1.0,
     "emission_counts": 1.0,

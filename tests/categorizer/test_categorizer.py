@@ -51,6 +51,29 @@ def test_a_reset_forgets_everything(categorizer):
     assert not np.array_equal(without.proba, first[0].proba)
 
 
+def test_frames_come_at_the_rate_of_the_model_unless_their_times_are_given(categorizer):
+    seen = frames(4)
+    assert categorizer.frame_rate == 5.0
+    own = [categorizer.update(frame) for frame in seen]
+    categorizer.reset()
+    same = [categorizer.update(frame, 0.2) for frame in seen]
+    categorizer.reset()
+    fast = [categorizer.update(frame, 1 / 30) for frame in seen]
+    for attribute in ("hmm", "proba"):
+        first, second, third = ([getattr(one, attribute) for one in run] for run in (own, same, fast))
+        np.testing.assert_array_equal(first, second)
+        assert not np.allclose(first, third)
+    # Each frame says less, and less time has passed.
+    np.testing.assert_array_equal(own[-1].integrated, fast[-1].integrated)
+    assert np.abs(fast[0].hmm - 1 / 3).max() < np.abs(own[0].hmm - 1 / 3).max()
+
+
+@pytest.mark.parametrize("seconds", [-1.0, float("nan")])
+def test_impossible_times_are_refused(categorizer, seconds):
+    with pytest.raises(PlacecatError, match="s between two frames"):
+        categorizer.update(frames(1)[0], seconds)
+
+
 @pytest.mark.parametrize(
     ("frame", "message"),
     [

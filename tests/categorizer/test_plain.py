@@ -46,7 +46,7 @@ def test_models_come_back():
     np.testing.assert_array_equal(through(bayes).predict_proba(codes), bayes.predict_proba(codes))
     svm = NuSVM(gamma=0.3, nu=0.4).fit(codes, labels == 1)
     np.testing.assert_array_equal(through(svm).decision_function(codes), svm.decision_function(codes))
-    smoothing = through(SmoothingModel(np.eye(2), np.eye(2), "hard", 0.1, 5.0))
+    smoothing = through(SmoothingModel(np.eye(2), np.eye(2), "hard", 1.0, 0.1, 5.0))
     assert (smoothing.delay_seconds, smoothing.frame_rate) == (0.1, 5.0)
 
 

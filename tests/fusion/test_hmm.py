@@ -126,18 +126,21 @@ def rarely_left(rng, n):
     return expm(rates - np.diag(rates.sum(axis=1)))
 
 
+def filtered(likelihood, transition, **options):
+    forwards = ForwardFilter(transition)
+    return np.array([forwards.step(row, **options) for row in likelihood])
+
+
 @settings(max_examples=30, deadline=None)
 @given(st.integers(0, 10_000), st.integers(2, 10))
-def test_slower_frames_count_as_if_those_between_were_not_seen(seed, times):
-    """Exactly: frames that are left out say nothing, so that their likelihood is the same for every place."""
+def test_over_several_steps_places_change_as_often_as_in_single_ones(seed, times):
+    """Frames that are left out say nothing: their likelihood is the same for every place."""
     rng = np.random.default_rng(seed)
     likelihood, transition = rng.random((8, 4)) + 1e-3, rarely_left(rng, 4)
     whole = np.ones(((len(likelihood) - 1) * times + 1, 4))
     whole[::times] = likelihood
     expected = forward_filter(whole, transition)[::times]
-    np.testing.assert_allclose(
-        forward_filter(likelihood, transition, steps=float(times)), expected, atol=1e-9
-    )
+    np.testing.assert_allclose(filtered(likelihood, transition, steps=times), expected, atol=1e-9)
 
 
 @settings(max_examples=30, deadline=None)
@@ -146,8 +149,20 @@ def test_the_evidence_of_faster_frames_adds_up(seed, times):
     """Where places never change, a view seen in `times` frames is as much evidence as in one."""
     rng = np.random.default_rng(seed)
     likelihood = rng.random((8, 4)) + 1e-3
-    fast = forward_filter(np.repeat(likelihood, times, axis=0), np.eye(4), steps=1 / times)
-    np.testing.assert_allclose(fast[times - 1 :: times], forward_filter(likelihood, np.eye(4)), atol=1e-12)
+    slow, repeated = forward_filter(likelihood, np.eye(4)), np.repeat(likelihood, times, axis=0)
+    fast = filtered(repeated, np.eye(4), steps=1 / times, weight=1 / times)
+    np.testing.assert_allclose(fast[times - 1 :: times], slow, atol=1e-12)
+    np.testing.assert_allclose(
+        filtered(likelihood, np.eye(4), steps=times, weight=times),
+        forward_filter(repeated, np.eye(4))[times - 1 :: times],
+        atol=1e-12,
+    )
+
+
+def test_a_very_heavy_frame_leaves_a_distribution():
+    likelihood = np.array([1e-3, 2e-3, 1e-4])
+    result = ForwardFilter(np.eye(3)).step(likelihood, weight=1e4)
+    np.testing.assert_allclose(result, [0, 1, 0], atol=1e-12)
 
 
 @pytest.mark.parametrize("value", [0, -1.0, float("nan"), float("inf"), "1", None, True])

@@ -14,6 +14,7 @@ SETTINGS = {
     "n_classes": 2,
     "delay_seconds": 0.5,
     "evidence": "hard",
+    "evidence_seconds": 1.0,
     "reliability": "hard",
     "transition_counts": 1.0,
     "emission_counts": 1.0,
@@ -58,7 +59,7 @@ def model(rate=5.0, leave=0.02, emission=(0.5, 0.25, 0.25), evidence="hard", del
     """Three places; a place is left with probability `leave` from frame to frame."""
     transition = np.full((3, 3), leave / 2) + (1 - 1.5 * leave) * np.eye(3)
     emissions = np.stack([np.roll(emission, place) for place in range(3)])
-    return SmoothingModel(transition, emissions, evidence, delay_seconds, rate)
+    return SmoothingModel(transition, emissions, evidence, 1.0, delay_seconds, rate)
 
 
 def run(smoothing_model, proba, seconds):
@@ -82,15 +83,22 @@ def stays(rng, frames=40):
     st.sampled_from([(0.5, 0.25, 0.25), (0.6, 0.2, 0.2), (0.4, 0.35, 0.25)]),
     st.sampled_from(["hard", "soft"]),
     st.floats(0.05, 8.0),
+    st.sampled_from([5.0, 10.0, 30.0]),
 )
-def test_every_frame_six_times_at_six_times_the_rate_says_the_same(seed, leave, emission, evidence, tau):
-    """Nearly: places change within a frame's time, too. The nearer, the rarer they change."""
+def test_every_frame_six_times_at_six_times_the_rate_says_the_same(
+    seed, leave, emission, evidence, tau, learnt
+):
+    """Whatever the rate of the model. Nearly: places change within a frame's time, too."""
     proba = stays(np.random.default_rng(seed))
-    own = model(5.0, leave, emission, evidence, tau)
+    # Of models of several rates, those that say about the same in a second.
+    share = 5.0 / learnt
+    emission = np.array(emission) ** share
+    own = model(learnt, leave * share, emission / emission.sum(), evidence, tau)
     hmm, delayed = run(own, proba, np.full(40, 1 / 5))
     fast_hmm, fast_delayed = run(own, np.repeat(proba, 6, axis=0), np.full(240, 1 / 30))
-    # What the unchanged filter would make of it, as a measure.
-    unchanged, _ = run(model(30.0, leave, emission, evidence, tau), np.repeat(proba, 6, axis=0), [None] * 240)
+    # What a filter that knows no time would make of it, as a measure.
+    unchanged, _ = run(own, np.repeat(proba, 6, axis=0), [None] * 240)
+    unaware, _ = run(own, proba, [None] * 40)
     assert np.abs(fast_hmm[5::6] - hmm).max() < 0.15
     assert np.abs(fast_hmm[5::6] - hmm).mean() < 0.03
     # The delay starts with its first frame, which says less if it stands for less time; that start fades.
@@ -100,7 +108,7 @@ def test_every_frame_six_times_at_six_times_the_rate_says_the_same(seed, leave, 
         np.exp(-(ends - 1 / 30) / tau) * fast_hmm[0],
     )
     assert np.abs(fast_delayed[5::6] - fast_started - (delayed - started)).mean() < 0.03
-    assert np.abs(fast_hmm[5::6] - hmm).mean() < 0.5 * np.abs(unchanged[5::6] - hmm).mean()
+    assert np.abs(fast_hmm[5::6] - hmm).mean() < 0.5 * np.abs(unchanged[5::6] - unaware).mean()
 
 
 @settings(max_examples=20, deadline=None)
@@ -133,13 +141,25 @@ def test_a_frame_at_the_time_of_the_last_changes_nothing():
 
 
 def test_after_a_long_time_without_frames_the_past_is_forgotten():
-    own, late = model(), np.array([0.1, 0.1, 0.8])
+    late = np.array([0.1, 0.1, 0.8])
+    results = []
     for before in np.eye(3):
-        smoother = Smoother(own)
+        smoother = Smoother(model())
         for _ in range(20):
             smoother.step(before)
-        _, delayed = smoother.step(late, 600.0)
-        assert delayed.argmax() == 2
+        results.append(smoother.step(late, 600.0))
+    for hmm, delayed in results:
+        np.testing.assert_allclose(delayed, hmm, atol=1e-12)
+        # One frame, that counts as the five of a second.
+        np.testing.assert_allclose(hmm, np.array([1, 1, 2**5]) / 34, atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("rate", "seconds", "frames"), [(5.0, 0.6, 3), (5.0, 9.0, 5), (0.5, 2.0, 1), (0.5, 9.0, 1)]
+)
+def test_a_frame_counts_for_its_time_up_to_a_second_but_always_as_one(rate, seconds, frames):
+    hmm, _ = Smoother(model(rate)).step(np.array([0.1, 0.1, 0.8]), seconds)
+    np.testing.assert_allclose(hmm, np.array([1, 1, 2**frames]) / (2 + 2**frames), rtol=1e-9)
 
 
 @pytest.mark.parametrize("seconds", [-0.1, float("nan"), float("inf")])

@@ -128,6 +128,26 @@ def test_a_camera_stops_after_the_seconds_and_never_overwrites(
         main(["predict", "camera", "--seconds", "0.3", "--output", "predictions/camera_0"])
 
 
+def test_the_system_is_told_the_real_time_between_the_frames_of_a_camera(capture, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    made = FakeCategorizer(FPS)
+    monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: made)
+    original = FakeCategorizer.update
+
+    def update(self, frame, seconds):
+        # Slower and slower.
+        time.sleep(0.02 * len(self.times))
+        return original(self, frame, seconds)
+
+    monkeypatch.setattr(FakeCategorizer, "update", update)
+    main(["predict", "camera", "--seconds", "0.8"])
+    table = pd.read_csv(tmp_path / "predictions/camera_0/frames.csv")
+    assert len(table) > 2
+    assert made.times[0] == 1 / FPS
+    np.testing.assert_allclose(made.times[1:], np.diff(table["seconds"]), atol=1e-9)
+    assert made.times[-1] > 3 / FPS
+
+
 def capture_length(path):
     capture, count = REAL_CAPTURE(str(path)), 0
     while capture.grab():

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from made_results import PARAMS, ROOT, contradictions, made, published, with_homes
 from placecat.errors import PlacecatError
 from placecat.reporting import layouts
-from placecat.reporting.results import Results
+from placecat.reporting.results import Quality, Results
 from placecat.reporting.tables import (
     ADDITION,
     COLUMNS,
@@ -34,13 +34,17 @@ def fill(name, results=RESULTS, params=PARAMS, **dataset):
 
 def without(results, lost):
     """The results without some homes of some of them, each with a reason."""
-    measured = {}
+    measured, quality = {}, {}
     for name, one in results.measured.items():
         kept = [number for number, home in enumerate(one.homes) if (name, home) not in lost]
         if kept:
             homes = tuple(one.homes[number] for number in kept)
             measured[name] = dataclasses.replace(one, homes=homes, confusion=one.confusion[:, kept])
-    return Results(results.homes, results.classes, measured, dict.fromkeys(lost, "too few frames"))
+        if kept and name in results.quality:
+            values = {key: all_[:, kept] for key, all_ in results.quality[name].values.items()}
+            quality[name] = Quality(homes, one.seeds, values)
+    reasons = dict.fromkeys(lost, "too few frames")
+    return Results(results.homes, results.classes, measured, reasons, quality)
 
 
 def test_every_published_table_has_one_configuration_and_all_others_are_additions():

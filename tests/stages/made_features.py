@@ -184,6 +184,7 @@ PARAMS = {
     "smoothing": {
         "delay_seconds": 1.0,
         "evidence": "soft",
+        "evidence_seconds": 1.0,
         "reliability": "hard",
         "transition_counts": 1.0,
         "emission_counts": 1.0,

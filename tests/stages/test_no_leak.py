@@ -53,6 +53,7 @@ def test_the_transitions_do_not_come_from_the_test_home(runs, monkeypatch):
     model = {
         "delay_seconds": 1.0,
         "evidence": "soft",
+        "evidence_seconds": 1.0,
         "reliability": "hard",
         "transition_counts": 1.0,
         "emission_counts": 1.0,

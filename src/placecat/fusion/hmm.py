@@ -47,7 +47,7 @@ def transition_matrix(
     PlacecatError
         If `smoothing` is no such number.
     """
-    counts = np.full((n_classes, n_classes), _above_zero("smoothing.transition_counts", smoothing))
+    counts = np.full((n_classes, n_classes), above_zero("smoothing.transition_counts", smoothing))
     rates = [1.0] * len(sequences) if frame_rates is None else frame_rates
     for labels, rate in zip(sequences, rates, strict=True):
         labelled = labels[labels >= 0].astype(np.int64)
@@ -96,7 +96,7 @@ def emission_matrix(
         answers = np.asarray(proba, dtype=np.float64)
     else:
         raise PlacecatError(f"smoothing.reliability must be 'hard' or 'soft', not {reliability!r}")
-    counts = np.full((n_classes, n_classes), _above_zero("smoothing.emission_counts", smoothing))
+    counts = np.full((n_classes, n_classes), above_zero("smoothing.emission_counts", smoothing))
     np.add.at(counts, truth.astype(np.int64), answers)
     return counts / counts.sum(axis=1, keepdims=True)
 
@@ -146,7 +146,7 @@ class ForwardFilter:
         )
         self._filtered: Float | None = None
 
-    def step(self, likelihood: Float, *, steps: float = 1.0) -> Float:
+    def step(self, likelihood: Float, *, steps: float = 1.0, weight: float = 1.0) -> Float:
         """Take the next frame.
 
         Parameters
@@ -154,28 +154,27 @@ class ForwardFilter:
         likelihood
             (n_classes,) p(o_t | l_t = q) at or above 0, one above 0.
         steps
-            Time since the last frame, at or above 0, in steps of the transition matrix; 1 is equation (13) as
-            it stands, to the bit.
-
-            The place changes with P^steps. Frames that come faster show the same view again, which is no
-            more evidence: below 1, the likelihood is raised to the power `steps`, so that as many seconds
-            are as much evidence. Frames that come slower count once each, as if those between had been left
-            out of a sequence of the model's own rate.
+            Time since the last frame, at or above 0, in steps of the transition matrix: places change with
+            P^steps.
+        weight
+            Frames that this one counts as, at or above 0: the likelihood is raised to this power. With 1 of
+            both, this is equation (13) as it stands, to the bit.
 
         Returns
         -------
         (n_classes,) p(l_t = q | o_1 .. o_t).
         """
         predicted = self._initial if self._filtered is None else self._filtered @ self._transitions(steps)
-        joint = likelihood**steps * predicted if steps < 1.0 else likelihood * predicted
+        if weight != 1.0:
+            # The factor keeps high powers from vanishing altogether.
+            likelihood = (likelihood / likelihood.max()) ** weight
+        joint = likelihood * predicted
         filtered: Float = joint / joint.sum()
         self._filtered = filtered
         return filtered
 
 
-def forward_filter(
-    likelihood: Float, transition: Float, *, initial: Float | None = None, steps: float = 1.0
-) -> Float:
+def forward_filter(likelihood: Float, transition: Float, *, initial: Float | None = None) -> Float:
     """Filter one whole sequence, see :class:`ForwardFilter`.
 
     Parameters
@@ -184,18 +183,23 @@ def forward_filter(
         (frames, n_classes), p(o_t | l_t = q) up to a factor per frame; no row all zero.
     transition, initial
         As for :class:`ForwardFilter`.
-    steps
-        Between two frames, as for :meth:`ForwardFilter.step`.
 
     Returns
     -------
     (frames, n_classes), p(l_t = q | o_1 .. o_t); rows sum to 1.
     """
     forwards = ForwardFilter(transition, initial=initial)
-    return np.array([forwards.step(row, steps=steps) for row in likelihood]).reshape(likelihood.shape)
+    return np.array([forwards.step(row) for row in likelihood]).reshape(likelihood.shape)
 
 
-def _above_zero(name: str, value: float) -> float:
+def above_zero(name: str, value: float) -> float:
+    """Check a setting that is a finite number above 0.
+
+    Raises
+    ------
+    PlacecatError
+        If it is not, with its name.
+    """
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     if not is_number or not math.isfinite(value) or value <= 0:
         raise PlacecatError(f"{name} must be a finite number above 0, but is {value!r}")

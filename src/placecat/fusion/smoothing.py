@@ -9,7 +9,13 @@ from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 from placecat.fusion.delay import Delay
-from placecat.fusion.hmm import ForwardFilter, emission_matrix, likelihoods, transition_matrix
+from placecat.fusion.hmm import (
+    ForwardFilter,
+    above_zero,
+    emission_matrix,
+    likelihoods,
+    transition_matrix,
+)
 
 # Times of frames are rounded: a step of this much more or less than one is one.
 _ROUNDING = 1e-6
@@ -25,6 +31,8 @@ class SmoothingModel:
         (n_classes, n_classes), see `placecat.fusion.hmm`.
     evidence
         See :func:`placecat.fusion.hmm.likelihoods`.
+    evidence_seconds
+        The longest time that one frame is evidence for, see :class:`Smoother`.
     delay_seconds
         Time constant of the delay, see :class:`placecat.fusion.delay.Delay`.
     frame_rate
@@ -34,6 +42,7 @@ class SmoothingModel:
     transition: NDArray[np.float64]
     emission: NDArray[np.float64]
     evidence: str
+    evidence_seconds: float
     delay_seconds: float
     frame_rate: float
 
@@ -42,6 +51,11 @@ class Smoother:
     """Smooth one sequence, frame by frame; frame t uses frames up to t only.
 
     The frames may come at any rate, also a changing one: transitions, evidence and delay count in seconds.
+
+    A frame counts as the frames of the model's rate that fit into the time since the last one: twice as many
+    frames a second are the same views again and no more evidence, half as many show as much. After a long
+    time, what the frame shows has not been there all along, so that it counts for `evidence_seconds` at most
+    (but always as one frame).
     """
 
     def __init__(self, model: SmoothingModel) -> None:
@@ -75,7 +89,8 @@ class Smoother:
             if abs(steps - 1.0) < _ROUNDING:
                 steps = 1.0
         likelihood = likelihoods(proba[None], self.model.emission, evidence=self.model.evidence)[0]
-        filtered = self._filter.step(likelihood, steps=steps)
+        most = max(1.0, self.model.evidence_seconds * self.model.frame_rate)
+        filtered = self._filter.step(likelihood, steps=steps, weight=min(steps, most))
         return filtered, self._delay.step(filtered, steps / self.model.frame_rate)
 
 
@@ -88,6 +103,7 @@ def fit(
     training_frame_rates: Sequence[float],
     delay_seconds: float,
     evidence: str,
+    evidence_seconds: float,
     reliability: str,
     transition_counts: float,
     emission_counts: float,
@@ -105,6 +121,8 @@ def fit(
         Cross-validated outputs of the integrator on training frames: the emission is counted on them.
     delay_seconds
         See :class:`placecat.fusion.delay.Delay`.
+    evidence_seconds
+        See :class:`Smoother`; finite and above 0.
     evidence, reliability, transition_counts, emission_counts
         See `placecat.fusion.hmm`.
 
@@ -114,13 +132,21 @@ def fit(
         A setting of another type or out of its range.
     """
     Delay(delay_seconds)
+    above_zero("smoothing.evidence_seconds", evidence_seconds)
     transition = transition_matrix(
         training_sequences, n_classes, frame_rates=training_frame_rates, smoothing=transition_counts
     )
     emission = emission_matrix(
         training_truth, training_proba, n_classes, reliability=reliability, smoothing=emission_counts
     )
-    return SmoothingModel(transition, emission, evidence, float(delay_seconds), max(training_frame_rates))
+    return SmoothingModel(
+        transition,
+        emission,
+        evidence,
+        float(evidence_seconds),
+        float(delay_seconds),
+        max(training_frame_rates),
+    )
 
 
 def smooth(
@@ -135,6 +161,7 @@ def smooth(
     n_classes: int,
     delay_seconds: float,
     evidence: str,
+    evidence_seconds: float,
     reliability: str,
     transition_counts: float,
     emission_counts: float,
@@ -150,7 +177,7 @@ def smooth(
     frame_rate
         Frames a second of the home.
     training_sequences, training_frame_rates, training_proba, training_truth, delay_seconds, evidence, \
-reliability, transition_counts, emission_counts
+evidence_seconds, reliability, transition_counts, emission_counts
         As for :func:`fit`.
 
     Returns
@@ -166,6 +193,7 @@ reliability, transition_counts, emission_counts
         training_frame_rates=training_frame_rates,
         delay_seconds=delay_seconds,
         evidence=evidence,
+        evidence_seconds=evidence_seconds,
         reliability=reliability,
         transition_counts=transition_counts,
         emission_counts=emission_counts,

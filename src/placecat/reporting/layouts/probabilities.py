@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from placecat.reporting.layouts import Cell, cell
-from placecat.reporting.number import Number, has_reasons, home_label, nothing
+from placecat.reporting.number import Number, home_label, joined, nothing
 from placecat.reporting.results import MEASURES, Results
 
 
@@ -24,10 +24,13 @@ def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
 def _over_homes(results: Results, name: str, measure: str) -> Number:
     one = results.quality.get(name)
     if one is None:
-        if not has_reasons(results, name):
+        reasons = [
+            reason.replace("; ", ", ") for (result, _), reason in results.missing.items() if result == name
+        ]
+        if not reasons:
             # Refuses a name that there is not.
             results.of(name)
-        return nothing("nothing was measured")
+        return nothing(joined(reasons) or "nothing was measured")
     values = one.over_homes(measure)
     if not len(values):
         return nothing("no tested frame has a label")

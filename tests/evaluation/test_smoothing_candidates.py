@@ -1,0 +1,107 @@
+from math import log
+
+import numpy as np
+import pytest
+
+from placecat.evaluation.smoothing_candidates import COLUMNS, TrainingHome, log_loss, smoothing_candidates
+from placecat.fusion.smoothing import Smoother, fit
+
+SMOOTHING = {
+    "delay_seconds": 3.0,
+    "evidence": "hard",
+    "evidence_seconds": 1.0,
+    "reliability": "hard",
+    "transition_counts": 1.0,
+    "emission_counts": 1.0,
+}
+
+
+def home(seed, frame_rate=5.0):
+    rng = np.random.default_rng(seed)
+    labels = np.repeat(rng.permutation([0, 1, 2, -1, 0, 2, 1, -1]), rng.integers(5, 15, 8)).astype(np.int16)
+    taken = np.arange(0, len(labels), 3)
+    rows = taken[labels[taken] >= 0]
+    proba = 0.4 * rng.dirichlet(np.ones(3), len(rows)) + 0.6 * np.eye(3)[labels[rows]]
+    cut = len(labels) // 2
+    parts = [slice(0, cut), slice(cut, len(labels))]
+    return TrainingHome(labels, parts, frame_rate, rows, 3, proba)
+
+
+@pytest.fixture
+def homes():
+    return {name: home(seed) for seed, name in enumerate("abc")}
+
+
+def judge(homes, values=(0.0, 1.0, 4.0), **changes):
+    options = {"test_home": "t", "setting": "delay_seconds", "values": values, "smoothing": SMOOTHING}
+    return smoothing_candidates(homes, 3, **(options | changes))
+
+
+def test_a_row_for_each_value_and_training_home(homes):
+    table = judge(homes)
+    assert list(table.columns) == list(COLUMNS)
+    assert len(table) == 9
+    assert set(table["test_home"]) == {"t"} and set(table["setting"]) == {"delay_seconds"}
+    assert table["accuracy"].between(0, 100).all() and (table["log_loss"] > 0).all()
+
+
+def test_each_home_is_smoothed_with_statistics_of_the_others_in_the_time_that_was_filmed(homes):
+    """Against the smoother of single frames, fed by hand."""
+    table = judge(homes, values=[2.0]).set_index("training_home")
+    own, others = homes["b"], [homes["a"], homes["c"]]
+    model = fit(
+        [other.labels[part] for other in others for part in other.sequences],
+        np.vstack([other.proba for other in others]),
+        np.hstack([other.labels[other.rows] for other in others]),
+        3,
+        training_frame_rates=[5.0] * 4,
+        **(SMOOTHING | {"delay_seconds": 2.0}),
+    )
+    right, losses = {0: [], 1: [], 2: []}, {0: [], 1: [], 2: []}
+    for part in own.sequences:
+        smoother, last = Smoother(model), None
+        for n, row in enumerate(own.rows):
+            if not part.start <= row < part.stop:
+                continue
+            seconds = 0.6 if last is None else (row - last) / 5.0
+            _, result = smoother.step(own.proba[n], seconds)
+            right[own.labels[row]].append(result.argmax() == own.labels[row])
+            losses[own.labels[row]].append(-log(result[own.labels[row]]))
+            last = row
+    assert table.loc["b", "accuracy"] == pytest.approx(100 * np.mean([np.mean(v) for v in right.values()]))
+    assert table.loc["b", "log_loss"] == pytest.approx(np.mean([np.mean(v) for v in losses.values()]))
+
+
+def test_a_home_has_no_part_in_the_model_that_it_is_judged_by(homes):
+    """Its other frames' labels change the transitions that the others are judged by, and only those."""
+    labels = homes["a"].labels.copy()
+    others = np.setdiff1d(np.arange(len(labels)), homes["a"].rows)
+    labels[others] = np.random.default_rng(0).integers(0, 3, len(others))
+    changed = homes | {"a": TrainingHome(**(vars(homes["a"]) | {"labels": labels}))}
+    before, after = (judge(one).set_index("training_home")["log_loss"] for one in (homes, changed))
+    np.testing.assert_array_equal(before["a"], after["a"])
+    for other in "bc":
+        assert not np.allclose(before[other], after[other])
+
+
+def test_homes_of_other_frame_rates_are_judged_in_seconds(homes):
+    """The same frames, filmed twice as fast, with half the time constant."""
+    fast = {name: TrainingHome(**(vars(one) | {"frame_rate": 10.0})) for name, one in homes.items()}
+    for slow, quick in ((4.0, 2.0), (0.0, 0.0)):
+        # The time that a frame is evidence for halves as well.
+        halved = SMOOTHING | {"evidence_seconds": 0.5}
+        np.testing.assert_allclose(
+            judge(homes, [slow])["log_loss"], judge(fast, [quick], smoothing=halved)["log_loss"], rtol=1e-9
+        )
+
+
+def test_any_setting_may_be_judged(homes):
+    table = judge(homes, values=["hard", "soft"], setting="evidence")
+    assert table["value"].tolist() == ["hard", "soft"] * 3
+
+
+def test_log_loss_is_the_mean_over_places():
+    proba = np.array([[0.5, 0.5], [0.25, 0.75], [0.0, 1.0]])
+    expected = ((log(2) + log(4)) / 2 + 0.0) / 2
+    assert log_loss(np.array([0, 0, 1]), proba) == pytest.approx(expected)
+    assert log_loss(np.array([0, 0, 0]), proba) == pytest.approx((log(2) + log(4) - log(2.0**-52)) / 3)

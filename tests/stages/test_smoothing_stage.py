@@ -1,0 +1,81 @@
+"""The stage takes frame rates from what the stage `sequences` found."""
+
+import json
+
+import numpy as np
+import pytest
+from made_features import HOMES, PARAMS, make
+
+from placecat.evaluation import protocol
+from placecat.fusion.smoothing import smooth
+
+MODEL = {name: value for name, value in PARAMS["smoothing"].items() if name not in ("cues", "filtered")}
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory):
+    from placecat.stages import cues
+
+    folder = tmp_path_factory.mktemp("project")
+    with pytest.MonkeyPatch.context() as patch:
+        make(folder)
+        patch.chdir(folder)
+        patch.setenv("PLACECAT_WORKERS", "1")
+        cues.main("gist")
+    return folder
+
+
+def smoothed(rates):
+    """The first home with all homes at these frame rates."""
+    from placecat import paths
+    from placecat.stages.smoothing import smooth_home
+
+    for home, rate in zip(HOMES, rates, strict=True):
+        facts = paths.sequences(home) / "home.json"
+        facts.write_text(json.dumps(json.loads(facts.read_text()) | {"fps": rate}))
+    fold = protocol.folds(HOMES, "5-5-1")[0]
+    return smooth_home(paths.CUES / "gist/5-5-1" / fold.test / "no-seed", fold, MODEL, 3)
+
+
+def test_frame_rates_are_those_of_the_homes(project, monkeypatch):
+    from placecat import listing, paths
+
+    monkeypatch.chdir(project)
+    place = paths.CUES / "gist/5-5-1/H1/no-seed"
+    walks = [listing.read_labels(home)[part] for home in HOMES[1:] for part in (slice(0, 50), slice(50, 90))]
+    expected = smooth(
+        np.load(place / "test.npy"),
+        [slice(0, 50), slice(50, 90)],
+        frame_rate=25.0,
+        training_sequences=walks,
+        training_frame_rates=[5.0, 5.0, 10.0, 10.0, 5.0, 5.0],
+        training_proba=np.load(place / "cross_validated.npy"),
+        training_truth=np.load(place / "cross_validated_truth.npy"),
+        n_classes=3,
+        **MODEL,
+    )
+    result = smoothed([25.0, 5.0, 10.0, 5.0])
+    for name in ("hmm", "delayed"):
+        np.testing.assert_array_equal(result[name], expected[name])
+    # The transitions are per frame where all have one rate, whichever it is; the delay is not.
+    slow, fast = smoothed([5.0] * 4), smoothed([30.0] * 4)
+    np.testing.assert_array_equal(slow["hmm"], fast["hmm"])
+    assert not np.allclose(slow["delayed"], fast["delayed"])
+    assert not np.allclose(slow["hmm"], result["hmm"])
+
+
+def test_candidates_are_read_from_what_the_cue_left(project, monkeypatch):
+    from placecat import settings
+    from placecat.errors import PlacecatError
+    from placecat.smoothing_choice import candidates
+
+    monkeypatch.chdir(project)
+    smoothed([5.0] * 4)
+    table = candidates(settings.load(), "gist", "5-5-1", values=[0.0, 1.0])
+    pairs = {(test, home) for test in HOMES for home in HOMES if test != home}
+    assert set(zip(table["test_home"], table["training_home"], strict=True)) == pairs
+    assert len(table) == 2 * len(pairs)
+    for path in (project / "data/cues/gist/5-5-1").glob("*/*/cross_validated.npy"):
+        path.unlink()
+    with pytest.raises(PlacecatError, match=r"cross_validated\.npy is missing"):
+        candidates(settings.load(), "gist", "5-5-1")
