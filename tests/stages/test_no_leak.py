@@ -18,6 +18,10 @@ def runs(tmp_path_factory):
     return folders
 
 
+# What models say of the test home: its frames may change that.
+APPLIED = ("test.npy", "tempered.npy")
+
+
 def fitted_files(folder, home):
     """Everything fitted when `home` is the test home, and what fitted models say of training frames."""
     codebooks = list(folder.glob(f"data/codebooks/*/without-{home}*.npz"))

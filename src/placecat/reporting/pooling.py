@@ -59,7 +59,7 @@ class Pooled:
     @property
     def values(self) -> tuple[NDArray[np.float64], ...]:
         """A side: (results, 1, seeds) percent, all sequences together as if they were one home."""
-        everything = np.bincount(self.places)[self.places][None] ** -1.0
+        everything: NDArray[np.float64] = 1.0 / np.bincount(self.places)[self.places][None]
         return tuple(
             np.stack([self._accuracy(side, of_seed, everything) for of_seed in right.swapaxes(0, 1)], axis=2)
             for side, right in zip(self.sides, self.right, strict=True)

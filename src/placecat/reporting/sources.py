@@ -57,8 +57,8 @@ def sources(params: Mapping[str, Any]) -> dict[str, Source]:
     Returns
     -------
     dict
-        E.g. ``cues/gist/5-5-1``, ``tempered/gist``, ``integration/das_551_all``, ``hmm/...`` and ``smoothing/...`` (before and
-        after the delay), ``filtered/informative/gist``, ``splits/university/cues/gist``.
+        E.g. ``cues/gist/5-5-1``, ``tempered/gist``, ``integration/das_551_all``, ``hmm/...`` and
+        ``smoothing/...`` (before and after the delay), ``filtered/informative/gist``, ``splits/university/cues/gist``.
     """
     homes = protocol.tested_homes(
         settings.get(params, "dataset.homes"), settings.get(params, "protocol.test_homes")
