@@ -63,6 +63,7 @@ def candidates(
                 setting=setting,
                 values=values,
                 smoothing=smoothing,
+                smallest=settings.get(params, "probabilities.smallest"),
             )
             tables.append(table)
     keys = ["setting", "value", "test_home", "training_home"]

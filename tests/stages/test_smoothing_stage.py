@@ -71,11 +71,12 @@ def test_candidates_are_read_from_what_the_cue_left(project, monkeypatch):
 
     monkeypatch.chdir(project)
     smoothed([5.0] * 4)
-    table = candidates(settings.load(), "gist", "5-5-1", values=[0.0, 1.0])
+    params = settings.load() | {"probabilities": {"smallest": 1e-15}}
+    table = candidates(params, "gist", "5-5-1", values=[0.0, 1.0])
     pairs = {(test, home) for test in HOMES for home in HOMES if test != home}
     assert set(zip(table["test_home"], table["training_home"], strict=True)) == pairs
     assert len(table) == 2 * len(pairs)
     for path in (project / "data/cues/gist/5-5-1").glob("*/*/cross_validated.npy"):
         path.unlink()
     with pytest.raises(PlacecatError, match=r"cross_validated\.npy is missing"):
-        candidates(settings.load(), "gist", "5-5-1")
+        candidates(params, "gist", "5-5-1")

@@ -9,6 +9,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
+from placecat.evaluation.probabilities import log_loss
 from placecat.fusion.smoothing import Smoother, SmoothingModel, fit
 
 COLUMNS = ("setting", "value", "test_home", "training_home", "accuracy", "log_loss")
@@ -50,6 +51,7 @@ def smoothing_candidates(
     setting: str,
     values: Sequence[Any],
     smoothing: Mapping[str, Any],
+    smallest: float,
 ) -> pd.DataFrame:
     """Smooth each training home as if it were tested, with each value of a setting.
 
@@ -69,13 +71,15 @@ def smoothing_candidates(
         Its candidates.
     smoothing
         All settings of that function; `setting` is replaced.
+    smallest
+        As for :func:`placecat.evaluation.probabilities.log_loss`.
 
     Returns
     -------
     pandas.DataFrame
         A row for each value and training home: `COLUMNS`. ``accuracy`` is the mean over places in percent
-        (:func:`placecat.evaluation.accuracy.home_accuracy`), ``log_loss`` the mean over places of that of
-        their frames, in nats.
+        (:func:`placecat.evaluation.accuracy.home_accuracy`), ``log_loss`` that of
+        :func:`placecat.evaluation.probabilities.log_loss`, in nats.
     """
     rows = []
     for name, home in homes.items():
@@ -92,22 +96,10 @@ def smoothing_candidates(
             )
             truth, smoothed = home.labels[home.rows], _smoothed(model, home)
             accuracy = home_accuracy(confusion_matrix(truth, smoothed.argmax(axis=1), n_classes))
-            rows.append((setting, value, test_home, name, accuracy, log_loss(truth, smoothed)))
+            rows.append(
+                (setting, value, test_home, name, accuracy, log_loss(truth, smoothed, smallest=smallest))
+            )
     return pd.DataFrame(rows, columns=list(COLUMNS))
-
-
-def log_loss(truth: NDArray[np.int16], proba: NDArray[np.float64]) -> float:
-    """Mean over places of the mean of -ln p(true place) of their frames; p is at least 2.2e-16.
-
-    Parameters
-    ----------
-    truth
-        (n,) class indices.
-    proba
-        (n, n_classes).
-    """
-    losses = -np.log(np.maximum(proba[np.arange(len(truth)), truth], np.finfo(np.float64).eps))
-    return float(np.mean([losses[truth == place].mean() for place in np.unique(truth)]))
 
 
 def _smoothed(model: SmoothingModel, home: TrainingHome) -> NDArray[np.float64]:
