@@ -25,9 +25,8 @@ APPLIED = ("test.npy", "tempered.npy")
 def fitted_files(folder, home):
     """Everything fitted when `home` is the test home, and what fitted models say of training frames."""
     codebooks = list(folder.glob(f"data/codebooks/*/without-{home}*.npz"))
-    of_the_home = ("test.npy", "tempered.npy")
-    cues = [path for path in folder.glob(f"data/cues/*/*/{home}/*/*") if path.name not in of_the_home]
-    fused = [path for path in folder.glob(f"data/integration/*/{home}/*/*") if path.name not in of_the_home]
+    cues = [path for path in folder.glob(f"data/cues/*/*/{home}/*/*") if path.name not in APPLIED]
+    fused = [path for path in folder.glob(f"data/integration/*/{home}/*/*") if path.name not in APPLIED]
     return {path.relative_to(folder): path.read_bytes() for path in [*codebooks, *cues, *fused]}
 
 
