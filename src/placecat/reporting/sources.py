@@ -58,7 +58,8 @@ def sources(params: Mapping[str, Any]) -> dict[str, Source]:
     -------
     dict
         E.g. ``cues/gist/5-5-1``, ``tempered/gist``, ``integration/das_551_all``, ``hmm/...`` and
-        ``smoothing/...`` (before and after the delay), ``filtered/informative/gist``, ``splits/university/cues/gist``.
+        ``smoothing/...`` (before and after the delay), ``filtered/informative/gist``,
+        ``splits/university/cues/gist``.
     """
     homes = protocol.tested_homes(
         settings.get(params, "dataset.homes"), settings.get(params, "protocol.test_homes")
