@@ -6,13 +6,15 @@ PYTHON ?= python3
 SET ?=
 # Pieces to measure, e.g. PIECE="dependency_tree rvm"; by default all.
 PIECE ?=
+# What `make choose` is for: cues, systems, or by default both.
+KIND ?=
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.installed
 READY_TEST := $(VENV)/.installed-test
 READY_BENCH := $(VENV)/.installed-bench
 
-.PHONY: repro test bench bench-scale lint ui lock clean
+.PHONY: repro test choose bench bench-scale lint ui lock clean
 
 repro: $(READY)
 	$(BIN)/placecat repro $(SET)
@@ -26,6 +28,10 @@ bench: $(READY_BENCH)
 # Needs what `make repro` left; takes about an hour.
 bench-scale: $(READY)
 	$(BIN)/python -m placecat.scale
+
+# Judges what the thesis leaves open on training homes, from what `make repro` left (conf/choice.yaml).
+choose: $(READY)
+	$(BIN)/python -m placecat.choice $(KIND)
 
 lint: $(READY_TEST)
 	$(BIN)/ruff format --check src tests
