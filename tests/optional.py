@@ -21,4 +21,4 @@ def with_optional(name):
     finally:
         shutil.rmtree(folder)
     rest = {key: PARAMS[key] for key in ("findings", "studies")}
-    return light | rest | {"tables": PARAMS["tables"] | light["tables"]}
+    return light | rest | {"tables": PARAMS["tables"] | light.get("tables", {})}
