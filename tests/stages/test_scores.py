@@ -45,7 +45,7 @@ def test_every_result_has_its_numbers_in_every_home_with_every_seed(folder):
     found = sources(settings.load())
     assert set(table.index.get_level_values("result")) == set(found)
     kinds = {name.split("/")[0] for name in found}
-    assert kinds == {"cues", "integration", "filtered", "hmm", "smoothing", "splits"}
+    assert kinds == {"cues", "tempered", "integration", "filtered", "hmm", "smoothing", "splits"}
     for name, source in found.items():
         for home in source.homes:
             truth = listing.read_labels(source.listed(home))
