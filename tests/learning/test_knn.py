@@ -84,8 +84,8 @@ def test_once_favours_frequent_classes():
     y = ["common"] * 9 + ["rare"] + ["common"] * 9 + ["rare"]
     codebook = HierarchicalKMeans(branching=2, max_clusters=3).fit(X)
     frame, counts = np.zeros((1, 3, 1)), [3]
-    once = ModifiedKNN(2, smoothing=0, codebook=codebook).fit(X, y)
-    each = ModifiedKNN(2, smoothing=0, class_weighting="per_region", codebook=codebook).fit(X, y)
+    once = ModifiedKNN(2, smoothing=0, class_weighting="once", codebook=codebook).fit(X, y)
+    each = ModifiedKNN(2, smoothing=0, codebook=codebook).fit(X, y)
     np.testing.assert_allclose(each.predict_proba_sets(frame, counts), [[0.5, 0.5]])
     np.testing.assert_allclose(once.predict_proba_sets(frame, counts), [[81 / 82, 1 / 82]])
 
@@ -115,10 +115,11 @@ def test_a_centre_at_distance_zero_takes_all_the_weight():
 def test_without_smoothing_zero_counts_veto():
     X = np.array([[0.0], [0.0], [8.0], [8.0]])
     codebook = HierarchicalKMeans(branching=2, max_clusters=3).fit(X)
-    model = ModifiedKNN(2, smoothing=0.0, codebook=codebook).fit(X, ["a", "a", "a", "b"])
+    once = {"smoothing": 0.0, "class_weighting": "once", "codebook": codebook}
+    model = ModifiedKNN(2, **once).fit(X, ["a", "a", "a", "b"])
     sets = np.array([[[0.0], [8.0]], [[8.0], [8.0]]])
     np.testing.assert_allclose(model.predict_proba_sets(sets, [2, 2]), [[1, 0], [1 / 4, 3 / 4]])
-    model = ModifiedKNN(2, smoothing=0.0, codebook=codebook).fit(X, ["a", "a", "b", "b"])
+    model = ModifiedKNN(2, **once).fit(X, ["a", "a", "b", "b"])
     np.testing.assert_allclose(model.predict_proba_sets(sets, [2, 2]), [[0.5, 0.5], [0, 1]])
 
 
@@ -257,7 +258,7 @@ def test_conventions():
         "n_clusters": 46,
         "n_neighbors": 1,
         "smoothing": 0.5,
-        "class_weighting": "once",
+        "class_weighting": "per_region",
         "codebook": None,
         "seed": 0,
     }
