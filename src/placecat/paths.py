@@ -50,6 +50,10 @@ SCALE_GROWTH = Path("reports/scale_growth.csv")
 SCALE_FACTS = Path("reports/scale.json")
 PAGE = Path("reports/index.html")
 
+# In the folder of a home's features: that of a variant of its salient regions, and which frames have it.
+VARIANT = "variant_{}"
+VARIANT_FRAMES = "frames.npy"
+
 
 def sequences(home: str) -> Path:
     """Folder of what the stage `sequences` or `site_sequences` listed of a home.

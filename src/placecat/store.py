@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from placecat import cue_input, files, paths
 from placecat.cues.descriptors import Descriptors
 from placecat.errors import PlacecatError
-from placecat.vision.variants import FOLDER, FRAMES
 
 
 def read_descriptors(
@@ -71,11 +70,11 @@ def _folder(home: str, descriptor: Mapping[str, Any]) -> Path:
     if descriptor.get("tracked", False):
         return paths.TRACKS / home
     folder = paths.features(home)
-    return folder / FOLDER.format(descriptor["variant"]) if "variant" in descriptor else folder
+    return folder / paths.VARIANT.format(descriptor["variant"]) if "variant" in descriptor else folder
 
 
 def _described(folder: Path) -> NDArray[np.int64]:
-    path = folder / FRAMES
+    path = folder / paths.VARIANT_FRAMES
     if not path.is_file():
         raise PlacecatError(
             f"{path} is missing: name the variant in conf/region_variants and run `dvc repro`"

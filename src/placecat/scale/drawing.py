@@ -6,9 +6,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import files, seeds
+from placecat import files, paths, seeds
 from placecat.scale.database import Stretch
-from placecat.vision.variants import FRAMES
 
 # Arrays with an axis of regions after that of frames.
 REGIONS = "regions"
@@ -138,7 +137,8 @@ def write_jittered(
 
 def arrays_in(folder: Path) -> list[str]:
     """Names of the arrays of features or tracks in a folder, without the count of regions and the frames."""
-    return sorted(path.stem for path in folder.glob("*.npy") if path.stem != COUNT and path.name != FRAMES)
+    others = (f"{COUNT}.npy", paths.VARIANT_FRAMES)
+    return sorted(path.stem for path in folder.glob("*.npy") if path.name not in others)
 
 
 def has_regions(name: str) -> bool:

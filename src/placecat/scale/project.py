@@ -14,7 +14,6 @@ from placecat import compose, files, listing, parallel, paths, settings
 from placecat.errors import PlacecatError
 from placecat.scale import drawing
 from placecat.scale.database import Home, Stretch, classes_of
-from placecat.vision.variants import FOLDER, FRAMES
 
 # What stages read besides, as the project has it.
 LINKED = (paths.SITES, paths.SPLITS, paths.TOY, paths.PUBLISHED.parent)
@@ -105,11 +104,11 @@ def _plan(
     tasks = []
     for kind in (paths.FEATURES, paths.TRACKS):
         tasks += _plan_arrays(kind / source, folder / kind / home, chosen, classes, regions, jitter, home)
-    for variant in sorted((paths.FEATURES / source).glob(FOLDER.format("*"))):
+    for variant in sorted((paths.FEATURES / source).glob(paths.VARIANT.format("*"))):
         target = folder / paths.FEATURES / home / variant.name
-        there = files.read_array(variant / FRAMES, memory_map=False)
+        there = files.read_array(variant / paths.VARIANT_FRAMES, memory_map=False)
         rows = np.arange(frames["offset"], len(chosen), frames["step"])
-        files.write_array(target / FRAMES, rows)
+        files.write_array(target / paths.VARIANT_FRAMES, rows)
         # The last frame of the source, up to the one drawn, that has the variant.
         own = np.maximum(np.searchsorted(there, chosen[rows], side="right") - 1, 0)
         most = files.read_array(variant / f"{drawing.REGIONS}.npy").shape[1]

@@ -12,7 +12,6 @@ from placecat.sequences.base import read_frames
 from placecat.stages import run
 from placecat.vision.frame import check, describe_frame
 from placecat.vision.memory import keep_freed_memory
-from placecat.vision.variants import FOLDER, FRAMES
 
 
 def main(home: str) -> None:
@@ -78,8 +77,8 @@ def describe_home(
         modules = {name: own.get("descriptor", name) for name, own in options["local"].items()}
         files.write_json(folder / "descriptors.json", modules)
         for name in also:
-            files.write_json(folder / FOLDER.format(name) / "descriptors.json", modules)
-            files.write_array(folder / FOLDER.format(name) / FRAMES, rows)
+            files.write_json(folder / paths.VARIANT.format(name) / "descriptors.json", modules)
+            files.write_array(folder / paths.VARIANT.format(name) / paths.VARIANT_FRAMES, rows)
         for name in _names(parts):
             array = np.concatenate([part[name] for part in parts if name in part])
             files.write_array(folder / f"{name}.npy", array)

@@ -6,16 +6,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import settings
+from placecat import paths, settings
 from placecat.errors import PlacecatError
 from placecat.vision import local
 from placecat.vision.attention import find_regions
 from placecat.vision.discovery import check_settings, settings_of
 from placecat.vision.maps import FrameMaps
-
-FOLDER = "variant_{}"
-# Which frames of a home have the variant, in its folder.
-FRAMES = "frames.npy"
 
 _Section = Mapping[str, Any]
 
@@ -83,7 +79,7 @@ def describe_variants(
         chosen = {**regions, **own["regions"]}
         most = int(chosen.get("max_regions", settings_of(find_regions)["max_regions"]))
         found = find_regions(seen, **chosen)
-        folder = FOLDER.format(name)
+        folder = paths.VARIANT.format(name)
         result[f"{folder}/count"] = np.array(len(found), np.int16)
         result[f"{folder}/regions"] = padded(found, most)
         for descriptor in own["descriptors"]:
