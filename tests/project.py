@@ -29,7 +29,7 @@ SMALL = [
     *(f"codebooks.{name}.tree.max_clusters=16" for name in ("gist_cells", "centrist_cells")),
     *(f"cues.{name}.classifier.clusters=46" for name in (*REGION_CUES, *TRACKED_CUES)),
     *(f"cues.{name}.classifier.clusters=16" for name in ("gist_naive_bayes", "centrist_naive_bayes")),
-    "cues.spatial_pact.classifier.reduction.components=16",
+    "cues.spatial_pact.classifier.reduction.components=8",
     *(
         f"splits.{split}.{setting}"
         for split, root in SITES.items()

@@ -31,7 +31,7 @@ def project(tmp_path):
     chosen = {"stages": {name: stages[name] for name in ("sequences", "features")}}
     (folder / "dvc.yaml").write_text(yaml.safe_dump(chosen, sort_keys=False))
     params = yaml.safe_load((ROOT / "params.yaml").read_text())
-    own = {name: params[name] for name in ("attention", "regions", "information")}
+    own = {name: params[name] for name in ("attention", "regions", "region_variants", "information")}
     own["dataset"] = yaml.safe_load((ROOT / "conf/dataset/my_homes.yaml").read_text())
     own["dataset"] |= {"root": "data/drawn", "homes": list(HOMES), "fps": 5.0}
     descriptors = params["descriptors"]

@@ -27,7 +27,9 @@ pytestmark = pytest.mark.xdist_group("cluster")
 def parameters():
     """The project's settings, cut down to two descriptors, one cue and three drawn homes."""
     params = yaml.safe_load((ROOT / "params.yaml").read_text())
-    own = {name: params[name] for name in ("attention", "regions", "information", "protocol")}
+    own = {
+        name: params[name] for name in ("attention", "regions", "region_variants", "information", "protocol")
+    }
     own["dataset"] = yaml.safe_load((ROOT / "conf/dataset/my_homes.yaml").read_text())
     own["dataset"] |= {"root": "data/drawn", "homes": list(HOMES), "fps": 5.0}
     own["descriptors"] = {

@@ -28,6 +28,7 @@ from placecat.sequences.base import (
     inside,
     natural,
     read_image,
+    relative,
     some_homes,
 )
 from placecat.sequences.labels import read_text
@@ -88,6 +89,7 @@ def read_home(
     PlacecatError
         If a label file or an image is missing or wrong, naming the line; a name with a slash.
     """
+    relative(name, "dataset.homes")
     if "/" in name:
         raise PlacecatError(f"dataset.homes: {name!r} has a slash; write {name.replace('/', '-', 1)!r}.")
     folder = home_folder(root, name.replace("-", "/", 1))
