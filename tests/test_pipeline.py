@@ -15,9 +15,15 @@ pytestmark = pytest.mark.xdist_group("pipeline")
 
 KEY = ["group", "row", "column"]
 TABLES = {f"table_{number:02d}" for number in range(1, 32)} | {
+    "addition_as_printed",
+    "addition_attention",
     "addition_discriminative_regions",
+    "addition_filter",
+    "addition_hmm",
     "addition_probabilities",
     "addition_rvm",
+    "addition_toy",
+    "addition_votes",
 }
 # The small homes have too few frames for the clusters or components of these, or no sixth home.
 TOO_SMALL = {1, 2, 4, 22}

@@ -36,7 +36,9 @@ def parameters():
         "local": {"hog": params["descriptors"]["local"]["hog"]},
         "holistic": {"gist": params["descriptors"]["holistic"]["gist"]},
     }
-    own["cues"] = {"gist": params["cues"]["gist"] | {"schemes": ["5-5-1"], "extra": False}}
+    own["cues"] = {
+        "gist": params["cues"]["gist"] | {"schemes": ["5-5-1"], "cross_validate": False, "extra": False}
+    }
     return own
 
 

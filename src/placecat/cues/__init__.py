@@ -28,6 +28,8 @@ __all__ = ["Codebook", "CueModel", "Descriptors", "cross_validate", "fit", "mode
 
 # Where frames are left out instead of homes.
 _PARTS = 5
+# Training frames of each place that the other homes must have: classifiers are calibrated on some of them.
+_LEAST = 2
 _SHARED = {"codebook", "descriptors", "model", "estimators"}
 
 
@@ -110,8 +112,9 @@ def cross_validate(
     Returns
     -------
     (n, n_classes)
-        Distributions of the training frames. Where the other homes lack a place, or there is one home only,
-        five parts of consecutive frames of each place are left out instead of homes, with a warning.
+        Distributions of the training frames. Where the other homes have fewer than two frames of a place, or
+        there is one home only, five parts of consecutive frames of each place are left out instead of homes,
+        with a warning.
 
     Raises
     ------
@@ -120,7 +123,8 @@ def cross_validate(
     """
     index = labels.astype(np.intp)
     names = np.unique(homes)
-    if len(names) > 1 and all(len(np.unique(labels[homes != home])) == len(classes) for home in names):
+    left = [np.bincount(index[homes != home], minlength=len(classes)).min() for home in names]
+    if len(names) > 1 and min(left) >= _LEAST:
         folds = make_folds(index, homes, CENTRED, _PARTS)
     else:
         logger.warning(
