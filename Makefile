@@ -6,7 +6,7 @@ PYTHON ?= python3
 SET ?=
 # Pieces to measure, e.g. PIECE="dependency_tree rvm"; by default all.
 PIECE ?=
-# What `make choose` is for: cues, systems, or by default both.
+# What `make choose` is for: cues, systems or smoothing; by default all.
 KIND ?=
 VENV := .venv
 BIN := $(VENV)/bin

@@ -64,19 +64,23 @@ def test_frame_rates_are_those_of_the_homes(project, monkeypatch):
     assert not np.allclose(slow["hmm"], result["hmm"])
 
 
-def test_candidates_are_read_from_what_the_cue_left(project, monkeypatch):
-    from placecat import settings
+def test_candidates_are_judged_on_what_the_cue_left(project, monkeypatch):
+    from placecat import paths
+    from placecat.choice.smoothing import judge_candidate
     from placecat.errors import PlacecatError
-    from placecat.smoothing_choice import candidates
 
     monkeypatch.chdir(project)
     smoothed([5.0] * 4)
-    params = settings.load() | {"probabilities": {"smallest": 1e-15}}
-    table = candidates(params, "gist", "5-5-1", values=[0.0, 1.0])
-    pairs = {(test, home) for test in HOMES for home in HOMES if test != home}
-    assert set(zip(table["test_home"], table["training_home"], strict=True)) == pairs
-    assert len(table) == 2 * len(pairs)
-    for path in (project / "data/cues/gist/5-5-1").glob("*/*/cross_validated.npy"):
-        path.unlink()
+    fold = protocol.folds(HOMES, "5-5-1")[0]
+    source = paths.CUES / "gist/5-5-1" / fold.test / "no-seed"
+
+    def judge():
+        return judge_candidate(MODEL, source, fold, PARAMS["protocol"]["cue_frames"], "abc", 1e-6)
+
+    judged = judge()
+    assert {test for test, *_ in judged} == {HOMES[0]}
+    assert [home for _, home, *_ in judged] == [*HOMES[1:], HOMES[0]]
+    assert all(0 <= accuracy <= 100 and loss > 0 for *_, accuracy, loss in judged)
+    (source / "cross_validated.npy").unlink()
     with pytest.raises(PlacecatError, match=r"cross_validated\.npy is missing"):
-        candidates(params, "gist", "5-5-1")
+        judge()

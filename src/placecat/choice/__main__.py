@@ -1,13 +1,11 @@
-"""`python -m placecat.choice [cues] [systems]`: choose settings on training homes (conf/choice.yaml)."""
+"""`python -m placecat.choice [KIND ...]`: choose settings on training homes (conf/choice.yaml)."""
 
 import sys
 
 import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
 from placecat import compute
-from placecat.choice.command import run, text
+from placecat.choice.command import KINDS, run, text
 from placecat.errors import PlacecatError
-
-KINDS = ("cues", "systems")
 
 
 def main() -> None:
@@ -15,7 +13,7 @@ def main() -> None:
     kinds = tuple(sys.argv[1:]) or KINDS
     for kind in kinds:
         if kind not in KINDS:
-            sys.exit(f"placecat: {kind!r} is neither of {' and '.join(KINDS)}")
+            sys.exit(f"placecat: {kind!r} is none of {', '.join(KINDS)}")
     try:
         with compute.as_set():
             print(text(run(kinds)))

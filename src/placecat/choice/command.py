@@ -7,14 +7,16 @@ from typing import Any
 import pandas as pd
 import yaml
 
-from placecat import files, parallel, paths, settings
+from placecat import files, listing, parallel, paths, settings
 from placecat.choice.candidates import COLUMNS, changed, choose, combinations, label
 from placecat.choice.judging import Judgement, judge_cue, judge_system, left_out
+from placecat.choice.smoothing import judge_candidate
 from placecat.errors import PlacecatError
 from placecat.evaluation import protocol
 
 SETTINGS = paths.CONF / "choice.yaml"
-_NAMES = ["margin", "smallest", "cues", "systems"]
+KINDS = ("cues", "systems", "smoothing")
+_NAMES = ["margin", "smallest", *KINDS]
 _DECIMALS = {"accuracy": 2, "test_accuracy": 2, "log_loss": 4, "test_log_loss": 4}
 
 
@@ -40,7 +42,7 @@ def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
     margin = content["margin"]
     if isinstance(margin, bool) or not isinstance(margin, int | float) or not 0 <= margin < 100:
         raise PlacecatError(f"{path}: margin is {margin!r}; give points of accuracy, 0 or more")
-    for kind in ("cues", "systems"):
+    for kind in KINDS:
         settings.refuse_unknown(content[kind], ["names", "grids"], f"{path}: {kind}")
         for grid in settings.get(content[kind], "grids"):
             for name, values in grid.items():
@@ -49,13 +51,13 @@ def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
     return content
 
 
-def run(kinds: Sequence[str] = ("cues", "systems"), output: Path = paths.CROSS_VALIDATION) -> pd.DataFrame:
+def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> pd.DataFrame:
     """Judge every candidate on the data set of params.yaml; keep what other data sets gave.
 
     Parameters
     ----------
     kinds
-        ``cues`` and ``systems``, or one of them; what the file has of the other stays.
+        Of `KINDS`; what the file has of others stays.
     output
         The file, whose rows of this data set and these kinds are replaced.
 
@@ -73,8 +75,7 @@ def run(kinds: Sequence[str] = ("cues", "systems"), output: Path = paths.CROSS_V
     data = str(settings.get(params, "dataset.title"))
     rows: list[tuple[Any, ...]] = []
     for kind in kinds:
-        tasks = _cue_tasks if kind == "cues" else _system_tasks
-        rows += _judge(data, kind, *tasks(options, params))
+        rows += _judge(data, kind, *_TASKS[kind](options, params))
     table = pd.DataFrame(rows, columns=COLUMNS).round(_DECIMALS)
     if output.is_file():
         old = files.read_csv(output)
@@ -147,6 +148,34 @@ def _system_tasks(
                 for seed in settings.get(params, "protocol.seeds")
             ]
     return judge_system, tasks
+
+
+def _smoothing_tasks(
+    options: Mapping[str, Any], params: Mapping[str, Any]
+) -> tuple[Callable[..., list[Judgement]], list[Task]]:
+    homes = list(settings.get(params, "dataset.homes"))
+    common = (
+        settings.get(params, "protocol.cue_frames"),
+        settings.get(params, "dataset.classes"),
+        float(options["smallest"]),
+    )
+    smoothing = settings.get(params, "smoothing")
+    model = {name: value for name, value in smoothing.items() if name not in ("cues", "filtered")}
+    tasks: list[Task] = []
+    for name in options["smoothing"]["names"]:
+        scheme = settings.get(params, f"cues.{name}.schemes")[0]
+        for overrides in combinations(options["smoothing"]["grids"]):
+            own = changed(model, overrides, "the smoothing")
+            for fold in protocol.folds(homes, scheme):
+                source = paths.CUES / name / scheme / fold.test
+                tasks += [
+                    (name, label(overrides), (own, source / seed, fold, *common))
+                    for seed in listing.seeds_in(source)
+                ]
+    return judge_candidate, tasks
+
+
+_TASKS = {"cues": _cue_tasks, "systems": _system_tasks, "smoothing": _smoothing_tasks}
 
 
 def text(chosen: pd.DataFrame) -> str:

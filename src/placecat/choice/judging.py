@@ -9,21 +9,12 @@ from numpy.typing import NDArray
 
 from placecat import cue_training, files, listing, paths, store
 from placecat.evaluation import protocol
-from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
-from placecat.evaluation.probabilities import log_loss
+from placecat.evaluation.smoothed_homes import judge
 from placecat.fusion.integrate import fit
 from placecat.fusion.temperature import fit_temperature
 
 # (home that was left out as a test home, home that is judged, accuracy in percent, log-loss in nats).
 Judgement = tuple[str, str, float, float]
-
-
-def judge(
-    truth: NDArray[np.int16], proba: NDArray[np.float64], n_classes: int, smallest: float
-) -> tuple[float, float]:
-    """Accuracy in percent (mean over the places) and log-loss (likewise) of one home's frames."""
-    confusion = confusion_matrix(truth, proba.argmax(axis=1), n_classes)
-    return home_accuracy(confusion), log_loss(truth, proba, smallest=smallest)
 
 
 def left_out(homes: Sequence[str]) -> list[tuple[str, ...]]:

@@ -3,7 +3,7 @@ from math import log
 import numpy as np
 import pytest
 
-from placecat.evaluation.smoothing_candidates import COLUMNS, TrainingHome, smoothing_candidates
+from placecat.evaluation.smoothed_homes import TrainingHome, judge_smoothing
 from placecat.fusion.smoothing import Smoother, fit
 
 SMOOTHING = {
@@ -32,23 +32,13 @@ def homes():
     return {name: home(seed) for seed, name in enumerate("abc")}
 
 
-def judge(homes, values=(0.0, 1.0, 4.0), **changes):
-    options = {"test_home": "t", "setting": "delay_seconds", "values": values}
-    options |= {"smoothing": SMOOTHING, "smallest": 1e-15}
-    return smoothing_candidates(homes, 3, **(options | changes))
-
-
-def test_a_row_for_each_value_and_training_home(homes):
-    table = judge(homes)
-    assert list(table.columns) == list(COLUMNS)
-    assert len(table) == 9
-    assert set(table["test_home"]) == {"t"} and set(table["setting"]) == {"delay_seconds"}
-    assert table["accuracy"].between(0, 100).all() and (table["log_loss"] > 0).all()
+def judge(homes, **changes):
+    return judge_smoothing(homes, 3, smoothing=SMOOTHING | changes, smallest=1e-15)
 
 
 def test_each_home_is_smoothed_with_statistics_of_the_others_in_the_time_that_was_filmed(homes):
     """Against the smoother of single frames, fed by hand."""
-    table = judge(homes, values=[2.0]).set_index("training_home")
+    accuracy, log_loss = judge(homes, delay_seconds=2.0)["b"]
     own, others = homes["b"], [homes["a"], homes["c"]]
     model = fit(
         [other.labels[part] for other in others for part in other.sequences],
@@ -69,8 +59,8 @@ def test_each_home_is_smoothed_with_statistics_of_the_others_in_the_time_that_wa
             right[own.labels[row]].append(result.argmax() == own.labels[row])
             losses[own.labels[row]].append(-log(result[own.labels[row]]))
             last = row
-    assert table.loc["b", "accuracy"] == pytest.approx(100 * np.mean([np.mean(v) for v in right.values()]))
-    assert table.loc["b", "log_loss"] == pytest.approx(np.mean([np.mean(v) for v in losses.values()]))
+    assert accuracy == pytest.approx(100 * np.mean([np.mean(v) for v in right.values()]))
+    assert log_loss == pytest.approx(np.mean([np.mean(v) for v in losses.values()]))
 
 
 def test_a_home_has_no_part_in_the_model_that_it_is_judged_by(homes):
@@ -79,10 +69,10 @@ def test_a_home_has_no_part_in_the_model_that_it_is_judged_by(homes):
     others = np.setdiff1d(np.arange(len(labels)), homes["a"].rows)
     labels[others] = np.random.default_rng(0).integers(0, 3, len(others))
     changed = homes | {"a": TrainingHome(**(vars(homes["a"]) | {"labels": labels}))}
-    before, after = (judge(one).set_index("training_home")["log_loss"] for one in (homes, changed))
-    np.testing.assert_array_equal(before["a"], after["a"])
+    before, after = judge(homes), judge(changed)
+    assert before["a"] == after["a"]
     for other in "bc":
-        assert not np.allclose(before[other], after[other])
+        assert not np.isclose(before[other][1], after[other][1])
 
 
 def test_homes_of_other_frame_rates_are_judged_in_seconds(homes):
@@ -90,12 +80,7 @@ def test_homes_of_other_frame_rates_are_judged_in_seconds(homes):
     fast = {name: TrainingHome(**(vars(one) | {"frame_rate": 10.0})) for name, one in homes.items()}
     for slow, quick in ((4.0, 2.0), (0.0, 0.0)):
         # The time that a frame is evidence for halves as well.
-        halved = SMOOTHING | {"evidence_seconds": 0.5}
-        np.testing.assert_allclose(
-            judge(homes, [slow])["log_loss"], judge(fast, [quick], smoothing=halved)["log_loss"], rtol=1e-9
-        )
-
-
-def test_any_setting_may_be_judged(homes):
-    table = judge(homes, values=["hard", "soft"], setting="evidence")
-    assert table["value"].tolist() == ["hard", "soft"] * 3
+        judged = judge(homes, delay_seconds=slow, evidence_seconds=1.0)
+        halved = judge(fast, delay_seconds=quick, evidence_seconds=0.5)
+        for name in homes:
+            np.testing.assert_allclose(judged[name], halved[name], rtol=1e-9)

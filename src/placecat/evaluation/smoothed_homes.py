@@ -1,18 +1,15 @@
-"""Values of a setting of the smoothing, judged on training homes that nothing smoothed has seen."""
+"""Smoothing judged on training homes that nothing smoothed has seen."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import pandas as pd
 from numpy.typing import NDArray
 
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.evaluation.probabilities import log_loss
 from placecat.fusion.smoothing import Smoother, SmoothingModel, fit
-
-COLUMNS = ("setting", "value", "test_home", "training_home", "accuracy", "log_loss")
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,19 +40,12 @@ class TrainingHome:
     proba: NDArray[np.float64]
 
 
-def smoothing_candidates(
-    homes: Mapping[str, TrainingHome],
-    n_classes: int,
-    *,
-    test_home: str,
-    setting: str,
-    values: Sequence[Any],
-    smoothing: Mapping[str, Any],
-    smallest: float,
-) -> pd.DataFrame:
-    """Smooth each training home as if it were tested, with each value of a setting.
+def judge_smoothing(
+    homes: Mapping[str, TrainingHome], n_classes: int, *, smoothing: Mapping[str, Any], smallest: float
+) -> dict[str, tuple[float, float]]:
+    """Smooth each training home as if it were tested.
 
-    Transitions and emission are counted on the other training homes. The test home has no part in it.
+    Transitions and emission are counted on the other training homes.
 
     Parameters
     ----------
@@ -63,43 +53,40 @@ def smoothing_candidates(
         The training homes of one fold by name, at least two.
     n_classes
         Number of places.
-    test_home
-        Of the fold; for the table only.
-    setting
-        Of :func:`placecat.fusion.smoothing.fit`, e.g. ``delay_seconds``.
-    values
-        Its candidates.
     smoothing
-        All settings of that function; `setting` is replaced.
+        All settings of :func:`placecat.fusion.smoothing.fit`.
     smallest
         As for :func:`placecat.evaluation.probabilities.log_loss`.
 
     Returns
     -------
-    pandas.DataFrame
-        A row for each value and training home: `COLUMNS`. ``accuracy`` is the mean over places in percent
-        (:func:`placecat.evaluation.accuracy.home_accuracy`), ``log_loss`` that of
-        :func:`placecat.evaluation.probabilities.log_loss`, in nats.
+    dict
+        For each home its accuracy, the mean over places in percent
+        (:func:`placecat.evaluation.accuracy.home_accuracy`), and its log-loss
+        (:func:`placecat.evaluation.probabilities.log_loss`), in nats.
     """
-    rows = []
+    judged = {}
     for name, home in homes.items():
         others = [other for key, other in homes.items() if key != name]
         walks = [(other.labels[part], other.frame_rate) for other in others for part in other.sequences]
-        for value in values:
-            model = fit(
-                [labels for labels, _ in walks],
-                np.concatenate([other.proba for other in others]),
-                np.concatenate([other.labels[other.rows] for other in others]),
-                n_classes,
-                training_frame_rates=[rate for _, rate in walks],
-                **(dict(smoothing) | {setting: value}),
-            )
-            truth, smoothed = home.labels[home.rows], _smoothed(model, home)
-            accuracy = home_accuracy(confusion_matrix(truth, smoothed.argmax(axis=1), n_classes))
-            rows.append(
-                (setting, value, test_home, name, accuracy, log_loss(truth, smoothed, smallest=smallest))
-            )
-    return pd.DataFrame(rows, columns=list(COLUMNS))
+        model = fit(
+            [labels for labels, _ in walks],
+            np.concatenate([other.proba for other in others]),
+            np.concatenate([other.labels[other.rows] for other in others]),
+            n_classes,
+            training_frame_rates=[rate for _, rate in walks],
+            **smoothing,
+        )
+        judged[name] = judge(home.labels[home.rows], _smoothed(model, home), n_classes, smallest)
+    return judged
+
+
+def judge(
+    truth: NDArray[np.int16], proba: NDArray[np.float64], n_classes: int, smallest: float
+) -> tuple[float, float]:
+    """Accuracy in percent (mean over the places) and log-loss (likewise) of one home's frames."""
+    confusion = confusion_matrix(truth, proba.argmax(axis=1), n_classes)
+    return home_accuracy(confusion), log_loss(truth, proba, smallest=smallest)
 
 
 def _smoothed(model: SmoothingModel, home: TrainingHome) -> NDArray[np.float64]:
