@@ -107,4 +107,20 @@ def test_the_apartments_train_and_test_all_classes_with_other_cameras(homes):
     seen = classes_of(apartments, *apartments)
     classes = set(settings()["apartments"]["classes"])
     assert seen["flip"] | seen["webcam"] == seen["robot"] == classes
-    assert len({facts["camera"] for _, facts in apartments.values()}) == 3
+    cameras = {name: facts["camera"] for name, (_, facts) in apartments.items()}
+    assert len({cameras[name] for name in ("flip", "webcam", "robot")}) == 3
+
+
+def test_the_extra_data_is_the_flat_of_the_robot_filmed_by_hand(homes):
+    """Thesis 4.5; in 4.10 nothing learns from that flat, since it is tested there."""
+    listed = render.listed()
+    flip, downstairs, robot = (listed[f"apartments/{name}"] for name in ("flip", "flip_downstairs", "robot"))
+    assert (downstairs["plan"], downstairs["building"]) == (robot["plan"], robot["building"])
+    assert (downstairs["camera"], downstairs["carriage"]) == (flip["camera"], flip["carriage"])
+    params = yaml.safe_load((ROOT / "params.yaml").read_text())
+    assert params["protocol"]["extra"] == {"split": "apartments", "sequences": ["flip_downstairs"]}
+    own = params["splits"]["apartments"]
+    used = [part["sequence"] for part in (*own["cue_parts"], *own["integration_parts"])]
+    assert "flip_downstairs" not in (*used, *own["test"])
+    trained = set(settings()["homes"]["classes"])
+    assert trained <= classes_of(homes["apartments"], "flip_downstairs")["flip_downstairs"]
