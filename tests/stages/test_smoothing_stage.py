@@ -4,8 +4,9 @@ import json
 
 import numpy as np
 import pytest
-from made_features import HOMES, PARAMS, make
+from made_features import CLASSES, HOMES, PARAMS, make
 
+from placecat import listing
 from placecat.evaluation import protocol
 from placecat.fusion.smoothing import smooth
 
@@ -64,23 +65,47 @@ def test_frame_rates_are_those_of_the_homes(project, monkeypatch):
     assert not np.allclose(slow["hmm"], result["hmm"])
 
 
-def test_candidates_are_judged_on_what_the_cue_left(project, monkeypatch):
+def test_a_training_home_is_smoothed_with_statistics_of_the_others(project, monkeypatch):
+    """Against `smooth`, fed by hand; the home and the test home have no part in it."""
     from placecat import paths
-    from placecat.choice.smoothing import judge_candidate
+    from placecat.choice.judging import judge_home, predict_unseen
+    from placecat.choice.smoothing import judge_smoothing
     from placecat.errors import PlacecatError
 
     monkeypatch.chdir(project)
     smoothed([5.0] * 4)
     fold = protocol.folds(HOMES, "5-5-1")[0]
     source = paths.CUES / "gist/5-5-1" / fold.test / "no-seed"
+    frames, cue = PARAMS["protocol"]["cue_frames"], PARAMS["cues"]["gist"]
+    pairs = {home: (fold.test, home) for home in HOMES[1:]}
+    unseen = {home: predict_unseen(cue, HOMES, pair, frames, CLASSES)[home] for home, pair in pairs.items()}
 
     def judge():
-        return judge_candidate(MODEL, source, fold, PARAMS["protocol"]["cue_frames"], "abc", 1e-6)
+        return judge_smoothing(MODEL, source, fold, unseen, frames, 1e-6)
 
     judged = judge()
-    assert {test for test, *_ in judged} == {HOMES[0]}
-    assert [home for _, home, *_ in judged] == [*HOMES[1:], HOMES[0]]
-    assert all(0 <= accuracy <= 100 and loss > 0 for *_, accuracy, loss in judged)
+    assert [(test, home) for test, home, *_ in judged] == [
+        (HOMES[0], home) for home in (*HOMES[1:], HOMES[0])
+    ]
+    last = HOMES[3]
+    held_out, truth = np.load(source / "cross_validated.npy"), np.load(source / "cross_validated_truth.npy")
+    others = len(truth) - len(protocol.select_frames(listing.read_labels(last), **frames))
+    expected = smooth(
+        unseen[last],
+        [slice(0, 50), slice(50, 90)],
+        frame_rate=5.0,
+        training_sequences=[
+            listing.read_labels(h)[p] for h in HOMES[1:3] for p in (slice(0, 50), slice(50, 90))
+        ],
+        training_frame_rates=[5.0] * 4,
+        training_proba=held_out[:others],
+        training_truth=truth[:others],
+        n_classes=3,
+        **MODEL,
+    )
+    assert judged[2][2:] == judge_home(last, expected["delayed"], 1e-6)
+    tested = smoothed([5.0] * 4)["delayed"]
+    assert judged[3][2:] == judge_home(fold.test, tested, 1e-6)
     (source / "cross_validated.npy").unlink()
     with pytest.raises(PlacecatError, match=r"cross_validated\.npy is missing"):
         judge()

@@ -1,5 +1,6 @@
 """All of `python -m placecat.choice`."""
 
+import itertools
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -9,8 +10,8 @@ import yaml
 
 from placecat import files, listing, parallel, paths, settings
 from placecat.choice.candidates import COLUMNS, changed, choose, combinations, label
-from placecat.choice.judging import Judgement, judge_cue, judge_system, left_out
-from placecat.choice.smoothing import judge_candidate
+from placecat.choice.judging import Judgement, judge_cue, judge_system, left_out, predict_unseen
+from placecat.choice.smoothing import judge_smoothing
 from placecat.errors import PlacecatError
 from placecat.evaluation import protocol
 
@@ -118,9 +119,7 @@ def _cue_tasks(
     )
     tasks: list[Task] = []
     for name in options["cues"]["names"]:
-        cue = settings.get(params, f"cues.{name}")
-        if cue["codebook"] is not None:
-            raise PlacecatError(f"{SETTINGS}: the cue {name} has a codebook; choose among others")
+        cue = _without_codebook(params, name)
         for overrides in combinations(options["cues"]["grids"]):
             own = changed(cue, overrides, f"the cue {name}")
             tasks += [(name, label(overrides), (own, homes, pair, *common)) for pair in left_out(homes)]
@@ -154,25 +153,43 @@ def _smoothing_tasks(
     options: Mapping[str, Any], params: Mapping[str, Any]
 ) -> tuple[Callable[..., list[Judgement]], list[Task]]:
     homes = list(settings.get(params, "dataset.homes"))
-    common = (
-        settings.get(params, "protocol.cue_frames"),
-        settings.get(params, "dataset.classes"),
-        float(options["smallest"]),
-    )
+    frames = settings.get(params, "protocol.cue_frames")
     smoothing = settings.get(params, "smoothing")
     model = {name: value for name, value in smoothing.items() if name not in ("cues", "filtered")}
     tasks: list[Task] = []
     for name in options["smoothing"]["names"]:
-        scheme = settings.get(params, f"cues.{name}.schemes")[0]
+        cue, scheme = _without_codebook(params, name), settings.get(params, f"cues.{name}.schemes")[0]
+        pairs = list(itertools.combinations(homes, 2))
+        wanted = [(cue, homes, pair, frames, settings.get(params, "dataset.classes")) for pair in pairs]
+        done = parallel.in_parallel(predict_unseen, wanted, f"cue {name} without two homes")
+        unseen: dict[str, dict[str, Any]] = {home: {} for home in homes}
+        for (first, second), proba in zip(pairs, done, strict=True):
+            unseen[first][second], unseen[second][first] = proba[second], proba[first]
         for overrides in combinations(options["smoothing"]["grids"]):
             own = changed(model, overrides, "the smoothing")
-            for fold in protocol.folds(homes, scheme):
-                source = paths.CUES / name / scheme / fold.test
-                tasks += [
-                    (name, label(overrides), (own, source / seed, fold, *common))
-                    for seed in listing.seeds_in(source)
-                ]
-    return judge_candidate, tasks
+            tasks += [
+                (
+                    name,
+                    label(overrides),
+                    (
+                        own,
+                        listing.seeded(paths.CUES / name / scheme / fold.test, None),
+                        fold,
+                        unseen[fold.test],
+                        frames,
+                        float(options["smallest"]),
+                    ),
+                )
+                for fold in protocol.folds(homes, scheme)
+            ]
+    return judge_smoothing, tasks
+
+
+def _without_codebook(params: Mapping[str, Any], name: str) -> Mapping[str, Any]:
+    cue: Mapping[str, Any] = settings.get(params, f"cues.{name}")
+    if cue["codebook"] is not None:
+        raise PlacecatError(f"{SETTINGS}: the cue {name} has a codebook; choose among others")
+    return cue
 
 
 _TASKS = {"cues": _cue_tasks, "systems": _system_tasks, "smoothing": _smoothing_tasks}

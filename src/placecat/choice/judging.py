@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from placecat import cue_training, files, listing, paths, store
 from placecat.evaluation import protocol
-from placecat.evaluation.smoothed_homes import judge
+from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
+from placecat.evaluation.probabilities import log_loss
 from placecat.fusion.integrate import fit
 from placecat.fusion.temperature import fit_temperature
 
@@ -17,9 +18,35 @@ from placecat.fusion.temperature import fit_temperature
 Judgement = tuple[str, str, float, float]
 
 
+def judge(truth: NDArray[np.int16], proba: NDArray[np.float64], smallest: float) -> tuple[float, float]:
+    """Accuracy in percent (mean over the places) and log-loss (likewise, in nats) of one home's frames."""
+    confusion = confusion_matrix(truth, proba.argmax(axis=1), proba.shape[1])
+    return home_accuracy(confusion), log_loss(truth, proba, smallest=smallest)
+
+
 def left_out(homes: Sequence[str]) -> list[tuple[str, ...]]:
     """Which homes are left out together: every pair, and every home by itself."""
     return [*itertools.combinations(homes, 2), *((home,) for home in homes)]
+
+
+def predict_unseen(
+    cue: Mapping[str, Any],
+    homes: Sequence[str],
+    without: tuple[str, ...],
+    frames: Mapping[str, int],
+    classes: Sequence[str],
+) -> dict[str, NDArray[np.float64]]:
+    """Train a cue without codebook on all homes but some; give its distributions for every frame of these."""
+    trained = cue_training.train(
+        tuple(home for home in homes if home not in without),
+        cue["descriptor"],
+        classifier=cue["classifier"],
+        codebook=None,
+        frames=frames,
+        classes=classes,
+    )
+    described = {home: store.read_descriptors(home, cue["descriptor"]) for home in without}
+    return {home: trained.model.predict_proba(frames) for home, frames in described.items()}
 
 
 def judge_cue(
@@ -40,22 +67,16 @@ def judge_cue(
         One home, which is then a test home, or two, of which each is a training home that was not seen when
         the other is tested.
     """
-    others = tuple(home for home in homes if home not in without)
-    trained = cue_training.train(
-        others,
-        cue["descriptor"],
-        classifier=cue["classifier"],
-        codebook=None,
-        frames=frames,
-        classes=classes,
-    )
-    judged = {}
-    for home in without:
-        labels = listing.read_labels(home)
-        rows = np.flatnonzero(labels >= 0)
-        proba = trained.model.predict_proba(store.read_descriptors(home, cue["descriptor"], rows))
-        judged[home] = judge(labels[rows], proba, len(classes), smallest)
+    unseen = predict_unseen(cue, homes, without, frames, classes)
+    judged = {home: judge_home(home, proba, smallest) for home, proba in unseen.items()}
     return _both_ways(without, judged)
+
+
+def judge_home(home: str, proba: NDArray[np.float64], smallest: float) -> tuple[float, float]:
+    """Judge the distributions of a home's every frame by those that are labelled."""
+    labels = listing.read_labels(home)
+    rows = np.flatnonzero(labels >= 0)
+    return judge(labels[rows], proba[rows], smallest)
 
 
 def judge_system(
@@ -105,7 +126,7 @@ def judge_system(
         truth = labels[home]
         if array != "test":
             truth = truth[protocol.select_frames(truth, **frames)]
-        judged[home] = judge(truth, trained.integrator.predict_proba(read(array)), len(classes), smallest)
+        judged[home] = judge(truth, trained.integrator.predict_proba(read(array)), smallest)
     return _both_ways((fold.test, *kept), judged)
 
 

@@ -1,71 +1,76 @@
-"""Candidates for the smoothing, judged on training homes from what the stages left.
+"""Candidates for the smoothing, judged on training homes.
 
 Only single cues: the distributions that train an integration come from cues that have seen other frames of
 the same home, and so look better than they are.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from placecat import files, listing
-from placecat.choice.judging import Judgement
+from placecat.choice.judging import Judgement, judge_home
 from placecat.errors import PlacecatError
 from placecat.evaluation import protocol
-from placecat.evaluation.smoothed_homes import TrainingHome, judge, judge_smoothing
+from placecat.fusion.smoothing import smooth
 from placecat.stages.smoothing import smooth_home
 
 
-def judge_candidate(
+def judge_smoothing(
     smoothing: Mapping[str, Any],
     source: Path,
     fold: protocol.Fold,
+    unseen: Mapping[str, NDArray[np.float64]],
     frames: Mapping[str, int],
-    classes: Sequence[str],
     smallest: float,
 ) -> list[Judgement]:
-    """Smooth the homes of one fold of a cue, each with statistics of the training homes but itself.
+    """Smooth the homes of one fold of a cue.
 
     Parameters
     ----------
     smoothing
         Settings of :func:`placecat.fusion.smoothing.fit`.
     source
-        Folder of what the cue gave for the fold.
+        Folder of what the stage `cues` left of the fold.
+    unseen
+        For each training home (frames, n_classes) distributions of its every frame by a cue that has seen
+        neither it nor the test home. It is smoothed with statistics of the other training homes; the test
+        home with those of all.
+    frames
+        ``offset`` and ``step`` of the frames that trained the cue, see
+        :func:`placecat.evaluation.protocol.select_frames`.
 
     Raises
     ------
     PlacecatError
         If the cue was not cross-validated by home.
     """
-    homes = _training_homes(source, fold.cue_homes, frames)
-    judged = judge_smoothing(homes, len(classes), smoothing=smoothing, smallest=smallest)
-    result = [(fold.test, home, *numbers) for home, numbers in judged.items()]
-    smoothed = smooth_home(source, fold, smoothing, len(classes))["delayed"]
-    labels = listing.read_labels(fold.test)
-    rows = np.flatnonzero(labels >= 0)
-    return [*result, (fold.test, fold.test, *judge(labels[rows], smoothed[rows], len(classes), smallest))]
-
-
-def _training_homes(folder: Path, homes: Sequence[str], frames: Mapping[str, int]) -> dict[str, TrainingHome]:
-    path = folder / "cross_validated.npy"
+    path = source / "cross_validated.npy"
     if not path.exists():
         raise PlacecatError(
-            f"{path} is missing: the smoothing is judged on results that are cross-validated, such as nu_svm"
+            f"{path} is missing: smoothing is judged on cues with cross_validate on; run `dvc repro`"
         )
-    proba, start, found = files.read_array(path, memory_map=False), 0, {}
-    for home in homes:
-        labels = listing.read_labels(home)
-        rows = protocol.select_frames(labels, **frames)
-        found[home] = TrainingHome(
-            labels=labels,
-            sequences=listing.sequence_slices(home),
+    held_out = files.read_array(path, memory_map=False)
+    truth = files.read_array(source / "cross_validated_truth.npy", memory_map=False)
+    counts = [len(protocol.select_frames(listing.read_labels(home), **frames)) for home in fold.cue_homes]
+    home_of_frame = np.repeat(fold.cue_homes, counts)
+    judged = []
+    for home in fold.cue_homes:
+        walks, frame_rates = listing.walks(other for other in fold.cue_homes if other != home)
+        smoothed = smooth(
+            unseen[home],
+            listing.sequence_slices(home),
             frame_rate=listing.frame_rate(home),
-            rows=rows,
-            step=frames["step"],
-            proba=proba[start : start + len(rows)],
+            training_sequences=walks,
+            training_frame_rates=frame_rates,
+            training_proba=held_out[home_of_frame != home],
+            training_truth=truth[home_of_frame != home],
+            n_classes=held_out.shape[1],
+            **smoothing,
         )
-        start += len(rows)
-    return found
+        judged.append((fold.test, home, *judge_home(home, smoothed["delayed"], smallest)))
+    tested = smooth_home(source, fold, smoothing, held_out.shape[1])["delayed"]
+    return [*judged, (fold.test, fold.test, *judge_home(fold.test, tested, smallest))]
