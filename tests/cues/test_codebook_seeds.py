@@ -2,7 +2,7 @@
 
 import pytest
 
-from made_results import PARAMS
+from made_results import PARAMS, STUDIES
 from placecat.cue_input import HOLISTIC, LOCAL
 from placecat.cues import codebook
 from placecat.cues.codebook import FROZEN, seed_of
@@ -82,7 +82,7 @@ def test_seeds_of_the_codebooks_are_what_they_always_were():
 
 def test_seeds_of_the_trials_are_what_they_always_were():
     first = {}
-    for study in PARAMS["studies"].values():
+    for study in STUDIES.values():
         for name, table in study.items():
             for trial in expand(name, table, PARAMS["dataset"]["homes"]):
                 shared = trial.settings.get("codebook")
