@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 import yaml
 
-from placecat import files
+from placecat import definitions, files
 from placecat.evaluation.trials import expand
 from placecat.learning.toy_circles import NAMES
 from placecat.reporting.quality import QUALITY_COLUMNS, quality_rows
@@ -25,6 +25,7 @@ from placecat.reporting.tables import contradictions_of
 
 ROOT = Path(__file__).resolve().parents[1]
 PARAMS = yaml.safe_load((ROOT / "params.yaml").read_text())
+STUDIES = definitions.studies(PARAMS, ROOT)
 SEEDS = ("seed-0", "seed-1")
 
 
@@ -51,7 +52,7 @@ def made(params=PARAMS, drawn=0):
         seeds = (NO_SEED,) if of_one_frame else SEEDS
         add(name, source.homes, source.classes, seeds)
         quality[name] = drawn_quality(of_quality, tuple(source.homes), seeds)
-    for study in params["studies"].values():
+    for study in STUDIES.values():
         for table, options in study.items():
             for trial in expand(table, options, homes):
                 if trial.homes:

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import yaml
 
-from made_results import PARAMS
 from placecat.compose import compose
 from project import light_conf
 
@@ -20,5 +19,4 @@ def with_optional(name):
         light = yaml.safe_load(compose([f"optional={name}"], conf=light_conf(folder / "conf")))
     finally:
         shutil.rmtree(folder)
-    rest = {key: PARAMS[key] for key in ("findings", "studies")}
-    return light | rest | {"tables": PARAMS["tables"] | light.get("tables", {})}
+    return light

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import yaml
 
-from placecat.compose import compose, found
+from placecat.compose import compose
 from sketch import draw_homes
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -56,9 +56,8 @@ SMALL = [
 
 
 def light_conf(folder):
-    """Copy conf/ without tables and findings, which make up most of it, so that it composes quickly."""
-    shutil.copytree(ROOT / "conf", folder, ignore=shutil.ignore_patterns("table", "finding"))
-    (folder / "found.yaml").write_text(found(folder))
+    """Copy conf/."""
+    shutil.copytree(ROOT / "conf", folder)
     return folder
 
 

@@ -146,7 +146,6 @@ def _set(params, name, value):
         ("cues.gist.descriptor", None, r"cue/gist\.yaml: descriptor needs kind"),
         ("cues.gist.seed", 1, r"cue/gist\.yaml has no setting 'seed'"),
         ("cues.hog_y.codebook", "hog", r"cue/hog_y\.yaml: there is no codebook 'hog'"),
-        ("cues.hog_y.input", "features", r"cue/hog_y\.yaml: .* input is codebooks/hog_y"),
         ("cues.hog_tracked.schemes", ["4-5-1"], r"cue/hog_tracked\.yaml.*for the scheme '4-5-1'.* 5-5-1"),
         ("cues.color_mv_y.extra", True, r"cue/color_mv_y\.yaml has extra.*split/apartments.* no local desc"),
         (

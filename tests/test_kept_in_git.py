@@ -15,7 +15,6 @@ SETTINGS = {
     "dataset": {"title": "made homes"},
     "cues": {"gist": {"nu": 0.2, "gamma": 2.0}},
     "reproducibility": {"tolerance": 2.0},
-    "plots": {"confusion": {}},
 }
 
 
@@ -99,9 +98,7 @@ def test_the_tolerance_is_a_setting(folder):
 
 def test_other_settings_explain_any_change(folder):
     write_tables(29.7, 10.0)
-    write_settings(
-        cues={"gist": {"nu": 0.1, "gamma": 2.0}}, plots={"confusion": {"a": "b"}}, compute={"kind": "dask"}
-    )
+    write_settings(cues={"gist": {"nu": 0.1, "gamma": 2.0}}, compute={"kind": "dask"})
     lines, is_as_kept = kept_in_git.compare()
     assert is_as_kept
     assert lines[-1] == "Not the kept settings: cues.gist.nu. Differences are to be expected."
@@ -170,14 +167,16 @@ def test_without_git_it_says_so(folder, monkeypatch):
 
 def test_an_optional_table_is_compared_by_runs_that_make_it_only(folder):
     """A run without it leaves the kept one, of whatever data, and says nothing of it."""
-    write_settings(optional_tables=["table_02"], tables={"table_01": {}})
+    for number, needs in ((1, ""), (2, "needs: cues.embedding\n")):
+        definition = paths.TABLE_DEFINITIONS / f"table_{number:02d}.yaml"
+        files.write_text(definition, f"number: {number}\n{needs}")
     commit(folder)
     said, _ = kept_in_git.compare()
     assert said[0] == "Tables: 4 of 4 cells equal to the kept ones (git HEAD)."
     (paths.TABLES / "table_02.csv").unlink()
     assert kept_in_git.compare() == (said, True)
     write_tables(31.2, 45.0)
-    write_settings(optional_tables=["table_02"], tables={"table_01": {}, "table_02": {}})
+    write_settings(cues=SETTINGS["cues"] | {"embedding": {}})
     said, _ = kept_in_git.compare()
     assert said[0].startswith("Tables: 4 of 6 cells equal")
     assert "  Table 2: 1 of 2 cells differ, by at most 5.00 points" in said

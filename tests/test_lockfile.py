@@ -11,10 +11,10 @@ stages:
     outs:
     - path: data/sequences
       md5: 0123.dir
-  site_sequences@university:
+  site_sequences:
     cmd: python
     outs:
-    - path: data/sites/university/sequences
+    - path: data/site_sequences
       md5: 4567.dir
 """
 
@@ -23,7 +23,7 @@ def test_the_version_of_the_data_is_the_checksum_of_what_was_listed(tmp_path, mo
     monkeypatch.chdir(tmp_path)
     (tmp_path / "dvc.lock").write_text(LOCK)
     assert data_version() == "0123.dir"
-    assert data_version("site_sequences@university") == "4567.dir"
+    assert data_version("site_sequences") == "4567.dir"
 
 
 def test_a_stage_that_did_not_run_is_named(tmp_path, monkeypatch):

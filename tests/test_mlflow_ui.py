@@ -64,7 +64,7 @@ def server(tmp_path_factory):
 def logged(server, tmp_path_factory):
     """Log Table 26 twice; gives its cells and the digests of both times."""
     folder = tmp_path_factory.mktemp("logged")
-    results, table = made_results.made(), tables_of(made_results.PARAMS)["table_26"]
+    results, table = made_results.made(), tables_of(made_results.PARAMS, made_results.ROOT)["table_26"]
     dataset = dataset_of(table, made_results.PARAMS)
     cells = fill_table(table, results, made_results.published(), dataset, {})
     files.write_csv(folder / "table_26.csv", cells)

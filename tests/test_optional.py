@@ -1,7 +1,6 @@
 """Additions of conf/optional: what each changes, and that it changes nothing else."""
 
 import inspect
-from pathlib import Path
 
 import pytest
 import yaml
@@ -9,10 +8,8 @@ from helpers_sequences import write_image
 
 from made_results import PARAMS, made
 from optional import with_optional
-from placecat import listing, paths, references
-from placecat.compose import found
+from placecat import definitions, listing, paths, references
 from placecat.cues import estimators
-from placecat.errors import PlacecatError
 from placecat.reporting import layouts
 from placecat.reporting.sources import sources
 from placecat.reporting.tables import tables_of
@@ -62,9 +59,9 @@ def test_all_settings_are_known_and_given(name):
 def test_its_tables_show_results_that_there_are_and_are_additions(name):
     extended = with_optional(name)
     results, known = made(extended), sources(extended)
-    for table_name, table in tables_of(extended).items():
-        if table_name not in tables_of(PARAMS):
-            assert table_name in PARAMS["optional_tables"]
+    for table_name, table in tables_of(extended, ROOT).items():
+        if table_name not in tables_of(PARAMS, ROOT):
+            assert table_name in definitions.optional(ROOT)
             assert table["number"] is None
             assert table["title"].startswith("Addition: ")
             assert {row["result"] for row in table["rows"]} <= known.keys()
@@ -100,7 +97,7 @@ def test_cold_is_the_university_with_the_sequences_of_the_thesis():
     for parts in ("cue_parts", "integration_parts"):
         expected = [{"sequence": real(one["sequence"]), "places": one["places"]} for one in own[parts]]
         assert cold[parts] == expected
-    assert cold["dataset"]["thesis_data"] == PARAMS["tables"]["table_30"]["thesis_data"]
+    assert cold["dataset"]["thesis_data"] == tables_of(PARAMS, ROOT)["table_30"]["thesis_data"]
     assert cold["dataset"]["classes"] == own["dataset"]["classes"]
 
 
@@ -128,18 +125,8 @@ def test_cold_on_disk_is_listed_as_the_university(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     params = {"splits": {"university": {"dataset": dataset | {"root": "COLD"}}}}
     paths.PARAMS.write_text(yaml.safe_dump(params))
-    site_sequences.main("university")
+    site_sequences.main()
     for sequence in dataset["homes"]:
         labels = listing.read_labels(f"university/{sequence}")
         assert [dataset["classes"][index] for index in labels] == [dataset["aliases"][code] for code in CODES]
     assert listing.sequence_slices("university/freiburg-seq3_cloudy2") == [slice(0, len(CODES))]
-
-
-def test_tables_of_additions_are_listed_for_the_runs_without_them(tmp_path: Path):
-    (tmp_path / "optional").mkdir()
-    (tmp_path / "optional/b.yaml").write_text("tables: {table_y: {}, table_x: {}}\n")
-    (tmp_path / "optional/a.yaml").write_text("cues: {}\n")
-    assert found(tmp_path).endswith("optional_tables:\n- table_x\n- table_y\n")
-    (tmp_path / "optional/a.yaml").write_text("cues: {\n")
-    with pytest.raises(PlacecatError, match=r"optional/a\.yaml is no valid YAML"):
-        found(tmp_path)

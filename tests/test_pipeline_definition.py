@@ -17,11 +17,18 @@ ROOT = Path(__file__).resolve().parents[1]
 SOURCE = ROOT / "src"
 PIPELINE = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]
 # What every stage uses to read, write and loop; it decides no number.
-PLUMBING = {"errors", "files", "parallel", "paths", "seeds", "settings", "listing", "stages"}
-
-
-def stage_body(name):
-    return PIPELINE[name].get("do", PIPELINE[name])
+PLUMBING = {
+    "definitions",
+    "errors",
+    "items",
+    "files",
+    "parallel",
+    "paths",
+    "seeds",
+    "settings",
+    "listing",
+    "stages",
+}
 
 
 def module_file(module):
@@ -55,7 +62,7 @@ def reached(module):
 
 @pytest.mark.parametrize("stage", list(PIPELINE))
 def test_a_stage_depends_on_every_module_it_uses(stage):
-    body = stage_body(stage)
+    body = PIPELINE[stage]
     listed = [dep for dep in body["deps"] if dep.startswith("src/")]
     assert f"src/placecat/stages/{stage}.py" in listed
     for module in reached(f"placecat.stages.{stage}"):
@@ -67,7 +74,7 @@ def test_a_stage_depends_on_every_module_it_uses(stage):
 
 @pytest.mark.parametrize("stage", list(PIPELINE))
 def test_what_a_stage_depends_on_exists(stage):
-    for dep in stage_body(stage)["deps"]:
+    for dep in PIPELINE[stage]["deps"]:
         if dep.startswith(("src/", "conf/")):
             assert (ROOT / dep).exists(), dep
 
@@ -126,29 +133,22 @@ def test_changed_settings_of_the_parallel_scheme_are_those_of_the_sequential_one
 
 
 def test_there_are_few_stages():
-    params = yaml.safe_load((ROOT / "params.yaml").read_text())
-    loops = {"${dataset.homes}": params["dataset"]["homes"]} | {
-        f"${{{name}}}": params[name] for name in ("codebooks", "cues", "systems", "splits", "studies")
-    }
-    count = sum(len(loops[body["foreach"]]) if "foreach" in body else 1 for body in PIPELINE.values())
     # DVC's time for a stage grows with their number, and each starts Python anew.
-    assert count <= 70
+    assert len(PIPELINE) <= 21
+    assert not any("foreach" in body for body in PIPELINE.values())
+    assert len((ROOT / "dvc.yaml").read_text().splitlines()) <= 250
+    assert (ROOT / "params.yaml").stat().st_size <= 25 * 1024
 
 
 def test_everything_in_conf_is_used_because_it_is_there(tmp_path):
-    """A table, a finding, a cue and a study are found without a line anywhere else."""
+    """A cue is found without a line anywhere else."""
     conf = tmp_path / "conf"
     shutil.copytree(ROOT / "conf", conf)
     shutil.copy(conf / "cue/hog_y.yaml", conf / "cue/hog_again.yaml")
-    shutil.copy(conf / "table/table_26.yaml", conf / "table/table_99.yaml")
-    (conf / "table/more").mkdir()
-    shutil.copy(conf / "table/whole/table_24.yaml", conf / "table/more/table_98.yaml")
     (conf / "found.yaml").write_text(compose.found(conf))
     composed = yaml.safe_load(compose.compose(conf=conf))
     params = yaml.safe_load((ROOT / "params.yaml").read_text())
     assert composed["cues"]["hog_again"] == params["cues"]["hog_y"]
-    assert composed["tables"]["table_99"] == params["tables"]["table_26"]
-    assert composed["studies"]["more"]["table_98"] == params["studies"]["whole"]["table_24"]
 
 
 def test_what_git_holds_lists_what_is_there():

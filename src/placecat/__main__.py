@@ -227,7 +227,7 @@ def _measure(call: str, seconds: float) -> str:
         data = str(settings.get(params, "dataset.title"))
         # Times on a cluster are not those of this machine's cores.
         is_local = params.get("compute", {}).get("kind", "local") == "local"
-        is_complete = is_local and len(run.stages) == len(repro.stages())
+        is_complete = is_local and set(repro.stages()) <= set(run.stages["stage"])
         times.write(run, data, parallel.workers(), is_complete=is_complete)
     return times.text(run.by_stage(), run.seconds)
 
@@ -248,7 +248,10 @@ def _times(options: argparse.Namespace) -> int:
     print(times.text(by_stage, facts["total"]))
     if options.keep:
         times.keep()
-        print(f"Copied to {paths.KEPT_TIMES} and {paths.KEPT_TIMES_FACTS}: commit both.")
+        print(
+            f"Copied to {paths.KEPT_TIMES} and {paths.KEPT_TIMES_FACTS}: run `dvc repro`, which puts them on "
+            "the page, and commit both."
+        )
     return 0
 
 

@@ -17,10 +17,7 @@ FOUND = {
     "system": "systems",
     "filter": "filters",
     "split": "splits",
-    "table": "tables",
-    "finding": "findings",
 }
-STUDIES = "table/*"
 # How a codebook without a file of its own is clustered: this file of conf/clustering.
 CLUSTERING = "hierarchical_kmeans"
 
@@ -29,8 +26,7 @@ def found(conf: Path = paths.CONF) -> str:
     """List what is used because it is there, as the content of conf/found.yaml.
 
     Hydra has no pattern for file names in its defaults, and `dvc exp run` composes from files alone. What a
-    cue needs and no file describes, and which tables are optional (:mod:`placecat.inferred`), come after the
-    files.
+    cue needs and no file describes (:mod:`placecat.inferred`) comes after the files.
 
     Parameters
     ----------
@@ -42,30 +38,19 @@ def found(conf: Path = paths.CONF) -> str:
     PlacecatError
         As :func:`placecat.inferred.descriptors`.
     """
-    places = dict(FOUND)
-    for folder in sorted(path for path in conf.glob(STUDIES) if path.is_dir()):
-        places[f"table/{folder.name}"] = f"studies.{folder.name}"
     lines = [
         "# Written by `placecat params`: every file of these folders. Add a file there, not a line here.",
         "defaults:",
     ]
-    for folder_name, package in places.items():
+    for folder_name, package in FOUND.items():
         names = sorted(path.stem for path in (conf / folder_name).glob("*.yaml"))
         lines += [f"- /{folder_name}@{package}.{name}: {name}" for name in names]
     descriptors, codebooks = inferred.descriptors(conf), inferred.codebooks(conf)
     lines += [f"- /clustering@codebooks.{name}.tree: {CLUSTERING}" for name in codebooks]
     content = {"descriptors": descriptors, "codebooks": codebooks}
     own = {name: part for name, part in content.items() if part}
-    optional = inferred.optional_tables(conf)
-    if own or optional:
-        lines.append("- _self_")
     if own:
-        lines += ["# Without a file of their own.", yaml.safe_dump(own, sort_keys=False).rstrip()]
-    if optional:
-        lines += [
-            "# Of conf/optional; a run without them leaves those that are there.",
-            yaml.safe_dump({"optional_tables": optional}).rstrip(),
-        ]
+        lines += ["- _self_", "# Without a file of their own.", yaml.safe_dump(own, sort_keys=False).rstrip()]
     return "\n".join(lines) + "\n"
 
 

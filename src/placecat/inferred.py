@@ -79,26 +79,9 @@ def codebooks(conf: Path) -> dict[str, dict[str, Any]]:
             found[name] = {
                 "descriptor": f"${{cues.{path.stem}.descriptor}}",
                 "schemes": f"${{cues.{path.stem}.schemes}}",
-                "input": f"${{cues.{path.stem}.reads}}",
                 "cells": 1,
             }
     return found
-
-
-def optional_tables(conf: Path) -> list[str]:
-    """List the tables that files of conf/optional add.
-
-    Parameters
-    ----------
-    conf
-        The folder of conf/config.yaml.
-
-    Raises
-    ------
-    PlacecatError
-        A file that is no YAML.
-    """
-    return sorted({name for _, content in _read(conf, "optional") for name in content.get("tables") or {}})
 
 
 def optional_descriptors(conf: Path) -> dict[str, list[str]]:

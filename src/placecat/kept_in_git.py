@@ -9,17 +9,18 @@ from typing import Any
 import pandas as pd
 import yaml
 
-from placecat import paths, settings
+from placecat import definitions, paths, settings
 from placecat.errors import PlacecatError
 from placecat.reporting import kept as differences
 from placecat.reporting.kept_text import sentences
 from placecat.reporting.tracking import flatten
 
 HEAD = "HEAD"
+FOLDERS = (paths.TABLES, paths.OPTIONAL_TABLES)
 # libyaml's loader where PyYAML was built with it: ten times faster.
 _Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 # Settings that no table depends on.
-_WITHOUT_EFFECT = ("compute", "reproducibility", "figures", "metrics", "plots", "optional_tables")
+_WITHOUT_EFFECT = ("compute", "reproducibility", "figures")
 
 
 @dataclass(frozen=True)
@@ -57,19 +58,13 @@ def compare(revision: str = HEAD) -> tuple[list[str], bool]:
     """
     tolerance = float(settings.get(settings.load(), "reproducibility.tolerance"))
     now, kept = read_folder(), read_revision(revision)
-    comparison = differences.compare(
-        _own_tables(now, now.settings), _own_tables(kept, now.settings), now.findings, kept.findings
-    )
+    # An optional table that this run has not made is as another run has left it.
+    others = set(definitions.optional()) - definitions.tables(now.settings or {}).keys()
+    new, old = ({name: one.tables[name] for name in one.tables if name not in others} for one in (now, kept))
+    comparison = differences.compare(new, old, now.findings, kept.findings)
     changed = changed_settings(now.settings, kept.settings)
     lines = sentences(comparison, tolerance, f"git {revision}", changed)
     return lines, bool(changed) or comparison.grade(tolerance) is not differences.Grade.BEYOND
-
-
-def _own_tables(one: Kept, params: dict[str, Any] | None) -> dict[str, pd.DataFrame]:
-    """The tables without those of conf/optional that a run with these settings leaves as they are."""
-    params = params or {}
-    others = set(params.get("optional_tables", [])) - set(params.get("tables", {}))
-    return {name: table for name, table in one.tables.items() if name not in others}
 
 
 def read_folder() -> Kept:
@@ -81,7 +76,12 @@ def read_folder() -> Kept:
         If there are no tables.
     """
     found = {}
-    for path in [*sorted(paths.TABLES.glob("*.csv")), paths.IN_TEXT, paths.FINDINGS, paths.PARAMS]:
+    for path in [
+        *(path for folder in FOLDERS for path in sorted(folder.glob("*.csv"))),
+        paths.IN_TEXT,
+        paths.FINDINGS,
+        paths.PARAMS,
+    ]:
         if path.is_file():
             found[path.as_posix()] = path.read_text(encoding="utf-8")
     return _parse(found, f"{paths.TABLES} has no tables: run `placecat repro` to make them")
@@ -104,7 +104,7 @@ def read_revision(revision: str = HEAD) -> Kept:
     unknown = f"git has no revision {revision!r}, `git log --oneline` lists those there are"
     # The end of it makes git look for a commit, so that a revision is never taken for an option.
     commit = _git("rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}", message=unknown).strip()
-    wanted = [path.as_posix() for path in (paths.TABLES, paths.IN_TEXT, paths.FINDINGS, paths.PARAMS)]
+    wanted = [path.as_posix() for path in (*FOLDERS, paths.IN_TEXT, paths.FINDINGS, paths.PARAMS)]
     listed = _git("ls-tree", "-r", "-z", "--name-only", commit, "--", *wanted)
     names = [name for name in listed.split("\0") if Path(name).suffix in (".csv", ".yaml")]
     content = {name: _git("show", f"{commit}:./{name}") for name in names}
@@ -128,7 +128,7 @@ def _parse(content: dict[str, str], if_empty: str) -> Kept:
     tables = {
         Path(name).stem: _table(text)
         for name, text in content.items()
-        if Path(name).parent == paths.TABLES and name.endswith(".csv")
+        if Path(name).parent in FOLDERS and name.endswith(".csv")
     }
     if not tables:
         raise PlacecatError(if_empty)

@@ -18,7 +18,7 @@ def data_version(stage: str = "sequences") -> str:
     Parameters
     ----------
     stage
-        ``sequences``, or ``site_sequences@NAME`` for a further data set.
+        ``sequences``, or ``site_sequences`` for the further data sets.
 
     Raises
     ------

@@ -8,6 +8,11 @@ DATA = Path("data")
 CONTACT_SHEET = Path("data/contact_sheet.jpg")
 PUBLISHED = Path("data/thesis/published_tables.csv")
 PUBLISHED_TEXT = Path("data/thesis/published_text.csv")
+TABLE_DEFINITIONS = Path("data/thesis/tables")
+FINDING_DEFINITIONS = Path("data/thesis/findings")
+IN_TEXT_DEFINITIONS = Path("data/thesis/in_text.yaml")
+METRIC_DEFINITIONS = Path("data/thesis/metrics.yaml")
+PLOT_DEFINITIONS = Path("data/thesis/plots.yaml")
 CONTRADICTIONS = Path("data/thesis/contradictions.csv")
 SEQUENCES = Path("data/sequences")
 FEATURES = Path("data/features")
@@ -17,7 +22,8 @@ INTEGRATION = Path("data/integration")
 SMOOTHING = Path("data/smoothing")
 TRACKS = Path("data/tracks")
 FILTERED = Path("data/filtered")
-SITES = Path("data/sites")
+SITE_SEQUENCES = Path("data/site_sequences")
+SITE_FEATURES = Path("data/site_features")
 SPLITS = Path("data/splits")
 TRIALS = Path("data/trials")
 TOY = Path("data/toy.csv")
@@ -32,6 +38,7 @@ SCALE = Path("data/scale")
 COMPUTE = Path("data/compute")
 REPORTS = Path("reports")
 TABLES = Path("reports/tables")
+OPTIONAL_TABLES = Path("reports/optional_tables")
 ACCURACIES = Path("reports/accuracies.csv")
 CROSS_VALIDATION = Path("reports/cross_validation.csv")
 PROBABILITIES = Path("reports/probabilities.csv")
@@ -63,14 +70,9 @@ def sequences(home: str) -> Path:
     home
         A home of the main data set, e.g. ``home_1``, or one of another, e.g. ``university/north_2_cloudy_2``.
     """
-    return _of_home(home, SEQUENCES, "sequences")
+    return (SITE_SEQUENCES if "/" in home else SEQUENCES) / home
 
 
 def features(home: str) -> Path:
     """Folder of the descriptors of a home; `home` as for :func:`sequences`."""
-    return _of_home(home, FEATURES, "features")
-
-
-def _of_home(home: str, main: Path, kind: str) -> Path:
-    site, _, name = home.rpartition("/")
-    return SITES / site / kind / name if site else main / name
+    return (SITE_FEATURES if "/" in home else FEATURES) / home

@@ -9,7 +9,7 @@ from placecat.errors import PlacecatError
 
 # Where a name is said, what it names, the name, and those that there are.
 _Reference = tuple[str, str, str, Collection[str]]
-_OF_A_CUE = ("title", "input", "reads", "codebook", "schemes", "cross_validate", "extra", "classifier")
+_OF_A_CUE = ("title", "codebook", "schemes", "cross_validate", "extra", "classifier")
 
 
 def check(params: Mapping[str, Any]) -> None:
@@ -52,8 +52,6 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
             yield where, "codebook", codebook, codebooks
             for scheme in cue["schemes"]:
                 yield where, f"codebook {codebook} for the scheme", scheme, codebooks[codebook]["schemes"]
-            if cue["input"] != f"codebooks/{codebook}":
-                raise PlacecatError(f"{where}: its codebook is {codebook}, so input is codebooks/{codebook}")
     for name, codebook in codebooks.items():
         yield from _of_descriptor(_file("codebook", name), codebook.get("descriptor"), descriptors)
     for name, system in systems.items():

@@ -40,12 +40,21 @@ def run(*, force: bool = False, **environment: str) -> int:
 
 
 def stages() -> list[str]:
-    """Names of the stages that `dvc repro` runs from nothing, e.g. ``features@home_1``: no frozen ones."""
-    listed = subprocess.run(
-        _dvc("stage", "list", "--name-only"), env=_environment(), check=True, capture_output=True, text=True
-    ).stdout.split()
+    """Names of the stages that `dvc repro` has to run in a fresh clone.
+
+    No frozen ones, and none all of whose outputs git keeps: these are there, and may be as they should.
+    """
     definition = yaml.safe_load(DEFINITION.read_text(encoding="utf-8"))["stages"]
-    return [name for name in listed if not definition[name.partition("@")[0]].get("frozen", False)]
+    return [
+        name
+        for name, stage in definition.items()
+        if not stage.get("frozen", False) and any(map(_is_cached, stage["outs"]))
+    ]
+
+
+def _is_cached(out: str | dict[str, dict[str, bool]]) -> bool:
+    """Whether DVC keeps an output, not git."""
+    return isinstance(out, str) or any(options.get("cache", True) for options in out.values())
 
 
 def _dvc(*arguments: str) -> list[str]:

@@ -55,6 +55,17 @@ def read_descriptors(
     )
 
 
+def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
+    """Paths of all that :func:`read_descriptors` reads of a home, whether it is there or not."""
+    folder = _folder(home, descriptor)
+    names = [f"{name}.npy" for name in cue_input.array_names(descriptor)]
+    if "variant" in descriptor:
+        names.append(paths.VARIANT_FRAMES)
+    if descriptor["kind"] == "local":
+        names.append("descriptors.json")
+    return [paths.sequences(home) / "home.json", *(folder / name for name in names)]
+
+
 def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64]) -> NDArray[np.int64]:
     """Of some frames of a home, in order of time, those that a descriptor was computed of.
 

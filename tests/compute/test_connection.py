@@ -56,9 +56,8 @@ def local(tmp_path_factory):
         for home in HOMES[1:]:
             (folder / "data/small" / home).rename(folder / "data/drawn" / home)
         sequences.main()
-        for home in HOMES:
-            features.main(home)
-        cues.main("gist")
+        features.main()
+        cues.main()
     return folder
 
 
@@ -167,9 +166,9 @@ def wait_for(condition, seconds=60):
         time.sleep(0.01)
 
 
-def stage(folder, name, item):
+def stage(folder, name):
     return subprocess.Popen(
-        [sys.executable, "-m", f"placecat.stages.{name}", item],
+        [sys.executable, "-m", f"placecat.stages.{name}"],
         cwd=folder,
         env=environment(),
         stdout=subprocess.PIPE,
@@ -182,7 +181,7 @@ def stage(folder, name, item):
 
 
 def test_ctrl_c_cancels_the_tasks_on_the_cluster(cluster, project):
-    process = stage(project, "features", "Home1")
+    process = stage(project, "features")
     wait_for(lambda: any(map(cluster.is_executing, cluster.workers)) or process.poll() is not None)
     os.killpg(process.pid, signal.SIGINT)
     said, _ = process.communicate(timeout=60)
@@ -197,7 +196,7 @@ def test_a_worker_killed_half_way_leaves_the_bytes_of_a_local_run(cluster, proje
     # What was cancelled has ended.
     wait_for(lambda: not any(map(cluster.is_executing, cluster.workers)))
     before = cluster.done()
-    process = stage(project, "features", "Home1")
+    process = stage(project, "features")
     while True:
         wait_for(lambda: cluster.is_executing(doomed) or process.poll() is not None)
         # Stopped, it can neither end its task nor say so while the other one goes on.
@@ -220,7 +219,7 @@ def test_one_worker_trains_a_cue_with_the_bytes_of_a_local_run(cluster, project,
     monkeypatch.chdir(project)
     before = cluster.done()
     with compute.as_set():
-        cues.main("gist")
+        cues.main()
     # A fold a task, and none in this process.
     assert len(cluster.done()) == len(before) + len(HOMES)
     assert contents(project, "data/cues") == contents(local, "data/cues")

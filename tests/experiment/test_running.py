@@ -25,7 +25,7 @@ def test_an_experiment_is_the_cell_of_a_table(tmp_path, monkeypatch):
 
     monkeypatch.chdir(make_project(tmp_path / "project"))
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
-    trials.main("some")
+    trials.main()
     scores, missing = (pd.read_csv(f"data/trials/some/{name}.csv") for name in ("scores", "missing"))
     table = from_scores(scores, missing, HOMES, CLASSES)
     for clusters in (4, 13):
@@ -51,9 +51,9 @@ def test_an_experiment_on_a_split_is_the_cue_of_that_split(tmp_path, monkeypatch
 
     monkeypatch.chdir(make_project(tmp_path / "project"))
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
-    splits.main("site")
+    splits.main()
     found = compute(resolved(*SMALL, "descriptor=hog", "descriptor.color=color_mv", data="site"))
-    labels = pd.read_csv("data/sites/site/sequences/robot/labels.csv")["class"]
+    labels = pd.read_csv("data/site_sequences/site/robot/labels.csv")["class"]
     for seed in ("seed-0", "seed-1"):
         proba = np.load(f"data/splits/site/cues/hog_y/robot/{seed}/test.npy")
         expected = confusion_matrix(labels, proba.argmax(axis=1), 4)

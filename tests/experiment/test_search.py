@@ -124,7 +124,7 @@ def test_a_start_without_a_number_is_told(tmp_path):
 
 
 def test_a_cue_of_another_descriptor_is_no_start():
-    tracked = cue(y_pos=True) | {"reads": "tracks"}
+    tracked = cue(y_pos=True, tracked=True)
     own = read(cues={"sift_y": cue(name="sift"), "hog": cue(y_pos=False), "hog_tracked": tracked})
     assert own.starts == (starts.SETTINGS,)
 

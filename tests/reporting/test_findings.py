@@ -21,7 +21,7 @@ from placecat.reporting.results import Results
 from placecat.reporting.rules import Rules, claimed_range
 
 CONF = made_results.ROOT / "conf"
-FILES = sorted((CONF / "finding").glob("*.yaml"))
+FILES = sorted((made_results.ROOT / "data/thesis/findings").glob("*.yaml"))
 CONFIGS = {path.stem: yaml.safe_load(path.read_text(encoding="utf-8")) for path in FILES}
 FINDINGS = {name: read_finding(name, config) for name, config in CONFIGS.items()}
 VERDICT = yaml.safe_load((CONF / "verdict/bootstrap.yaml").read_text(encoding="utf-8"))

@@ -4,14 +4,14 @@ from functools import cache
 import numpy as np
 import pandas as pd
 import pytest
-import yaml
 
-from made_results import PARAMS, ROOT, made, published, published_text, records, with_homes
+from made_results import ROOT, made, published, published_text, records, with_homes
+from placecat import definitions
 from placecat.errors import PlacecatError
 from placecat.reporting.in_text import COLUMNS, in_text
 from placecat.reporting.results import Results
 
-ENTRIES = PARAMS["in_text"]
+ENTRIES = definitions.in_text(ROOT)
 PUBLISHED = published_text()
 RESULTS = made()
 KEY = ["name", "quantity", "home"]
@@ -292,7 +292,3 @@ def test_mistakes_are_refused(change, message):
 def test_a_published_number_without_an_entry_is_refused():
     with pytest.raises(PlacecatError, match="number 'wu_sift' has no entry"):
         fill(entries={name: entry for name, entry in ENTRIES.items() if name != "wu_sift"})
-
-
-def test_the_settings_are_those_of_conf():
-    assert yaml.safe_load((ROOT / "conf/in_text/thesis.yaml").read_text()) == ENTRIES

@@ -124,7 +124,7 @@ def test_a_few_averages_are_columns_for_dvc(results):
 
 def test_dvc_draws_the_chosen_panels():
     """The plots in dvc.yaml are of the files and columns that the settings give."""
-    chosen = yaml.safe_load((ROOT / "params.yaml").read_text())["plots"]
+    chosen = yaml.safe_load((ROOT / "data/thesis/plots.yaml").read_text())
     drawn = {}
     for plot in yaml.safe_load((ROOT / "dvc.yaml").read_text())["plots"]:
         for options in plot.values():

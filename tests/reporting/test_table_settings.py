@@ -3,15 +3,16 @@
 import numpy as np
 import pytest
 
-from made_results import PARAMS
+import made_results
+from made_results import PARAMS, ROOT
 from placecat.cues import estimators, model_names
 from placecat.evaluation.trials import expand
 from placecat.learning.spatial_pca import SpatialPCA
 from placecat.reporting.sources import sources
 from placecat.reporting.tables import tables_of
 
-TABLES = tables_of(PARAMS)
-STUDIES = {name: table for study in PARAMS["studies"].values() for name, table in study.items()}
+TABLES = tables_of(PARAMS, ROOT)
+STUDIES = {name: table for study in made_results.STUDIES.values() for name, table in study.items()}
 HOMES = PARAMS["dataset"]["homes"]
 TRIALS = {
     trial.name: trial.settings for name, table in STUDIES.items() for trial in expand(name, table, HOMES)
@@ -41,7 +42,7 @@ def test_a_table_has_the_settings_of_its_layout_and_no_other(name):
 def test_a_study_has_the_settings_of_trials(name):
     assert set(STUDIES[name]) == SETTINGS["grid"]
     assert set(STUDIES[name]["axes"]) <= {"group", "row", "column"}
-    if name in PARAMS["studies"]["text"]:
+    if name in made_results.STUDIES["text"]:
         assert STUDIES[name]["layout"] is None
         assert STUDIES[name]["number"] is None
 

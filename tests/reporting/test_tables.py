@@ -2,11 +2,11 @@ import dataclasses
 
 import numpy as np
 import pytest
-import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from made_results import PARAMS, ROOT, contradictions, made, published, with_homes
+from made_results import PARAMS, ROOT, STUDIES, contradictions, made, published, with_homes
+from optional import with_optional
 from placecat.errors import PlacecatError
 from placecat.reporting import layouts
 from placecat.reporting.results import Quality, Results
@@ -19,7 +19,7 @@ from placecat.reporting.tables import (
     tables_of,
 )
 
-TABLES = tables_of(PARAMS)
+TABLES = tables_of(PARAMS, ROOT)
 OF_THESIS = [name for name, table in TABLES.items() if table["number"] is not None]
 PUBLISHED = published()
 CONTRADICTIONS = contradictions()
@@ -28,7 +28,7 @@ KEY = ["group", "row", "column"]
 
 
 def fill(name, results=RESULTS, params=PARAMS, **dataset):
-    table = tables_of(params)[name]
+    table = tables_of(params, ROOT)[name]
     return fill_table(table, results, PUBLISHED, dataset_of(table, params) | dataset, CONTRADICTIONS)
 
 
@@ -52,7 +52,7 @@ def test_every_published_table_has_one_configuration_and_all_others_are_addition
     assert numbers == list(range(1, 32)) == sorted(set(PUBLISHED["table"]))
     additions = [name for name in TABLES if name not in OF_THESIS]
     assert additions == sorted(name for name in TABLES if name.startswith("addition_"))
-    assert set(PARAMS["studies"]["additions"]) < set(additions)
+    assert set(STUDIES["additions"]) < set(additions)
     assert [name for name in OF_THESIS if name != f"table_{TABLES[name]['number']:02d}"] == []
 
 
@@ -258,8 +258,7 @@ def test_an_addition_has_no_number():
 
 
 def test_every_layout_is_used_and_unknown_ones_are_refused():
-    additions = [yaml.safe_load(path.read_text()) for path in (ROOT / "conf/optional").glob("*.yaml")]
-    tables = [*TABLES.values(), *(table for one in additions for table in one.get("tables", {}).values())]
-    assert {table["layout"] for table in tables} == set(layouts.names())
+    extended = tables_of(with_optional("embedding"), ROOT)
+    assert {table["layout"] for table in extended.values()} == set(layouts.names())
     with pytest.raises(PlacecatError, match=r"layout 'x' of table_07.*by_class, by_home"):
         layouts.cells({"name": "table_07", "layout": "x"}, RESULTS)

@@ -193,7 +193,7 @@ def results():
 
 
 def filled(name, results, params=made_results.PARAMS):
-    table = tables_of(params)[name]
+    table = tables_of(params, made_results.ROOT)[name]
     return table, fill_table(table, results, made_results.published(), dataset_of(table, params), {})
 
 
@@ -228,7 +228,7 @@ def test_a_row_has_its_numbers_by_home_and_its_confusion_matrix(results, tmp_pat
 
 def test_a_table_of_one_result_and_one_of_probabilities_have_their_numbers_once(results, tmp_path):
     of_one, _ = gathered("table_06", results)
-    name = made_results.PARAMS["tables"]["table_06"]["result"]
+    name = tables_of(made_results.PARAMS, made_results.ROOT)["table_06"]["result"]
     good = results.quality[name].averages()
     assert {measure: of_one.metrics[measure] for measure in good} == good
     assert not any(good.keys() & row.metrics.keys() for row in of_one.rows)

@@ -13,7 +13,7 @@ import pytest
 import yaml
 from made_features import HOMES, PARAMS, make
 
-from placecat import compose, paths
+from placecat import compose
 from placecat.errors import PlacecatError
 from placecat.scale import command, full_run, measurements
 from placecat.scale.watching import Watched
@@ -68,7 +68,14 @@ def ran(tmp_path_factory):
     for home in HOMES:
         make_variant(folder / "data/features" / home)
     shutil.copy(ROOT / "dvc.yaml", folder)
-    for path in (*paths.SITES.parts, "data/splits", "data/thesis", "reports", "conf"):
+    for path in (
+        "data/site_sequences",
+        "data/site_features",
+        "data/splits",
+        "data/thesis",
+        "reports",
+        "conf",
+    ):
         (folder / path).mkdir(exist_ok=True)
     (folder / "data/toy.csv").touch()
     (folder / "reports/times.csv").write_text("stage,runs,seconds\nfeatures,4,36.0\nfigures,1,5.0\n")

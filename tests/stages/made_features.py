@@ -138,48 +138,6 @@ PARAMS = {
             "integrator": {"method": "vote_distribution"},
         }
     },
-    "studies": {
-        "some": {
-            "table_01": {
-                "homes": [1, 3, 9],
-                "trial": {
-                    "descriptor": {"kind": "holistic", "name": "gist"},
-                    "codebook": {
-                        "cells": 1,
-                        "tree": {
-                            "name": "hierarchical_kmeans",
-                            "max_clusters": 7,
-                            "branching": 4,
-                            "max_iter": 5,
-                        },
-                    },
-                    "classifier": {"model": "knn", "base": {"name": "knn", "smoothing": 1.0}, "clusters": 7},
-                },
-                "axes": {
-                    "row": "homes",
-                    "column": {
-                        "4": {"classifier.clusters": 4},
-                        "13": {"classifier.clusters": 13},
-                        "400": {"classifier.clusters": 400},
-                    },
-                },
-            },
-            "table_02": {
-                "homes": "all",
-                "trial": {
-                    "descriptor": {"kind": "holistic", "name": "gist"},
-                    "classifier": {
-                        "model": "one_against_all",
-                        "base": {"name": "nu_svm", "gamma": 2.0, "nu": 0.2},
-                        "scheme": {"name": "one_against_all"},
-                        "scaling": "standard",
-                        "reduction": None,
-                    },
-                },
-                "axes": {"row": {"PCA": {"classifier.reduction": {"cells": 4, "components": 3}}}},
-            },
-        }
-    },
     "probabilities": {"bins": 10, "smallest": 1e-9},
     "smoothing": {
         "delay_seconds": 1.0,
@@ -193,15 +151,63 @@ PARAMS = {
     },
 }
 
+STUDIES = {
+    "some": {
+        "table_01": {
+            "homes": [1, 3, 9],
+            "trial": {
+                "descriptor": {"kind": "holistic", "name": "gist"},
+                "codebook": {
+                    "cells": 1,
+                    "tree": {
+                        "name": "hierarchical_kmeans",
+                        "max_clusters": 7,
+                        "branching": 4,
+                        "max_iter": 5,
+                    },
+                },
+                "classifier": {"model": "knn", "base": {"name": "knn", "smoothing": 1.0}, "clusters": 7},
+            },
+            "axes": {
+                "row": "homes",
+                "column": {
+                    "4": {"classifier.clusters": 4},
+                    "13": {"classifier.clusters": 13},
+                    "400": {"classifier.clusters": 400},
+                },
+            },
+        },
+        "table_02": {
+            "homes": "all",
+            "trial": {
+                "descriptor": {"kind": "holistic", "name": "gist"},
+                "classifier": {
+                    "model": "one_against_all",
+                    "base": {"name": "nu_svm", "gamma": 2.0, "nu": 0.2},
+                    "scheme": {"name": "one_against_all"},
+                    "scaling": "standard",
+                    "reduction": None,
+                },
+            },
+            "axes": {"row": {"PCA": {"classifier.reduction": {"cells": 4, "components": 3}}}},
+        },
+    }
+}
+
 
 def make(folder, *, marked=None, params=PARAMS):
     """Write the project; with `marked`, that home gets other descriptors, labels and regions."""
     (folder / "params.yaml").write_text(yaml.safe_dump(params))
+    for study, tables in STUDIES.items():
+        for name, table in tables.items():
+            path = folder / f"data/thesis/tables/{study}/{name}.yaml"
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(yaml.safe_dump(table, sort_keys=False))
     places = {home: (f"data/sequences/{home}", f"data/features/{home}", 3) for home in HOMES}
     for sequence in params["splits"]["site"]["dataset"]["homes"]:
         places[sequence] = (
-            f"data/sites/site/sequences/{sequence}",
-            f"data/sites/site/features/{sequence}",
+            f"data/site_sequences/site/{sequence}",
+            f"data/site_features/site/{sequence}",
             4,
         )
     for number, (home, (sequences, features, classes)) in enumerate(places.items()):
@@ -230,19 +236,16 @@ def make(folder, *, marked=None, params=PARAMS):
         (folder / sequences / "home.json").write_text(json.dumps({"height": 360, "width": 640, "fps": 5}))
 
 
-def run_stages(folder, monkeypatch, params=PARAMS):
+def run_stages(folder, monkeypatch):
     """Run the stages from the codebooks to the trials in this process."""
     from placecat.stages import codebooks, cues, filtering, integration, smoothing, splits, trials
 
     monkeypatch.chdir(folder)
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
-    for name in params["codebooks"]:
-        codebooks.main(name)
-    for name in params["cues"]:
-        cues.main(name)
-    for name in params["systems"]:
-        integration.main(name)
+    codebooks.main()
+    cues.main()
+    integration.main()
     filtering.main()
     smoothing.main()
-    splits.main("site")
-    trials.main("some")
+    splits.main()
+    trials.main()

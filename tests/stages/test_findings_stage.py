@@ -16,13 +16,11 @@ sys.path.insert(0, str(ROOT / "tests/reporting"))
 def folder(tmp_path, monkeypatch):
     from made_results import PARAMS, made, write_scores
 
-    own = {
-        path.stem: yaml.safe_load(path.read_text()) for path in sorted((ROOT / "conf/finding").glob("*.yaml"))
-    }
     verdict = yaml.safe_load((ROOT / "conf/verdict/bootstrap.yaml").read_text()) | {"resamples": 200}
-    (tmp_path / paths.PARAMS).write_text(yaml.safe_dump(PARAMS | {"findings": own, "verdict": verdict}))
+    (tmp_path / paths.PARAMS).write_text(yaml.safe_dump(PARAMS | {"verdict": verdict}))
     write_scores(tmp_path / paths.SCORES, made())
     (tmp_path / paths.PUBLISHED).parent.mkdir(parents=True)
+    (tmp_path / paths.FINDING_DEFINITIONS).symlink_to(ROOT / paths.FINDING_DEFINITIONS)
     for path in (paths.PUBLISHED, paths.PUBLISHED_TEXT):
         (tmp_path / path).write_bytes((ROOT / path).read_bytes())
     monkeypatch.chdir(tmp_path)

@@ -21,6 +21,9 @@ def folder(tmp_path, monkeypatch):
     """A folder with everything that the stage reads."""
     monkeypatch.chdir(tmp_path)
     paths.PARAMS.write_text((made_report.ROOT / "params.yaml").read_text())
+    for name in ("conf", "data/thesis"):
+        Path(name).parent.mkdir(exist_ok=True)
+        Path(name).symlink_to(made_report.ROOT / name)
     Path("dvc.lock").write_text(LOCK)
     params = settings.load()
     for home in params["dataset"]["homes"]:

@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import yaml
-from made_features import CLASSES, HOMES, PARAMS, make
+from made_features import CLASSES, HOMES, PARAMS, STUDIES, make
 
 from placecat import files, listing, paths, settings
 from placecat.errors import PlacecatError
@@ -28,7 +28,7 @@ def folder(tmp_path, monkeypatch):
             for seed in ("seed-0", "seed-1"):
                 proba = rng.dirichlet(np.ones(len(source.classes)), frames)
                 files.write_array(source.array(home, seed), proba)
-    for name in PARAMS["studies"]:
+    for name in STUDIES:
         files.write_csv(paths.TRIALS / name / "scores.csv", pd.DataFrame(columns=scores.SCORE_COLUMNS))
         files.write_csv(paths.TRIALS / name / "missing.csv", pd.DataFrame(columns=scores.MISSING_COLUMNS))
     files.write_csv(paths.FILTERED / "dropped.csv", pd.DataFrame(columns=["filter", "home"]))

@@ -15,14 +15,15 @@ MODEL = {name: value for name, value in PARAMS["smoothing"].items() if name not 
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory):
-    from placecat.stages import cues
+    from placecat.stages import codebooks, cues
 
     folder = tmp_path_factory.mktemp("project")
     with pytest.MonkeyPatch.context() as patch:
         make(folder)
         patch.chdir(folder)
         patch.setenv("PLACECAT_WORKERS", "1")
-        cues.main("gist")
+        codebooks.main()
+        cues.main()
     return folder
 
 

@@ -1,11 +1,13 @@
 """The stage `tables`, on results that were drawn at random."""
 
+import shutil
+
 import numpy as np
 import pandas as pd
 import pytest
 
 from made_results import PARAMS, ROOT, made, write_scores
-from placecat import files, paths
+from placecat import definitions, files, paths, settings
 from placecat.reporting.tables import tables_of
 from placecat.stages import tables
 from project import contents
@@ -24,10 +26,16 @@ def run(tmp_path_factory):
     return folder
 
 
+def shown(kind):
+    """What DVC compares."""
+    return settings.load(ROOT / f"data/thesis/{kind}.yaml")
+
+
 def prepare(folder):
     """Write what the stage reads."""
     (folder / "data").mkdir()
     (folder / "data/thesis").symlink_to(ROOT / "data/thesis")
+    (folder / "conf").symlink_to(ROOT / "conf")
     paths.PARAMS.write_text((ROOT / "params.yaml").read_text())
     results = made()
     del results.measured[LOST[0]]
@@ -50,7 +58,7 @@ def prepare(folder):
 
 
 def test_every_table_is_written_in_three_forms_with_all_other_reports(run):
-    names = set(tables_of(PARAMS))
+    names = set(tables_of(PARAMS, ROOT))
     assert {f"table_{number:02d}" for number in range(1, 32)} < names
     written = {path.name for path in (run / paths.TABLES).iterdir()}
     assert written == {f"{name}.{ending}" for name in names for ending in ("csv", "md", "tex")}
@@ -63,7 +71,7 @@ def test_every_table_is_written_in_three_forms_with_all_other_reports(run):
     ):
         assert (run / path).stat().st_size > 0
     plots = {path.relative_to(run / paths.PLOTS).as_posix() for path in (run / paths.PLOTS).rglob("*.csv")}
-    assert plots == {f"{kind}/{panel}.csv" for kind, panels in PARAMS["plots"].items() for panel in panels}
+    assert plots == {f"{kind}/{panel}.csv" for kind, panels in shown("plots").items() for panel in panels}
 
 
 def test_no_cell_of_any_table_is_empty_without_a_reason(run):
@@ -90,11 +98,11 @@ def test_how_good_probabilities_are_has_a_row_a_result_and_two_of_them_are_in_th
     log_loss = dict(zip(table["result"], table["log_loss"], strict=True))
     for name, one in quality.items():
         assert log_loss[name] == pytest.approx(one.values["log_loss"].mean(), abs=0.0006)
-    chosen = PARAMS["metrics"]["log_loss"]
+    chosen = shown("metrics")["log_loss"]
     assert len(chosen) == 2
     summary = files.read_json(run / paths.SUMMARY)
     assert summary["log_loss"] == {column: log_loss[name] for column, name in chosen.items()}
-    assert set(summary) == {"log_loss", *PARAMS["metrics"]["accuracy"]}
+    assert set(summary) == {"log_loss", *shown("metrics")["accuracy"]}
 
 
 def test_the_same_scores_give_the_same_bytes(run, monkeypatch):
@@ -107,13 +115,14 @@ def test_the_same_scores_give_the_same_bytes(run, monkeypatch):
 
 def test_an_optional_table_of_another_run_stays_and_any_other_goes(run, monkeypatch):
     monkeypatch.chdir(run)
-    (name,) = PARAMS["optional_tables"]
+    (name,) = definitions.optional()
     first = contents(run, "reports")
     kept = {f"{name}.csv": "table,note\nAddition,kept\n", f"{name}.md": "# kept\n", f"{name}.tex": "kept\n"}
-    for file, text in (kept | {"table_99.csv": "gone\n"}).items():
-        (paths.TABLES / file).write_text(text)
+    (paths.TABLES / "table_99.csv").write_text("gone\n")
+    paths.OPTIONAL_TABLES.mkdir()
+    for file, text in kept.items():
+        (paths.OPTIONAL_TABLES / file).write_text(text)
     tables.main()
     found = contents(run, "reports")
-    for file in kept:
-        (paths.TABLES / file).unlink()
-    assert found == first | {f"reports/tables/{file}": text.encode() for file, text in kept.items()}
+    shutil.rmtree(paths.OPTIONAL_TABLES)
+    assert found == first | {f"reports/optional_tables/{file}": text.encode() for file, text in kept.items()}

@@ -30,7 +30,7 @@ def folders(tmp_path_factory):
         made[name] = tmp_path_factory.mktemp(name)
         with pytest.MonkeyPatch.context() as patch:
             make(made[name], params=params)
-            run_stages(made[name], patch, params=params)
+            run_stages(made[name], patch)
             (made[name] / "data/toy.csv").write_text("result,home,seed,truth,decision,frames\n")
             from placecat.stages import scores
 

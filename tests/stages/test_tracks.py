@@ -74,7 +74,7 @@ def home(tmp_path, monkeypatch):
 
 def run(folder, **tracking):
     (folder / "params.yaml").write_text(yaml.safe_dump(params(**tracking)))
-    tracks.main("H1")
+    tracks.main()
     return folder / "data/tracks/H1"
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
-from made_features import CLASSES, HOMES, PARAMS, make, run_stages
+from made_features import CLASSES, HOMES, PARAMS, STUDIES, make, run_stages
 
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.reporting.results import from_scores
@@ -76,7 +76,7 @@ def test_no_trial_learns_from_its_test_home(folder, tmp_path, monkeypatch):
 
 def test_no_split_learns_from_its_test_sequence(folder, tmp_path, monkeypatch):
     make(tmp_path)
-    scored = mark_unscored(tmp_path, "data/sites/site/features/robot", "data/sites/site/sequences/robot")
+    scored = mark_unscored(tmp_path, "data/site_features/site/robot", "data/site_sequences/site/robot")
     run_stages(tmp_path, monkeypatch)
     files = list((folder / "data/splits").rglob("test.npy"))
     assert len(files) == 5
@@ -94,7 +94,7 @@ def test_extra_data_changes_what_the_integration_trains_on(folder):
     assert system["extra"]
     with_extra = np.load(folder / "data/integration/vote/H1/seed-0/cross_validated_truth.npy")
     without = np.load(folder / "data/integration/das/H1/seed-0/cross_validated_truth.npy")
-    labels = pd.read_csv(folder / "data/sites/site/sequences/flip/labels.csv")["class"].to_numpy()
+    labels = pd.read_csv(folder / "data/site_sequences/site/flip/labels.csv")["class"].to_numpy()
     # Places of the site are kitchen, office, bedroom, bathroom: numbered by name, the office left out.
     taken = labels[1::3]
     expected = np.array([1, -1, 0, 2, -1])[taken]
@@ -134,7 +134,7 @@ def test_a_marker_in_the_test_home_reaches_no_training_of_a_trial(tmp_path, monk
     from placecat.evaluation import protocol
     from placecat.stages import trials
 
-    table = PARAMS["studies"]["some"]["table_01"]["trial"]
+    table = STUDIES["some"]["table_01"]["trial"]
     fold = next(fold for fold in protocol.folds(HOMES, "5-5-1") if fold.test == test_home)
     selection = PARAMS["protocol"]["cue_frames"]
     found = []
@@ -163,6 +163,6 @@ def test_a_marker_in_the_test_sequence_reaches_no_training_of_a_split(tmp_path, 
         (tmp_path / name).mkdir()
         make(tmp_path / name, marked=home)
         monkeypatch.chdir(tmp_path / name)
-        found.append(fitted_on(monkeypatch, splits, lambda: splits.main("site")))
+        found.append(fitted_on(monkeypatch, splits, lambda: splits.main()))
     assert len(found[0]) >= 3
     assert (found[0] != found[1]) is differs

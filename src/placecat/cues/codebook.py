@@ -9,11 +9,25 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import seeds
+from placecat import seeds, settings
 from placecat.cues import estimators
 from placecat.cues.descriptors import Descriptors
 from placecat.errors import PlacecatError
 from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
+
+# What the text that seeds derive from calls each setting of a descriptor, and each value that was renamed.
+# Frozen, since another text is another clustering: what gets a new name keeps its old one here.
+FROZEN = {
+    "kind": "kind",
+    "name": "name",
+    "y_pos": "y_pos",
+    "y_weight": "y_weight",
+    "color": "color",
+    "max_regions": "max_regions",
+    "tracked": "tracked",
+    "variant": "variant",
+}
+RENAMED: dict[Any, str] = {}
 
 
 def seed_of(
@@ -33,8 +47,21 @@ def seed_of(
         Name of the training homes.
     seed
         One of the numbers in ``protocol.seeds``.
+
+    Returns
+    -------
+    int
+        In [0, 2**32). It stays what it is when a setting or a descriptor is renamed (`FROZEN`, `RENAMED`).
+
+    Raises
+    ------
+    PlacecatError
+        A setting of the descriptor that `FROZEN` does not name.
     """
-    content = json.dumps(dict(descriptor), sort_keys=True)
+    settings.refuse_unknown(descriptor, list(FROZEN), "the text that seeds of codebooks derive from")
+    content = json.dumps(
+        {FROZEN[key]: RENAMED.get(value, value) for key, value in descriptor.items()}, sort_keys=True
+    )
     return seeds.derive("codebook", dataset, content, cells, training_set, int(seed))
 
 

@@ -64,7 +64,7 @@ def expand(name: str, table: Mapping[str, Any], homes: list[str]) -> list[Trial]
     name
         Of the table, e.g. ``table_12``.
     table
-        Its configuration: ``trial``, ``homes`` and ``axes`` (see conf/table).
+        Its configuration: ``trial``, ``homes`` and ``axes`` (see data/thesis/tables).
     homes
         Names of the data set's homes.
 

@@ -1,10 +1,10 @@
-"""What the thesis claims, as comparisons of results: the files of conf/finding."""
+"""What the thesis claims, as comparisons of results: the files of data/thesis/findings."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from placecat import settings
+from placecat import paths, settings
 from placecat.errors import PlacecatError
 
 COMBINE = ("mean", "best", "last")
@@ -155,7 +155,8 @@ def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
     PlacecatError
         For settings that are unknown, missing or contradictory.
     """
-    _check(config, ["number", "section", "claim", "comparisons"], ["readings", "filters"], name)
+    file = f"{paths.FINDING_DEFINITIONS / name}.yaml"
+    _check(config, ["number", "section", "claim", "comparisons"], ["readings", "filters"], file)
     comparisons = []
     for one in config["comparisons"]:
         rest = {key: value for key, value in one.items() if key != "each"}

@@ -6,7 +6,7 @@ from typing import Any
 
 import pandas as pd
 
-from placecat import files, listing, paths, settings
+from placecat import definitions, files, listing, paths, settings
 from placecat.evaluation import protocol
 from placecat.evaluation.trials import expand
 from placecat.learning.toy_circles import NAMES
@@ -73,7 +73,7 @@ def _nu_of_cues(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
 def _nu_of_trials(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
     homes = settings.get(params, "dataset.homes")
-    for study, tables in settings.get(params, "studies").items():
+    for study, tables in definitions.studies(params).items():
         path = paths.TRIALS / study / "facts.csv"
         if not path.is_file():
             continue

@@ -39,7 +39,7 @@ def in_text(
     Parameters
     ----------
     entries
-        Name of an entry to its settings, see conf/in_text/thesis.yaml: a comparison
+        Name of an entry to its settings, see data/thesis/in_text.yaml: a comparison
         (:func:`~placecat.reporting.comparison.compare`), a single ``result``
         (:func:`~placecat.reporting.comparison.alone`) or a ``record``
         (:func:`~placecat.reporting.records.read_off`), each with ``thesis_data`` and, if it is not the main

@@ -1,12 +1,13 @@
 """The thesis's tables: what was measured beside what was published."""
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas as pd
 
-from placecat import settings
+from placecat import definitions, paths, settings
 from placecat.reporting import layouts
 from placecat.reporting.number import joined, nothing
 from placecat.reporting.results import Results
@@ -19,16 +20,29 @@ _KEY = ["group", "row", "column"]
 PublishedKey = tuple[int, str, str, str]
 
 
-def tables_of(params: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, Any]]:
     """Every table of a run by name, e.g. ``table_12``: those of the thesis by number, then additions.
 
-    Each is its configuration and its ``name``. Studies without a layout are no tables (:mod:`in_text`).
+    Each is its definition (:mod:`placecat.definitions`) and its ``name``. Studies without a layout are no
+    tables (:mod:`in_text`).
+
+    Parameters
+    ----------
+    params
+        All settings.
+    root
+        The project's folder.
     """
-    found = dict(settings.get(params, "tables"))
-    for study in settings.get(params, "studies").values():
+    found = definitions.tables(params, root)
+    for study in definitions.studies(params, root).values():
         found |= {name: table for name, table in study.items() if table["layout"] is not None}
     order = sorted(found, key=lambda name: (found[name]["number"] is None, found[name]["number"], name))
     return {name: {**found[name], "name": name} for name in order}
+
+
+def folder_of(table: Mapping[str, Any]) -> Path:
+    """Where a table's files are: those that need a setting lie apart, since runs without it leave them."""
+    return paths.OPTIONAL_TABLES if "needs" in table else paths.TABLES
 
 
 def dataset_of(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, Any]:

@@ -5,7 +5,7 @@ from typing import Any
 
 import pandas as pd
 
-from placecat import files, listing, paths, settings
+from placecat import definitions, files, listing, paths, settings
 from placecat.errors import PlacecatError
 from placecat.evaluation import protocol
 from placecat.evaluation.trials import expand
@@ -38,8 +38,8 @@ def estimate(measured: pd.DataFrame, params: Mapping[str, Any]) -> dict[str, Any
     frames = int(measured["frames"].max())
     most = measured[measured["frames"] == frames]
     seconds: dict[str, float] = {}
-    for stage, item, took in zip(most["stage"], most["item"], most["seconds"], strict=True):
-        seconds[stage] = seconds.get(stage, 0.0) + took * times_as_often(stage, item, params)
+    for stage, took in zip(most["stage"], most["seconds"], strict=True):
+        seconds[stage] = seconds.get(stage, 0.0) + took * times_as_often(stage, params)
     kept = files.read_csv(paths.KEPT_TIMES)
     here = sum(len(listing.read_labels(home)) for home in settings.get(settings.load(), "dataset.homes"))
     for stage, took in zip(kept["stage"], kept["seconds"], strict=True):
@@ -49,13 +49,13 @@ def estimate(measured: pd.DataFrame, params: Mapping[str, Any]) -> dict[str, Any
     return {"hours": round(sum(seconds.values()) / 3600, 2), "seconds": rounded}
 
 
-def times_as_often(stage: str, item: str, params: Mapping[str, Any]) -> float:
+def times_as_often(stage: str, params: Mapping[str, Any]) -> float:
     """How many times the work of a measured stage a run has that tests on every home.
 
     Parameters
     ----------
-    stage, item
-        E.g. ``trials`` and the name of a study.
+    stage
+        E.g. ``trials``.
     params
         The settings it was measured with.
     """
@@ -67,10 +67,11 @@ def times_as_often(stage: str, item: str, params: Mapping[str, Any]) -> float:
         return 1.0
     of_trials = [
         trial.homes
-        for name, table in settings.get(params, f"studies.{item}").items()
+        for tables in definitions.studies(params).values()
+        for name, table in tables.items()
         for trial in expand(name, table, homes)
     ]
     now = sum(home in tested for own in of_trials for home in own)
     if not now:
-        raise PlacecatError(f"the study {item} tests on none of {', '.join(tested)}: choose other test_homes")
+        raise PlacecatError(f"no study tests on any of {', '.join(tested)}: choose other test_homes")
     return sum(map(len, of_trials)) / now

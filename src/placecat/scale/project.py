@@ -16,7 +16,14 @@ from placecat.scale import drawing
 from placecat.scale.database import Home, Stretch, classes_of
 
 # What stages read besides, as the project has it.
-LINKED = (paths.SITES, paths.SPLITS, paths.TOY, paths.PUBLISHED.parent)
+LINKED = (
+    paths.CONF,
+    paths.SITE_SEQUENCES,
+    paths.SITE_FEATURES,
+    paths.SPLITS,
+    paths.TOY,
+    paths.PUBLISHED.parent,
+)
 
 
 def build(

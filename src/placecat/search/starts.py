@@ -63,7 +63,7 @@ def _of_cue(
     descriptor = cue["descriptor"] if codebook is None else params["codebooks"][codebook]["descriptor"]
     wanted = {f"descriptor.{name}": value for name, value in descriptor.items()}
     if descriptor["kind"] == "local":
-        wanted["descriptor.tracked"] = cue.get("reads") == "tracks"
+        wanted["descriptor.tracked"] = descriptor.get("tracked", False)
     wanted["classifier.model"] = cue["classifier"]["model"]
     wanted["classifier.base.name"] = cue["classifier"]["base"]["name"]
     if any(OmegaConf.select(config, key) != value for key, value in wanted.items()):

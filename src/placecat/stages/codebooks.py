@@ -1,17 +1,34 @@
 """Stage `codebooks`: one tree a training set and seed serves every cluster number and classifier."""
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
-from placecat import files, listing, parallel, paths, settings, store
+from placecat import files, items, listing, parallel, paths, settings, store
 from placecat.cues.codebook import Codebook, seed_of
 from placecat.evaluation import protocol
 from placecat.stages import run
 
 
-def main(name: str) -> None:
-    """Cluster one kind of descriptor for every training set of its schemes, once for each seed."""
+def main() -> None:
+    """Cluster the descriptors of every codebook for every training set of its schemes, once for each seed."""
     params = settings.load()
+    homes = list(settings.get(params, "dataset.homes"))
+    shared = [settings.get(params, name) for name in ("dataset.name", "dataset.homes")]
+    shared += [settings.get(params, f"protocol.{name}") for name in ("cue_frames", "seeds", "test_homes")]
+    labels = [paths.sequences(home) / "labels.csv" for home in homes]
+    wanted = {
+        name: items.Inputs(
+            [codebook, *shared],
+            (*labels, *(path for home in homes for path in store.files_of(home, codebook["descriptor"]))),
+        )
+        for name, codebook in settings.get(params, "codebooks").items()
+    }
+    items.refresh("codebooks", paths.CODEBOOKS, wanted, lambda name, folder: make(name, folder, params))
+
+
+def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
+    """Cluster one kind of descriptor for every training set of its schemes, once for each seed."""
     codebook = settings.get(params, f"codebooks.{name}")
     homes = list(settings.get(params, "dataset.homes"))
     labels = {home: listing.read_labels(home) for home in homes}
@@ -32,12 +49,10 @@ def main(name: str) -> None:
         for training_set, train_homes in training_sets.items()
         for seed in settings.get(params, "protocol.seeds")
     }
-    with files.replacing(paths.CODEBOOKS / name) as folder:
-        folder.mkdir(parents=True)
-        results = parallel.in_parallel(cluster, list(tasks.values()), f"codebook {name}")
-        for file, arrays in zip(tasks, results, strict=True):
-            files.write_arrays(folder / file, arrays)
-        files.write_json(folder / "descriptor.json", codebook["descriptor"])
+    results = parallel.in_parallel(cluster, list(tasks.values()), f"codebook {name}")
+    for file, arrays in zip(tasks, results, strict=True):
+        files.write_arrays(folder / file, arrays)
+    files.write_json(folder / "descriptor.json", codebook["descriptor"])
 
 
 def cluster(
@@ -49,4 +64,4 @@ def cluster(
 
 
 if __name__ == "__main__":
-    run(main, item="codebook")
+    run(main)

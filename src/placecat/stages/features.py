@@ -7,19 +7,32 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat import files, listing, parallel, paths, settings
+from placecat import files, items, listing, parallel, paths, settings
 from placecat.sequences.base import read_frames
 from placecat.stages import run
 from placecat.vision.frame import check, describe_frame
 from placecat.vision.memory import keep_freed_memory
 
 
-def main(home: str) -> None:
-    """Describe all frames of one home."""
+def main() -> None:
+    """Describe all frames of every home."""
     params = settings.load()
     root = Path(settings.get(params, "dataset.root"))
     options = feature_options(params, settings.get(params, "descriptors"))
-    describe_home(home, root, options, variants=settings.get(params, "region_variants"))
+    variants = settings.get(params, "region_variants")
+    wanted = {home: inputs(home, [options, variants]) for home in settings.get(params, "dataset.homes")}
+    items.refresh(
+        "features",
+        paths.FEATURES,
+        wanted,
+        lambda home, folder: describe_home(home, root, options, folder, variants=variants),
+    )
+
+
+def inputs(home: str, own: Any) -> items.Inputs:
+    """What the features of a home are made from: settings, its frames and the checksums of their files."""
+    listed = paths.sequences(home)
+    return items.Inputs(own, (listed / "frames.csv", listed / "sources.csv", listed / "home.json"))
 
 
 def feature_options(params: Mapping[str, Any], descriptors: Mapping[str, Any]) -> dict[str, Any]:
@@ -39,7 +52,12 @@ def feature_options(params: Mapping[str, Any], descriptors: Mapping[str, Any]) -
 
 
 def describe_home(
-    home: str, root: Path, options: Mapping[str, Any], *, variants: Mapping[str, Any] | None = None
+    home: str,
+    root: Path,
+    options: Mapping[str, Any],
+    folder: Path,
+    *,
+    variants: Mapping[str, Any] | None = None,
 ) -> None:
     """Write the descriptors of all frames of a home.
 
@@ -51,6 +69,8 @@ def describe_home(
         Folder of the data set.
     options
         From :func:`feature_options`.
+    folder
+        To write.
     variants
         As conf/region_variants: variants of the salient regions, and the frames that they are found in.
     """
@@ -71,17 +91,15 @@ def describe_home(
         (root, size, frames.iloc[start : start + chunk], options, also, set(rows.tolist()))
         for start in range(0, len(frames), chunk)
     ]
-    with files.replacing(paths.features(home)) as folder:
-        folder.mkdir(parents=True)
-        parts = parallel.in_parallel(describe, tasks, f"features of {home}")
-        modules = {name: own.get("descriptor", name) for name, own in options["local"].items()}
-        files.write_json(folder / "descriptors.json", modules)
-        for name in also:
-            files.write_json(folder / paths.VARIANT.format(name) / "descriptors.json", modules)
-            files.write_array(folder / paths.VARIANT.format(name) / paths.VARIANT_FRAMES, rows)
-        for name in _names(parts):
-            array = np.concatenate([part[name] for part in parts if name in part])
-            files.write_array(folder / f"{name}.npy", array)
+    parts = parallel.in_parallel(describe, tasks, f"features of {home}")
+    modules = {name: own.get("descriptor", name) for name, own in options["local"].items()}
+    files.write_json(folder / "descriptors.json", modules)
+    for name in also:
+        files.write_json(folder / paths.VARIANT.format(name) / "descriptors.json", modules)
+        files.write_array(folder / paths.VARIANT.format(name) / paths.VARIANT_FRAMES, rows)
+    for name in _names(parts):
+        array = np.concatenate([part[name] for part in parts if name in part])
+        files.write_array(folder / f"{name}.npy", array)
 
 
 def describe(
@@ -109,4 +127,4 @@ def _names(described: Sequence[Mapping[str, np.ndarray]]) -> list[str]:
 
 
 if __name__ == "__main__":
-    run(main, item="home")
+    run(main)

@@ -1,6 +1,6 @@
 """Stage `findings`: what the thesis claims, judged on what was measured."""
 
-from placecat import files, paths, settings
+from placecat import definitions, files, paths, settings
 from placecat.reporting.collect import read_results
 from placecat.reporting.findings import ledger
 from placecat.reporting.published import Published
@@ -11,7 +11,7 @@ def main() -> None:
     """Write reports/findings.csv and reports/findings_comparisons.csv."""
     params = settings.load()
     findings, comparisons = ledger(
-        settings.get(params, "findings"),
+        definitions.findings(),
         settings.get(params, "verdict"),
         read_results(params),
         read_published(),

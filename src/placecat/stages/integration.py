@@ -6,16 +6,33 @@ from typing import Any
 
 import numpy as np
 
-from placecat import files, listing, parallel, paths, settings
+from placecat import files, items, listing, parallel, paths, settings
 from placecat.errors import PlacecatError
 from placecat.evaluation import protocol
 from placecat.fusion.integrate import integrate
 from placecat.stages import run
 
 
-def main(name: str) -> None:
-    """Train and apply one system's integration in every fold of its scheme, once for each seed."""
+def main() -> None:
+    """Train and apply every system's integration."""
     params = settings.load()
+    homes = list(settings.get(params, "dataset.homes"))
+    shared = [homes, settings.get(params, "dataset.classes"), settings.get(params, "protocol")]
+    listed = [paths.sequences(home) / "labels.csv" for home in homes]
+    wanted = {}
+    for name, system in settings.get(params, "systems").items():
+        read = [*listed, *(paths.CUES / cue / system["scheme"] for cue in system["cues"])]
+        own = [system, *shared, [settings.get(params, f"cues.{cue}.codebook") for cue in system["cues"]]]
+        if system["extra"]:
+            split = settings.get(params, "protocol.extra.split")
+            own.append(settings.get(params, f"splits.{split}.dataset.classes"))
+            read.append(paths.SITE_SEQUENCES / split)
+        wanted[name] = items.Inputs(own, tuple(read))
+    items.refresh("integration", paths.INTEGRATION, wanted, lambda name, folder: make(name, folder, params))
+
+
+def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
+    """Train and apply one system's integration in every fold of its scheme, once for each seed."""
     system = settings.get(params, f"systems.{name}")
     homes = list(settings.get(params, "dataset.homes"))
     tested = settings.get(params, "protocol.test_homes")
@@ -25,15 +42,13 @@ def main(name: str) -> None:
     random = [cue for cue in system["cues"] if settings.get(params, f"cues.{cue}.codebook") is not None]
     seeds = settings.get(params, "protocol.seeds") if random else [None]
     extra = _extra(params, selection, classes) if system["extra"] else {}
-    with files.replacing(paths.INTEGRATION / name) as folder:
-        folder.mkdir(parents=True)
-        tasks = [(system, fold, seed, selection, extra, classes) for fold in folds for seed in seeds]
-        results = parallel.in_parallel(apply, tasks, f"integration {name}")
-        for (_, fold, seed, *_), result in zip(tasks, results, strict=True):
-            place = folder / fold.test / protocol.seed_folder(seed)
-            files.write_json(place / "facts.json", result.pop("facts"))
-            for array_name, array in result.items():
-                files.write_array(place / f"{array_name}.npy", array)
+    tasks = [(system, fold, seed, selection, extra, classes) for fold in folds for seed in seeds]
+    results = parallel.in_parallel(apply, tasks, f"integration {name}")
+    for (_, fold, seed, *_), result in zip(tasks, results, strict=True):
+        place = folder / fold.test / protocol.seed_folder(seed)
+        files.write_json(place / "facts.json", result.pop("facts"))
+        for array_name, array in result.items():
+            files.write_array(place / f"{array_name}.npy", array)
 
 
 def _extra(
@@ -105,4 +120,4 @@ def _proba(cues: Sequence[str], fold: protocol.Fold, seed: int | None, array: st
 
 
 if __name__ == "__main__":
-    run(main, item="system")
+    run(main)

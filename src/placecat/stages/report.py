@@ -12,7 +12,7 @@ from placecat.reporting.charts.picture import png_of
 from placecat.reporting.charts.speed import speed_chart
 from placecat.reporting.page import Figure, Report, Scale, Speed, Table, Times, page_html
 from placecat.reporting.scale import TEXT as SCALE_TEXT
-from placecat.reporting.tables import dataset_of, tables_of
+from placecat.reporting.tables import dataset_of, folder_of, tables_of
 from placecat.stages import run
 
 # Columns that are text even where all of it looks like numbers, e.g. the section 4.10.
@@ -28,7 +28,7 @@ def main() -> None:
         frames={home: _frames(home, dataset["classes"]) for home in dataset["homes"]},
         data_version=data_version(),
         tables=[
-            Table(table, files.read_table(paths.TABLES / f"{name}.csv", _TEXT), dataset_of(table, params))
+            Table(table, files.read_table(folder_of(table) / f"{name}.csv", _TEXT), dataset_of(table, params))
             for name, table in tables_of(params).items()
         ],
         figures=[_figure(one) for one in files.read_json(_existing(paths.FIGURES / "figures.json"))],

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat import files, listing, paths, settings
+from placecat import definitions, files, listing, paths, settings
 from placecat.evaluation import protocol
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.evaluation.quality import home_quality
@@ -39,7 +39,7 @@ def main() -> None:
             untested += [(name, home, protocol.NOT_TESTED) for home in others]
     scores = [pd.DataFrame(rows, columns=SCORE_COLUMNS), files.read_csv(paths.TOY)]
     missing = [pd.DataFrame(untested, columns=MISSING_COLUMNS)]
-    for study in settings.get(params, "studies"):
+    for study in definitions.studies(params):
         scores.append(files.read_csv(paths.TRIALS / study / "scores.csv"))
         missing.append(files.read_csv(paths.TRIALS / study / "missing.csv"))
     with files.replacing(paths.SCORES) as folder:

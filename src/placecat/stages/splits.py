@@ -1,11 +1,12 @@
 """Stage `splits`: everything from cues to smoothing on a fixed split of further data (thesis 4.9, 4.10)."""
 
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from placecat import cues, files, listing, parallel, paths, settings, store
+from placecat import cues, files, items, listing, parallel, paths, settings, store
 from placecat.cues.codebook import Codebook, seed_of
 from placecat.evaluation import protocol
 from placecat.fusion.integrate import integrate
@@ -15,9 +16,32 @@ from placecat.stages import run
 Part = tuple[str, np.ndarray, np.ndarray]
 
 
-def main(split: str) -> None:
-    """Train on the split's training parts, test on its test sequences, once for each seed."""
+def main() -> None:
+    """Train and test on every split."""
     params = settings.load()
+    wanted = {}
+    for split, own in settings.get(params, "splits").items():
+        cues_of_split = dict.fromkeys(cue for system in own["systems"].values() for cue in system)
+        used = {cue: _cue(params, cue) for cue in cues_of_split}
+        others = [settings.get(params, name) for name in ("protocol.seeds", "protocol.cue_frames")]
+        others += [settings.get(params, "protocol.integration_frames"), _smoothing(params)]
+        names = [f"{split}/{sequence}" for sequence in own["dataset"]["homes"]]
+        described = [
+            path
+            for home in names
+            for descriptor, *_ in used.values()
+            for path in store.files_of(home, descriptor)
+        ]
+        wanted[split] = items.Inputs([own, used, *others], (*map(paths.sequences, names), *described))
+    items.refresh("splits", paths.SPLITS, wanted, lambda split, folder: make(split, folder, params))
+
+
+def _smoothing(params: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in params["smoothing"].items() if name not in ("cues", "filtered")}
+
+
+def make(split: str, folder: Path, params: Mapping[str, Any]) -> None:
+    """Train on the split's training parts, test on its test sequences, once for each seed."""
     own = settings.get(params, f"splits.{split}")
     classes = list(own["dataset"]["classes"])
     names = list(dict.fromkeys(cue for system in own["systems"].values() for cue in system))
@@ -33,7 +57,7 @@ def main(split: str) -> None:
     ]
     cue_tasks = [(split, own["test"], *_cue(params, name), seed, train, fuse, classes) for name, seed in keys]
     outputs = dict(zip(keys, parallel.in_parallel(apply_cue, cue_tasks, f"cues of {split}"), strict=True))
-    options = {name: value for name, value in params["smoothing"].items() if name not in ("cues", "filtered")}
+    options = _smoothing(params)
     system_keys = [(system, seed) for system in own["systems"] for seed in seeds]
     system_tasks = [
         (
@@ -47,17 +71,16 @@ def main(split: str) -> None:
         for system, seed in system_keys
     ]
     fused = parallel.in_parallel(apply_system, system_tasks, f"integration of {split}")
-    with files.replacing(paths.SPLITS / split) as folder:
-        for (name, seed), output in outputs.items():
-            for sequence in own["test"]:
-                place = folder / "cues" / name / sequence / protocol.seed_folder(seed)
-                files.write_array(place / "test.npy", output[f"test_{sequence}"])
-        for (system, seed), output in zip(system_keys, fused, strict=True):
-            for sequence in own["test"]:
-                place = f"{system}/{sequence}/{protocol.seed_folder(seed)}"
-                files.write_array(folder / "integration" / place / "test.npy", output[sequence]["test"])
-                for name in ("hmm", "delayed"):
-                    files.write_array(folder / "smoothing" / place / f"{name}.npy", output[sequence][name])
+    for (name, seed), output in outputs.items():
+        for sequence in own["test"]:
+            place = folder / "cues" / name / sequence / protocol.seed_folder(seed)
+            files.write_array(place / "test.npy", output[f"test_{sequence}"])
+    for (system, seed), output in zip(system_keys, fused, strict=True):
+        for sequence in own["test"]:
+            place = Path(system, sequence, protocol.seed_folder(seed))
+            files.write_array(folder / "integration" / place / "test.npy", output[sequence]["test"])
+            for name in ("hmm", "delayed"):
+                files.write_array(folder / "smoothing" / place / f"{name}.npy", output[sequence][name])
 
 
 def _parts(
@@ -162,4 +185,4 @@ def apply_system(
 
 
 if __name__ == "__main__":
-    run(main, item="split")
+    run(main)

@@ -1,12 +1,10 @@
 """Stage `tables`: accuracies of everything, and the numbers of the thesis beside those of this run."""
 
-import shutil
-from pathlib import Path
 from typing import Any
 
 import pandas as pd
 
-from placecat import files, paths, settings
+from placecat import definitions, files, paths, settings
 from placecat.reporting.collect import read_records, read_results
 from placecat.reporting.in_text import in_text
 from placecat.reporting.latex import table_latex
@@ -16,8 +14,6 @@ from placecat.reporting.quality import quality_table
 from placecat.reporting.results import Results
 from placecat.reporting.tables import contradictions_of, dataset_of, fill_table, tables_of
 from placecat.stages import run
-
-FORMS = ("csv", "md", "tex")
 
 
 def main() -> None:
@@ -32,35 +28,24 @@ def main() -> None:
         for name, table in tables_of(params).items():
             dataset = dataset_of(table, params)
             filled[name] = fill_table(table, results, published, dataset, contradictions)
-            files.write_csv(folder / f"{name}.csv", filled[name])
-            files.write_text(folder / f"{name}.md", table_markdown(table, filled[name], dataset))
-            files.write_text(folder / f"{name}.tex", table_latex(table, filled[name], dataset))
-        for name in params.get("optional_tables", []):
-            if name not in filled:
-                _keep(name, folder)
+            target = paths.OPTIONAL_TABLES if "needs" in table else folder
+            files.write_csv(target / f"{name}.csv", filled[name])
+            files.write_text(target / f"{name}.md", table_markdown(table, filled[name], dataset))
+            files.write_text(target / f"{name}.tex", table_latex(table, filled[name], dataset))
     files.write_csv(paths.ACCURACIES, results.accuracy_table())
     files.write_csv(paths.PROBABILITIES, quality_table(results.quality))
     files.write_csv(paths.IN_TEXT, _in_text(params, results))
     files.write_json(paths.METRICS, nested_metrics(filled))
-    files.write_json(paths.SUMMARY, chosen_averages(results, settings.get(params, "metrics")))
+    files.write_json(paths.SUMMARY, chosen_averages(results, settings.load(paths.METRIC_DEFINITIONS)))
     with files.replacing(paths.PLOTS) as folder:
-        for name, rows in plot_data(results, settings.get(params, "plots")).items():
+        for name, rows in plot_data(results, settings.load(paths.PLOT_DEFINITIONS)).items():
             files.write_csv(folder / name, rows)
 
 
-def _keep(name: str, folder: Path) -> None:
-    """Take over a table that another run has left: git keeps it, and this run cannot fill it."""
-    for form in FORMS:
-        path = paths.TABLES / f"{name}.{form}"
-        if path.is_file():
-            shutil.copyfile(path, folder / path.name)
-
-
 def _in_text(params: dict[str, Any], results: Results) -> pd.DataFrame:
-    entries = settings.get(params, "in_text")
     text = ["name", "section", "quantity", "home", "quote", "note"]
     return in_text(
-        entries,
+        definitions.in_text(),
         results,
         files.read_table(paths.PUBLISHED_TEXT, text),
         settings.get(params, "dataset"),

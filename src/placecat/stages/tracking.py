@@ -10,7 +10,7 @@ from placecat.lockfile import data_version, git_commit
 from placecat.mlflow_store import tracking_uri
 from placecat.reporting.charts.draw import MatrixDrawer
 from placecat.reporting.collect import read_results
-from placecat.reporting.tables import dataset_of, tables_of
+from placecat.reporting.tables import dataset_of, folder_of, tables_of
 from placecat.reporting.tracking import TableRun, flatten, log_tables
 from placecat.reporting.tracking_content import figures_run, findings_run, table_run
 from placecat.stages import run
@@ -33,11 +33,11 @@ def main() -> None:
     for name, table in tables_of(params).items():
         made = table_run(
             table,
-            files.read_table(paths.TABLES / f"{name}.csv", ["group", "row", "column", "note"]),
+            files.read_table(folder_of(table) / f"{name}.csv", ["group", "row", "column", "note"]),
             results,
             dataset_of(table, params),
             flatten(_settings(table, params)),
-            [paths.TABLES / f"{name}.{ending}" for ending in ("csv", "md", "tex")],
+            [folder_of(table) / f"{name}.{ending}" for ending in ("csv", "md", "tex")],
             drawer,
         )
         by_split.setdefault(table.get("split", ""), []).append(made)
@@ -51,7 +51,7 @@ def main() -> None:
             experiment=f"placecat/{dataset['name']}",
             description=DESCRIPTION.format(title=dataset["title"]),
             data=dataset["title"],
-            data_version=data_version(f"site_sequences@{split}" if split else "sequences"),
+            data_version=data_version("site_sequences" if split else "sequences"),
             commit=git_commit(),
             artifacts=ARTIFACTS,
         )

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat import files, listing, parallel, paths, settings
+from placecat import files, items, listing, parallel, paths, settings
 from placecat.sequences.base import read_frames
 from placecat.stages import run
 from placecat.vision.frame import check, describe_frame
@@ -15,9 +15,20 @@ from placecat.vision.memory import keep_freed_memory
 from placecat.vision.tracking import RegionTracker
 
 
-def main(home: str) -> None:
-    """Write the tracked regions of all frames of one home and their descriptors."""
+def main() -> None:
+    """Write the tracked regions of all frames of every home and their descriptors."""
     params = settings.load()
+    wanted = {}
+    for home in settings.get(params, "dataset.homes"):
+        own = [settings.get(params, name) for name in ("attention", "tracking", "descriptors.local")]
+        listed = [paths.sequences(home) / name for name in ("frames.csv", "sources.csv", "home.json")]
+        found = [paths.features(home) / name for name in ("regions.npy", "count.npy")]
+        wanted[home] = items.Inputs(own, (*listed, *found))
+    items.refresh("tracks", paths.TRACKS, wanted, lambda home, folder: make(home, folder, params))
+
+
+def make(home: str, folder: Path, params: Mapping[str, Any]) -> None:
+    """Write the tracked regions of all frames of one home and their descriptors."""
     tracking = dict(settings.get(params, "tracking"))
     wanted = {name: settings.get(params, f"descriptors.local.{name}") for name in tracking.pop("descriptors")}
     options = {
@@ -41,13 +52,11 @@ def main(home: str) -> None:
         )
         for part in listing.sequence_slices(home)
     ]
-    with files.replacing(paths.TRACKS / home) as folder:
-        folder.mkdir(parents=True)
-        parts = parallel.in_parallel(track, tasks, f"tracks of {home}")
-        modules = {name: own.get("descriptor", name) for name, own in wanted.items()}
-        files.write_json(folder / "descriptors.json", modules)
-        for name in parts[0]:
-            files.write_array(folder / f"{name}.npy", np.concatenate([part[name] for part in parts]))
+    parts = parallel.in_parallel(track, tasks, f"tracks of {home}")
+    modules = {name: own.get("descriptor", name) for name, own in wanted.items()}
+    files.write_json(folder / "descriptors.json", modules)
+    for name in parts[0]:
+        files.write_array(folder / f"{name}.npy", np.concatenate([part[name] for part in parts]))
 
 
 def _found_regions(home: str, max_regions: int) -> list[np.ndarray]:
@@ -78,4 +87,4 @@ def track(
 
 
 if __name__ == "__main__":
-    run(main, item="home")
+    run(main)

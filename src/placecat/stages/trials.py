@@ -2,12 +2,13 @@
 
 import json
 from collections.abc import Collection, Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas as pd
 
-from placecat import cues, files, listing, parallel, paths, settings, store
+from placecat import cues, definitions, files, items, listing, parallel, paths, settings, store
 from placecat.cues.codebook import Codebook, seed_of
 from placecat.errors import NotComputable
 from placecat.evaluation import protocol
@@ -21,16 +22,36 @@ Outcome = tuple[np.ndarray | str, Mapping[str, Any]]
 FACT_COLUMNS = ["trial", "home", "seed", "nu_lowest", "nu_highest", "flat_sigmoids"]
 
 
-def main(study: str) -> None:
-    """Train and test every trial of a study; write the decisions' counts."""
+def main() -> None:
+    """Train and test every trial of every study; write the decisions' counts."""
     params = settings.load()
     homes = list(settings.get(params, "dataset.homes"))
+    shared = [settings.get(params, f"dataset.{name}") for name in ("name", "homes", "classes")]
+    shared += [settings.get(params, f"protocol.{name}") for name in ("cue_frames", "seeds", "test_homes")]
+    labels = [paths.sequences(home) / "labels.csv" for home in homes]
+    studies = {
+        study: [trial for name, table in tables.items() for trial in expand(name, table, homes)]
+        for study, tables in definitions.studies(params).items()
+    }
+    wanted = {}
+    for study, trials in studies.items():
+        described = (
+            path
+            for trial in trials
+            for home in homes
+            for path in store.files_of(home, trial.settings["descriptor"])
+        )
+        own = [[trial.name, trial.settings, trial.homes] for trial in trials]
+        wanted[study] = items.Inputs([own, *shared], (*labels, *dict.fromkeys(described)))
+    items.refresh(
+        "trials", paths.TRIALS, wanted, lambda study, folder: make(study, studies[study], folder, params)
+    )
+
+
+def make(study: str, trials: Sequence[Trial], folder: Path, params: Mapping[str, Any]) -> None:
+    """Train and test every trial of a study."""
+    homes = list(settings.get(params, "dataset.homes"))
     classes = list(settings.get(params, "dataset.classes"))
-    trials = [
-        trial
-        for name, table in settings.get(params, f"studies.{study}").items()
-        for trial in expand(name, table, homes)
-    ]
     seeds, tested = settings.get(params, "protocol.seeds"), settings.get(params, "protocol.test_homes")
     folds = {fold.test: fold for fold in protocol.folds(homes, "5-5-1", tested)}
     wanted = _group(trials, seeds, folds)
@@ -50,11 +71,9 @@ def main(study: str) -> None:
     for ((_, home, seed), keys), results in zip(wanted.items(), done, strict=True):
         outcomes |= {(key, home, seed): result for key, result in zip(keys, results, strict=True)}
     scores, missing = _collect(trials, outcomes, seeds, classes)
-    with files.replacing(paths.TRIALS / study) as folder:
-        folder.mkdir(parents=True)
-        files.write_csv(folder / "scores.csv", scores)
-        files.write_csv(folder / "missing.csv", missing)
-        files.write_csv(folder / "facts.csv", _facts(trials, outcomes))
+    files.write_csv(folder / "scores.csv", scores)
+    files.write_csv(folder / "missing.csv", missing)
+    files.write_csv(folder / "facts.csv", _facts(trials, outcomes))
 
 
 def _group(
@@ -160,4 +179,4 @@ def _facts(trials: Sequence[Trial], outcomes: Mapping[tuple[str, str, int | None
 
 
 if __name__ == "__main__":
-    run(main, item="study")
+    run(main)

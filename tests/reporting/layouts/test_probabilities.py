@@ -3,13 +3,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from made_results import PARAMS, made
+from made_results import PARAMS, ROOT, made
 from placecat.errors import PlacecatError
 from placecat.reporting.layouts import probabilities
 from placecat.reporting.results import Quality
 from placecat.reporting.tables import tables_of
 
-TABLE = tables_of(PARAMS)["addition_probabilities"]
+TABLE = tables_of(PARAMS, ROOT)["addition_probabilities"]
 RESULTS = made()
 
 

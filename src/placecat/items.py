@@ -1,0 +1,132 @@
+"""Items of a stage's output: each is made again only if what it was made from has changed.
+
+A stage that loops over cues, systems or homes keeps a manifest in each item: checksums of what it was made
+from and of its files. It holds no times and no paths of the machine, so that equal items are equal files.
+"""
+
+import hashlib
+import json
+import shutil
+from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from placecat import files, settings
+
+MANIFEST = "manifest.json"
+DEFINITION = Path("dvc.yaml")
+
+
+@dataclass(frozen=True)
+class Inputs:
+    """What an item is made from.
+
+    Attributes
+    ----------
+    settings
+        All settings that it depends on, as JSON has them.
+    paths
+        Files and folders. Of one that belongs to an item the checksums in that item's manifest count.
+    """
+
+    settings: Any
+    paths: tuple[Path, ...]
+
+
+def refresh(
+    stage: str, folder: Path, wanted: Mapping[str, Inputs], make: Callable[[str, Path], None]
+) -> None:
+    """Make the items that are missing, damaged or made from something else; remove those that nobody wants.
+
+    Each is written under a temporary name and renamed, so that a stage that was killed goes on where it was.
+
+    Parameters
+    ----------
+    stage
+        Its code, the dependencies in src/ that dvc.yaml lists, is part of what an item is made from.
+    folder
+        Of the items.
+    wanted
+        Name of an item, that of a folder, to what it is made from.
+    make
+        Takes the name of an item and the folder to write, which is not there yet.
+    """
+    keep_only(folder, wanted)
+    code = _code_of(stage)
+    for name, inputs in wanted.items():
+        content = [code, json.dumps(inputs.settings, sort_keys=True), *map(_checksum, inputs.paths)]
+        made_from = hashlib.sha256("\n".join(content).encode()).hexdigest()
+        if _is_made(folder / name, made_from):
+            continue
+        with files.replacing(folder / name) as temporary:
+            make(name, temporary)
+            files.write_json(temporary / MANIFEST, {"files": _files_in(temporary), "made_from": made_from})
+
+
+def keep_only(folder: Path, names: Collection[str]) -> None:
+    """Remove all else in a folder, such as items of other settings; make the folder if it is not there."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for path in folder.iterdir():
+        if path.name not in names:
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
+
+
+def _is_made(folder: Path, made_from: str) -> bool:
+    manifest = _manifest(folder)
+    return (
+        manifest is not None and manifest["made_from"] == made_from and manifest["files"] == _files_in(folder)
+    )
+
+
+def _manifest(folder: Path) -> dict[str, Any] | None:
+    try:
+        manifest: dict[str, Any] = files.read_json(folder / MANIFEST)
+        return manifest if manifest.keys() == {"files", "made_from"} else None
+    except (FileNotFoundError, NotADirectoryError, ValueError, AttributeError):
+        return None
+
+
+def _checksum(path: Path) -> str:
+    """Of a file or of all files in a folder; what an item's manifest tells is not read again."""
+    for folder in (path, *path.parents):
+        manifest = _manifest(folder)
+        if manifest is not None:
+            inner = path.relative_to(folder).as_posix()
+            known = {
+                name: checksum
+                for name, checksum in manifest["files"].items()
+                if inner == "." or name == inner or name.startswith(f"{inner}/")
+            }
+            return _of(known)
+    return _of(_files_in(path))
+
+
+def _files_in(path: Path) -> dict[str, str]:
+    """Checksums of all files below a path, but for manifests and caches of Python."""
+    found: Iterable[Path] = sorted(path.rglob("*")) if path.is_dir() else [path]
+    return {
+        one.relative_to(path).as_posix(): _of_file(one)
+        for one in found
+        if one.is_file() and one.name != MANIFEST and "__pycache__" not in one.parts
+    }
+
+
+def _of_file(path: Path) -> str:
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def _of(checksums: Mapping[str, str]) -> str:
+    return hashlib.sha256(json.dumps(checksums, sort_keys=True).encode()).hexdigest()
+
+
+def _code_of(stage: str) -> str:
+    """Checksum of the code that dvc.yaml lists for a stage, "" in a folder without a pipeline."""
+    if not DEFINITION.is_file():
+        return ""
+    stages = yaml.load(DEFINITION.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
+    code = [Path(dep) for dep in stages.get(stage, {}).get("deps", []) if dep.startswith("src/")]
+    return _of({path.as_posix(): _of(_files_in(path)) for path in code})
