@@ -11,7 +11,7 @@ from scipy import ndimage
 from placecat.errors import PlacecatError
 from placecat.seeds import derive
 from placecat_homes import palette
-from placecat_homes.doorways import doorway, shut
+from placecat_homes.doorways import doorway
 from placecat_homes.floorplan import SIDES, FloorPlan, WindowPlan
 from placecat_homes.heating import heat
 from placecat_homes.mesh import Mesh, join
@@ -161,32 +161,6 @@ def build(plan: FloorPlan, seed: int, *, unfurnished: bool = False) -> Building:
         if leaf is not None:
             leaves.append(leaf)
     return Building(join(parts), plan, tuple(rooms), tuple(leaves), tuple(things))
-
-
-def enclose(room: Room, seed: int) -> Mesh:
-    """Enclose a lone room, as `room.example` makes it, after it was furnished.
-
-    Parameters
-    ----------
-    room
-        With its furniture.
-    seed
-        Of its surfaces, and of the designs of its doors and windows.
-
-    Returns
-    -------
-    Mesh
-        In the frame of the room; doors are shut.
-    """
-    heat(room, derive("radiators", seed), np.random.default_rng(derive("heating", seed)))
-    rng = np.random.default_rng(derive("finish", seed))
-    finish = Finish.draw(rng, palette.flooring(rng), palette.wall(rng))
-    parts = [room.mesh(), shell(room, finish), glaze(room, derive("windows", seed))]
-    for opening in room.doors:
-        x, y = room.point(opening.wall, opening.middle, 0.0)
-        closed = shut(opening.width, opening.top, room.style, derive("doors", seed), opening.hinge)
-        parts.append(closed.turned(90.0 * opening.wall).moved(x, y))
-    return join(parts)
 
 
 def _rng(plan: FloorPlan, seed: int, *names: str) -> np.random.Generator:

@@ -294,12 +294,6 @@ def poster(rng: Rng, width: float, height: float) -> Material:
     return Material(texture=texture)
 
 
-def screen(rng: Rng, width: float, height: float) -> Material:
-    """Draw a lit screen of this size in metres."""
-    texture = Texture("screen", (colour(rng, 0.6, 0.3, 0.8),), (width, height), _seed(rng))
-    return Material(texture=texture, gloss=0.04, roughness=0.1, emission=float(rng.uniform(0.4, 0.9)))
-
-
 def foliage(rng: Rng) -> Material:
     """Draw leaf green."""
     base = colorsys.hsv_to_rgb(rng.uniform(0.2, 0.4), rng.uniform(0.35, 0.75), rng.uniform(0.3, 0.6))

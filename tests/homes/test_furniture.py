@@ -49,7 +49,6 @@ def test_furniture(function):
 
 
 KINDS = [module.name for module in pkgutil.iter_modules(textures.__path__) if not module.name.startswith("_")]
-PICTURES = {"abstract", "landscape", "portrait", "screen", "text", "rug"}
 
 
 @pytest.mark.parametrize("kind", KINDS)

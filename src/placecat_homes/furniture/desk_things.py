@@ -8,7 +8,7 @@ from placecat_homes import palette
 from placecat_homes.furniture.blocks import between, block, chance, choose
 from placecat_homes.materials import Material
 from placecat_homes.mesh import Lamp, Mesh, join
-from placecat_homes.parts.arrange import centred, scattered
+from placecat_homes.parts.arrange import scattered
 from placecat_homes.parts.prints import ink, leaf, lying, stack
 from placecat_homes.shapes import box, cylinder, lathe, superellipsoid, tube
 from placecat_homes.style import Style
@@ -226,13 +226,3 @@ def clutter(
         if len(area.triangles):
             parts.append(area.moved(side * (middle / 2 + flat / 2), depth / 2))
     return join(parts)
-
-
-def holder(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw magazine files side by side, full of journals."""
-    parts = []
-    for k in range(int(rng.integers(1, 4))):
-        case = palette.plastic(rng)
-        parts.append(box(0.08, 0.25, 0.24, 0).moved(0.085 * k).of(case))
-        parts.append(box(0.06, 0.24, 0.03, 0).moved(0.085 * k, 0.005, 0.24).of(leaf(rng)))
-    return centred(join(parts))

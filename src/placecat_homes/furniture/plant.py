@@ -394,32 +394,3 @@ def _trailing(rng: np.random.Generator, height: float, radius: float) -> Mesh:
     top = _bushy(rng, height * 0.6, radius)
     strands = _strands(rng, radius, height * 0.45, 9, height * 0.16)
     return join(top, strands.of(top.materials[0]))
-
-
-def hanging_plant(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw a plant in a pot that hangs from the ceiling.
-
-    Parameters
-    ----------
-    rng
-        Source of its design.
-    style
-        Of the home.
-
-    Returns
-    -------
-    Mesh
-        z = 0 is the ceiling; centred in x and y.
-    """
-    drop, radius = between(rng, 0.5, 0.8), between(rng, 0.09, 0.13)
-    vessel = pot(rng, style, radius, radius * 1.5)
-    cord = Material((0.75, 0.68, 0.55))
-    parts = [vessel.moved(0, 0, -drop)]
-    for k in range(3):
-        a = k * 2.1
-        rim = (radius * math.cos(a), radius * math.sin(a), -drop + radius * 1.5)
-        parts.append(tube([(0, 0, 0), rim], 0.003, 4).of(cord))
-    green = _bushy(rng, 0.22, radius)
-    strands = _strands(rng, radius, between(rng, 0.3, 0.6), 12, 0.05).of(green.materials[0])
-    parts += [green.moved(0, 0, -drop + radius * 1.35), strands.moved(0, 0, -drop + radius * 1.5)]
-    return join(parts)

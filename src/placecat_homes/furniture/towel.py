@@ -9,7 +9,6 @@ from placecat_homes import palette
 from placecat_homes.materials import Material
 from placecat_homes.mesh import Mesh, join
 from placecat_homes.parts.lofts import hung
-from placecat_homes.parts.toiletries import folded_towels
 from placecat_homes.shapes import box, cylinder, sheet, tube
 from placecat_homes.style import Style
 
@@ -141,8 +140,3 @@ def towel_radiator(rng: np.random.Generator, style: Style) -> Mesh:
             piece = hung(rng, width * rng.uniform(0.6, 0.8), drop, drop * 0.9, 0.02).of(cloth)
             parts.append(piece.moved(rng.uniform(-0.03, 0.03), y, z))
     return join(parts)
-
-
-def towel_stack(rng: np.random.Generator, style: Style) -> Mesh:
-    """Draw two to five folded towels, one on the other."""
-    return folded_towels(rng, cloths(rng, style, int(rng.integers(2, 6))), rng.uniform(0.28, 0.38))

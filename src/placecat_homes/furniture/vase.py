@@ -13,7 +13,6 @@ from placecat_homes.mesh import Mesh, join
 from placecat_homes.shapes import cylinder, lathe, superellipsoid, tube
 from placecat_homes.style import Style
 
-FLAME = Material((1.0, 0.8, 0.45), emission=4.0)
 FRUIT = ((0.8, 0.15, 0.1), (0.9, 0.55, 0.1), (0.85, 0.75, 0.15), (0.45, 0.6, 0.15))
 
 

@@ -6,7 +6,6 @@ import numpy as np
 
 from placecat_homes.materials import Material
 from placecat_homes.mesh import Mesh, empty, join
-from placecat_homes.parts.lofts import loft, rounded
 from placecat_homes.shapes import box, cylinder, lathe, superellipsoid, tube
 
 FRONTS = ("flat", "framed", "raised", "louvre", "beaded")
@@ -245,9 +244,3 @@ def hand_shower(metal: Material, white: Material, length: float = 0.6) -> Mesh:
         cylinder(0.055, 0.025, 14).turned(60, "x").moved(0, 0.165, head + 0.07).of(metal),
         tube(hose, 0.007, 6).of(metal),
     )
-
-
-def shelf_board(width: float, depth: float, material: Material, thickness: float = 0.02) -> Mesh:
-    """Draw a board with rounded front corners."""
-    outline = rounded(width, depth, 0.02, 0.0, points=3)
-    return loft([(outline, 0.0), (outline, thickness)]).of(material)
