@@ -13,7 +13,7 @@ import numpy as np
 from placecat.errors import PlacecatError
 from placecat.seeds import derive
 from placecat.settings import refuse_unknown
-from placecat_homes.room import Opening
+from placecat_homes.placing.opening import Opening
 
 SIDES = ("south", "east", "north", "west")
 """Names of walls 0 to 3."""

@@ -3,7 +3,7 @@
 import numpy as np
 
 from placecat_homes.furniture.radiator import radiator
-from placecat_homes.room import Room
+from placecat_homes.placing.room import Room
 
 
 def heat(room: Room, design: int, rng: np.random.Generator) -> None:

@@ -11,7 +11,8 @@ from placecat_homes.floorplan import OUTER_WALL
 from placecat_homes.furniture.window import window
 from placecat_homes.materials import Material, Texture
 from placecat_homes.mesh import Mesh, from_arrays, join
-from placecat_homes.room import Opening, Room
+from placecat_homes.placing.opening import Opening
+from placecat_homes.placing.room import Room
 from placecat_homes.shapes import box
 from placecat_homes.style import Style
 

@@ -20,7 +20,8 @@ from placecat_homes.furniture.washbasin import washbasin
 from placecat_homes.furniture.washing_machine import washing_machine
 from placecat_homes.materials import Material
 from placecat_homes.mesh import Mesh, join
-from placecat_homes.room import Placed, Room
+from placecat_homes.placing.placed import Placed
+from placecat_homes.placing.room import Room
 from placecat_homes.rooms.wall_tiles import tile_walls
 from placecat_homes.rooms.windows import dress_windows
 

@@ -18,7 +18,8 @@ from placecat_homes.furniture.rug import rug
 from placecat_homes.furniture.toys import toys
 from placecat_homes.furniture.wardrobe import clothes_rail, hanging_clothes, wardrobe
 from placecat_homes.mesh import Mesh, join
-from placecat_homes.room import Placed, Room
+from placecat_homes.placing.placed import Placed
+from placecat_homes.placing.room import Room
 from placecat_homes.rooms.windows import dress_windows
 
 

@@ -10,7 +10,7 @@ from placecat_homes.furniture.mirror import mirror
 from placecat_homes.furniture.rug import mat
 from placecat_homes.furniture.suitcase import suitcase
 from placecat_homes.furniture.wardrobe_shelf import low_shelf, shoe_rack, wall_board, wardrobe_shelf
-from placecat_homes.room import Room
+from placecat_homes.placing.room import Room
 from placecat_homes.rooms.windows import dress_windows
 
 

@@ -15,7 +15,8 @@ from placecat_homes.furniture.plant import plant
 from placecat_homes.furniture.rug import mat
 from placecat_homes.furniture.shoe_rack import shoe_cabinet, shoe_rack, shoes_on_floor
 from placecat_homes.furniture.umbrella_stand import umbrella_stand
-from placecat_homes.room import Placed, Room
+from placecat_homes.placing.placed import Placed
+from placecat_homes.placing.room import Room
 from placecat_homes.rooms.windows import dress_windows
 from placecat_homes.shapes import box
 

@@ -13,7 +13,8 @@ from placecat_homes.furniture.picture import group, picture
 from placecat_homes.furniture.plant import plant
 from placecat_homes.furniture.rug import rug
 from placecat_homes.furniture.sideboard import sideboard
-from placecat_homes.room import Placed, Room
+from placecat_homes.placing.placed import Placed
+from placecat_homes.placing.room import Room
 
 
 def furnish(room: Room) -> None:

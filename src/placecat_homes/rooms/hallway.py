@@ -14,7 +14,8 @@ from placecat_homes.furniture.recycling import recycling
 from placecat_homes.furniture.shut_door import shut_door
 from placecat_homes.furniture.vending_machine import vending_machine, water_dispenser
 from placecat_homes.furniture.waste_bin import waste_bin
-from placecat_homes.room import Opening, Room
+from placecat_homes.placing.opening import Opening
+from placecat_homes.placing.room import Room
 from placecat_homes.rooms.institution import notices, strip_lights
 from placecat_homes.rooms.windows import dress_windows
 

@@ -4,7 +4,7 @@ from placecat_homes.furniture.blocks import between, chance, choose
 from placecat_homes.furniture.ceiling_strip import ceiling_strip
 from placecat_homes.furniture.clock import clock
 from placecat_homes.furniture.notice_board import calendar, notice_board, papers_on_wall, wall_poster
-from placecat_homes.room import Room
+from placecat_homes.placing.room import Room
 
 
 def strip_lights(room: Room, *, apart: float = 2.6) -> None:

@@ -29,7 +29,9 @@ from placecat_homes.parts.kitchens.clutter import worktop_things
 from placecat_homes.parts.kitchens.design import Design
 from placecat_homes.parts.kitchens.layout import Unit, row, sink_width
 from placecat_homes.parts.kitchens.overhead import Window, overhead
-from placecat_homes.room import Placed, Room, Span
+from placecat_homes.placing.opening import Span
+from placecat_homes.placing.placed import Placed
+from placecat_homes.placing.room import Room
 
 DEEP = 0.65
 SMALL = 1.2

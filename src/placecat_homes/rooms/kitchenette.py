@@ -13,7 +13,8 @@ from placecat_homes.furniture.recycling import recycling
 from placecat_homes.furniture.vending_machine import vending_machine, water_dispenser
 from placecat_homes.furniture.waste_bin import waste_bin
 from placecat_homes.mesh import Mesh, join
-from placecat_homes.room import Placed, Room
+from placecat_homes.placing.placed import Placed
+from placecat_homes.placing.room import Room
 from placecat_homes.rooms.institution import notices, strip_lights
 from placecat_homes.rooms.windows import dress_windows
 

@@ -15,7 +15,8 @@ from placecat_homes.furniture.toilet import toilet, toilet_brush
 from placecat_homes.furniture.urinal import urinal
 from placecat_homes.materials import Material
 from placecat_homes.mesh import join
-from placecat_homes.room import Placed, Room
+from placecat_homes.placing.placed import Placed
+from placecat_homes.placing.room import Room
 from placecat_homes.rooms.wall_tiles import tile_walls
 
 

@@ -20,7 +20,8 @@ from placecat_homes.furniture.sofa import corner_sofa, footstool, sofa
 from placecat_homes.furniture.television import speaker, stereo, tv_bench, wall_television
 from placecat_homes.furniture.toys import toys
 from placecat_homes.mesh import Mesh
-from placecat_homes.room import Placed, Room
+from placecat_homes.placing.placed import Placed
+from placecat_homes.placing.room import Room
 from placecat_homes.rooms.windows import dress_windows
 
 

@@ -22,7 +22,8 @@ from placecat_homes.furniture.rug import rug
 from placecat_homes.furniture.waste_bin import waste_bin
 from placecat_homes.furniture.whiteboard import whiteboard
 from placecat_homes.mesh import Mesh
-from placecat_homes.room import Placed, Room
+from placecat_homes.placing.placed import Placed
+from placecat_homes.placing.room import Room
 from placecat_homes.rooms.institution import notices, strip_lights
 from placecat_homes.rooms.windows import dress_windows
 

@@ -11,7 +11,7 @@ from placecat_homes.furniture.plant import plant
 from placecat_homes.furniture.printer import floor_printer, plotter, printer
 from placecat_homes.furniture.recycling import paper_bin, recycling, shredder
 from placecat_homes.furniture.waste_bin import waste_bin
-from placecat_homes.room import Room
+from placecat_homes.placing.room import Room
 from placecat_homes.rooms.institution import notices, strip_lights
 from placecat_homes.rooms.windows import dress_windows
 

@@ -7,7 +7,8 @@ import numpy as np
 
 from placecat_homes.materials import Material
 from placecat_homes.mesh import Mesh, join
-from placecat_homes.room import Placed, Room
+from placecat_homes.placing.placed import Placed
+from placecat_homes.placing.room import Room
 from placecat_homes.shapes import box
 
 THICKNESS = 0.008

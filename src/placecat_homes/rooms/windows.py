@@ -6,7 +6,9 @@ from placecat_homes.furniture.blocks import between, chance, choose
 from placecat_homes.furniture.clutter import small_thing
 from placecat_homes.furniture.curtain import blind, curtains, net
 from placecat_homes.mesh import Mesh
-from placecat_homes.room import Opening, Placed, Room
+from placecat_homes.placing.opening import Opening
+from placecat_homes.placing.placed import Placed
+from placecat_homes.placing.room import Room
 
 _SILL = 0.14
 

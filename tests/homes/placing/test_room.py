@@ -2,8 +2,11 @@ import itertools
 
 import numpy as np
 import pytest
+from example_room import example
 
-from placecat_homes.room import Opening, Placed, Room, example
+from placecat_homes.placing.opening import Opening
+from placecat_homes.placing.placed import Placed
+from placecat_homes.placing.room import Room
 from placecat_homes.shapes import box
 
 KINDS = ("bedroom", "bathroom", "kitchen", "living_room", "dining_room", "corridor", "office", "closet")
