@@ -12,8 +12,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     """Render the videos named, or all; a mistake of the user's ends with its message and status 1."""
     parser = argparse.ArgumentParser(
         prog="python -m placecat_homes",
-        description="Render videos of data/ again, and the contact sheet; all of them take hours. Needs the "
-        "optional extra: pip install -e '.[render]'.",
+        description="Render videos of data/ again, which takes an hour or more for all, and draw the contact "
+        "sheet. Needs the optional extra: pip install -e '.[render]'.",
     )
     parser.add_argument("videos", nargs="*", metavar="VIDEO", help="e.g. homes/home_1; by default all")
     options = parser.parse_args(arguments)
