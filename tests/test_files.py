@@ -1,3 +1,5 @@
+from pathlib import Path
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -31,6 +33,29 @@ def test_a_folder_replaces_a_folder(tmp_path):
         temporary.mkdir()
         (temporary / "new").touch()
     assert [path.name for path in (tmp_path / "out").iterdir()] == ["new"]
+
+
+@pytest.mark.parametrize(
+    "name", ["kept", ".", "..", "new/..", "kept/..", "kept/../../{folder}", "{folder}", ""]
+)
+def test_a_file_never_removes_a_folder(tmp_path, monkeypatch, name):
+    (tmp_path / "kept").mkdir()
+    (tmp_path / "kept/mine").touch()
+    monkeypatch.chdir(tmp_path)
+    target = Path(name.format(folder=tmp_path if name.startswith("{") else tmp_path.name))
+    with pytest.raises(PlacecatError, match="to write to"):
+        files.write_text(target, "x")
+    assert (tmp_path / "kept/mine").exists()
+
+
+@pytest.mark.parametrize("name", ["..", "new/..", "inner/../.."])
+def test_a_folder_that_is_in_use_is_not_replaced(tmp_path, monkeypatch, name):
+    (tmp_path / "inner").mkdir()
+    (tmp_path / "inner/mine").touch()
+    monkeypatch.chdir(tmp_path / "inner")
+    with pytest.raises(PlacecatError, match="in use"), files.replacing(Path(name)) as temporary:
+        temporary.mkdir()
+    assert (tmp_path / "inner/mine").exists()
 
 
 def test_arrays_round_trip_in_the_same_bytes(tmp_path):

@@ -19,21 +19,55 @@ from placecat.errors import PlacecatError
 def replacing(target: Path) -> Iterator[Path]:
     """Give a temporary path beside `target`; rename it if the block succeeds, remove it otherwise.
 
-    Works for a file or a folder: the block creates whichever it wants at the path it is given. What stood at
-    `target` before is replaced.
+    The block creates a file or a folder at the path it is given. A file that stood at `target` is replaced,
+    a folder only by a folder.
+
+    Raises
+    ------
+    PlacecatError
+        As :func:`check_target`, or if a file would replace a folder.
     """
     target = Path(target)
+    check_target(target)
     target.parent.mkdir(parents=True, exist_ok=True)
     # The suffix stays last, since numpy and pandas choose formats and append endings by it.
     temporary = target.with_name(f".{target.stem}.partial{target.suffix}")
     _remove(temporary)
     try:
         yield temporary
-        _remove(target)
-        temporary.rename(target)
+        if temporary.is_dir():
+            _remove(target)
+        else:
+            check_file(target)
+        temporary.replace(target)
     except BaseException:
         _remove(temporary)
         raise
+
+
+def check_target(target: Path) -> None:
+    """Refuse a path that may not be replaced, whatever it is.
+
+    Raises
+    ------
+    PlacecatError
+        If it has no name of its own (``.``, ``..``), or is or contains the current folder.
+    """
+    if target.name in ("", ".", "..") or Path.cwd().is_relative_to(target.resolve()):
+        raise PlacecatError(f"{target} is or contains a folder that is in use: give another name to write to")
+
+
+def check_file(target: Path) -> None:
+    """Refuse a path to write a file to where a folder stands.
+
+    Raises
+    ------
+    PlacecatError
+        As :func:`check_target`, or if it is a folder.
+    """
+    check_target(target)
+    if target.is_dir():
+        raise PlacecatError(f"{target} is a folder: give the name of a file to write to")
 
 
 def _remove(path: Path) -> None:

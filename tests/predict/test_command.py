@@ -188,7 +188,8 @@ def _damage(folder):
         ("walk.avi --labels short.csv", "label frames 11 to 30"),
         ("walk.avi --output notes.txt", "notes.txt is a file"),
         ("walk.avi --output images", "images holds something else than a prediction"),
-        ("walk.avi --output . --force", " is in ., which would be replaced"),
+        ("walk.avi --output . --force", ". is or contains a folder that is in use"),
+        ("walk.avi --output new/..", "new/.. is or contains a folder that is in use"),
     ],
 )
 def test_mistakes_give_one_message_and_leave_nothing(folder, arguments, message):
@@ -196,6 +197,13 @@ def test_mistakes_give_one_message_and_leave_nothing(folder, arguments, message)
     before = sorted(folder.rglob("*"))
     assert message in refused(*arguments.split())
     assert [path for path in sorted(folder.rglob("*")) if path.name != "predictions"] == before
+
+
+def test_a_name_of_dots_is_no_folder(folder):
+    (folder / "walk.avi").rename(folder / "...avi")
+    predict("...avi")
+    assert (folder / "predictions/footage/frames.csv").exists()
+    assert (folder / "...avi").exists()
 
 
 def test_only_an_untouched_prediction_of_the_same_source_is_replaced(folder):

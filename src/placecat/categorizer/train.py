@@ -51,6 +51,7 @@ def train_command(system: str | None, without: str | None, seed: int | None, out
             *([f"seed-{seed}"] if seed is not None else []),
         ]
         output = paths.MODEL if is_default else paths.MODELS / f"{'-'.join(parts)}.placecat"
+    files.check_file(output)
     trained = train(params, name, without=without, seed=seed)
     model_file.write(output, trained)
     print(f"{trained.card['title']}: {output}, {output.stat().st_size / 1e6:.1f} MB")

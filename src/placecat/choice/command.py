@@ -74,15 +74,14 @@ def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> 
     """
     options, params = read_settings(), settings.load()
     data = str(settings.get(params, "dataset.title"))
-    rows: list[tuple[Any, ...]] = []
+    table = files.read_csv(output) if output.is_file() else pd.DataFrame(columns=COLUMNS)
     for kind in kinds:
-        rows += _judge(data, kind, *_TASKS[kind](options, params))
-    table = pd.DataFrame(rows, columns=COLUMNS).round(_DECIMALS)
-    if output.is_file():
-        old = files.read_csv(output)
-        old = old[(old["data"] != data) | ~old["kind"].isin(kinds)]
-        table = pd.concat([old, table]).sort_values(["data", "kind"], kind="stable")
-    files.write_csv(output, table)
+        rows = _judge(data, kind, *_TASKS[kind](options, params))
+        judged = pd.DataFrame(rows, columns=COLUMNS).round(_DECIMALS)
+        others = table[(table["data"] != data) | (table["kind"] != kind)]
+        table = judged if others.empty else pd.concat([others, judged])
+        table = table.sort_values(["data", "kind"], kind="stable")
+        files.write_csv(output, table)
     return choose(table, float(options["margin"]))
 
 

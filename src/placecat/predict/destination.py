@@ -5,6 +5,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+from placecat import files
 from placecat.errors import PlacecatError
 
 SUMMARY = "summary.json"
@@ -15,6 +16,8 @@ def choose(output: Path | None, name: str, *, is_live: bool) -> Path:
     """The folder to write: `output`, or predictions/NAME; of a camera one that does not exist yet."""
     if output is not None:
         return output
+    # A file may be called `...mp4`.
+    name = name if name.strip(". ") else "footage"
     folder = Path("predictions") / name
     number = 1
     while is_live and folder.exists():
@@ -43,6 +46,7 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
     PlacecatError
         Naming what is in the way.
     """
+    files.check_target(folder)
     for path in read:
         if path.resolve().is_relative_to(folder.resolve()):
             raise PlacecatError(
