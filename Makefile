@@ -23,11 +23,11 @@ test: $(READY_TEST) lint
 	$(BIN)/python -m pytest -n 2 --dist loadgroup tests
 
 bench: $(READY_BENCH)
-	$(BIN)/python -m placecat.benchmarks $(PIECE)
+	$(BIN)/python -m placecat_bench $(PIECE)
 
 # Needs what `make repro` left; takes about an hour.
 bench-scale: $(READY)
-	$(BIN)/python -m placecat.scale
+	$(BIN)/python -m placecat_bench.scale
 
 # Judges what the thesis leaves open on training homes, from what `make repro` left (conf/choice.yaml).
 choose: $(READY)

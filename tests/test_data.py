@@ -8,7 +8,8 @@ import yaml
 
 from placecat import files
 from placecat.compose import compose
-from placecat.stages import render, sequences
+from placecat.stages import sequences
+from placecat_homes import render
 from project import ROOT, rendered
 
 pytestmark = pytest.mark.xdist_group("data")

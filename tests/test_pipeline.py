@@ -133,7 +133,8 @@ def test_the_videos_are_checked_and_never_rendered(reproduced, tmp_path):
     copy = tmp_path / "copy"
     shutil.copytree(folder, copy, symlinks=True)
     (copy / rendered()[0] / "other.mp4").write_bytes(b"")
-    for source in (copy / "src/placecat/stages/render.py", copy / "src/placecat/rendering/__init__.py"):
+    for name in ("__init__", "render"):
+        source = copy / f"src/placecat_homes/{name}.py"
         source.write_text(f"{source.read_text()}\n")
     ran, result = repro(copy)
     assert ran == []

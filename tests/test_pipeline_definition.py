@@ -31,6 +31,12 @@ PLUMBING = {
 }
 
 
+def program(stage):
+    """The module that a stage runs: ``python -m MODULE``."""
+    module = stage_body(stage)["cmd"].split()[2]
+    return f"{module}.__main__" if module_file(module).name == "__init__.py" else module
+
+
 def module_file(module):
     path = SOURCE / Path(*module.split("."))
     return path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
@@ -64,12 +70,19 @@ def reached(module):
 def test_a_stage_depends_on_every_module_it_uses(stage):
     body = PIPELINE[stage]
     listed = [dep for dep in body["deps"] if dep.startswith("src/")]
-    assert f"src/placecat/stages/{stage}.py" in listed
-    for module in reached(f"placecat.stages.{stage}"):
+    for module in {program(stage)} | reached(program(stage)):
         file = module_file(module).relative_to(ROOT).as_posix()
         if file.endswith("__init__.py") and len(module_file(module).read_text().splitlines()) == 1:
             continue
         assert any(file == dep or file.startswith(f"{dep}/") for dep in listed), f"{stage} needs {file}"
+
+
+def test_every_stage_but_the_frozen_one_is_a_module_of_its_name():
+    frozen = {name for name, body in PIPELINE.items() if body.get("frozen")}
+    assert frozen == {"render"}
+    assert {name: program(name) for name in PIPELINE if name not in frozen} == {
+        name: f"placecat.stages.{name}" for name in PIPELINE if name not in frozen
+    }
 
 
 @pytest.mark.parametrize("stage", list(PIPELINE))

@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 
 import made_report
-from placecat.benchmarks.comparison import Comparison, Peer
 from placecat.reporting.benchmarks import TEXT, ratios_of, shown_rows, times
+from placecat_bench.comparison import Comparison, Peer
 
 
 def test_ratios_and_targets_of_comparisons_only():

@@ -33,7 +33,7 @@ def ratios_of(benchmarks: pd.DataFrame) -> list[Ratio]:
     Parameters
     ----------
     benchmarks
-        As :func:`placecat.benchmarks.run.run` writes it, empty cells as NaN.
+        As :func:`placecat_bench.run.run` writes it, empty cells as NaN.
     """
     return [
         Ratio(

@@ -99,7 +99,7 @@ class Speed:
     Attributes
     ----------
     benchmarks
-        As :func:`placecat.benchmarks.run.run` writes it, empty cells of text as "".
+        As :func:`placecat_bench.run.run` writes it, empty cells of text as "".
     facts
         ``processor``, ``python`` and ``packages`` that it was measured with.
     chart

@@ -18,7 +18,7 @@ def speed_chart(benchmarks: pd.DataFrame) -> Figure | None:
     Parameters
     ----------
     benchmarks
-        As :func:`placecat.benchmarks.run.run` writes it.
+        As :func:`placecat_bench.run.run` writes it.
 
     Returns
     -------

@@ -1,1 +1,0 @@
-"""Furnished rooms and walks through them, rendered: the homes that come with the project."""

@@ -1,0 +1,35 @@
+"""``python -m placecat_bench [PIECE ...]``: measure pieces and write reports/benchmarks.csv."""
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+
+import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
+from placecat import paths
+from placecat.errors import PlacecatError
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    """Measure the pieces named, or all."""
+    parser = argparse.ArgumentParser(
+        prog="python -m placecat_bench",
+        description="Time each piece beside its best alternative, on one thread, and write "
+        f"{paths.BENCHMARKS}. If pieces are named, only their rows are replaced.",
+    )
+    parser.add_argument("pieces", nargs="*", metavar="PIECE", help="by default all")
+    options = parser.parse_args(arguments)
+    # For what reads it on import, such as the peers' OpenMP.
+    os.environ["OMP_NUM_THREADS"] = "1"
+    from placecat_bench.run import run
+
+    try:
+        run(options.pieces)
+    except PlacecatError as error:
+        sys.exit(f"placecat: {error}")
+    except KeyboardInterrupt:
+        sys.exit(130)
+
+
+if __name__ == "__main__":
+    main()

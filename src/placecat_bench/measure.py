@@ -1,0 +1,109 @@
+"""Measuring entries, one row each."""
+
+import statistics
+from collections.abc import Callable, Mapping
+from importlib.metadata import PackageNotFoundError, version
+from typing import Any
+
+from placecat.errors import PlacecatError
+from placecat_bench.comparison import Comparison, Limit, Peer
+from placecat_bench.timing import median_seconds, time_in_turn
+
+COLUMNS = [
+    "piece",
+    "input",
+    "quantity",
+    "ours",
+    "peer",
+    "peer_version",
+    "theirs",
+    "ratio",
+    "low",
+    "high",
+    "target",
+    "met",
+    "spent",
+]
+_PART_REPEATS = 3
+
+
+def measure(entry: Comparison | Limit) -> dict[str, object]:
+    """Measure one entry.
+
+    Returns
+    -------
+    dict
+        By `COLUMNS`. ``ours`` and ``theirs`` are medians of seconds, or the number of a `Limit`; ``ratio`` is
+        the median of the pairs' ratios, ``low`` and ``high`` the least and the greatest; ``met`` is "yes" or
+        "no"; ``spent`` says what the time goes to where the target is missed. What there is none of is None.
+
+    Raises
+    ------
+    PlacecatError
+        If the peer is not installed.
+    """
+    return _compare(entry) if isinstance(entry, Comparison) else _check(entry)
+
+
+def _compare(entry: Comparison) -> dict[str, object]:
+    peer_version = _version(entry.peer)
+    pairs = time_in_turn(entry.ours, entry.theirs, repeats=entry.repeats, warm_up=entry.warm_up)
+    ratios = [entry.ratio(*pair) for pair in zip(pairs.ours, pairs.theirs, strict=True)]
+    ratio = statistics.median(ratios)
+    met = entry.is_met(ratio)
+    return {
+        "piece": entry.piece,
+        "input": entry.input,
+        "quantity": "seconds",
+        "ours": _rounded(statistics.median(pairs.ours)),
+        "peer": entry.peer.name,
+        "peer_version": peer_version,
+        "theirs": _rounded(statistics.median(pairs.theirs)),
+        "ratio": _rounded(ratio),
+        "low": _rounded(min(ratios)),
+        "high": _rounded(max(ratios)),
+        "target": entry.target,
+        "met": "yes" if met else "no",
+        "spent": None if met else _spent(entry.parts, statistics.median(pairs.ours)),
+    }
+
+
+def _check(entry: Limit) -> dict[str, object]:
+    peer_version = None if entry.peer is None else _version(entry.peer)
+    value = float(entry.measure())
+    met = entry.is_met(value)
+    return dict.fromkeys(COLUMNS) | {
+        "piece": entry.piece,
+        "input": entry.input,
+        "quantity": entry.quantity,
+        "ours": _rounded(value),
+        "peer": None if entry.peer is None else entry.peer.name,
+        "peer_version": peer_version,
+        "target": entry.target,
+        "met": "yes" if met else "no",
+        "spent": None if met else _spent(entry.parts, None),
+    }
+
+
+def _version(peer: Peer) -> str:
+    try:
+        return version(peer.package)
+    except PackageNotFoundError:
+        raise PlacecatError(
+            f"{peer.package} is not installed, with which {peer.name!r} is measured: run `make bench`, or "
+            "pip install -e '.[bench]'; where it has no wheel, name the other pieces"
+        ) from None
+
+
+def _spent(parts: Mapping[str, Callable[[], Any]], whole: float | None) -> str:
+    """Parts and their share of a whole (seconds), or their seconds where there is none; the largest first."""
+    times = {name: median_seconds(part, _PART_REPEATS) for name, part in parts.items()}
+    ordered = sorted(times.items(), key=lambda item: -item[1])
+    if whole is None:
+        return ", ".join(f"{name} {_rounded(time):g} s" for name, time in ordered)
+    return ", ".join(f"{name} {time / whole:.0%}" for name, time in ordered)
+
+
+def _rounded(value: float) -> float:
+    """Four significant digits."""
+    return float(f"{value:.4g}")

@@ -1,0 +1,113 @@
+"""Census histograms beside scikit-image's local binary patterns, in the cells of a grid.
+
+`local_binary_pattern` with 8 points at radius 1 sets a bit where a neighbour is at least the centre, the
+census transform where the centre is at least a neighbour: of the inverted image both say the same. The four
+diagonal neighbours are none of its pixels, though: it interpolates at distance 1. So the histograms are
+compared over the four straight ones. It also gives codes to pixels on the border, which are cut off.
+"""
+
+from collections.abc import Iterator, Sequence
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.vision.census import CODES, cell_histograms, census
+from placecat_bench.comparison import Comparison, Limit, Peer
+from placecat_bench.frames import Image, decoded, jpegs, size
+
+PIECE = "Census histograms"
+PEER = Peer("scikit-image: local_binary_pattern and NumPy's histogram", "scikit-image")
+# The bits of the neighbours right, above, left and below.
+OUR_STRAIGHT = (8, 64, 16, 2)
+THEIR_STRAIGHT = (1, 4, 16, 64)
+
+
+def entries(
+    *,
+    images: Sequence[Image] | None = None,
+    width: int = 320,
+    height: int = 180,
+    cells: int = 4,
+    repeats: int = 15,
+) -> Iterator[Comparison | Limit]:
+    """Yield the time beside the peer's, and the difference from its histograms.
+
+    Parameters
+    ----------
+    images
+        (h, w) uint8 of one size; by default a frame of each rendered home, reduced to `width` and `height`.
+    width, height
+        Size of the images.
+    cells
+        Cells along each axis.
+    repeats
+        Pairs, each of all images.
+    """
+    given = reduced_frames(width, height) if images is None else images
+    text = f"{size(given[0])}, {cells}x{cells} cells"
+    codes = [census(image) for image in given]
+    yield Comparison(
+        PIECE,
+        text,
+        PEER,
+        lambda: [ours(image, cells) for image in given],
+        lambda: [theirs(image, cells) for image in given],
+        faster=40,
+        repeats=repeats,
+        parts={
+            "codes": lambda: [census(image) for image in given],
+            "histograms": lambda: [cell_histograms(some, cells) for some in codes],
+        },
+    )
+    yield Limit(
+        PIECE,
+        text,
+        "largest difference of a share of the straight neighbours",
+        lambda: max(largest_difference(image, cells) for image in given),
+        at_most=1e-6,
+        peer=PEER,
+    )
+
+
+def reduced_frames(width: int, height: int) -> list[Image]:
+    """Grey images of a frame of each rendered home, (height, width) uint8."""
+    greys = [cv2.cvtColor(decoded(file), cv2.COLOR_BGR2GRAY) for file in jpegs()]
+    small = [cv2.resize(grey, (width, height), interpolation=cv2.INTER_AREA) for grey in greys]
+    return [np.asarray(image, np.uint8) for image in small]
+
+
+def ours(image: Image, cells: int) -> NDArray[np.float32]:
+    """Census histograms of the cells, (cells**2, 256)."""
+    return cell_histograms(census(image), cells)
+
+
+def theirs(image: Image, cells: int) -> NDArray[np.float64]:
+    """Histograms of scikit-image's codes in the same cells, (cells**2, 256)."""
+    from skimage.feature import local_binary_pattern
+
+    codes = local_binary_pattern(image, P=8, R=1)[1:-1, 1:-1]
+    height, width = codes.shape
+    rows = []
+    for row in range(cells):
+        for column in range(cells):
+            block = codes[
+                row * height // cells : (row + 1) * height // cells,
+                column * width // cells : (column + 1) * width // cells,
+            ]
+            rows.append(np.histogram(block, bins=CODES, range=(0, CODES))[0] / block.size)
+    return np.array(rows)
+
+
+def largest_difference(image: Image, cells: int) -> float:
+    """Largest difference of the shares of the sixteen codes of straight neighbours."""
+    found = of_straight(ours(255 - image, cells), OUR_STRAIGHT)
+    expected = of_straight(theirs(image, cells), THEIR_STRAIGHT)
+    return float(np.abs(found - expected).max())
+
+
+def of_straight(histograms: NDArray[np.floating], bits: tuple[int, ...]) -> NDArray[np.float64]:
+    """Add up the bins that have the same four bits, (n, 256) to (n, 16)."""
+    codes = np.arange(CODES)
+    straight = sum(((codes & bit) > 0).astype(np.intp) << place for place, bit in enumerate(bits))
+    return np.stack([np.bincount(straight, row, 16) for row in histograms])

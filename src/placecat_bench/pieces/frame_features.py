@@ -1,0 +1,113 @@
+"""All features of a frame beside the decoding of the JPEG that it comes from.
+
+Once what the thesis's cues read: 25 salient regions with five descriptors, Gist, Centrist and the information
+measure. And once, as the stage `features` does, with what trials alone read: more regions (Table 22) and the
+variants of descriptors.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from placecat.vision import holistic, local
+from placecat.vision.attention import compute_maps, find_regions
+from placecat.vision.frame import describe_frame
+from placecat.vision.memory import keep_freed_memory
+from placecat_bench.comparison import Comparison, Limit, Peer
+from placecat_bench.frames import REGIONS, Image, decoded, encoded, jpegs, options, size
+from placecat_bench.timing import median_seconds
+
+PIECE = "All features of a frame"
+PEER = Peer("OpenCV: imdecode", "opencv-python-headless")
+
+# As `placecat.vision.frame.describe_frame` takes them.
+Options = Mapping[str, Any]
+
+
+def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iterator[Comparison | Limit]:
+    """Yield the times beside that of decoding, and the frames a second with decoding.
+
+    Parameters
+    ----------
+    frames
+        Frames of one size; one of each rendered home by default.
+    repeats
+        Pairs, each of all frames.
+    """
+    keep_freed_memory()
+    files = jpegs() if frames is None else [encoded(frame) for frame in frames]
+    pictures = [decoded(file) for file in files]
+    every = options()
+    text = f"{size(pictures[0])} JPEG"
+    yield from _of(files, pictures, for_cues(every), f"{text}, for the cues", repeats)
+    yield from _of(files, pictures, every, f"{text}, for the trials too", repeats)
+
+
+def _of(
+    files: Sequence[Image], pictures: Sequence[Image], own: Options, text: str, repeats: int
+) -> Iterator[Comparison | Limit]:
+    spent = parts(pictures, own)
+    yield Comparison(
+        PIECE,
+        text,
+        PEER,
+        lambda: [describe_frame(picture, own) for picture in pictures],
+        lambda: [decoded(file) for file in files],
+        at_most=7,
+        repeats=repeats,
+        parts=spent,
+    )
+    yield Limit(
+        PIECE,
+        text,
+        "frames/s on one core, with decoding",
+        lambda: (
+            len(files)
+            / median_seconds(lambda: [describe_frame(decoded(file), own) for file in files], repeats)
+        ),
+        at_least=40,
+        parts={"decoding": lambda: [decoded(file) for file in files], **spent},
+    )
+
+
+def for_cues(every: Options) -> dict[str, Any]:
+    """Leave out the descriptors that are variants of another one, and take the cues' number of regions."""
+    kept = {**every, "regions": {**every["regions"], "max_regions": REGIONS}}
+    for kind in ("local", "holistic"):
+        kept[kind] = {name: own for name, own in every[kind].items() if "descriptor" not in (own or {})}
+    return kept
+
+
+def parts(frames: Sequence[Image], own: Options) -> dict[str, Callable[[], Any]]:
+    """Give a call for each part of the description of all frames.
+
+    Parameters
+    ----------
+    frames
+        (H, W, 3) uint8 BGR.
+    own
+        Settings of `placecat.vision.frame.describe_frame`.
+
+    Returns
+    -------
+    dict
+        Maps, regions, and each descriptor. What several descriptors share counts for each of them.
+    """
+    maps = [compute_maps(frame, **own["attention"]) for frame in frames]
+    regions = [find_regions(one, **own["regions"]) for one in maps]
+    found: dict[str, Callable[[], Any]] = {
+        "maps": lambda: [compute_maps(frame, **own["attention"]) for frame in frames],
+        "regions": lambda: [find_regions(one, **own["regions"]) for one in maps],
+    }
+    for name, chosen in own["local"].items():
+        module, kept = local.entry(name, chosen or {})
+        found[name] = lambda module=module, kept=kept: [  # type: ignore[misc]
+            module.describe(one, some, **kept) for one, some in zip(maps, regions, strict=True)
+        ]
+    for name, chosen in own["holistic"].items():
+        module, kept = holistic.entry(name, chosen or {})
+        # A copy does not remember what an earlier call computed.
+        found[f"holistic {name}"] = lambda module=module, kept=kept: [  # type: ignore[misc]
+            module.describe(frame, replace(one), **kept) for frame, one in zip(frames, maps, strict=True)
+        ]
+    return found

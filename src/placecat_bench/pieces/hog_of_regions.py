@@ -1,0 +1,89 @@
+"""HOG of salient regions beside OpenCV's, called for one region after the other.
+
+Both get the maps of frames and their regions; for the peer the patches are cut by our function, then resized
+and described one at a time. The descriptors are identical.
+"""
+
+from collections.abc import Iterator, Sequence
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.vision.local import hog
+from placecat.vision.maps import FrameMaps
+from placecat.vision.memory import keep_freed_memory
+from placecat.vision.patches import cut, region_side, to_bytes
+from placecat_bench.comparison import Comparison, Limit, Peer
+from placecat_bench.frames import REGIONS, Described, Image, decoded, jpegs, size, with_regions
+
+PIECE = "HOG of regions"
+PEER = Peer("OpenCV: HOGDescriptor.compute for each region", "opencv-python-headless")
+
+
+def entries(
+    *, frames: Sequence[Image] | None = None, count: int = REGIONS, repeats: int = 15
+) -> Iterator[Comparison | Limit]:
+    """Yield the time beside the peer's, and the difference from its descriptors.
+
+    Parameters
+    ----------
+    frames
+        Frames of one size; one of each rendered home by default.
+    count
+        Regions of a frame.
+    repeats
+        Pairs, each of all frames.
+    """
+    keep_freed_memory()
+    pictures = [decoded(file) for file in jpegs()] if frames is None else frames
+    text = f"{count} regions of {size(pictures[0])}"
+    given = with_regions(pictures, count)
+    patches = [patches_of(*one) for one in given]
+    yield Comparison(
+        PIECE,
+        text,
+        PEER,
+        lambda: ours(given),
+        lambda: theirs(given),
+        faster=2,
+        repeats=repeats,
+        parts={
+            "cutting": lambda: [patches_of(*one) for one in given],
+            "resizing": lambda: [[resized(patch) for patch in some] for some in patches],
+            # The rest is OpenCV's, of all regions at once.
+        },
+    )
+    yield Limit(
+        PIECE,
+        text,
+        "largest difference of a value",
+        lambda: float(np.abs(np.concatenate(ours(given)) - np.concatenate(theirs(given))).max()),
+        at_most=0,
+        peer=PEER,
+    )
+
+
+def ours(given: Sequence[Described]) -> list[NDArray[np.float32]]:
+    """HOG of the regions of each frame, (n, 128)."""
+    return [hog.describe(maps, regions) for maps, regions in given]
+
+
+def theirs(given: Sequence[Described]) -> list[NDArray[np.float32]]:
+    """The same, one region at a time."""
+    window = (hog.WINDOW, hog.WINDOW)
+    descriptor = cv2.HOGDescriptor(window, (64, 64), (32, 32), (16, 16), 8)
+    return [
+        np.array([descriptor.compute(resized(patch)) for patch in patches_of(maps, regions)], np.float32)
+        for maps, regions in given
+    ]
+
+
+def patches_of(maps: FrameMaps, regions: NDArray[np.float32]) -> Image:
+    """Cut the (n, side, side) patches of regions."""
+    return to_bytes(cut(maps.grey, regions, region_side(maps.width)))
+
+
+def resized(patch: Image) -> Image:
+    """Resize a patch to the window of the descriptor."""
+    return np.asarray(cv2.resize(patch, (hog.WINDOW, hog.WINDOW)))

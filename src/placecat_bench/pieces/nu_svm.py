@@ -1,0 +1,128 @@
+"""nu-SVM beside scikit-learn's: five classes against the rest each, with probabilities.
+
+Both fit one nu-SVM a class on all frames, and one a class and home on the frames of the other homes, whose
+decisions for the frames of that home a sigmoid is fitted to: ``CalibratedClassifierCV`` does so with
+``ensemble=False`` and our folds. (By default it would do without the first and predict by the mean over
+folds: fewer fits, but five times the work to predict, and other probabilities, so that there would be nothing
+to compare.) ``OneVsRestClassifier`` divides the probabilities of a frame by their sum, as our combination
+``certainty`` does; the thesis's, ``parallel``, takes one small matrix product more. gamma, nu, the tolerance,
+the scaling and libsvm's cache, which holds the whole kernel matrix, are the same. Theirs gets float64, to
+which it would convert for every fit.
+
+The ratios depend on how many frames are support vectors, and how many of these are so for several classes at
+once, which costs us one kernel value and scikit-learn one a class. The frames are as hard as Gist's
+(:mod:`placecat_bench.gist_like`).
+"""
+
+from collections.abc import Iterator
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.learning.calibration import SAMPLES, make_folds
+from placecat.learning.kernels import rbf_cross, rbf_gram
+from placecat.learning.nu_svm import NuSVM
+from placecat.learning.one_against_all import OneAgainstAll
+from placecat.learning.scaling import KernelScaling
+from placecat_bench.comparison import Comparison, Limit, Peer
+from placecat_bench.gist_like import CLASSES, Frames, draw_frames
+
+PIECE = f"nu-SVM, {CLASSES} classes, probabilities"
+PEER = Peer("OneVsRestClassifier(CalibratedClassifierCV(NuSVC))", "scikit-learn")
+BASE = NuSVM(gamma=2.0, nu=0.2)
+
+
+def entries(
+    *, frames: int = 8000, features: int = 1024, homes: int = 5, new: int = 2000
+) -> Iterator[Comparison | Limit]:
+    """Yield the times of fit and prediction, and how far the probabilities are apart.
+
+    Parameters
+    ----------
+    frames, features, homes
+        To learn from.
+    new
+        Frames of one more home to predict.
+    """
+    train, test = draw_frames(frames, features, range(homes)), draw_frames(new, features, [homes])
+    scaling = KernelScaling("standard").fit(train.descriptors)
+    known, unknown = scaling.transform(train.descriptors), scaling.transform(test.descriptors)
+    known_by_them, unknown_by_them = known.astype(np.float64), unknown.astype(np.float64)
+    models: dict[str, Any] = {}
+
+    def fit_ours() -> None:
+        models["ours"] = ours(known, train)
+
+    def fit_theirs() -> None:
+        models["theirs"] = theirs(known_by_them, train)
+
+    def fitted(whose: str) -> Any:
+        # By the last timed call, if there was one: theirs takes minutes.
+        if whose not in models:
+            {"ours": fit_ours, "theirs": fit_theirs}[whose]()
+        return models[whose]
+
+    @cache
+    def gram() -> NDArray[Any]:
+        return rbf_gram(known, BASE.gamma, BASE.gram_dtype)
+
+    yield Comparison(
+        PIECE,
+        f"fit {frames} x {features}, {homes} homes",
+        PEER,
+        fit_ours,
+        fit_theirs,
+        faster=16,
+        warm_up=False,
+        parts={
+            "Gram matrix": lambda: rbf_gram(known, BASE.gamma, BASE.gram_dtype),
+            "fits on it": lambda: ours(known, train, gram()),
+        },
+    )
+    gram.cache_clear()
+    text = f"predict {new} x {features} from {frames}"
+    yield Comparison(
+        PIECE,
+        text,
+        PEER,
+        lambda: fitted("ours").predict_proba(unknown),
+        lambda: fitted("theirs").predict_proba(unknown_by_them),
+        faster=25,
+        parts={
+            "kernel values": lambda: rbf_cross(
+                unknown, fitted("ours").scorer_.support_vectors, fitted("ours").scorer_.gamma
+            )
+        },
+    )
+
+    def largest_difference() -> float:
+        found = fitted("ours").predict_proba(unknown)
+        return float(np.abs(found - fitted("theirs").predict_proba(unknown_by_them)).max())
+
+    quantity = "largest difference of a probability"
+    yield Limit(PIECE, text, quantity, largest_difference, at_most=1e-3, peer=PEER)
+
+
+def ours(X: NDArray[np.float32], frames: Frames, gram: NDArray[Any] | None = None) -> OneAgainstAll:
+    """Fit our scheme, which holds out random parts of the frames."""
+    model = OneAgainstAll(BASE, combination="certainty")
+    return model.fit(X, frames.place, gram=gram)
+
+
+def theirs(X: NDArray[np.float64], frames: Frames) -> Any:
+    """Fit scikit-learn's, with the same folds.
+
+    Returns
+    -------
+    sklearn.multiclass.OneVsRestClassifier
+    """
+    from sklearn.calibration import CalibratedClassifierCV
+    from sklearn.multiclass import OneVsRestClassifier
+    from sklearn.svm import NuSVC
+
+    machine = NuSVC(gamma=BASE.gamma, nu=BASE.nu, tol=BASE.tol, cache_size=BASE.cache_mb)
+    folds = make_folds(frames.place, None, SAMPLES, 5)
+    calibrated = CalibratedClassifierCV(machine, method="sigmoid", ensemble=False, cv=folds)
+    return OneVsRestClassifier(calibrated).fit(X, frames.place)

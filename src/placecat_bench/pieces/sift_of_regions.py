@@ -1,0 +1,97 @@
+"""SIFT of salient regions beside OpenCV's on the whole level.
+
+The regions of a frame lie on several levels of its pyramid. The peer gets each of these as an 8-bit image
+with a keypoint for each region, whose cells have the same size as ours: one call of `SIFT.compute` a level,
+which blurs the whole level several times before it describes a point. Images and keypoints are made before.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.vision.local import sift
+from placecat.vision.maps import FrameMaps
+from placecat.vision.memory import keep_freed_memory
+from placecat.vision.patches import cut, region_side, to_bytes
+from placecat_bench.comparison import Comparison, Limit, Peer
+from placecat_bench.frames import REGIONS, Described, Image, decoded, jpegs, size, with_regions
+
+PEER = Peer("OpenCV: SIFT.compute on each level", "opencv-python-headless")
+
+# A level and its keypoints.
+Points = tuple[Image, list[cv2.KeyPoint]]
+
+
+def entries(
+    *, frames: Sequence[Image] | None = None, count: int = REGIONS, repeats: int = 15
+) -> Iterator[Comparison | Limit]:
+    """Yield the time beside the peer's.
+
+    Parameters
+    ----------
+    frames
+        Frames of one size; one of each rendered home by default.
+    count
+        Regions of a frame.
+    repeats
+        Pairs, each of all frames.
+    """
+    keep_freed_memory()
+    pictures = [decoded(file) for file in jpegs()] if frames is None else frames
+    given = with_regions(pictures, count)
+    points = [keypoints(*one) for one in given]
+    yield Comparison(
+        "SIFT of regions",
+        f"{count} regions of {size(pictures[0])}",
+        PEER,
+        lambda: ours(given),
+        lambda: theirs(points),
+        faster=5,
+        repeats=repeats,
+        parts=parts(given),
+    )
+
+
+def ours(given: Sequence[Described]) -> list[NDArray[np.float32]]:
+    """SIFT of the regions of each frame, (n, 128)."""
+    return [sift.describe(maps, regions) for maps, regions in given]
+
+
+def theirs(points: Sequence[Sequence[Points]]) -> list[NDArray[np.float32]]:
+    """OpenCV's descriptors of each frame, level by level, (n, 128)."""
+    descriptor = cv2.SIFT.create()
+    return [np.concatenate([descriptor.compute(level, some)[1] for level, some in frame]) for frame in points]
+
+
+def keypoints(maps: FrameMaps, regions: NDArray[np.float32]) -> list[Points]:
+    """Make the 8-bit levels of regions, and upright keypoints whose 4x4 cells cover the regions."""
+    # A cell of OpenCV's has 1.5 times the size of the keypoint.
+    across = region_side(maps.width) / 6
+    found = []
+    for scale, level in maps.grey.items():
+        centres = np.floor(regions[regions[:, 2] == scale, :2] / 2**scale + 0.5).tolist()
+        if centres:
+            found.append((to_bytes(level), [cv2.KeyPoint(x, y, across, 0) for x, y in centres]))
+    return found
+
+
+def parts(given: Sequence[Described]) -> dict[str, Callable[[], Any]]:
+    """Give a call for each part of ours."""
+    cell = region_side(given[0][0].width) / sift.CELLS
+    radius = int(np.ceil((sift.CELLS + 1) / 2 * cell)) - 1
+    upright = np.zeros(1)
+    patches = [cut(maps.grey, regions, 2 * radius + 3) for maps, regions in given]
+    gradients = [sift._gradients(some) for some in patches]
+    votes = [sift._votes(*one, upright) for one in gradients]
+    weights = sift._upright_weights(radius, cell)
+    histograms = [(weights @ some).reshape(len(some), -1) for some in votes]
+    return {
+        "cutting": lambda: [cut(maps.grey, regions, 2 * radius + 3) for maps, regions in given],
+        "gradients": lambda: [sift._gradients(some) for some in patches],
+        "votes for bins": lambda: [sift._votes(*one, upright) for one in gradients],
+        "sums in cells": lambda: [weights @ some for some in votes],
+        "normalising": lambda: [sift._normalised(some) for some in histograms],
+    }

@@ -1,0 +1,51 @@
+"""The command line: ``python -m placecat_bench.scale``, in the project's folder."""
+
+import argparse
+import sys
+from pathlib import Path
+
+import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
+from placecat.errors import PlacecatError
+
+
+def main() -> None:
+    """Build, run, measure and report; a mistake of the user's ends with its message and status 1."""
+    from placecat import paths
+
+    parser = argparse.ArgumentParser(
+        prog="python -m placecat_bench.scale",
+        description="Run the stages on features of the size of the thesis's home database, drawn from those "
+        "that `make repro` left, and write how long they take, how much memory, and how both grow.",
+    )
+    parser.add_argument(
+        "--sizes", nargs="+", type=float, metavar="PART", help="instead of those of conf/scale.yaml"
+    )
+    parser.add_argument("--stages", nargs="+", metavar="STAGE", help="instead of those of conf/scale.yaml")
+    parser.add_argument(
+        "--folder", type=Path, default=paths.SCALE, help=f"to work in, {paths.SCALE} by default"
+    )
+    parser.add_argument(
+        "--add", action="store_true", help="keep what scale.csv has of other sizes, for the exponents"
+    )
+    parser.add_argument("--keep", action="store_true", help="leave the folders of all sizes there")
+    parser.add_argument("--output", type=Path, default=paths.REPORTS, help=f"{paths.REPORTS} by default")
+    options = parser.parse_args()
+    try:
+        from placecat_bench.scale import command
+
+        command.run(
+            sizes=options.sizes,
+            stages=options.stages,
+            folder=options.folder,
+            add=options.add,
+            keep=options.keep,
+            output=options.output,
+        )
+    except PlacecatError as error:
+        sys.exit(f"placecat: {error}")
+    except KeyboardInterrupt:
+        sys.exit(130)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,100 @@
+"""All of `python -m placecat_bench.scale`."""
+
+import shutil
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+import yaml
+
+from placecat import files, paths, settings
+from placecat.errors import PlacecatError
+from placecat_bench.scale import full_run, measurements, pipeline, project, summary
+from placecat_bench.scale.database import read_homes
+
+SETTINGS = paths.CONF / "scale.yaml"
+_NAMES = ["sizes", "test_homes", "stages", "regions", "jitter", "most_gib", "homes"]
+
+
+def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
+    """Read conf/scale.yaml.
+
+    Raises
+    ------
+    PlacecatError
+        If it is missing, or has an unknown setting or lacks one.
+    """
+    try:
+        content = yaml.safe_load(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise PlacecatError(f"{path} is missing: run this in the project's folder") from None
+    except yaml.YAMLError as error:
+        raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None
+    if not isinstance(content, dict):
+        raise PlacecatError(f"{path} is empty: restore it from git")
+    settings.refuse_unknown(content, _NAMES, str(path))
+    for name in _NAMES:
+        settings.get(content, name)
+    return content
+
+
+def run(
+    *,
+    sizes: Sequence[float] | None = None,
+    stages: Sequence[str] | None = None,
+    folder: Path = paths.SCALE,
+    add: bool = False,
+    keep: bool = False,
+    output: Path = paths.REPORTS,
+) -> None:
+    """Measure one size after the other, and write scale.csv, scale_growth.csv and scale.json.
+
+    After each size what is known is written, so that a run that is stopped leaves something.
+
+    Parameters
+    ----------
+    sizes, stages
+        Instead of those of conf/scale.yaml.
+    folder
+        A folder a size is made in it.
+    add
+        Keep what the scale.csv in `output` has of other sizes; it should be of the same machine and code.
+    keep
+        Leave those folders.
+    output
+        Where the three files go.
+
+    Raises
+    ------
+    PlacecatError
+        For wrong settings, features that are not there, and a stage that fails.
+    """
+    own = read_settings()
+    homes = read_homes(own["homes"])
+    wanted = [float(size) for size in (sizes or own["sizes"])]
+    if not wanted or min(wanted) <= 0.0:
+        raise PlacecatError(f"{SETTINGS}: sizes are {wanted}, but each must be above 0")
+    parts: list[pd.DataFrame] = []
+    if add:
+        before = files.read_csv(output / paths.SCALE_STAGES.name)
+        parts = [part for size, part in before.groupby("size") if size not in wanted]
+    for size in wanted:
+        scaled = [home.scaled(size) for home in homes]
+        frames = sum(home.frames for home in scaled)
+        place = folder / str(frames)
+        params = project.build(
+            place, scaled, test_homes=own["test_homes"], regions=own["regions"], jitter=own["jitter"]
+        )
+        steps = pipeline.steps(stages or own["stages"], params)
+        parts.append(measurements.measure(place, steps, size, frames))
+        if not keep:
+            shutil.rmtree(place)
+        measured = pd.concat(parts).sort_values("frames", kind="stable", ignore_index=True)
+        files.write_csv(output / paths.SCALE_STAGES.name, measured)
+        facts = summary.facts(measured, own)
+        if len(parts) > 1:
+            files.write_csv(output / paths.SCALE_GROWTH.name, measurements.growths(measured))
+        facts["full_run"] = full_run.estimate(measured, params)
+        files.write_json(output / paths.SCALE_FACTS.name, facts)
+    print(summary.text(facts))

@@ -1,0 +1,146 @@
+"""More features out of few: frames of the same place of the same home, each with a jitter of its own."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import files, paths, seeds
+from placecat_bench.scale.database import Stretch
+
+# Arrays with an axis of regions after that of frames.
+REGIONS = "regions"
+LOCAL = "local_"
+COUNT = "count"
+# So many values at a time.
+CHUNK = 8_000_000
+
+
+def draw_frames(
+    stretches: Sequence[Stretch],
+    labels: Sequence[str],
+    classes: NDArray[np.int64],
+    own: Sequence[int],
+    home: str,
+) -> NDArray[np.int64]:
+    """Choose a source frame for every frame of a home.
+
+    A stretch goes on through the frames of its label from one of them, each taken several times in a row, as
+    a video of a higher frame rate would; round and round where they are too few.
+
+    Parameters
+    ----------
+    stretches
+        Of the home to be.
+    labels, classes
+        (sources,) label and class index of each source frame, -1 for no class.
+    own
+        Class index of each stretch. Where no source frame has the label, one of the class is taken; where
+        none has that either, any.
+    home
+        Name of the home to be, which the choice is derived from.
+
+    Returns
+    -------
+    (frames,) indices of source frames.
+    """
+    rng = np.random.default_rng(seeds.derive("scale", "frames", home))
+    names = np.asarray(labels, dtype=str)
+    chosen = []
+    for stretch, index in zip(stretches, own, strict=True):
+        pool = np.flatnonzero(names == stretch.label)
+        if not len(pool):
+            pool = np.flatnonzero(classes == index)
+        if not len(pool):
+            pool = np.arange(len(names))
+        start, pace = rng.integers(len(pool)), rng.uniform(0.15, 0.5)
+        steps = (pace * np.arange(stretch.frames)).astype(np.int64)
+        chosen.append(pool[(start + steps) % len(pool)])
+    return np.concatenate(chosen)
+
+
+def draw_regions(
+    chosen: NDArray[np.int64], counts: NDArray[np.int64], classes: NDArray[np.int64], wanted: int, home: str
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Choose the source regions of every frame: its own, then others of its class until there are enough.
+
+    Parameters
+    ----------
+    chosen
+        (frames,) from :func:`draw_frames`.
+    counts, classes
+        (sources,) number of regions and class index of each source frame.
+    wanted
+        Regions of a frame.
+
+    Returns
+    -------
+    (frames, wanted) source frame and place in it of each region.
+    """
+    rng = np.random.default_rng(seeds.derive("scale", "regions", home))
+    frame = np.repeat(chosen[:, None], wanted, axis=1)
+    place = np.tile(np.arange(wanted), (len(chosen), 1))
+    lacking = place >= counts[chosen][:, None]
+    for index in np.unique(classes[chosen]):
+        pool = np.flatnonzero((classes == index) & (counts > 0))
+        if not len(pool):
+            pool = np.flatnonzero(counts > 0)
+        own = lacking & (classes[chosen] == index)[:, None]
+        others = rng.choice(pool, size=int(own.sum()))
+        frame[own] = others
+        place[own] = (rng.random(len(others)) * counts[others]).astype(np.int64)
+    return frame, place
+
+
+def write_jittered(
+    source: Path,
+    target: Path,
+    frame: NDArray[np.int64],
+    place: NDArray[np.int64] | None,
+    jitter: float,
+    home: str,
+) -> None:
+    """Write an array of drawn rows, each value multiplied by a number of its own around 1.
+
+    Zeros stay zeros, and values stay within what the source has.
+
+    Parameters
+    ----------
+    source, target
+        ``.npy`` files; the dtype stays.
+    frame, place
+        Indices of rows of the source: (frames,) and None, or both (frames, regions).
+    jitter
+        Standard deviation of the factor.
+    home
+        Name of the home to be, which the jitter is derived from.
+    """
+    array = files.read_array(source, memory_map=False)
+    low, high = array.min(), array.max()
+    shape = (*frame.shape, *array.shape[frame.ndim :])
+    rng = np.random.default_rng(seeds.derive("scale", "jitter", home, target.parent.parent.name, target.name))
+    step = max(1, CHUNK // max(1, int(np.prod(shape[1:]))))
+    with files.replacing(target) as temporary:
+        written = np.lib.format.open_memmap(temporary, mode="w+", dtype=array.dtype, shape=shape)
+        for first in range(0, len(frame), step):
+            part = slice(first, first + step)
+            drawn = array[frame[part]] if place is None else array[frame[part], place[part]]
+            factor = rng.standard_normal(drawn.shape, dtype=np.float32)
+            factor *= np.float32(jitter)
+            factor += np.float32(1.0)
+            drawn = drawn * factor
+            np.clip(drawn, low, high, out=drawn)
+            written[part] = drawn
+        written.flush()
+
+
+def arrays_in(folder: Path) -> list[str]:
+    """Names of the arrays of features or tracks in a folder, without the count of regions and the frames."""
+    others = (f"{COUNT}.npy", paths.VARIANT_FRAMES)
+    return sorted(path.stem for path in folder.glob("*.npy") if path.name not in others)
+
+
+def has_regions(name: str) -> bool:
+    """Whether an array has an axis of regions."""
+    return name == REGIONS or name.startswith(LOCAL)

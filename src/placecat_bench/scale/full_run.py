@@ -1,0 +1,77 @@
+"""What a run from nothing on that many frames would take, every home tested."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import pandas as pd
+
+from placecat import definitions, files, listing, paths, settings
+from placecat.errors import PlacecatError
+from placecat.evaluation import protocol
+from placecat.evaluation.trials import expand
+
+# Their work is the same for every home that is tested on.
+PER_TEST_HOME = ("codebooks", "cues", "integration", "filtering", "smoothing")
+# Their work is the same for every frame.
+PER_FRAME = ("sequences", "features", "tracks")
+
+
+def estimate(measured: pd.DataFrame, params: Mapping[str, Any]) -> dict[str, Any]:
+    """Add up what the largest size took, as often as a full run has it, and what it does not have at all.
+
+    Stages that go over frames (features, tracks) take so long a frame as in the kept run of the project
+    (reports/times.csv) on its own frames. Stages that were not measured and do not depend on the homes'
+    size (further data sets, toy problem, figures, page) take what they took there.
+
+    Parameters
+    ----------
+    measured
+        Columns `placecat_bench.scale.measurements.COLUMNS`.
+    params
+        The settings it was measured with.
+
+    Returns
+    -------
+    dict
+        ``hours``, and ``seconds`` by stage.
+    """
+    frames = int(measured["frames"].max())
+    most = measured[measured["frames"] == frames]
+    seconds: dict[str, float] = {}
+    for stage, took in zip(most["stage"], most["seconds"], strict=True):
+        seconds[stage] = seconds.get(stage, 0.0) + took * times_as_often(stage, params)
+    kept = files.read_csv(paths.KEPT_TIMES)
+    here = sum(len(listing.read_labels(home)) for home in settings.get(settings.load(), "dataset.homes"))
+    for stage, took in zip(kept["stage"], kept["seconds"], strict=True):
+        if stage not in seconds:
+            seconds[stage] = float(took) * (frames / here if stage in PER_FRAME else 1.0)
+    rounded = {stage: round(took, 1) for stage, took in seconds.items()}
+    return {"hours": round(sum(seconds.values()) / 3600, 2), "seconds": rounded}
+
+
+def times_as_often(stage: str, params: Mapping[str, Any]) -> float:
+    """How many times the work of a measured stage a run has that tests on every home.
+
+    Parameters
+    ----------
+    stage
+        E.g. ``trials``.
+    params
+        The settings it was measured with.
+    """
+    homes = list(settings.get(params, "dataset.homes"))
+    tested = protocol.tested_homes(homes, settings.get(params, "protocol.test_homes"))
+    if stage in PER_TEST_HOME:
+        return len(homes) / len(tested)
+    if stage != "trials":
+        return 1.0
+    of_trials = [
+        trial.homes
+        for tables in definitions.studies(params).values()
+        for name, table in tables.items()
+        for trial in expand(name, table, homes)
+    ]
+    now = sum(home in tested for own in of_trials for home in own)
+    if not now:
+        raise PlacecatError(f"no study tests on any of {', '.join(tested)}: choose other test_homes")
+    return sum(map(len, of_trials)) / now

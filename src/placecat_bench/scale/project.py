@@ -1,0 +1,168 @@
+"""A project's folder of a chosen size: params.yaml, data/sequences, data/features and data/tracks."""
+
+import os
+import shutil
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from placecat import compose, files, listing, parallel, paths, settings
+from placecat.errors import PlacecatError
+from placecat_bench.scale import drawing
+from placecat_bench.scale.database import Home, Stretch, classes_of
+
+# What stages read besides, as the project has it.
+LINKED = (
+    paths.CONF,
+    paths.SITE_SEQUENCES,
+    paths.SITE_FEATURES,
+    paths.SPLITS,
+    paths.TOY,
+    paths.PUBLISHED.parent,
+)
+
+
+def build(
+    folder: Path, homes: Sequence[Home], *, test_homes: Sequence[str], regions: int, jitter: float
+) -> dict[str, Any]:
+    """Build the folder anew; give its settings.
+
+    Parameters
+    ----------
+    folder
+        What is there is replaced.
+    homes
+        The homes to be, at the size to be.
+    test_homes
+        Names of those to test on.
+    regions
+        Of every frame.
+    jitter
+        See :func:`placecat_bench.scale.drawing.write_jittered`.
+
+    Raises
+    ------
+    PlacecatError
+        If this project has not run, or a home has a label that the data set does not know.
+    """
+    params = settings.load()
+    sources = list(settings.get(params, "dataset.homes"))
+    _check_sources(sources)
+    if folder.exists():
+        shutil.rmtree(folder)
+    (folder / paths.DATA).mkdir(parents=True)
+    own = _write_params(folder, homes, test_homes)
+    for path in LINKED:
+        (folder / path).symlink_to(os.path.relpath(path, (folder / path).parent))
+    tasks = []
+    for number, home in enumerate(homes):
+        source, walk = sources[number % len(sources)], home.walk()
+        tasks += _plan(folder, home.name, source, walk, own, regions, jitter)
+    parallel.in_parallel(
+        drawing.write_jittered,
+        tasks,
+        f"features of {sum(home.frames for home in homes)} frames",
+        locally=True,
+    )
+    return own
+
+
+def _check_sources(sources: Sequence[str]) -> None:
+    wanted = [*LINKED, *(folder / home for home in sources for folder in (paths.FEATURES, paths.TRACKS))]
+    for path in wanted:
+        if not path.exists():
+            raise PlacecatError(f"{path} is missing: run `make repro` first, whose features are drawn from")
+
+
+def _write_params(folder: Path, homes: Sequence[Home], test_homes: Sequence[str]) -> dict[str, Any]:
+    """The project's settings with other homes; numbers on them compare with no others."""
+    overrides = [
+        f"dataset.homes=[{','.join(home.name for home in homes)}]",
+        "dataset.name=scale",
+        "dataset.title='features drawn from others'",
+        "dataset.thesis_data=null",
+        "dataset.root=nowhere",
+        f"protocol.test_homes=[{','.join(test_homes)}]",
+    ]
+    files.write_text(folder / paths.PARAMS, compose.compose(overrides))
+    return settings.load(folder / paths.PARAMS)
+
+
+def _plan(
+    folder: Path,
+    home: str,
+    source: str,
+    walk: Sequence[Stretch],
+    params: Mapping[str, Any],
+    regions: int,
+    jitter: float,
+) -> list[tuple[Any, ...]]:
+    """Write all of a home but its big arrays; give the tasks that write those."""
+    dataset, frames = params["dataset"], params["region_variants"]["frames"]
+    index = classes_of(walk, dataset["classes"], dataset["ignored"])
+    _write_sequences(folder / paths.SEQUENCES / home, walk, index, paths.SEQUENCES / source)
+    labels = files.read_csv(paths.SEQUENCES / source / "labels.csv")["label"].astype(str).tolist()
+    classes = listing.read_labels(source).astype(np.int64)
+    chosen = drawing.draw_frames(walk, labels, classes, index, home)
+    tasks = []
+    for kind in (paths.FEATURES, paths.TRACKS):
+        tasks += _plan_arrays(kind / source, folder / kind / home, chosen, classes, regions, jitter, home)
+    for variant in sorted((paths.FEATURES / source).glob(paths.VARIANT.format("*"))):
+        target = folder / paths.FEATURES / home / variant.name
+        there = files.read_array(variant / paths.VARIANT_FRAMES, memory_map=False)
+        rows = np.arange(frames["offset"], len(chosen), frames["step"])
+        files.write_array(target / paths.VARIANT_FRAMES, rows)
+        # The last frame of the source, up to the one drawn, that has the variant.
+        own = np.maximum(np.searchsorted(there, chosen[rows], side="right") - 1, 0)
+        most = files.read_array(variant / f"{drawing.REGIONS}.npy").shape[1]
+        tasks += _plan_arrays(variant, target, own, classes[there], most, jitter, home)
+    return tasks
+
+
+def _plan_arrays(
+    source: Path,
+    target: Path,
+    chosen: NDArray[np.int64],
+    classes: NDArray[np.int64],
+    regions: int,
+    jitter: float,
+    home: str,
+) -> list[tuple[Any, ...]]:
+    """The tasks for the arrays of one folder, whose rows of `classes` are `chosen` from."""
+    counts = files.read_array(source / f"{drawing.COUNT}.npy", memory_map=False)
+    frame, place = drawing.draw_regions(chosen, counts.astype(np.int64), classes, regions, home)
+    files.write_array(target / f"{drawing.COUNT}.npy", np.full(len(chosen), regions, counts.dtype))
+    shutil.copy(source / "descriptors.json", target / "descriptors.json")
+    tasks = []
+    for name in drawing.arrays_in(source):
+        file = f"{name}.npy"
+        rows = (frame, place) if drawing.has_regions(name) else (chosen, None)
+        tasks.append((source / file, target / file, *rows, jitter, home))
+    return tasks
+
+
+def _write_sequences(target: Path, walk: Sequence[Stretch], index: Sequence[int], source: Path) -> None:
+    frames = [stretch.frames for stretch in walk]
+    floor = np.repeat([stretch.floor for stretch in walk], frames)
+    total = len(floor)
+    facts = files.read_json(source / "home.json")
+    table = pd.DataFrame(
+        {
+            "sequence": floor,
+            "number": np.concatenate([np.arange(1, np.sum(floor == one) + 1) for one in np.unique(floor)]),
+            "source": "drawn",
+            "position": -1,
+            "seconds": np.arange(total) / facts["fps"],
+        }
+    )
+    files.write_csv(target / "frames.csv", table)
+    labels = {
+        "label": np.repeat([stretch.label for stretch in walk], frames),
+        "class": np.repeat(np.asarray(index, np.int64), frames),
+    }
+    files.write_csv(target / "labels.csv", pd.DataFrame(labels))
+    files.write_json(target / "home.json", facts)

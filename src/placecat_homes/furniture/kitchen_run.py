@@ -1,0 +1,70 @@
+"""A straight fitted kitchen."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from placecat_homes.furniture.blocks import chance
+from placecat_homes.mesh import Mesh, join
+from placecat_homes.parts.kitchens.base import base
+from placecat_homes.parts.kitchens.clutter import worktop_things
+from placecat_homes.parts.kitchens.design import Design
+from placecat_homes.parts.kitchens.layout import row, sink_width
+from placecat_homes.parts.kitchens.overhead import Window, overhead
+from placecat_homes.style import Style
+
+
+def kitchen_run(
+    rng: np.random.Generator,
+    style: Style,
+    *,
+    length: float = 3.0,
+    design: Design | None = None,
+    ceiling: float = 2.45,
+    wall_cabinets: bool = True,
+    windows: Sequence[Window] = (),
+    dishwasher: bool | None = None,
+    cooker: bool = True,
+) -> Mesh:
+    """Draw a straight fitted kitchen with sink, hob, oven, worktop, what hangs above it and things on it.
+
+    Parameters
+    ----------
+    rng
+        Source of its design.
+    style
+        Of the home.
+    length
+        Metres, from about 1.2.
+    design
+        Its looks; None draws one.
+    ceiling
+        Height of the room in metres.
+    wall_cabinets
+        False leaves out all above the worktop.
+    windows
+        Left and right end (in x) and sill of windows behind it in metres; nothing hangs there.
+    dishwasher
+        None draws whether there is one, if there is space.
+    cooker
+        Whether it has a hob and oven.
+
+    Returns
+    -------
+    Mesh
+        0.6 m deep.
+    """
+    looks = design or Design.draw(rng, style)
+    fixed: list[tuple[str, float]] = [("sink", sink_width(rng, length))]
+    if cooker:
+        fixed.append(
+            ("cooker", 0.9 if length > 3.2 and looks.cooker == "range" and chance(rng, 0.4) else 0.6)
+        )
+    if dishwasher or (dishwasher is None and length > 2.3 and chance(rng, 0.6)):
+        fixed.append(("dishwasher", 0.6 if length > 2.6 else 0.45))
+    sink_at = (windows[0][0] + windows[0][1]) / 2 if windows else None
+    units = row(rng, length, fixed, sink_at=sink_at)
+    parts = [base(rng, style, looks, units), worktop_things(rng, style, looks, units)]
+    if wall_cabinets:
+        parts.append(overhead(rng, style, looks, units, windows=windows, ceiling=ceiling))
+    return join(parts)

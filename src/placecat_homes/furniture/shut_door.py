@@ -1,0 +1,41 @@
+"""Doors that stay shut, as reliefs on a wall."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from placecat_homes.furniture.door import door
+from placecat_homes.mesh import Mesh
+from placecat_homes.style import Style
+
+DEEP = 0.012
+"""How far the leaf lies behind the front of its frame, in metres."""
+
+
+def shut_door(
+    rng: np.random.Generator, style: Style, width: float = 0.9, height: float = 2.05, hinge: str = "left"
+) -> Mesh:
+    """Draw what is seen of a shut door, to stand flat on a wall.
+
+    Parameters
+    ----------
+    rng, style
+        Draw the design.
+    width, height
+        Of the opening in metres.
+    hinge
+        "left" or "right".
+    """
+    whole = door(rng, style, width, height, DEEP, 0.0, hinge)
+    keep = whole.vertices[whole.triangles, 1].max(axis=1) > -DEEP
+    flat = whole.vertices.copy()
+    flat[:, 1] = np.maximum(flat[:, 1], -DEEP)
+    used, triangles = np.unique(whole.triangles[keep], return_inverse=True)
+    return replace(
+        whole,
+        vertices=flat[used],
+        normals=whole.normals[used],
+        uv=whole.uv[used],
+        triangles=triangles.reshape(-1, 3).astype(np.int32),
+        material=whole.material[keep],
+    ).moved(y=DEEP)

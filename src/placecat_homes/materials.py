@@ -1,0 +1,57 @@
+"""What surfaces are made of."""
+
+from dataclasses import dataclass
+
+Colour = tuple[float, float, float]
+"""sRGB red, green, blue in [0, 1], as seen on a screen."""
+
+
+@dataclass(frozen=True)
+class Texture:
+    """A picture that repeats over a surface, drawn by the function `kind` of `placecat_homes.textures`.
+
+    Attributes
+    ----------
+    kind
+        Name of the drawing function.
+    colours
+        The colours it draws with, sRGB.
+    size
+        Width and height of one repetition in metres.
+    seed
+        Of its random details.
+    """
+
+    kind: str
+    colours: tuple[Colour, ...]
+    size: tuple[float, float] = (1.0, 1.0)
+    seed: int = 0
+
+
+@dataclass(frozen=True)
+class Material:
+    """How a surface looks.
+
+    Attributes
+    ----------
+    colour
+        sRGB; multiplies the texture, if there is one.
+    texture
+        Repeats in the texture coordinates of the mesh, which are metres.
+    gloss
+        Mirror reflection at normal incidence, 0 (matt) to 1 (a mirror); grows towards grazing angles. Paint
+        0, varnish and tiles 0.03 to 0.06, metal 0.5 to 0.8, mirrors 0.9.
+    roughness
+        0 gives a sharp mirror image, 1 only a hint of it.
+    emission
+        Light given off, as a multiple of the colour; 0 for all but lamps, screens and the sky.
+    opacity
+        1 hides what is behind; glass 0.1 to 0.3; net curtains 0.5.
+    """
+
+    colour: Colour = (1.0, 1.0, 1.0)
+    texture: Texture | None = None
+    gloss: float = 0.0
+    roughness: float = 0.3
+    emission: float = 0.0
+    opacity: float = 1.0

@@ -1,0 +1,1 @@
+"""Where things can stand, hang and lie in a room, so that everybody can still walk."""

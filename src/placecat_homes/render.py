@@ -1,0 +1,171 @@
+"""The videos that come with the project, made from the settings in conf/ of this package."""
+
+import csv
+import tempfile
+from collections.abc import Sequence
+from itertools import groupby
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import cv2
+import yaml
+
+from placecat import files, paths, settings
+from placecat.errors import PlacecatError
+from placecat.parallel import in_parallel
+from placecat.sequences import open_home
+from placecat.sequences.base import read_frames
+from placecat_homes import contact_sheet
+
+if TYPE_CHECKING:
+    from placecat_homes.film import Film
+
+SETTINGS = Path(__file__).with_name("conf")
+DATASET = paths.CONF / "dataset/homes.yaml"
+
+
+def render(names: Sequence[str] = ()) -> None:
+    """Render videos into data/ of the current folder, and draw the contact sheet.
+
+    Parameters
+    ----------
+    names
+        Of the videos, e.g. ``homes/home_1``; none for all.
+
+    Raises
+    ------
+    PlacecatError
+        An unknown video, a missing extra, or a folder that is not the project's.
+    """
+    videos = listed()
+    wanted = names or tuple(videos)
+    for name in wanted:
+        if name not in videos:
+            raise PlacecatError(f"there is no video {name!r} to render: choose from {', '.join(videos)}")
+    if not DATASET.is_file():
+        raise PlacecatError(f"{DATASET} is missing: run this in the project's folder")
+    in_parallel(_render, [(name,) for name in wanted], "rendering videos", locally=True)
+    draw_contact_sheet()
+
+
+def draw_contact_sheet() -> None:
+    """Draw a view of every place of each home into data/contact_sheet.jpg."""
+    dataset = _read(DATASET)
+    chosen = _read_settings("contact_sheet")
+    views = {}
+    for name in dataset["homes"]:
+        home = open_home(dataset["layout"], Path(dataset["root"]), name)
+        frames = read_frames(home.root, home.frames)
+        by_eye = chosen.get(name, {})
+        labels = contact_sheet.only(list(home.frames["label"]), by_eye)
+        views[name] = contact_sheet.sharpest(frames, labels, dataset["classes"])
+    picture = contact_sheet.draw(views, dataset["classes"])
+    with files.replacing(paths.CONTACT_SHEET) as path:
+        path.write_bytes(cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, 88])[1].tobytes())
+
+
+def listed() -> dict[str, dict[str, Any]]:
+    """Read the list of videos.
+
+    Returns
+    -------
+    dict
+        ``data set/name`` to settings.
+    """
+    return {
+        f"{folder}/{name}": video
+        for folder, group in _read_settings("videos").items()
+        for name, video in group.items()
+    }
+
+
+def film(name: str, **changes: Any) -> "Film":
+    """Make the film of one video from its settings.
+
+    Parameters
+    ----------
+    name
+        ``data set/name``.
+    **changes
+        To the settings in conf/finish.yaml.
+
+    Returns
+    -------
+    Film
+        Lit, not yet rendered.
+
+    Raises
+    ------
+    PlacecatError
+        If the optional extra is missing, or a setting is unknown.
+    """
+    try:
+        from placecat_homes.bake import Quality
+        from placecat_homes.film import Film, Finish, Shot
+    except ImportError as error:
+        raise PlacecatError(
+            f"rendering needs the optional extra ({error.name} is missing): pip install -e '.[render]'"
+        ) from None
+    from placecat_homes.floorplan import FloorPlan
+    from placecat_homes.sensor import Sensor
+    from placecat_homes.view import Lens
+    from placecat_homes.walking.carriage import Carriage
+    from placecat_homes.walking.walk_statistics import Statistics
+
+    video = dict(listed()[name])
+    where = f"{SETTINGS / 'videos.yaml'} {name}"
+    plan, walk, carriage, camera = (video.pop(key) for key in ("plan", "walk", "carriage", "camera"))
+    if "rooms" in video:
+        video["rooms"] = tuple(video["rooms"])
+    lens_and_sensor = _read_settings(f"camera/{camera}")
+    finish = _read_settings("finish") | changes
+    finish.pop("video", None)
+    light = settings.call(Quality, settings=finish.pop("light"), where=f"{SETTINGS}/finish.yaml light")
+    gains = lens_and_sensor["sensor"] | {"gains": tuple(lens_and_sensor["sensor"]["gains"])}
+    return Film(
+        settings.call(Shot, name, settings=video, where=where),
+        FloorPlan.from_dict(plan, _read_settings(f"plan/{plan}")),
+        Statistics.of(_read_settings(f"walk/{walk}")),
+        Carriage.of(_read_settings(f"carriage/{carriage}")),
+        settings.call(Lens, settings=lens_and_sensor["lens"], where=f"{SETTINGS}/camera/{camera}.yaml lens"),
+        settings.call(Sensor, settings=gains, where=f"{SETTINGS}/camera/{camera}.yaml sensor"),
+        settings.call(Finish, settings=finish | {"light": light}, where=f"{SETTINGS}/finish.yaml"),
+    )
+
+
+def _render(name: str) -> None:
+    from placecat_homes.encode import write_video
+
+    made = film(name)
+    target = paths.DATA / f"{name}.mp4"
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=target.parent) as folder:
+        video, labels = Path(folder) / target.name, Path(folder) / f"{target.stem}.csv"
+        write_video(video, made.frames(), fps=listed()[name]["fps"], **_read_settings("finish")["video"])
+        _write_labels(labels, made.labels)
+        video.replace(target)
+        labels.replace(target.with_suffix(".csv"))
+
+
+def _write_labels(path: Path, labels: list[str]) -> None:
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(("start", "end", "label"))
+        start = 1
+        for label, stay in groupby(labels):
+            count = len(list(stay))
+            writer.writerow((start, start + count - 1, label))
+            start += count
+
+
+def _read_settings(name: str) -> dict[str, Any]:
+    return _read(SETTINGS / f"{name}.yaml")
+
+
+def _read(path: Path) -> dict[str, Any]:
+    try:
+        return yaml.safe_load(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise PlacecatError(f"{path} is missing: restore it from git") from None
+    except yaml.YAMLError as error:
+        raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None

@@ -1,0 +1,418 @@
+"""Shapes that furniture is built from: in metres, standing on z = 0, closed or thin, wound outwards."""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat_homes.mesh import Mesh, from_arrays, join
+
+
+def quad(width: float, height: float) -> Mesh:
+    """Draw an upright rectangle on z = 0, centred in x, seen from +y; its texture starts at the lower left.
+
+    Parameters
+    ----------
+    width, height
+        Metres.
+
+    Returns
+    -------
+    Mesh
+        Two triangles in the plane y = 0.
+    """
+    x = width / 2
+    # Seen from +y, +x is on the left.
+    points = [(x, 0, 0), (-x, 0, 0), (-x, 0, height), (x, 0, height)]
+    uv = [(0, 0), (width, 0), (width, height), (0, height)]
+    return _flat(points, uv)
+
+
+def slab(width: float, depth: float) -> Mesh:
+    """Draw a level rectangle seen from above, with its back edge on y = 0.
+
+    Parameters
+    ----------
+    width, depth
+        Metres.
+
+    Returns
+    -------
+    Mesh
+        Two triangles in the plane z = 0.
+    """
+    x = width / 2
+    points = [(-x, 0, 0), (x, 0, 0), (x, depth, 0), (-x, depth, 0)]
+    return _flat(points, [(0, 0), (width, 0), (width, depth), (0, depth)])
+
+
+def box(width: float, depth: float, height: float, bevel: float = 0.006) -> Mesh:
+    """Draw a box with bevelled edges, its back on y = 0.
+
+    Parameters
+    ----------
+    width, depth, height
+        Metres.
+    bevel
+        Width of the bevel in metres; 0 gives sharp edges.
+
+    Returns
+    -------
+    Mesh
+        Texture coordinates run along the sides; on upright sides v is the height.
+    """
+    half = np.array([width, depth, height], dtype=np.float64) / 2
+    r = float(min(bevel, half.min() * 0.49))
+    parts = []
+    for axis in range(3):
+        for sign in (-1, 1):
+            u, v = [(1, 2), (0, 2), (0, 1)][axis]
+            corners = np.zeros((4, 3))
+            for k, (su, sv) in enumerate(((-1, -1), (1, -1), (1, 1), (-1, 1))):
+                corners[k, axis] = sign * half[axis]
+                corners[k, u], corners[k, v] = su * (half[u] - r), sv * (half[v] - r)
+            uv = corners[:, [u, v]] + half[[u, v]]
+            normal = np.zeros(3)
+            normal[axis] = sign
+            parts.append(_facing(corners, uv, normal))
+    if r > 0:
+        parts.extend(_bevels(half, r))
+    return join(parts).moved(0, depth / 2, height / 2)
+
+
+def _bevels(half: NDArray[np.float64], r: float) -> list[Mesh]:
+    parts = []
+    for axis in range(3):
+        u, v = [(1, 2), (0, 2), (0, 1)][axis]
+        for su in (-1, 1):
+            for sv in (-1, 1):
+                corners = np.zeros((4, 3))
+                normals = np.zeros((4, 3))
+                for k, (along, side) in enumerate(((-1, 0), (1, 0), (1, 1), (-1, 1))):
+                    corners[k, axis] = along * (half[axis] - r)
+                    corners[k, u] = su * (half[u] - (r if side else 0))
+                    corners[k, v] = sv * (half[v] - (0 if side else r))
+                    normals[k, v if side else u] = sv if side else su
+                uv = np.stack([corners[:, axis] + half[axis], normals[:, v] * r], axis=1)
+                mesh = _facing(corners, uv, normals.mean(axis=0))
+                parts.append(replace(mesh, normals=normals.astype(np.float32)))
+    for signs in np.array(np.meshgrid((-1, 1), (-1, 1), (-1, 1))).T.reshape(-1, 3):
+        corners = np.array([signs * (half - r * (1 - np.eye(3)[k])) for k in range(3)], dtype=np.float64)
+        normals = np.eye(3) * signs
+        faces = np.array([[0, 1, 2]])
+        if np.dot(np.cross(corners[1] - corners[0], corners[2] - corners[0]), signs) < 0:
+            faces = faces[:, ::-1]
+        parts.append(from_arrays(corners, faces, normals=normals, uv=corners[:, :2] + half[:2]))
+    return parts
+
+
+def _facing(corners: NDArray[np.float64], uv: NDArray[np.float64], normal: NDArray[np.float64]) -> Mesh:
+    faces = np.array([[0, 1, 2], [0, 2, 3]])
+    if np.dot(np.cross(corners[1] - corners[0], corners[2] - corners[0]), normal) < 0:
+        faces = faces[:, ::-1]
+    return from_arrays(corners, faces, normals=np.tile(normal / np.linalg.norm(normal), (4, 1)), uv=uv)
+
+
+def _flat(points: Sequence[tuple[float, ...]], uv: Sequence[tuple[float, ...]]) -> Mesh:
+    return from_arrays(np.array(points, float), np.array([[0, 1, 2], [0, 2, 3]]), uv=np.array(uv, float))
+
+
+def lathe(profile: Sequence[tuple[float, float]], segments: int = 20) -> Mesh:
+    """Turn a profile around the z axis, as a wood-turner or potter would.
+
+    Parameters
+    ----------
+    profile
+        (radius, height) pairs from bottom to top along the outside, in metres. A vessel goes up outside and
+        down again inside. Corners of less than 140 degrees stay sharp.
+    segments
+        Around the axis.
+
+    Returns
+    -------
+    Mesh
+        u runs around (metres at the largest radius), v along the profile. Centred on the axis.
+    """
+    points = np.asarray(profile, dtype=np.float64)
+    points = points[np.r_[True, np.any(np.abs(np.diff(points, axis=0)) > 1e-9, axis=1)]]
+    runs = _smooth_runs(points)
+    reach = 2 * math.pi * float(points[:, 0].max())
+    parts = []
+    for first, last in runs:
+        parts.append(_turned(points[first : last + 1], segments, reach))
+    return join(parts)
+
+
+def _smooth_runs(points: NDArray[np.float64]) -> list[tuple[int, int]]:
+    steps = np.diff(points, axis=0)
+    angle = np.arctan2(steps[:, 1], steps[:, 0])
+    turn = np.abs((np.diff(angle) + math.pi) % (2 * math.pi) - math.pi)
+    sharp = [int(k) + 1 for k in np.flatnonzero(turn > math.radians(40))]
+    bounds = [0, *sharp, len(points) - 1]
+    return list(pairwise(bounds))
+
+
+def _turned(points: NDArray[np.float64], segments: int, reach: float) -> Mesh:
+    angle = np.linspace(0, 2 * math.pi, segments + 1)
+    n = len(points)
+    steps = np.diff(points, axis=0)
+    length = np.r_[0.0, np.cumsum(np.linalg.norm(steps, axis=1))]
+    tangent = np.zeros_like(points)
+    unit = steps / np.maximum(np.linalg.norm(steps, axis=1, keepdims=True), 1e-12)
+    tangent[:-1] += unit
+    tangent[1:] += unit
+    normal = np.stack([tangent[:, 1], -tangent[:, 0]], axis=1)
+    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
+    c, s = np.cos(angle)[:, None], np.sin(angle)[:, None]
+    vertices = np.stack([c * points[:, 0], s * points[:, 0], np.tile(points[:, 1], (segments + 1, 1))], -1)
+    normals = np.stack([c * normal[:, 0], s * normal[:, 0], np.tile(normal[:, 1], (segments + 1, 1))], -1)
+    uv = np.stack(np.broadcast_arrays(angle[:, None] / (2 * math.pi) * reach, length[None, :]), -1)
+    return from_arrays(
+        vertices.reshape(-1, 3),
+        _lattice(segments + 1, n),
+        normals=normals.reshape(-1, 3),
+        uv=uv.reshape(-1, 2),
+    )
+
+
+def _lattice(rows: int, columns: int) -> NDArray[np.int32]:
+    """Triangles of a lattice whose vertices are stored row by row; outward if rows x columns points out."""
+    i, j = np.meshgrid(np.arange(rows - 1), np.arange(columns - 1), indexing="ij")
+    a = (i * columns + j).ravel()
+    b, c, d = a + columns, a + columns + 1, a + 1
+    return np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)]).astype(np.int32)
+
+
+def cylinder(radius: float, height: float, segments: int = 20, bevel: float = 0.003) -> Mesh:
+    """Draw an upright cylinder with closed ends and bevelled rims, around the z axis.
+
+    Parameters
+    ----------
+    radius, height, bevel
+        Metres.
+    segments
+        Around the axis.
+
+    Returns
+    -------
+    Mesh
+        Centred on the axis.
+    """
+    r = min(bevel, radius / 2, height / 2)
+    return lathe(
+        [(0, 0), (radius - r, 0), (radius, r), (radius, height - r), (radius - r, height), (0, height)],
+        segments,
+    )
+
+
+def superellipsoid(
+    width: float, depth: float, height: float, e1: float = 0.5, e2: float = 0.5, segments: int = 20
+) -> Mesh:
+    """Draw a body between a box (exponents near 0) and an ellipsoid (1): pillows, cushions, stones.
+
+    Parameters
+    ----------
+    width, depth, height
+        Metres.
+    e1, e2
+        Exponents for the outline from the side and from above.
+    segments
+        Around; half as many from bottom to top.
+
+    Returns
+    -------
+    Mesh
+        Centred in x and y, standing on z = 0.
+    """
+
+    def power(value: NDArray[np.float64], e: float) -> NDArray[np.float64]:
+        small = np.abs(value) < 1e-9
+        return np.where(small, 0.0, np.sign(value) * np.abs(value) ** e)
+
+    across = np.linspace(-math.pi, math.pi, segments + 1)[:, None]
+    up = np.linspace(-math.pi / 2, math.pi / 2, segments // 2 + 1)[None, :]
+    shape = (segments + 1, segments // 2 + 1)
+    x = power(np.cos(up), e1) * power(np.cos(across), e2) * width / 2
+    y = power(np.cos(up), e1) * power(np.sin(across), e2) * depth / 2
+    z = np.broadcast_to(power(np.sin(up), e1) * height / 2, shape)
+    vertices = np.stack([x, y, z], -1).reshape(-1, 3)
+    nx = power(np.cos(up), 2 - e1) * power(np.cos(across), 2 - e2) / (width / 2)
+    ny = power(np.cos(up), 2 - e1) * power(np.sin(across), 2 - e2) / (depth / 2)
+    nz = np.broadcast_to(power(np.sin(up), 2 - e1) / (height / 2), shape)
+    normals = np.stack([nx, ny, nz], -1).reshape(-1, 3)
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+    uv = vertices[:, :2] + np.array([width / 2, depth / 2])
+    return from_arrays(vertices, _lattice(*shape), normals=normals, uv=uv).moved(0, 0, height / 2)
+
+
+def extrude(
+    outline: Sequence[tuple[float, float]], length: float, *, smooth: bool = False, caps: bool = True
+) -> Mesh:
+    """Push a level outline upwards.
+
+    Parameters
+    ----------
+    outline
+        (x, y) corners in metres, counter-clockwise seen from above, not crossing itself. Caps are fans from
+        the first corner: for outlines that are not convex, choose a first corner that sees all others.
+    length
+        Height in metres.
+    smooth
+        Round the sides' shading instead of keeping sharp edges.
+    caps
+        Close bottom and top.
+
+    Returns
+    -------
+    Mesh
+        Standing on z = 0; u runs along the outline, v upwards.
+    """
+    points = np.asarray(outline, dtype=np.float64)
+    n = len(points)
+    following = np.roll(points, -1, axis=0)
+    along = following - points
+    side = np.linalg.norm(along, axis=1)
+    start = np.r_[0.0, np.cumsum(side)]
+    outward = np.stack([along[:, 1], -along[:, 0]], 1) / np.maximum(side[:, None], 1e-12)
+    parts = []
+    corner = outward + np.roll(outward, 1, axis=0)
+    corner /= np.maximum(np.linalg.norm(corner, axis=1, keepdims=True), 1e-12)
+    vertices: list[tuple[float, ...]] = []
+    normals: list[tuple[float, ...]] = []
+    uv: list[tuple[float, float]] = []
+    faces: list[tuple[int, int, int]] = []
+    for k in range(n):
+        base = len(vertices)
+        ends = (corner[k], corner[(k + 1) % n]) if smooth else (outward[k], outward[k])
+        for point, normal, u in ((points[k], ends[0], start[k]), (following[k], ends[1], start[k + 1])):
+            for z in (0.0, length):
+                vertices.append((*point, z))
+                normals.append((*normal, 0.0))
+                uv.append((u, z))
+        faces += [(base, base + 2, base + 3), (base, base + 3, base + 1)]
+    parts.append(from_arrays(np.array(vertices), np.array(faces), normals=np.array(normals), uv=np.array(uv)))
+    if caps:
+        fan = np.array([(0, k, k + 1) for k in range(1, n - 1)])
+        for z, up in ((0.0, -1.0), (length, 1.0)):
+            level = np.c_[points, np.full(n, z)]
+            parts.append(
+                from_arrays(
+                    level,
+                    fan if up > 0 else fan[:, ::-1],
+                    normals=np.tile([0.0, 0.0, up], (n, 1)),
+                    uv=points,
+                )
+            )
+    return join(parts)
+
+
+def tube(path: Sequence[tuple[float, float, float]], radius: float, segments: int = 10) -> Mesh:
+    """Draw a round bar along a line: rails, taps, handles, wires, chair frames.
+
+    Parameters
+    ----------
+    path
+        Points in metres, at least two.
+    radius
+        Metres.
+    segments
+        Around.
+
+    Returns
+    -------
+    Mesh
+        With flat ends.
+    """
+    points = np.asarray(path, dtype=np.float64)
+    steps = np.diff(points, axis=0)
+    unit = steps / np.maximum(np.linalg.norm(steps, axis=1, keepdims=True), 1e-12)
+    tangent = np.vstack([unit[:1], unit[:-1] + unit[1:], unit[-1:]])
+    tangent /= np.maximum(np.linalg.norm(tangent, axis=1, keepdims=True), 1e-12)
+    helper = np.array([0.0, 0.0, 1.0]) if abs(tangent[0, 2]) < 0.9 else np.array([1.0, 0.0, 0.0])
+    angle = np.linspace(0, 2 * math.pi, segments + 1)
+    length = np.r_[0.0, np.cumsum(np.linalg.norm(steps, axis=1))]
+    rings, normals, uv = [], [], []
+    for k, t in enumerate(tangent):
+        a = np.cross(t, helper)
+        a /= max(float(np.linalg.norm(a)), 1e-12)
+        b = np.cross(t, a)
+        helper = np.cross(a, t)
+        normal = np.cos(angle)[:, None] * a + np.sin(angle)[:, None] * b
+        rings.append(points[k] + radius * normal)
+        normals.append(normal)
+        uv.append(np.stack([angle * radius, np.full(len(angle), length[k])], 1))
+    body = from_arrays(
+        np.concatenate(rings),
+        _lattice(len(points), segments + 1)[:, ::-1],
+        normals=np.concatenate(normals),
+        uv=np.concatenate(uv),
+    )
+    caps = []
+    for ring, centre, direction in (
+        (rings[0], points[0], -tangent[0]),
+        (rings[-1], points[-1], tangent[-1]),
+    ):
+        fan = np.array([(0, k + 1, k + 2) for k in range(segments)])
+        vertices = np.vstack([centre, ring])
+        across = np.cross(vertices[1] - centre, vertices[2] - centre)
+        if np.dot(across, direction) < 0:
+            fan = fan[:, ::-1]
+        caps.append(from_arrays(vertices, fan, normals=np.tile(direction, (len(vertices), 1))))
+    return join(body, caps)
+
+
+def sheet(
+    surface: Callable[[NDArray[np.float64], NDArray[np.float64]], tuple[NDArray[np.float64], ...]],
+    rows: int,
+    columns: int,
+    size: tuple[float, float] = (1.0, 1.0),
+) -> Mesh:
+    """Draw a smooth surface given by a function: blankets, towels, leaves, basins.
+
+    Parameters
+    ----------
+    surface
+        Takes s and t in [0, 1], each (rows + 1, columns + 1), and gives x, y, z in metres. The outside is
+        where the derivative along s crossed with that along t points.
+    rows, columns
+        Cells along s and along t.
+    size
+        What texture coordinates run to along s and t, in metres.
+
+    Returns
+    -------
+    Mesh
+        Open; seen from both sides.
+    """
+    s, t = np.meshgrid(np.linspace(0, 1, rows + 1), np.linspace(0, 1, columns + 1), indexing="ij")
+    x, y, z = (np.broadcast_to(np.asarray(value, float), s.shape) for value in surface(s, t))
+    uv = np.stack([s.ravel() * size[0], t.ravel() * size[1]], 1)
+    return from_arrays(np.stack([x, y, z], -1).reshape(-1, 3), _lattice(rows + 1, columns + 1), uv=uv)
+
+
+def curtain(
+    width: float, height: float, folds: int = 8, depth: float = 0.05, thickness: float = 0.004
+) -> Mesh:
+    """Draw hanging cloth in folds, its back near y = 0.
+
+    Parameters
+    ----------
+    width, height, depth, thickness
+        Metres; `depth` is that of the folds.
+    folds
+        Over the width.
+
+    Returns
+    -------
+    Mesh
+        Standing on z = 0, centred in x.
+    """
+    steps = folds * 6
+    x = np.linspace(-width / 2, width / 2, steps + 1)
+    wave = depth / 2 * (1 + np.sin(np.linspace(0, 2 * math.pi * folds, steps + 1)))
+    front = [(float(a), float(b) + thickness) for a, b in zip(x, wave, strict=True)]
+    back = [(float(a), float(b)) for a, b in zip(x, wave, strict=True)]
+    return extrude([*back, *front[::-1]], height, smooth=True, caps=False)

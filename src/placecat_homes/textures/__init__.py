@@ -1,0 +1,31 @@
+"""Pictures on surfaces: one module a kind, each with a function `draw`, found by name."""
+
+import importlib
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.seeds import derive
+from placecat_homes.materials import Texture
+
+
+def draw(texture: Texture, pixels: int = 256) -> NDArray[np.uint8]:
+    """Draw a texture.
+
+    Parameters
+    ----------
+    texture
+        Its kind is the name of a module in this package.
+    pixels
+        Width and height of the picture.
+
+    Returns
+    -------
+    numpy.ndarray
+        (pixels, pixels, 3) uint8, sRGB, top row first.
+    """
+    module = importlib.import_module(f"{__name__}.{texture.kind}")
+    rng = np.random.default_rng(derive("texture", texture.kind, texture.seed))
+    colours = [np.asarray(colour, dtype=np.float32) for colour in texture.colours]
+    picture = module.draw(rng, colours, pixels)
+    return (np.clip(picture, 0, 1) * 255 + 0.5).astype(np.uint8)

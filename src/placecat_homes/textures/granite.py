@@ -1,0 +1,14 @@
+"""Granite, terrazzo and speckled laminate: specks of the other colours on the first."""
+
+import numpy as np
+
+from placecat_homes.noise import Field, smooth
+
+
+def draw(rng: np.random.Generator, colours: list[Field], pixels: int) -> Field:
+    """Draw specks of several sizes."""
+    picture = np.broadcast_to(colours[0], (pixels, pixels, 3)).astype(np.float32)
+    for k, colour in enumerate(colours[1:]):
+        specks = smooth(rng, pixels, 0.55 + 0.25 * k) > 1.15
+        picture = np.where(specks[..., None], colour, picture)
+    return picture * (1 + 0.04 * smooth(rng, pixels, 0.2)[..., None])

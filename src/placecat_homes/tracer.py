@@ -1,0 +1,88 @@
+"""Rays against triangles, by Embree."""
+
+from typing import NamedTuple
+
+import numpy as np
+from embreex.mesh_construction import TriangleMesh
+from embreex.rtcore_scene import EmbreeScene
+from numpy.typing import NDArray
+
+from placecat_homes.mesh import Floats
+
+
+class Hits(NamedTuple):
+    """What rays have met first.
+
+    Attributes
+    ----------
+    triangle
+        (r,) int32, -1 for none.
+    u, v
+        (r,) float32, barycentric: weights of the second and third corner.
+    distance
+        (r,) float32, metres; very large for none.
+    across
+        (r, 3) float32, normal of the flat triangle, of any length and either side.
+    """
+
+    triangle: NDArray[np.int32]
+    u: Floats
+    v: Floats
+    distance: Floats
+    across: Floats
+
+
+class Tracer:
+    """Triangles that rays can be shot at.
+
+    Parameters
+    ----------
+    vertices
+        (n, 3) float32, metres.
+    triangles
+        (m, 3) int32.
+    """
+
+    def __init__(self, vertices: Floats, triangles: NDArray[np.int32]) -> None:
+        self._scene = EmbreeScene()
+        corners = np.ascontiguousarray(vertices, dtype=np.float32)
+        self._mesh = TriangleMesh(self._scene, corners, np.ascontiguousarray(triangles, dtype=np.int32))
+
+    def hits(self, origins: Floats, directions: Floats) -> Hits:
+        """Find what rays meet first.
+
+        Parameters
+        ----------
+        origins, directions
+            (r, 3) float32; directions of unit length.
+
+        Returns
+        -------
+        Hits
+            Of each ray.
+        """
+        found = self._scene.run(_rays(origins), _rays(directions), output=1)
+        return Hits(found["primID"], found["u"], found["v"], found["tfar"], found["Ng"])
+
+    def blocked(self, origins: Floats, directions: Floats, distances: Floats) -> NDArray[np.bool_]:
+        """Say whether anything is met within a distance.
+
+        Parameters
+        ----------
+        origins, directions
+            (r, 3) float32; directions of unit length.
+        distances
+            (r,) float32, metres.
+
+        Returns
+        -------
+        numpy.ndarray
+            (r,) bool.
+        """
+        reach = np.ascontiguousarray(distances, dtype=np.float32)
+        found = self._scene.run(_rays(origins), _rays(directions), dists=reach, query="OCCLUDED")
+        return np.asarray(found) >= 0
+
+
+def _rays(values: Floats) -> Floats:
+    return np.ascontiguousarray(values, dtype=np.float32)

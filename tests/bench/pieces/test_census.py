@@ -1,0 +1,59 @@
+import numpy as np
+import pytest
+
+from placecat_bench.pieces import census
+
+# Few grey levels, so that neighbours are often equal.
+IMAGE = np.random.default_rng(0).integers(0, 6, (23, 31)).astype(np.uint8)
+
+
+def naive(image, cells):
+    """Shares of the codes of the straight neighbours: a bit for each that is at least the centre."""
+    height, width = (length - 2 for length in image.shape)
+    counts = np.zeros((cells, cells, 16))
+    for y in range(height):
+        for x in range(width):
+            centre = image[y + 1, x + 1]
+            around = (image[y + 1, x + 2], image[y, x + 1], image[y + 1, x], image[y + 2, x + 1])
+            code = sum(int(value >= centre) << place for place, value in enumerate(around))
+            row = next(r for r in range(cells) if y < (r + 1) * height // cells)
+            column = next(c for c in range(cells) if x < (c + 1) * width // cells)
+            counts[row, column, code] += 1
+    return (counts / counts.sum(axis=2, keepdims=True)).reshape(-1, 16)
+
+
+def test_straight_neighbours_equal_a_naive_loop():
+    found = census.of_straight(census.ours(255 - IMAGE, 2), census.OUR_STRAIGHT)
+    np.testing.assert_allclose(found, naive(IMAGE, 2), atol=1e-6)
+
+
+def test_the_peer_says_the_same():
+    pytest.importorskip("skimage", reason="the peer is in the extra bench")
+    found = census.of_straight(census.theirs(IMAGE, 2), census.THEIR_STRAIGHT)
+    np.testing.assert_allclose(found, naive(IMAGE, 2))
+    assert census.largest_difference(IMAGE, 2) < 1e-6
+
+
+def test_its_entries_and_targets():
+    timed, limit = census.entries(images=[IMAGE], cells=2, repeats=5)
+    assert [(entry.input, entry.target) for entry in (timed, limit)] == [
+        ("31x23, 2x2 cells", "at least 40x faster"),
+        ("31x23, 2x2 cells", "at most 1e-06"),
+    ]
+    assert timed.ours()[0].shape == (4, 256)
+    for part in timed.parts.values():
+        part()
+
+
+def test_a_difference_is_seen(monkeypatch):
+    monkeypatch.setattr(census, "theirs", lambda image, cells: np.eye(4, 256))
+    assert census.largest_difference(IMAGE, 2) > 0.5
+
+
+def test_grey_images_of_the_homes(monkeypatch):
+    color = np.random.default_rng(1).integers(0, 256, (36, 64, 3)).astype(np.uint8)
+    monkeypatch.setattr(census, "jpegs", lambda: [None])
+    monkeypatch.setattr(census, "decoded", lambda file: color)
+    (image,) = census.reduced_frames(32, 18)
+    assert image.shape == (18, 32)
+    assert image.dtype == np.uint8

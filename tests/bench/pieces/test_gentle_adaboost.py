@@ -1,0 +1,28 @@
+import numpy as np
+
+from placecat_bench.pieces import gentle_adaboost
+
+
+def test_its_entries_and_targets():
+    time, accuracy = gentle_adaboost.entries(frames=500, features=8, rounds=10)
+    assert (time.input, time.target) == ("500 x 8, 10 rounds", "at least 4x faster")
+    assert accuracy.target == "at most 1"
+    for part in time.parts.values():
+        part()
+    assert len(time.ours().feature_) == 10
+
+
+def test_opencv_boosts_the_same():
+    """Fewer frames than bins: both may cut between any two values."""
+    time, accuracy = gentle_adaboost.entries(frames=200, features=8, rounds=10)
+    frames = gentle_adaboost.draw_frames(200, 8, gentle_adaboost.HOMES).descriptors
+    theirs = time.theirs().predict(frames, flags=256)[1][:, 0]
+    assert np.corrcoef(time.ours().decision_function(frames), theirs)[0, 1] > 0.95
+    assert abs(accuracy.measure()) < 3
+
+
+def test_accuracy_behind_is_positive_where_ours_is_worse(monkeypatch):
+    ours = gentle_adaboost.ours
+    monkeypatch.setattr(gentle_adaboost, "ours", lambda X, positive, rounds: ours(X, ~positive, rounds))
+    _, accuracy = gentle_adaboost.entries(frames=200, features=8, rounds=10)
+    assert accuracy.measure() > 50

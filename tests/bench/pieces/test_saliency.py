@@ -1,0 +1,30 @@
+import numpy as np
+import pytest
+from makers import frame
+
+from placecat.vision.attention import compute_maps, find_regions
+from placecat_bench import frames
+from placecat_bench.pieces import saliency
+from project import ROOT
+
+
+@pytest.fixture(autouse=True)
+def in_the_project(monkeypatch):
+    monkeypatch.chdir(ROOT)
+
+
+def test_its_entry_and_target():
+    (entry,) = saliency.entries(frames=[frame()], repeats=5)
+    assert (entry.input, entry.target) == ("320x240 JPEG", "at most 4.5x its time")
+    assert len(entry.ours()) == len(entry.theirs()) == 1
+    for part in entry.parts.values():
+        part()
+
+
+def test_it_is_the_map_that_the_regions_come_from():
+    own = frames.options()
+    found = saliency.saliency_of(frame(), own)
+    regions = find_regions(compute_maps(frame(), **own["attention"]), **own["regions"])
+    step = 2**found.scale
+    columns, rows = (regions[:, axis].astype(int) // step for axis in (0, 1))
+    np.testing.assert_array_equal(found.saliency[rows, columns], regions[:, 3])

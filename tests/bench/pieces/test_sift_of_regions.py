@@ -1,0 +1,40 @@
+import cv2
+import numpy as np
+import pytest
+from makers import frame
+
+from placecat.vision.patches import region_side
+from placecat_bench.frames import with_regions
+from placecat_bench.pieces import sift_of_regions
+from project import ROOT
+
+
+@pytest.fixture(autouse=True)
+def in_the_project(monkeypatch):
+    monkeypatch.chdir(ROOT)
+
+
+def test_its_entry_and_target():
+    (entry,) = sift_of_regions.entries(frames=[frame(), frame(seed=3)], count=7, repeats=5)
+    assert (entry.input, entry.target) == ("7 regions of 320x240", "at least 5x faster")
+    for ours, theirs in zip(entry.ours(), entry.theirs(), strict=True):
+        assert ours.shape == theirs.shape == (7, 128)
+    for part in entry.parts.values():
+        assert len(part()) == 2
+
+
+def test_the_peer_describes_the_same_squares():
+    ((maps, regions),) = with_regions([frame(1280, 960)], 25)
+    # Regions near the border look different: OpenCV leaves out what lies beyond.
+    margin = 1.5 * region_side(1280) * 2 ** regions[:, 2]
+    inside = (regions[:, :2] >= margin[:, None]).all(axis=1) & (regions[:, 0] < 1280 - margin)
+    regions = regions[inside & (regions[:, 1] < 960 - margin)]
+    regions = regions[np.argsort(regions[:, 2], kind="stable")]
+    assert len(regions) > 4
+    (ours,) = sift_of_regions.ours([(maps, regions)])
+    # With next to no blur, as ours has none; 3 octave layers are the default.
+    sharp = cv2.SIFT.create(sigma=0.5)
+    points = sift_of_regions.keypoints(maps, regions)
+    theirs = np.concatenate([sharp.compute(level, some)[1] for level, some in points])
+    similarity = (ours * theirs).sum(1) / np.linalg.norm(ours, axis=1) / np.linalg.norm(theirs, axis=1)
+    assert similarity.min() > 0.99

@@ -1,0 +1,30 @@
+import numpy as np
+
+from placecat_bench.gist_like import CLASSES, draw_frames
+
+
+def test_every_home_has_every_place_on_several_visits():
+    frames = draw_frames(503, 7, range(3))
+    assert frames.descriptors.shape == (503, 7)
+    assert frames.descriptors.dtype == np.float32
+    assert np.bincount(frames.home).tolist() == [168, 168, 167]
+    for home in range(3):
+        place = frames.place[frames.home == home]
+        assert np.unique(place).tolist() == list(range(CLASSES))
+        # Four rounds through the rooms.
+        assert np.count_nonzero(np.diff(place)) == 4 * CLASSES - 1
+
+
+def test_a_home_is_the_same_whatever_the_others():
+    alone, among = draw_frames(60, 7, [1]), draw_frames(120, 7, [0, 1])
+    np.testing.assert_allclose(alone.descriptors, among.descriptors[60:], rtol=1e-5)
+    other = draw_frames(60, 7, [1], seed=1)
+    assert not np.allclose(alone.descriptors, other.descriptors)
+
+
+def test_neighbours_resemble_each_other_and_features_are_correlated():
+    frames = draw_frames(2000, 40, range(2)).descriptors
+    step = np.square(np.diff(frames, axis=0)).mean()
+    assert step < 0.6 * np.square(frames[500:] - frames[:-500]).mean()
+    variances = np.linalg.eigvalsh(np.corrcoef(frames.T))[::-1] / 40
+    assert variances[:5].sum() > 0.4

@@ -1,0 +1,60 @@
+"""The kept videos are what the renderer makes."""
+
+import cv2
+import numpy as np
+import pytest
+
+pytest.importorskip("embreex", reason="rendering needs the optional extra")
+
+from placecat_homes import render
+from project import ROOT
+
+pytestmark = pytest.mark.xdist_group("film")
+
+NAME = "apartments/webcam"
+FRAMES = (0, 90, 180, 270, 360, 450)
+
+
+@pytest.fixture(scope="module")
+def film():
+    # A quarter of the rays: the light is a little noisier, that is all.
+    return render.film(NAME, light={"directions": 64, "bounces": 3, "lamp_rays": 1, "chunk": 4096})
+
+
+@pytest.fixture(scope="module")
+def kept():
+    video = cv2.VideoCapture(str(ROOT / f"data/{NAME}.mp4"), cv2.CAP_FFMPEG)
+    frames = {}
+    for number in range(FRAMES[-1] + 1):
+        done, frame = video.read()
+        assert done
+        if number in FRAMES:
+            frames[number] = frame
+    video.release()
+    return frames
+
+
+def soft(frame):
+    """Without noise and the traces of compression."""
+    return cv2.GaussianBlur(frame.astype(np.float32), (0, 0), 2.0)
+
+
+def test_rendered_frames_are_the_kept_ones(film, kept):
+    made = {number: soft(film.frame(number)) for number in FRAMES}
+    for number in FRAMES:
+        differences = {other: np.abs(soft(kept[number]) - made[other]).mean() for other in FRAMES}
+        # In grey levels of 255. Another frame is several times farther away.
+        assert differences[number] < 5, differences
+        assert min(differences, key=differences.get) == number, differences
+
+
+def test_labels_are_the_kept_ones(film, tmp_path):
+    render._write_labels(tmp_path / "labels.csv", film.labels)
+    assert (tmp_path / "labels.csv").read_bytes() == (ROOT / f"data/{NAME}.csv").read_bytes()
+
+
+def test_every_frame_has_a_place_on_free_floor(film):
+    ground = film.building.ground()
+    path = film.walk
+    assert len(path.position) == len(film.labels) == render.listed()[NAME]["frames"]
+    assert ground.is_free(path.position[:, :2]).all()
