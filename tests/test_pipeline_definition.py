@@ -33,7 +33,7 @@ PLUMBING = {
 
 def program(stage):
     """The module that a stage runs: ``python -m MODULE``."""
-    module = stage_body(stage)["cmd"].split()[2]
+    module = PIPELINE[stage]["cmd"].split()[2]
     return f"{module}.__main__" if module_file(module).name == "__init__.py" else module
 
 
