@@ -80,7 +80,7 @@ def test_without_a_model_predict_says_how_to_make_one(folder):
     refused(result, "there is no model data/model.placecat: `make repro` or `placecat train` makes one")
 
 
-# A pipeline of the test's that takes no time: two stages of a loop, and one that writes two tables.
+# A pipeline of the test's that takes no time: a stage that loops over homes, and one that writes two tables.
 CONF = """
 dataset: {title: made homes, homes: [a, b]}
 bias: 0.0
@@ -93,14 +93,13 @@ stages:
     frozen: true
     outs: [{videos: {cache: false, persist: true}}]
   features:
-    foreach: ${dataset.homes}
-    do:
-      cmd: python features.py ${item}
-      deps: [features.py]
-      outs: ["data/features/${item}.txt"]
+    cmd: python features.py
+    deps: [features.py]
+    params: [dataset.homes]
+    outs: [data/features]
   tables:
     cmd: python tables.py
-    deps: [data/features/a.txt, data/features/b.txt, measured.txt, tables.py]
+    deps: [data/features, measured.txt, tables.py]
     params: [bias, dataset]
     outs: [{reports/tables: {cache: false}}]
 """
@@ -108,17 +107,19 @@ FEATURES = """
 import time
 from pathlib import Path
 
+from placecat import settings
 from placecat.files import write_text
 from placecat.stages import run
 
 
-def main(home):
-    \"\"\"Describe a home.\"\"\"
-    time.sleep(0.2)
-    write_text(Path(f"data/features/{home}.txt"), home)
+def main():
+    \"\"\"Describe the homes.\"\"\"
+    time.sleep(0.4)
+    for home in settings.load()["dataset"]["homes"]:
+        write_text(Path(f"data/features/{home}.txt"), home)
 
 
-run(main, item="home")
+run(main)
 """
 TABLES = """
 from pathlib import Path
@@ -202,12 +203,11 @@ def test_the_first_run_has_table_26_and_times_and_nothing_to_compare_with(ran):
     assert "# Table 26\n\n| Gist | 31.2 |\n\nAll tables: reports/tables" in result.stdout
     times = result.stdout.partition("Times of the stages that ran:\n")[2].split("\n\n")[0].splitlines()
     assert {line.split("  ")[1] for line in times[:2]} == {"features", "tables"}
-    assert "2 x" in next(line for line in times if "features" in line)
-    assert [line.split("  ")[1] for line in times[2:]] == ["3 stages", "DVC and the rest", "all"]
+    assert [line.split("  ")[1] for line in times[2:]] == ["2 stages", "DVC and the rest", "all"]
     assert "Tables are not compared: git has no revision 'HEAD'" in result.stdout
-    assert (folder / "data/times.csv").read_text().startswith("stage,item,seconds\nfeatures,a,")
+    assert (folder / "data/times.csv").read_text().startswith("stage,item,seconds\nfeatures,,")
     complete = json.loads((folder / "data/times.json").read_text())
-    assert complete["facts"]["stages"] == 3
+    assert complete["facts"]["stages"] == 2
     assert complete["facts"]["data"] == "made homes"
     assert complete["facts"]["total"] > sum(one["seconds"] for one in complete["by_stage"]) >= 0.4
 
@@ -271,7 +271,7 @@ def test_times_of_a_complete_run_are_shown_and_kept(committed):
     assert not (committed / "reports/times.csv").exists()
     placecat(committed, "times", "--keep")
     assert (committed / "reports/times.csv").read_text().startswith("stage,runs,seconds\n")
-    assert json.loads((committed / "reports/times.json").read_text())["stages"] == 3
+    assert json.loads((committed / "reports/times.json").read_text())["stages"] == 2
 
 
 def test_force_runs_everything_but_what_is_frozen(committed):
@@ -280,8 +280,8 @@ def test_force_runs_everything_but_what_is_frozen(committed):
     refused(placecat(committed, "times", "--keep"), "`placecat repro --force` is one")
     result = placecat(committed, "repro", "--force")
     assert result.returncode == 0, result.stderr
-    assert "\n  3 stages " in result.stdout
-    assert json.loads((committed / "data/times.json").read_text())["facts"]["stages"] == 3
+    assert "\n  2 stages " in result.stdout
+    assert json.loads((committed / "data/times.json").read_text())["facts"]["stages"] == 2
 
 
 def test_mistakes_of_compare_give_one_message(committed, tmp_path):

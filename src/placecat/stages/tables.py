@@ -24,6 +24,8 @@ def main() -> None:
     notes = files.read_table(paths.CONTRADICTIONS, ["group", "row", "column", "note"])
     contradictions = contradictions_of(notes)
     filled = {}
+    # DVC wants it, also where no table is optional.
+    paths.OPTIONAL_TABLES.mkdir(parents=True, exist_ok=True)
     with files.replacing(paths.TABLES) as folder:
         for name, table in tables_of(params).items():
             dataset = dataset_of(table, params)
