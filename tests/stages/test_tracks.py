@@ -1,6 +1,7 @@
 """The stage `tracks` on two short sequences: a camera that pans over a wall of noise."""
 
 import json
+import shutil
 
 import cv2
 import numpy as np
@@ -20,7 +21,7 @@ LOCAL = {"hog": {"interpolation": "linear"}, "edges": {"descriptor": "centrist",
 
 def params(**tracking):
     return {
-        "dataset": {"root": "homes"},
+        "dataset": {"root": "homes", "homes": ["H1"]},
         "attention": {"scales": [2, 3, 4, 5]},
         "descriptors": {"local": LOCAL | {"color_mv": {"grid": 3}}, "holistic": {}},
         "tracking": {"descriptors": ["hog", "edges"]} | TRACKING | tracking,
@@ -86,6 +87,7 @@ def test_regions_are_tracked_in_each_sequence_and_described_where_they_are(home)
         "local_hog.npy",
         "local_edges.npy",
         "descriptors.json",
+        "manifest.json",
     }
     assert json.loads((folder / "descriptors.json").read_text()) == {"hog": "hog", "edges": "centrist"}
     got = {path.stem: np.load(path, allow_pickle=False) for path in folder.glob("*.npy")}
@@ -114,6 +116,7 @@ def test_the_number_of_workers_changes_no_byte(home, monkeypatch, two_workers):
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
     folder = run(home)
     one = {path.name: path.read_bytes() for path in folder.iterdir()}
+    shutil.rmtree(folder)
     monkeypatch.setenv("PLACECAT_WORKERS", "2")
     run(home)
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == one
