@@ -1,6 +1,5 @@
 """The stage `tables`, on results that were drawn at random."""
 
-
 import numpy as np
 import pandas as pd
 import pytest
