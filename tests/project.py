@@ -102,7 +102,7 @@ def copy_project(folder, overrides=SMALL):
     draw_homes(folder / HOMES, homes=4, frames_per_room=6)
     for root in SITES.values():
         draw_homes(folder / root, homes=3, frames_per_room=6)
-    (folder / "reports").mkdir()
+    shutil.copytree(ROOT / "reports/optional_tables", folder / "reports/optional_tables")
     kept = ("benchmarks.csv", "benchmarks.json", "scale.csv", "scale.json", "scale_growth.csv")
     for name in (*kept, "times.csv", "times.json"):
         shutil.copy(ROOT / "reports" / name, folder / "reports")
