@@ -12,7 +12,7 @@ import numpy as np
 from placecat import cues, files, paths, settings
 from placecat.cues import estimators
 from placecat.errors import NotComputable, PlacecatError
-from placecat.evaluation import protocol
+from placecat.training import protocol
 from placecat.experiment import data as data_sets
 from placecat.experiment.data import Data
 from placecat.experiment.options import JUDGES, TEST_HOME, classifiers

@@ -9,7 +9,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from placecat import files, listing, parallel, paths, settings
-from placecat.evaluation import protocol
+from placecat.training import protocol
 from placecat.fusion.information_filter import check, dropped, hold, threshold_of
 from placecat.reporting.results import DROPPED_COLUMNS
 from placecat.stages import run

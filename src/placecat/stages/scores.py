@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 
 from placecat import definitions, files, listing, paths, settings
-from placecat.evaluation import protocol
+from placecat.training import protocol
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.evaluation.quality import home_quality
 from placecat.evaluation.stays import find_stays

@@ -7,7 +7,7 @@ import pandas as pd
 
 from placecat import definitions, files, listing, paths, settings
 from placecat.errors import PlacecatError
-from placecat.evaluation import protocol
+from placecat.training import protocol
 from placecat.evaluation.trials import expand
 
 # Their work is the same for every home that is tested on.
