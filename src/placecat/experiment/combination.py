@@ -12,7 +12,6 @@ import numpy as np
 from placecat import cues, files, paths, settings
 from placecat.cues import estimators
 from placecat.errors import NotComputable, PlacecatError
-from placecat.training import protocol
 from placecat.experiment import data as data_sets
 from placecat.experiment.data import Data
 from placecat.experiment.options import JUDGES, TEST_HOME, classifiers
@@ -20,6 +19,7 @@ from placecat.learning.hierarchical_kmeans import check_cluster_number
 from placecat.learning.kernels import KernelMachine
 from placecat.learning.scaling import KernelScaling
 from placecat.learning.spatial_pca import SpatialPCA
+from placecat.training import protocol
 
 _LOCAL: dict[str, tuple[tuple[type, ...], str]] = {
     "y_pos": ((bool,), "true or false"),
