@@ -1,16 +1,12 @@
 """Stage `smoothing`: the delayed hidden Markov model over the integrated decisions and over single cues."""
 
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
-
-import numpy as np
 
 from placecat import files, listing, parallel, paths, settings
-from placecat.errors import PlacecatError
 from placecat.stages import run
 from placecat.training import plan as plans
-from placecat.training.system import smooth, smoothing_settings
+from placecat.training.saved import smooth_home
+from placecat.training.system import smoothing_settings
 
 
 def main() -> None:
@@ -39,20 +35,6 @@ def main() -> None:
         for (*_, place), result in zip(tasks, results, strict=True):
             for array_name, array in result.items():
                 files.write_array(folder / place / f"{array_name}.npy", array)
-
-
-def smooth_home(source: Path, plan: plans.Plan, model: Mapping[str, Any]) -> dict[str, np.ndarray]:
-    """Smooth the test home of one fold with statistics of its training homes."""
-    if not (source / "cross_validated.npy").exists():
-        raise PlacecatError(
-            f"{source / 'cross_validated.npy'} is missing: a cue in smoothing.cues must have a classifier "
-            "that is cross-validated, such as nu_svm; take it out of the list, or run `dvc repro`"
-        )
-    proba, held_out, truth = (
-        files.read_array(source / f"{name}.npy", memory_map=False)
-        for name in ("test", "cross_validated", "cross_validated_truth")
-    )
-    return smooth(plan.test, proba, plan.integration, held_out, truth, model)
 
 
 if __name__ == "__main__":
