@@ -79,7 +79,7 @@ def apply(plan: plans.Plan, cue: Cue, clusters: Path | None, cross_validate: boo
     for home, proba in trained.predict_chosen(plan.integration).items():
         result[f"integration_{home}"] = proba
     for part in plan.extra:
-        result[f"extra_{part.home.rpartition('/')[2]}"] = trained.predict(part.home)
+        result[f"extra_{part.sequence}"] = trained.predict(part.home)
     if trained.cross_validated is not None:
         result["cross_validated"] = trained.cross_validated
         result["cross_validated_truth"] = trained.truth

@@ -62,20 +62,15 @@ def make(split: str, folder: Path, params: Mapping[str, Any]) -> None:
     ]
     fused = parallel.in_parallel(apply_system, system_tasks, f"integration of {split}")
     for (name, seed), (_, tested) in outputs.items():
-        for home, proba in tested.items():
-            place = folder / "cues" / name / _sequence(home) / paths.seed_folder(seed)
-            files.write_array(place / "test.npy", proba)
+        for part in plan.tested:
+            place = folder / "cues" / name / part.sequence / paths.seed_folder(seed)
+            files.write_array(place / "test.npy", tested[part.home])
     for (system, seed), by_home in zip(system_keys, fused, strict=True):
-        for home, output in by_home.items():
-            place = Path(system, _sequence(home), paths.seed_folder(seed))
+        for part in plan.tested:
+            output, place = by_home[part.home], Path(system, part.sequence, paths.seed_folder(seed))
             files.write_array(folder / "integration" / place / "test.npy", output["test"])
             for name in ("hmm", "delayed"):
                 files.write_array(folder / "smoothing" / place / f"{name}.npy", output[name])
-
-
-def _sequence(home: str) -> str:
-    """Name of a sequence in its split."""
-    return home.rpartition("/")[2]
 
 
 def apply_cue(plan: plans.Plan, cue: Cue, seed: int | None) -> tuple[Probabilities, Probabilities]:

@@ -32,6 +32,11 @@ class Part:
     offset: int = 0
     step: int = 1
 
+    @property
+    def sequence(self) -> str:
+        """Name of the sequence in its data set."""
+        return self.home.rpartition("/")[2]
+
     def labels(self) -> NDArray[np.int16]:
         """(frames,) class indices of all frames of the sequence, -1 where none counts."""
         return np.array([*self.numbers, -1], dtype=np.int16)[listing.read_labels(self.home)]
@@ -59,8 +64,10 @@ class Plan:
         Further sequences, for the integration of systems that ask for them (thesis 4.5).
     tested
         What nothing fitted has seen.
-    dataset, training_set
-        The text that seeds of codebooks derive from: the name of the data set, and that of what trains.
+    dataset
+        Name of the data set.
+    left_out
+        Homes that the training of the cues leaves out; None on a fixed split.
     """
 
     classes: tuple[str, ...]
@@ -69,7 +76,12 @@ class Plan:
     extra: tuple[Part, ...]
     tested: tuple[Part, ...]
     dataset: str
-    training_set: str
+    left_out: tuple[str, ...] | None
+
+    @property
+    def training_set(self) -> str:
+        """Name of what trains the cues. Seeds of codebooks derive from it and from `dataset`."""
+        return self.dataset if self.left_out is None else protocol.training_set(self.left_out)
 
     @property
     def test(self) -> str:
@@ -145,7 +157,7 @@ def without_homes(params: Mapping[str, Any], left_out: Sequence[str], tested: Se
         extra=(),
         tested=_parts(params, tested, None),
         dataset=settings.get(params, "dataset.name"),
-        training_set="without-" + "-".join(left_out),
+        left_out=tuple(left_out),
     )
 
 
@@ -168,19 +180,28 @@ def of_split(params: Mapping[str, Any], split: str) -> Plan:
         extra=(),
         tested=tuple(Part(f"{split}/{sequence}", _numbers(classes, None)) for sequence in own["test"]),
         dataset=split,
-        training_set=split,
+        left_out=None,
     )
 
 
-def without_part(plan: Plan, left_out: str) -> Plan:
-    """Give a split's plan with one of the sequences that train its cues tested instead."""
-    (tested,) = (part for part in plan.cues if part.home == left_out)
-    return replace(
-        plan,
-        cues=tuple(part for part in plan.cues if part.home != left_out),
-        integration=tuple(part for part in plan.integration if part.home != left_out),
-        tested=(replace(tested, offset=0, step=1),),
-    )
+def on_training_homes(plan: Plan) -> list[Plan]:
+    """Plan a judgement on each training home of a plan with one tested sequence, which has no part in it.
+
+    Each is tested by what trains on the others.
+    """
+    found = []
+    training = [part for part in plan.cues if part.home != plan.test]
+    for tested in training:
+        found.append(
+            replace(
+                plan,
+                cues=tuple(part for part in training if part is not tested),
+                integration=tuple(part for part in plan.integration if part.home != tested.home),
+                tested=(replace(tested, offset=0, step=1),),
+                left_out=None if plan.left_out is None else (tested.home, *plan.left_out),
+            )
+        )
+    return found
 
 
 def _of_fold(params: Mapping[str, Any], fold: protocol.Fold, *, extra: bool) -> Plan:
@@ -191,7 +212,7 @@ def _of_fold(params: Mapping[str, Any], fold: protocol.Fold, *, extra: bool) -> 
         extra=_extra(params) if extra else (),
         tested=_parts(params, [fold.test] if fold.test else [], None),
         dataset=settings.get(params, "dataset.name"),
-        training_set=fold.training_set,
+        left_out=fold.left_out,
     )
 
 

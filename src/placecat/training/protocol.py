@@ -38,11 +38,20 @@ class Fold:
     integration_homes: tuple[str, ...]
 
     @property
-    def training_set(self) -> str:
-        """Name of the cues' training set: what it leaves out. Seeds are derived from it."""
+    def left_out(self) -> tuple[str, ...]:
+        """What the training of the cues leaves out: the test home first."""
         kept = [home for home in self.integration_homes if home not in self.cue_homes]
-        left_out = [self.test, *kept] if self.test else kept
-        return "without-" + "-".join(left_out) if left_out else "all"
+        return (self.test, *kept) if self.test else tuple(kept)
+
+    @property
+    def training_set(self) -> str:
+        """Name of the cues' training set. Seeds are derived from it."""
+        return training_set(self.left_out)
+
+
+def training_set(left_out: Sequence[str]) -> str:
+    """Name a training set by the homes that it leaves out."""
+    return "without-" + "-".join(left_out) if left_out else "all"
 
 
 def tested_homes(homes: Sequence[str], wanted: str | Sequence[str] = ALL) -> tuple[str, ...]:

@@ -56,7 +56,7 @@ class CueResults:
         found: list[dict[str, NDArray[np.float64]]] = [{} for _ in self._places]
         for part in parts:
             is_extra = part in plan.extra
-            name = f"extra_{part.home.rpartition('/')[2]}" if is_extra else f"integration_{part.home}"
+            name = f"extra_{part.sequence}" if is_extra else f"integration_{part.home}"
             for of_cue, proba in zip(found, self.arrays(name), strict=True):
                 # Cues judge every frame of a further sequence.
                 of_cue[part.home] = proba[part.chosen()[0]] if is_extra else proba
