@@ -14,6 +14,7 @@ from placecat.errors import PlacecatError
 from placecat.lockfile import data_version
 from placecat.training import plan as plans
 from placecat.training import system as systems
+from placecat.training.integration import fused_parts
 
 
 def train_command(system: str | None, without: str | None, seed: int | None, output: Path | None) -> int:
@@ -86,26 +87,17 @@ def train(
     system, scheme = systems.System.of(params, name), settings.get(params, f"systems.{name}.scheme")
     plan = plans.of_release(params, scheme, without, extra=system.extra)
     trained = systems.train(plan, system, seed)
+    # Settings of the vision.
+    sections = {section: settings.get(params, section) for section in ("attention", "regions", "information")}
     cues = tuple(TrainedCue(cue, dict(own.descriptor), own.model) for cue, own in trained.cues.items())
     return TrainedSystem(
         card=_card(params, name, plan, seed),
-        vision=_vision(params, cues),
+        vision=sections | system.descriptors(params),
         tracking=_tracking(params, cues),
         cues=cues,
         integrator=trained.integrator,
         smoothing=trained.smoothing,
     )
-
-
-def _vision(params: Mapping[str, Any], cues: Sequence[TrainedCue]) -> dict[str, Any]:
-    """The settings of the vision, with the descriptors that the cues need."""
-    wanted: dict[str, dict[str, Any]] = {"local": {}, "holistic": {}}
-    for cue in cues:
-        kind = cue.descriptor["kind"]
-        for name in filter(None, (cue.descriptor["name"], cue.descriptor.get("color"))):
-            wanted[kind][name] = settings.get(params, f"descriptors.{kind}.{name}")
-    sections = {name: settings.get(params, name) for name in ("attention", "regions", "information")}
-    return sections | wanted
 
 
 def _tracking(params: Mapping[str, Any], cues: Sequence[TrainedCue]) -> dict[str, Any] | None:
@@ -122,7 +114,7 @@ def _card(params: Mapping[str, Any], name: str, plan: plans.Plan, seed: int) -> 
         kind: sum(len(part.chosen()[0]) for part in parts)
         for kind, parts in (
             ("cues", plan.cues),
-            ("integration", systems.fused_parts(plan, extra=system["extra"])),
+            ("integration", fused_parts(plan, extra=system["extra"])),
         )
     }
     dataset = settings.get(params, "dataset")

@@ -15,7 +15,7 @@ from placecat.choice.smoothing import judge_smoothing
 from placecat.errors import PlacecatError
 from placecat.training import plan as plans
 from placecat.training.cue import Cue
-from placecat.training.system import smoothing_settings
+from placecat.training.integration import smoothing_settings
 
 SETTINGS = paths.CONF / "choice.yaml"
 KINDS = ("cues", "systems", "smoothing")

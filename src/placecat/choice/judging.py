@@ -13,8 +13,8 @@ from placecat.evaluation.probabilities import log_loss
 from placecat.fusion.temperature import fit_temperature
 from placecat.training import plan as plans
 from placecat.training.cue import Cue, train
+from placecat.training.integration import fuse
 from placecat.training.saved import CueResults
-from placecat.training.system import fuse
 
 # (home that was left out as a test home, home that is judged, accuracy in percent, log-loss in nats).
 Judgement = tuple[str, str, float, float]

@@ -15,8 +15,8 @@ from placecat import files
 from placecat.choice.judging import Judgement, judge_home
 from placecat.errors import PlacecatError
 from placecat.training import plan as plans
+from placecat.training.integration import smooth
 from placecat.training.saved import smooth_home
-from placecat.training.system import smooth
 
 
 def judge_smoothing(

@@ -9,8 +9,8 @@ import numpy as np
 from placecat import files, items, parallel, paths, settings
 from placecat.stages import run
 from placecat.training import plan as plans
+from placecat.training.integration import fuse, fused_parts
 from placecat.training.saved import CueResults
-from placecat.training.system import fuse, fused_parts
 
 
 def main() -> None:

@@ -5,8 +5,8 @@ from pathlib import Path
 from placecat import files, listing, parallel, paths, settings
 from placecat.stages import run
 from placecat.training import plan as plans
+from placecat.training.integration import smoothing_settings
 from placecat.training.saved import smooth_home
-from placecat.training.system import smoothing_settings
 
 
 def main() -> None:

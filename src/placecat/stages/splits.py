@@ -11,7 +11,7 @@ from placecat import files, items, parallel, paths, settings, store
 from placecat.stages import run
 from placecat.training import plan as plans
 from placecat.training.cue import Cue, train
-from placecat.training.system import fuse, smooth, smoothing_settings
+from placecat.training.integration import fuse, smooth, smoothing_settings
 
 Probabilities = dict[str, NDArray[np.float64]]
 

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from placecat import files, listing, paths
 from placecat.errors import PlacecatError
+from placecat.training.integration import smooth
 from placecat.training.plan import Part, Plan
-from placecat.training.system import smooth
 
 
 class CueResults:
