@@ -47,7 +47,8 @@ def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
     own, cue = settings.get(params, f"cues.{name}"), Cue.of(params, name)
     tested = settings.get(params, "protocol.test_homes")
     seeds = settings.get(params, "protocol.seeds") if cue.codebook is not None else [None]
-    tasks, places = [], []
+    tasks: list[tuple[Any, ...]] = []
+    places: list[Path] = []
     for scheme in own["schemes"]:
         extra = own["extra"] and scheme == "5-5-1"
         for plan in plans.of_homes(params, scheme, tested, extra=extra):

@@ -91,7 +91,10 @@ class Plan:
 
     def with_cue_frames(self, frames: Mapping[str, int]) -> Plan:
         """Give the same plan with other frames, an ``offset`` and a ``step``, that train the cues."""
-        return replace(self, cues=tuple(replace(part, **frames) for part in self.cues))
+        return replace(
+            self,
+            cues=tuple(replace(part, offset=frames["offset"], step=frames["step"]) for part in self.cues),
+        )
 
 
 def of_homes(
@@ -219,7 +222,7 @@ def _of_fold(params: Mapping[str, Any], fold: protocol.Fold, *, extra: bool) -> 
 def _parts(params: Mapping[str, Any], homes: Sequence[str], frames: str | None) -> tuple[Part, ...]:
     """Frames of homes of the main data set; all labelled ones without a setting."""
     numbers = tuple(range(len(settings.get(params, "dataset.classes"))))
-    chosen = {} if frames is None else settings.get(params, f"protocol.{frames}")
+    chosen: Mapping[str, int] = {} if frames is None else settings.get(params, f"protocol.{frames}")
     return tuple(Part(home, numbers, **chosen) for home in homes)
 
 

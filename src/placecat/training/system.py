@@ -116,10 +116,10 @@ def train(plan: Plan, system: System, seed: int) -> Trained:
     done = parallel.in_parallel(_train_cue, tasks, "training of cues")
     fused = fuse(
         parts,
-        [proba for _, proba in done],
+        [proba for _, proba, _ in done],
         plan.classes,
         system.integrator,
-        temperatures=[cue.temperature for cue, _ in done] if system.tempered else None,
+        temperatures=[temperature for *_, temperature in done] if system.tempered else None,
     )
     assert fused.cross_validated is not None
     walks, frame_rates = training_walks(plan.integration)
@@ -131,13 +131,13 @@ def train(plan: Plan, system: System, seed: int) -> Trained:
         training_frame_rates=frame_rates,
         **system.smoothing,
     )
-    cues = dict(zip(system.cues, (cue for cue, _ in done), strict=True))
+    cues = dict(zip(system.cues, (cue for cue, *_ in done), strict=True))
     return Trained(cues, fused.integrator, model)
 
 
 def _train_cue(
     plan: Plan, cue: Cue, seed: int, parts: Sequence[Part], tempered: bool
-) -> tuple[TrainedCue, Probabilities]:
-    """Train one cue; give it, and its distributions for the integration's frames."""
+) -> tuple[TrainedCue, Probabilities, float]:
+    """Train one cue; give it, its distributions for the integration's frames, and its temperature."""
     trained = of_cue.train(plan, cue, seed, cross_validate=tempered)
-    return trained, trained.predict_chosen(parts)
+    return trained, trained.predict_chosen(parts), trained.temperature
