@@ -8,7 +8,7 @@ import pandas as pd
 
 from placecat import files, paths, settings, store
 from placecat.cues.codebook import Codebook
-from placecat.evaluation import protocol
+from placecat.training import protocol
 from placecat.vision.attention import compute_maps, find_regions
 from placecat.vision.information import information
 from placecat.vision.local import hog
@@ -110,16 +110,14 @@ def proba(home, cue):
 
 def _write_cues(home):
     for cue in CUES:
-        seed = protocol.NO_SEED if cue in ("gist", "spatial_pact") else protocol.seed_folder(0)
+        seed = paths.NO_SEED if cue in ("gist", "spatial_pact") else paths.seed_folder(0)
         files.write_array(paths.CUES / cue / "5-5-1" / home / seed / "test.npy", proba(home, cue))
 
 
 def _write_codebook(fold, params):
     own = params["codebooks"]["hog_y"]
-    selection = protocol.select_training(
-        dict.fromkeys(fold.cue_homes, LABELS), **params["protocol"]["cue_frames"]
-    )
-    train = store.read_training(fold.cue_homes, own["descriptor"], selection)
+    rows = protocol.select_frames(LABELS, **params["protocol"]["cue_frames"])
+    train = store.read_training(fold.cue_homes, own["descriptor"], dict.fromkeys(fold.cue_homes, rows))
     codebook = Codebook.fit(train, cells=1, seed=0, tree=own["tree"])
-    path = paths.CODEBOOKS / "hog_y" / protocol.codebook_file(fold.training_set, 0)
+    path = paths.codebook("hog_y", fold.training_set, 0)
     files.write_arrays(path, codebook.to_arrays())

@@ -1,6 +1,5 @@
 """The frames and labels of a home, as the stage `sequences` listed them, and what each seed left."""
 
-from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +7,6 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from placecat import files, paths
-from placecat.evaluation.protocol import seed_folder
 
 
 def read_labels(home: str) -> NDArray[np.int16]:
@@ -37,16 +35,10 @@ def frame_rate(home: str) -> float:
     return float(files.read_json(paths.sequences(home) / "home.json")["fps"])
 
 
-def walks(homes: Iterable[str]) -> tuple[list[NDArray[np.int16]], list[float]]:
-    """What transitions are counted on: labels of each stretch without a cut, and its frames a second."""
-    parts = [(read_labels(home)[part], frame_rate(home)) for home in homes for part in sequence_slices(home)]
-    return [labels for labels, _ in parts], [rate for _, rate in parts]
-
-
 def seeded(folder: Path, seed: int | None) -> Path:
     """The folder of one seed in `folder`; a result that nothing random has a part in serves every seed."""
-    fixed = folder / seed_folder(None)
-    return fixed if fixed.exists() else folder / seed_folder(seed)
+    fixed = folder / paths.seed_folder(None)
+    return fixed if fixed.exists() else folder / paths.seed_folder(seed)
 
 
 def seeds_in(folder: Path) -> list[str]:

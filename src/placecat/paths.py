@@ -57,6 +57,8 @@ SCALE_GROWTH = Path("reports/scale_growth.csv")
 SCALE_FACTS = Path("reports/scale.json")
 PAGE = Path("reports/index.html")
 
+# Folder of what nothing random has a part in.
+NO_SEED = "no-seed"
 # In the folder of a home's features: that of a variant of its salient regions, and which frames have it.
 VARIANT = "variant_{}"
 VARIANT_FRAMES = "frames.npy"
@@ -76,3 +78,18 @@ def sequences(home: str) -> Path:
 def features(home: str) -> Path:
     """Folder of the descriptors of a home; `home` as for :func:`sequences`."""
     return (SITE_FEATURES if "/" in home else FEATURES) / home
+
+
+def seed_folder(seed: int | None) -> str:
+    """Folder of what was computed with one seed, or without any: `seed-0`, or `no-seed`."""
+    return NO_SEED if seed is None else f"seed-{seed}"
+
+
+def codebook(name: str, training_set: str, seed: int) -> Path:
+    """File of a codebook for one training set (see :class:`placecat.training.plan.Plan`) and seed."""
+    return CODEBOOKS / name / codebook_file(training_set, seed)
+
+
+def codebook_file(training_set: str, seed: int) -> str:
+    """Name of the file of one training set and seed in a codebook's folder."""
+    return f"{training_set}.{seed_folder(seed)}.npz"

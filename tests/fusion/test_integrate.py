@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from placecat.errors import PlacecatError
-from placecat.fusion.integrate import integrate
+from placecat.fusion.integrate import fit
 from placecat.fusion.votes import vote_distribution
 
 RNG = np.random.default_rng(3)
@@ -34,22 +34,20 @@ def data():
 
 def test_das_learns_what_a_cue_means_and_a_vote_does_not(data):
     train, truth, test, expected = data
-    fused = integrate(train, truth, test, CLASSES, method="das", classifier=SVM)
-    assert (fused["test"].argmax(axis=1) == expected).mean() > 0.95
-    assert fused["cross_validated"].shape == (120, 2)
-    np.testing.assert_array_equal(
-        fused["cross_validated_truth"], np.concatenate([truth[home] for home in train])
-    )
-    vote = integrate(train, truth, test, CLASSES, method="vote_distribution")
-    assert (vote["test"].argmax(axis=1) == expected).mean() < 0.1
-    np.testing.assert_array_equal(vote["test"], vote_distribution(test))
+    fused = fit(train, truth, CLASSES, method="das", classifier=SVM)
+    assert (fused.integrator.predict_proba(test).argmax(axis=1) == expected).mean() > 0.95
+    assert fused.cross_validated.shape == (120, 2)
+    np.testing.assert_array_equal(fused.truth, np.concatenate([truth[home] for home in train]))
+    vote = fit(train, truth, CLASSES, method="vote_distribution").integrator.predict_proba(test)
+    assert (vote.argmax(axis=1) == expected).mean() < 0.1
+    np.testing.assert_array_equal(vote, vote_distribution(test))
 
 
 def test_unknown_methods_and_a_missing_classifier_are_refused(data):
     with pytest.raises(PlacecatError, match=r"integrator\.method 'mean' does not exist: use one of das"):
-        integrate(*data[:3], CLASSES, method="mean")
+        fit(*data[:2], CLASSES, method="mean")
     with pytest.raises(PlacecatError, match=r"integrator\.classifier is missing"):
-        integrate(*data[:3], CLASSES, method="das")
+        fit(*data[:2], CLASSES, method="das")
 
 
 def test_temperatures_sharpen_before_a_vote(data):
@@ -57,5 +55,5 @@ def test_temperatures_sharpen_before_a_vote(data):
     proba = np.array([[[0.55, 0.45], [0.1, 0.9]]])
     train, truth = {"a": proba}, {"a": np.zeros(1, np.int16)}
     for temperatures, place in ((None, 1), ((0.05, 10.0), 0)):
-        fused = integrate(train, truth, proba, CLASSES, method="vote_distribution", temperatures=temperatures)
-        assert fused["test"].argmax() == place
+        fused = fit(train, truth, CLASSES, method="vote_distribution", temperatures=temperatures)
+        assert fused.integrator.predict_proba(proba).argmax() == place

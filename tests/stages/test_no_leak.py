@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from made_features import HOMES, make, run_stages
+from made_features import HOMES, PARAMS, make, run_stages
 
 MARKED = "H2"
 
@@ -47,8 +47,8 @@ def test_the_marker_would_be_seen(runs):
 
 def test_the_transitions_do_not_come_from_the_test_home(runs, monkeypatch):
     """With the same distributions, the labels of the test home must not matter."""
-    from placecat.evaluation.protocol import folds
-    from placecat.stages.smoothing import smooth_home
+    from placecat.training.plan import of_homes
+    from placecat.training.saved import smooth_home
 
     model = {
         "delay_seconds": 1.0,
@@ -58,12 +58,12 @@ def test_the_transitions_do_not_come_from_the_test_home(runs, monkeypatch):
         "transition_counts": 1.0,
         "emission_counts": 1.0,
     }
-    fold = next(fold for fold in folds(HOMES, "5-5-1") if fold.test == MARKED)
+    (plan,) = of_homes(PARAMS, "5-5-1", MARKED)
     source = runs["plain"] / "data/integration/das" / MARKED / "seed-1"
     results = []
     for name in ("plain", "marked"):
         monkeypatch.chdir(runs[name])
-        results.append(smooth_home(source, fold, model, 3)["delayed"])
+        results.append(smooth_home(source, plan, model)["delayed"])
     np.testing.assert_array_equal(*results)
 
 

@@ -4,11 +4,13 @@ import json
 
 import numpy as np
 import pytest
-from made_features import CLASSES, HOMES, PARAMS, make
+from made_features import HOMES, PARAMS, make
 
 from placecat import listing
-from placecat.evaluation import protocol
 from placecat.fusion.smoothing import smooth
+from placecat.training import protocol
+from placecat.training.cue import Cue
+from placecat.training.plan import of_homes, without_homes
 
 MODEL = {name: value for name, value in PARAMS["smoothing"].items() if name not in ("cues", "filtered")}
 
@@ -30,13 +32,13 @@ def project(tmp_path_factory):
 def smoothed(rates):
     """The first home with all homes at these frame rates."""
     from placecat import paths
-    from placecat.stages.smoothing import smooth_home
+    from placecat.training.saved import smooth_home
 
     for home, rate in zip(HOMES, rates, strict=True):
         facts = paths.sequences(home) / "home.json"
         facts.write_text(json.dumps(json.loads(facts.read_text()) | {"fps": rate}))
-    fold = protocol.folds(HOMES, "5-5-1")[0]
-    return smooth_home(paths.CUES / "gist/5-5-1" / fold.test / "no-seed", fold, MODEL, 3)
+    plan = of_homes(PARAMS, "5-5-1")[0]
+    return smooth_home(paths.CUES / "gist/5-5-1" / plan.test / "no-seed", plan, MODEL)
 
 
 def test_frame_rates_are_those_of_the_homes(project, monkeypatch):
@@ -75,14 +77,16 @@ def test_a_training_home_is_smoothed_with_statistics_of_the_others(project, monk
 
     monkeypatch.chdir(project)
     smoothed([5.0] * 4)
-    fold = protocol.folds(HOMES, "5-5-1")[0]
-    source = paths.CUES / "gist/5-5-1" / fold.test / "no-seed"
-    frames, cue = PARAMS["protocol"]["cue_frames"], PARAMS["cues"]["gist"]
-    pairs = {home: (fold.test, home) for home in HOMES[1:]}
-    unseen = {home: predict_unseen(cue, HOMES, pair, frames, CLASSES)[home] for home, pair in pairs.items()}
+    plan = of_homes(PARAMS, "5-5-1")[0]
+    source = paths.CUES / "gist/5-5-1" / plan.test / "no-seed"
+    frames, cue = PARAMS["protocol"]["cue_frames"], Cue.of(PARAMS, "gist")
+    pairs = {home: (plan.test, home) for home in HOMES[1:]}
+    unseen = {
+        home: predict_unseen(without_homes(PARAMS, pair, pair), cue)[home] for home, pair in pairs.items()
+    }
 
     def judge():
-        return judge_smoothing(MODEL, source, fold, unseen, frames, 1e-6)
+        return judge_smoothing(MODEL, source, plan, unseen, 1e-6)
 
     judged = judge()
     assert [(test, home) for test, home, *_ in judged] == [
@@ -106,7 +110,7 @@ def test_a_training_home_is_smoothed_with_statistics_of_the_others(project, monk
     )
     assert judged[2][2:] == judge_home(last, expected["delayed"], 1e-6)
     tested = smoothed([5.0] * 4)["delayed"]
-    assert judged[3][2:] == judge_home(fold.test, tested, 1e-6)
+    assert judged[3][2:] == judge_home(plan.test, tested, 1e-6)
     (source / "cross_validated.npy").unlink()
     with pytest.raises(PlacecatError, match=r"cross_validated\.npy is missing"):
         judge()

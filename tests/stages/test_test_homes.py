@@ -5,9 +5,9 @@ import pandas as pd
 import pytest
 from made_features import CLASSES, HOMES, PARAMS, make, run_stages
 
-from placecat.evaluation.protocol import NOT_TESTED
 from placecat.reporting.number import in_home, over_homes
 from placecat.reporting.results import from_scores
+from placecat.training.protocol import NOT_TESTED
 
 TESTED = ["H4", "H2"]
 FOLDERS = ("cues", "integration", "filtered", "smoothing")

@@ -5,6 +5,7 @@ import pandas as pd
 import pytest
 from made_features import CLASSES, HOMES, PARAMS, STUDIES, make, run_stages
 
+from placecat import cues
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.reporting.results import from_scores
 
@@ -112,10 +113,10 @@ def test_filtered_frames_repeat_the_last_accepted_decision(folder):
     np.testing.assert_array_equal(held[rejected], held[rejected - 1])
 
 
-def fitted_on(monkeypatch, stage, call):
+def fitted_on(monkeypatch, call):
     """What a stage hands to the training of a cue: descriptors, labels, homes and clusters, as bytes."""
     seen = []
-    fit = stage.cues.fit
+    fit = cues.fit
 
     def recorded(train, labels, homes, *, codebook=None, **options):
         clusters = [] if codebook is None else [array.tobytes() for array in codebook.to_arrays().values()]
@@ -123,7 +124,7 @@ def fitted_on(monkeypatch, stage, call):
         return fit(train, labels, homes, codebook=codebook, **options)
 
     with monkeypatch.context() as patch:
-        patch.setattr(stage.cues, "fit", recorded)
+        patch.setattr(cues, "fit", recorded)
         call()
     return seen
 
@@ -131,24 +132,17 @@ def fitted_on(monkeypatch, stage, call):
 @pytest.mark.parametrize(("test_home", "differs"), [("H3", False), ("H1", True)])
 def test_a_marker_in_the_test_home_reaches_no_training_of_a_trial(tmp_path, monkeypatch, test_home, differs):
     """Its labelled frames, too; where the marked home trains, the marker is seen."""
-    from placecat.evaluation import protocol
-    from placecat.stages import trials
+    from placecat.training.plan import of_homes
+    from placecat.training.trial import judge, of_settings
 
     table = STUDIES["some"]["table_01"]["trial"]
-    fold = next(fold for fold in protocol.folds(HOMES, "5-5-1") if fold.test == test_home)
-    selection = PARAMS["protocol"]["cue_frames"]
+    (plan,) = of_homes(PARAMS, "5-5-1", test_home)
     found = []
     for name, marked in (("plain", None), ("marked", "H3")):
         (tmp_path / name).mkdir()
         make(tmp_path / name, marked=marked)
         monkeypatch.chdir(tmp_path / name)
-        found.append(
-            fitted_on(
-                monkeypatch,
-                trials,
-                lambda: trials.run_together([table], fold, 0, "made", selection, CLASSES),
-            )
-        )
+        found.append(fitted_on(monkeypatch, lambda: judge(plan, [of_settings(table)], 0)))
     assert len(found[0]) == 1
     assert (found[0] != found[1]) is differs
 
@@ -163,6 +157,6 @@ def test_a_marker_in_the_test_sequence_reaches_no_training_of_a_split(tmp_path, 
         (tmp_path / name).mkdir()
         make(tmp_path / name, marked=home)
         monkeypatch.chdir(tmp_path / name)
-        found.append(fitted_on(monkeypatch, splits, lambda: splits.main()))
+        found.append(fitted_on(monkeypatch, splits.main))
     assert len(found[0]) >= 3
     assert (found[0] != found[1]) is differs

@@ -13,7 +13,9 @@ from placecat.choice.candidates import COLUMNS, changed, choose, combinations, l
 from placecat.choice.judging import Judgement, judge_cue, judge_system, left_out, predict_unseen
 from placecat.choice.smoothing import judge_smoothing
 from placecat.errors import PlacecatError
-from placecat.evaluation import protocol
+from placecat.training import plan as plans
+from placecat.training.cue import Cue
+from placecat.training.integration import smoothing_settings
 
 SETTINGS = paths.CONF / "choice.yaml"
 KINDS = ("cues", "systems", "smoothing")
@@ -110,39 +112,33 @@ def _judge(
 def _cue_tasks(
     options: Mapping[str, Any], params: Mapping[str, Any]
 ) -> tuple[Callable[..., list[Judgement]], list[Task]]:
-    homes = list(settings.get(params, "dataset.homes"))
-    common = (
-        settings.get(params, "protocol.cue_frames"),
-        settings.get(params, "dataset.classes"),
-        float(options["smallest"]),
-    )
+    planned = [
+        plans.without_homes(params, homes, homes) for homes in left_out(settings.get(params, "dataset.homes"))
+    ]
     tasks: list[Task] = []
     for name in options["cues"]["names"]:
         cue = _without_codebook(params, name)
         for overrides in combinations(options["cues"]["grids"]):
             own = changed(cue, overrides, f"the cue {name}")
-            tasks += [(name, label(overrides), (own, homes, pair, *common)) for pair in left_out(homes)]
+            candidate = Cue(own["descriptor"], own["classifier"])
+            tasks += [
+                (name, label(overrides), (plan, candidate, float(options["smallest"]))) for plan in planned
+            ]
     return judge_cue, tasks
 
 
 def _system_tasks(
     options: Mapping[str, Any], params: Mapping[str, Any]
 ) -> tuple[Callable[..., list[Judgement]], list[Task]]:
-    homes = list(settings.get(params, "dataset.homes"))
-    folds = [fold for scheme in ("4-5-1", "5-5-1") for fold in protocol.folds(homes, scheme)]
-    common = (
-        settings.get(params, "protocol.integration_frames"),
-        settings.get(params, "dataset.classes"),
-        float(options["smallest"]),
-    )
     tasks: list[Task] = []
     for name in options["systems"]["names"]:
         system = settings.get(params, f"systems.{name}")
         for overrides in combinations(options["systems"]["grids"]):
             own = changed(system, overrides, f"the system {name}")
             tasks += [
-                (name, label(overrides), (own, fold, seed, *common))
-                for fold in folds
+                (name, label(overrides), (own | {"scheme": scheme}, plan, seed, float(options["smallest"])))
+                for scheme in ("4-5-1", "5-5-1")
+                for plan in plans.of_homes(params, scheme)
                 for seed in settings.get(params, "protocol.seeds")
             ]
     return judge_system, tasks
@@ -152,35 +148,22 @@ def _smoothing_tasks(
     options: Mapping[str, Any], params: Mapping[str, Any]
 ) -> tuple[Callable[..., list[Judgement]], list[Task]]:
     homes = list(settings.get(params, "dataset.homes"))
-    frames = settings.get(params, "protocol.cue_frames")
-    smoothing = settings.get(params, "smoothing")
-    model = {name: value for name, value in smoothing.items() if name not in ("cues", "filtered")}
+    model, smallest = smoothing_settings(params), float(options["smallest"])
     tasks: list[Task] = []
     for name in options["smoothing"]["names"]:
-        cue, scheme = _without_codebook(params, name), settings.get(params, f"cues.{name}.schemes")[0]
-        pairs = list(itertools.combinations(homes, 2))
-        wanted = [(cue, homes, pair, frames, settings.get(params, "dataset.classes")) for pair in pairs]
+        own, scheme = _without_codebook(params, name), settings.get(params, f"cues.{name}.schemes")[0]
+        cue, pairs = Cue(own["descriptor"], own["classifier"]), list(itertools.combinations(homes, 2))
+        wanted = [(plans.without_homes(params, pair, pair), cue) for pair in pairs]
         done = parallel.in_parallel(predict_unseen, wanted, f"cue {name} without two homes")
         unseen: dict[str, dict[str, Any]] = {home: {} for home in homes}
         for (first, second), proba in zip(pairs, done, strict=True):
             unseen[first][second], unseen[second][first] = proba[second], proba[first]
         for overrides in combinations(options["smoothing"]["grids"]):
-            own = changed(model, overrides, "the smoothing")
-            tasks += [
-                (
-                    name,
-                    label(overrides),
-                    (
-                        own,
-                        listing.seeded(paths.CUES / name / scheme / fold.test, None),
-                        fold,
-                        unseen[fold.test],
-                        frames,
-                        float(options["smallest"]),
-                    ),
-                )
-                for fold in protocol.folds(homes, scheme)
-            ]
+            candidate = changed(model, overrides, "the smoothing")
+            for plan in plans.of_homes(params, scheme):
+                source = listing.seeded(paths.CUES / name / scheme / plan.test, None)
+                task = candidate, source, plan, unseen[plan.test], smallest
+                tasks.append((name, label(overrides), task))
     return judge_smoothing, tasks
 
 

@@ -7,12 +7,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import cue_training, files, listing, paths, store
-from placecat.evaluation import protocol
+from placecat import listing
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.evaluation.probabilities import log_loss
-from placecat.fusion.integrate import fit
 from placecat.fusion.temperature import fit_temperature
+from placecat.training import plan as plans
+from placecat.training.cue import Cue, train
+from placecat.training.integration import fuse
+from placecat.training.saved import CueResults
 
 # (home that was left out as a test home, home that is judged, accuracy in percent, log-loss in nats).
 Judgement = tuple[str, str, float, float]
@@ -29,47 +31,28 @@ def left_out(homes: Sequence[str]) -> list[tuple[str, ...]]:
     return [*itertools.combinations(homes, 2), *((home,) for home in homes)]
 
 
-def predict_unseen(
-    cue: Mapping[str, Any],
-    homes: Sequence[str],
-    without: tuple[str, ...],
-    frames: Mapping[str, int],
-    classes: Sequence[str],
-) -> dict[str, NDArray[np.float64]]:
-    """Train a cue without codebook on all homes but some; give its distributions for every frame of these."""
-    trained = cue_training.train(
-        tuple(home for home in homes if home not in without),
-        cue["descriptor"],
-        classifier=cue["classifier"],
-        codebook=None,
-        frames=frames,
-        classes=classes,
-    )
-    described = {home: store.read_descriptors(home, cue["descriptor"]) for home in without}
-    return {home: trained.model.predict_proba(frames) for home, frames in described.items()}
+def predict_unseen(plan: plans.Plan, cue: Cue) -> dict[str, NDArray[np.float64]]:
+    """Train a cue without clusters by a plan; give its distributions for every frame of each tested home."""
+    trained = train(plan, cue)
+    return {part.home: trained.predict(part.home) for part in plan.tested}
 
 
-def judge_cue(
-    cue: Mapping[str, Any],
-    homes: Sequence[str],
-    without: tuple[str, ...],
-    frames: Mapping[str, int],
-    classes: Sequence[str],
-    smallest: float,
-) -> list[Judgement]:
+def judge_cue(plan: plans.Plan, cue: Cue, smallest: float) -> list[Judgement]:
     """Train a cue without some homes and judge them.
 
     Parameters
     ----------
+    plan
+        That tests one home, or two, of which each is a training home that was not seen when the other is
+        tested.
     cue
-        Its settings; it has no codebook.
-    without
-        One home, which is then a test home, or two, of which each is a training home that was not seen when
-        the other is tested.
+        Without clusters.
+    smallest
+        As for :func:`placecat.evaluation.probabilities.log_loss`.
     """
-    unseen = predict_unseen(cue, homes, without, frames, classes)
+    unseen = predict_unseen(plan, cue)
     judged = {home: judge_home(home, proba, smallest) for home, proba in unseen.items()}
-    return _both_ways(without, judged)
+    return _both_ways(tuple(judged), judged)
 
 
 def judge_home(home: str, proba: NDArray[np.float64], smallest: float) -> tuple[float, float]:
@@ -79,55 +62,39 @@ def judge_home(home: str, proba: NDArray[np.float64], smallest: float) -> tuple[
     return judge(labels[rows], proba[rows], smallest)
 
 
-def judge_system(
-    system: Mapping[str, Any],
-    fold: protocol.Fold,
-    seed: int,
-    frames: Mapping[str, int],
-    classes: Sequence[str],
-    smallest: float,
-) -> list[Judgement]:
+def judge_system(system: Mapping[str, Any], plan: plans.Plan, seed: int, smallest: float) -> list[Judgement]:
     """Train an integration on the cues of a fold and judge the homes that they have not seen.
 
     Parameters
     ----------
     system
-        Its settings.
-    fold
+        Its settings, with the ``scheme`` of the plan.
+    plan
         Of 4-5-1: the integration trains on the homes of the cues, as in 5-5-1, and judges the home that is
         kept from them as well as the test home. Of 5-5-1: it judges the test home.
     """
-    (*kept,) = (home for home in fold.integration_homes if home not in fold.cue_homes)
-    labels = {home: listing.read_labels(home) for home in (*fold.cue_homes, *kept, fold.test)}
-    chosen = protocol.select_training({home: labels[home] for home in fold.cue_homes}, **frames)
-    places = [listing.seeded(paths.CUES / cue / fold.scheme / fold.test, seed) for cue in system["cues"]]
-
-    def read(array: str) -> NDArray[np.float64]:
-        parts = [files.read_array(place / f"{array}.npy", memory_map=False) for place in places]
-        return np.stack(parts, axis=1)
-
+    read = CueResults(system, plan.test, seed)
+    cue_homes = {part.home for part in plan.cues}
+    parts = [part for part in plan.integration if part.home in cue_homes]
+    kept = [part for part in plan.integration if part.home not in cue_homes]
     temperatures = None
     if system["temperature"]:
-        arrays = [
-            [files.read_array(place / f"{name}.npy", memory_map=False) for name in _HELD_OUT]
-            for place in places
-        ]
-        temperatures = [fit_temperature(proba, truth) for proba, truth in arrays]
-    trained = fit(
-        {home: read(f"integration_{home}") for home in fold.cue_homes},
-        {home: labels[home][chosen[home]] for home in fold.cue_homes},
-        classes,
+        held_out = zip(*(read.arrays(name) for name in _HELD_OUT), strict=True)
+        temperatures = [fit_temperature(proba, truth) for proba, truth in held_out]
+    integrator = fuse(
+        parts,
+        read.outputs(plan, parts),
+        plan.classes,
+        system["integrator"],
         temperatures=temperatures,
         cross_validated=False,
-        **system["integrator"],
-    )
-    judged = {}
-    for home, array in [(fold.test, "test"), *((home, f"integration_{home}") for home in kept)]:
-        truth = labels[home]
-        if array != "test":
-            truth = truth[protocol.select_frames(truth, **frames)]
-        judged[home] = judge(truth, trained.integrator.predict_proba(read(array)), smallest)
-    return _both_ways((fold.test, *kept), judged)
+    ).integrator
+    tested = integrator.predict_proba(np.stack(read.arrays("test"), axis=1))
+    judged = {plan.test: judge(plan.tested[0].labels(), tested, smallest)}
+    for part in kept:
+        proba = np.stack([one[part.home] for one in read.outputs(plan, [part])], axis=1)
+        judged[part.home] = judge(part.chosen()[1], integrator.predict_proba(proba), smallest)
+    return _both_ways(tuple(judged), judged)
 
 
 _HELD_OUT = ("cross_validated", "cross_validated_truth")

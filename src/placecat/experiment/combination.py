@@ -12,7 +12,6 @@ import numpy as np
 from placecat import cues, files, paths, settings
 from placecat.cues import estimators
 from placecat.errors import NotComputable, PlacecatError
-from placecat.evaluation import protocol
 from placecat.experiment import data as data_sets
 from placecat.experiment.data import Data
 from placecat.experiment.options import JUDGES, TEST_HOME, classifiers
@@ -20,6 +19,8 @@ from placecat.learning.hierarchical_kmeans import check_cluster_number
 from placecat.learning.kernels import KernelMachine
 from placecat.learning.scaling import KernelScaling
 from placecat.learning.spatial_pca import SpatialPCA
+from placecat.training import protocol
+from placecat.training.plan import Plan
 
 _LOCAL: dict[str, tuple[tuple[type, ...], str]] = {
     "y_pos": ((bool,), "true or false"),
@@ -40,7 +41,7 @@ class Experiment:
     homes
         Names of the test homes.
     judge
-        ``test_home`` or ``training_homes``, see :meth:`~placecat.experiment.data.Data.folds`.
+        ``test_home`` or ``training_homes``, see :meth:`~placecat.experiment.data.Data.plans`.
     settings
         ``descriptor``, ``classifier`` and, for classifiers on clusters, ``codebook``: as in a table's trial.
     frames
@@ -56,9 +57,12 @@ class Experiment:
     frames: dict[str, int]
     seeds: tuple[int | None, ...]
 
-    def folds(self) -> dict[str, list[protocol.Fold]]:
-        """For each test home the folds that its accuracy is the mean of."""
-        return {home: self.data.folds(home, self.judge) for home in self.homes}
+    def plans(self) -> dict[str, list[Plan]]:
+        """For each test home the plans that its accuracy is the mean of."""
+        return {
+            home: [plan.with_cue_frames(self.frames) for plan in self.data.plans(home, self.judge)]
+            for home in self.homes
+        }
 
 
 def resolve(config: Mapping[str, Any], params: Mapping[str, Any]) -> Experiment:
@@ -217,36 +221,35 @@ def _codebook(
 
 def _check_data(experiment: Experiment, kernel_rows: int) -> None:
     """Compare with what is in data/: features, their sizes, and labels of the training frames."""
-    folds = [fold for of_home in experiment.folds().values() for fold in of_home]
-    training = sorted({home for fold in folds for home in fold.cue_homes})
-    every = sorted({fold.test for fold in folds} | set(training))
+    plans = [plan for of_home in experiment.plans().values() for plan in of_home]
+    training = {part.home: part.chosen() for plan in plans for part in plan.cues}
+    every = sorted({plan.test for plan in plans} | set(training))
     data = experiment.data
-    data_sets.need_features(data, every)
+    data_sets.need_features(every)
     lengths = {_length(data, home, experiment.settings["descriptor"]) for home in every}
     if len(lengths) > 1:
         raise PlacecatError(
             "homes have descriptors of different lengths: run `make repro` to compute them again"
         )
     _check_length(experiment.settings, lengths.pop())
-    rows = {home: _rows(experiment, home) for home in training}
-    labels = {home: data.labels(home, training=True) for home in training}
-    present = {home: set(labels[home][rows[home]].tolist()) for home in training}
-    for fold in folds:
-        seen = set().union(*(present[home] for home in fold.cue_homes))
+    present = {home: set(truth.tolist()) for home, (_, truth) in training.items()}
+    for plan in plans:
+        (tested,) = plan.tested
+        seen = set().union(*(present[part.home] for part in plan.cues))
         missing = [place for number, place in enumerate(data.classes) if number not in seen]
         if missing:
             raise PlacecatError(
-                f"for {fold.test} no training frame shows {missing[0]}, in {', '.join(fold.cue_homes)}: "
+                f"for {tested.sequence} no training frame shows {missing[0]}, in "
+                f"{', '.join(part.sequence for part in plan.cues)}: "
                 "take other data" + ("" if experiment.judge == TEST_HOME else f" or judge={TEST_HOME}")
             )
-        judged = data.labels(fold.test, training=experiment.judge != TEST_HOME)
-        if not (judged >= 0).any():
-            raise PlacecatError(f"{fold.test} has no labelled frame: nothing can be tested on it")
+        if not len(tested.chosen()[0]):
+            raise PlacecatError(f"{tested.sequence} has no labelled frame: nothing can be tested on it")
     classifier, descriptor = experiment.settings["classifier"], experiment.settings["descriptor"]
     is_kernel = isinstance(_base(classifier), KernelMachine)
     if is_kernel and descriptor["kind"] == "local" and classifier.get("max_rows") is None:
-        counts = {home: _counts(data, home, descriptor)[rows[home]].sum() for home in training}
-        most = int(max(sum(counts[home] for home in fold.cue_homes) for fold in folds))
+        counts = {home: _counts(home, descriptor)[rows].sum() for home, (rows, _) in training.items()}
+        most = int(max(sum(counts[part.home] for part in plan.cues) for plan in plans))
         if most > kernel_rows:
             raise PlacecatError(
                 f"classifier {_name(classifier)} would train on {most} salient regions, and its Gram matrix "
@@ -259,23 +262,18 @@ def _without_kernel() -> list[str]:
     return [name for name, own in classifiers().items() if not isinstance(_base(own), KernelMachine)]
 
 
-def _rows(experiment: Experiment, home: str) -> np.ndarray:
-    return protocol.select_frames(experiment.data.labels(home, training=True), **experiment.frames)
+def _folder(home: str, descriptor: Mapping[str, Any]) -> Path:
+    return paths.TRACKS / home if descriptor.get("tracked", False) else paths.features(home)
 
 
-def _folder(data: Data, home: str, descriptor: Mapping[str, Any]) -> Path:
-    tracked = bool(descriptor.get("tracked", False))
-    return paths.TRACKS / data.path(home) if tracked else paths.features(data.path(home))
-
-
-def _counts(data: Data, home: str, descriptor: Mapping[str, Any]) -> np.ndarray:
-    counts = files.read_array(_folder(data, home, descriptor) / "count.npy", memory_map=False)
+def _counts(home: str, descriptor: Mapping[str, Any]) -> np.ndarray:
+    counts = files.read_array(_folder(home, descriptor) / "count.npy", memory_map=False)
     return np.minimum(counts, descriptor["max_regions"]).astype(np.int64)
 
 
 def _length(data: Data, home: str, descriptor: Mapping[str, Any]) -> int:
     """Length of the joined descriptor; refuses one that was not computed, or for fewer regions."""
-    folder, kind = _folder(data, home, descriptor), descriptor["kind"]
+    folder, kind = _folder(home, descriptor), descriptor["kind"]
     computed = sorted(path.stem.removeprefix(f"{kind}_") for path in folder.glob(f"{kind}_*.npy"))
     length = int(bool(descriptor.get("y_pos", False)))
     for setting in ("name", "color"):

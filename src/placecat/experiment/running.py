@@ -4,14 +4,11 @@ from typing import Any
 
 import numpy as np
 
-from placecat import parallel
+from placecat import parallel, paths
 from placecat.compute import cluster
-from placecat.errors import NotComputable
-from placecat.evaluation import protocol
-from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
+from placecat.evaluation.accuracy import home_accuracy
 from placecat.experiment.combination import Experiment
-from placecat.experiment.options import TRAINING_HOMES
-from placecat.stages import splits, trials
+from placecat.training import trial
 
 Outcome = np.ndarray | str
 
@@ -32,20 +29,21 @@ def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
         is none, and ``folds``: for each tested home and seed ``accuracy`` and ``confusion``, counts with true
         places as rows.
     """
-    folds = experiment.folds()
+    plans = experiment.plans()
     keys = [
-        (home, fold, seed) for home, of_home in folds.items() for fold in of_home for seed in experiment.seeds
+        (home, plan, seed) for home, of_home in plans.items() for plan in of_home for seed in experiment.seeds
     ]
-    tasks = [(experiment, fold, seed) for _, fold, seed in keys]
+    cue = trial.of_settings(experiment.settings)
+    tasks = [(plan, [cue], seed) for _, plan, seed in keys]
     if workers > 1 or cluster() is not None:
-        outcomes = parallel.in_parallel(_outcome, tasks, "experiment", n_jobs=workers)
+        outcomes = parallel.in_parallel(trial.judge, tasks, "experiment", n_jobs=workers)
     else:
-        outcomes = [parallel.single_threaded(_outcome, task) for task in tasks]
+        outcomes = [parallel.single_threaded(trial.judge, task) for task in tasks]
     homes = {}
     for home in experiment.homes:
         own = [
-            (fold.test, seed, found)
-            for (of, fold, seed), found in zip(keys, outcomes, strict=True)
+            (plan.tested[0].sequence, seed, found)
+            for (of, plan, seed), [(found, _)] in zip(keys, outcomes, strict=True)
             if of == home
         ]
         homes[home] = _of_home(own)
@@ -66,7 +64,7 @@ def _of_home(outcomes: list[tuple[str, int | None, Outcome]]) -> dict[str, Any]:
     for test, seed, found in outcomes:
         if not isinstance(found, str):
             own = {"accuracy": home_accuracy(found), "confusion": found.tolist()}
-            folds.setdefault(test, {})[protocol.seed_folder(seed)] = own
+            folds.setdefault(test, {})[paths.seed_folder(seed)] = own
     accuracies = [own["accuracy"] for of_fold in folds.values() for own in of_fold.values()]
     return {
         "accuracy": None if reasons else float(np.mean(accuracies)),
@@ -85,34 +83,3 @@ def _described(experiment: Experiment) -> dict[str, Any]:
         "seeds": list(experiment.seeds),
         **experiment.settings,
     }
-
-
-def _outcome(experiment: Experiment, fold: protocol.Fold, seed: int | None) -> Outcome:
-    """Counts of the decisions on the fold's test home, or why there are none."""
-    data = experiment.data
-    if not data.is_split:
-        return trials.run_together(
-            [experiment.settings], fold, seed, data.name, experiment.frames, data.classes
-        )[0][0]
-    train = []
-    for home in fold.cue_homes:
-        labels = data.labels(home, training=True)
-        train.append((data.path(home), labels, protocol.select_frames(labels, **experiment.frames)))
-    own = experiment.settings
-    codebook = own.get("codebook")
-    try:
-        proba = splits.apply_cue(
-            data.name,
-            [fold.test],
-            own["descriptor"],
-            own["classifier"],
-            codebook,
-            seed,
-            train,
-            [],
-            data.classes,
-        )[f"test_{fold.test}"]
-    except NotComputable as error:
-        return str(error)
-    truth = data.labels(fold.test, training=experiment.judge == TRAINING_HOMES)
-    return confusion_matrix(truth, proba.argmax(axis=1), len(data.classes))

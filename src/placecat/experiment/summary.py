@@ -9,9 +9,9 @@ import numpy as np
 import pandas as pd
 
 from placecat import files
-from placecat.evaluation.protocol import seed_folder
 from placecat.experiment import output
 from placecat.experiment.options import ALL, TEST_HOME
+from placecat.paths import seed_folder
 
 HOME = "test_home"
 AVERAGE = "average"

@@ -198,6 +198,24 @@ evidence_seconds, reliability, transition_counts, emission_counts
         transition_counts=transition_counts,
         emission_counts=emission_counts,
     )
+    return apply(model, proba, sequences, frame_rate=frame_rate)
+
+
+def apply(
+    model: SmoothingModel, proba: NDArray[np.float64], sequences: Sequence[slice], *, frame_rate: float
+) -> dict[str, NDArray[np.float64]]:
+    """Smooth one home with a model.
+
+    Parameters
+    ----------
+    proba, sequences, frame_rate
+        As for :func:`smooth`.
+
+    Returns
+    -------
+    dict
+        As :func:`smooth`.
+    """
     filtered, delayed = np.empty(proba.shape), np.empty(proba.shape)
     for part in sequences:
         smoother = Smoother(model)

@@ -7,11 +7,11 @@ from typing import Any
 import pandas as pd
 
 from placecat import definitions, files, listing, paths, settings
-from placecat.evaluation import protocol
 from placecat.evaluation.trials import expand
 from placecat.learning.toy_circles import NAMES
 from placecat.reporting.quality import TEXT_COLUMNS, from_rows
 from placecat.reporting.results import Results, from_scores
+from placecat.training import protocol
 
 
 def read_results(params: Mapping[str, Any]) -> Results:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import class_accuracies, home_accuracy
-from placecat.evaluation.protocol import NO_SEED
+from placecat.paths import NO_SEED
 
 SCORE_COLUMNS = ["result", "home", "seed", "truth", "decision", "frames"]
 MISSING_COLUMNS = ["result", "home", "reason"]

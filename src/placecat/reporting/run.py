@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from placecat import files, listing, paths, settings, store
 from placecat.errors import PlacecatError
-from placecat.evaluation import protocol
+from placecat.training import protocol
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -188,7 +188,7 @@ class Run:
         """The clusters of one training set, e.g. ``without-home_1``."""
         from placecat.cues.codebook import Codebook
 
-        path = paths.CODEBOOKS / name / protocol.codebook_file(training_set, seed)
+        path = paths.codebook(name, training_set, seed)
         self._need(path)
         return Codebook.from_arrays(files.read_arrays(path))
 

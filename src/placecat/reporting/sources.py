@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from placecat import listing, paths, settings
-from placecat.evaluation import protocol
+from placecat.training import protocol
 
 
 @dataclass(frozen=True)

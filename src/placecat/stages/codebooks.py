@@ -4,10 +4,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from placecat import files, items, listing, parallel, paths, settings, store
-from placecat.cues.codebook import Codebook, seed_of
-from placecat.evaluation import protocol
+from placecat import files, items, parallel, paths, settings, store
 from placecat.stages import run
+from placecat.training import plan as plans
+from placecat.training.cue import Cue, cluster, read_frames
 
 
 def main() -> None:
@@ -30,37 +30,23 @@ def main() -> None:
 def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
     """Cluster one kind of descriptor for every training set of its schemes, once for each seed."""
     codebook = settings.get(params, f"codebooks.{name}")
-    homes = list(settings.get(params, "dataset.homes"))
-    labels = {home: listing.read_labels(home) for home in homes}
-    selection = protocol.select_training(labels, **settings.get(params, "protocol.cue_frames"))
-    training_sets = {
-        fold.training_set: fold.cue_homes
-        for scheme in codebook["schemes"]
-        for fold in protocol.folds(homes, scheme, settings.get(params, "protocol.test_homes"))
-    }
-    dataset = settings.get(params, "dataset.name")
+    cue = Cue(codebook["descriptor"], {}, codebook)
+    tested = settings.get(params, "protocol.test_homes")
     tasks = {
-        protocol.codebook_file(training_set, seed): (
-            codebook,
-            train_homes,
-            selection,
-            seed_of(dataset, codebook["descriptor"], codebook["cells"], training_set, seed),
-        )
-        for training_set, train_homes in training_sets.items()
+        paths.codebook_file(plan.training_set, seed): (plan, cue, seed)
+        for scheme in codebook["schemes"]
+        for plan in plans.of_homes(params, scheme, tested)
         for seed in settings.get(params, "protocol.seeds")
     }
-    results = parallel.in_parallel(cluster, list(tasks.values()), f"codebook {name}")
+    results = parallel.in_parallel(make_one, list(tasks.values()), f"codebook {name}")
     for file, arrays in zip(tasks, results, strict=True):
         files.write_arrays(folder / file, arrays)
     files.write_json(folder / "descriptor.json", codebook["descriptor"])
 
 
-def cluster(
-    codebook: Mapping[str, Any], homes: tuple[str, ...], selection: Mapping[str, Any], seed: int
-) -> dict[str, Any]:
-    """Cluster the selected frames of one training set."""
-    train = store.read_training(homes, codebook["descriptor"], selection)
-    return Codebook.fit(train, cells=codebook["cells"], seed=seed, tree=codebook["tree"]).to_arrays()
+def make_one(plan: plans.Plan, cue: Cue, seed: int) -> dict[str, Any]:
+    """Cluster the frames of one training set."""
+    return cluster(read_frames(plan.cues, cue.descriptor), plan, cue, seed).to_arrays()
 
 
 if __name__ == "__main__":

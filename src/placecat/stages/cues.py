@@ -4,10 +4,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from placecat import cue_training, cues, files, items, listing, parallel, paths, settings, store
-from placecat.evaluation import protocol
-from placecat.fusion.temperature import fit_temperature, temper
+from placecat import cues, files, items, parallel, paths, settings, store
+from placecat.fusion.temperature import temper
 from placecat.stages import run
+from placecat.training import plan as plans
+from placecat.training.cue import Cue, fit, read_frames
 
 
 def main() -> None:
@@ -35,76 +36,56 @@ def _paths(cue: Mapping[str, Any], homes: Sequence[str], params: Mapping[str, An
         yield from store.files_of(home, descriptor)
 
 
-def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
-    """Train and apply one cue in every fold of every scheme that it is wanted for."""
-    cue = settings.get(params, f"cues.{name}")
-    homes = list(settings.get(params, "dataset.homes"))
-    classes = settings.get(params, "dataset.classes")
-    selections = settings.get(params, "protocol")
-    seeds = selections["seeds"] if cue["codebook"] is not None else [None]
-    extra = _extra_homes(params) if cue["extra"] else []
-    tasks = [
-        (cue, fold, seed, selections, classes, extra if fold.scheme == "5-5-1" else [])
-        for scheme in cue["schemes"]
-        for fold in protocol.folds(homes, scheme, settings.get(selections, "test_homes"))
-        for seed in seeds
-    ]
-    results = parallel.in_parallel(apply, tasks, f"cue {name}")
-    for (_, fold, seed, *_), result in zip(tasks, results, strict=True):
-        place = folder / fold.scheme / fold.test / protocol.seed_folder(seed)
-        files.write_json(place / "facts.json", result.pop("facts"))
-        for array_name, array in result.items():
-            files.write_array(place / f"{array_name}.npy", array)
-
-
 def _extra_homes(params: Mapping[str, Any]) -> list[str]:
     """Sequences of another data set that the integration may train on in addition (thesis 4.5)."""
     extra = settings.get(params, "protocol.extra")
     return [f"{extra['split']}/{sequence}" for sequence in extra["sequences"]]
 
 
-def apply(
-    cue: Mapping[str, Any],
-    fold: protocol.Fold,
-    seed: int | None,
-    selections: Mapping[str, Any],
-    classes: Sequence[str],
-    extra: Sequence[str],
-) -> dict[str, Any]:
-    """Train one cue on one fold's training homes; give its distributions for the frames of later stages."""
-    labels = {home: listing.read_labels(home) for home in fold.integration_homes}
-    other_frames = protocol.select_training(labels, **selections["integration_frames"])
-    if seed is None:
-        codebook, descriptor = None, cue["descriptor"]
-    else:
-        folder = paths.CODEBOOKS / cue["codebook"]
-        file = folder / protocol.codebook_file(fold.training_set, seed)
-        codebook = cues.Codebook.from_arrays(files.read_arrays(file))
-        descriptor = files.read_json(folder / "descriptor.json")
-    trained = cue_training.train(
-        fold.cue_homes,
-        descriptor,
-        classifier=cue["classifier"],
-        codebook=codebook,
-        frames=selections["cue_frames"],
-        classes=classes,
-        cross_validate=cue["cross_validate"],
-    )
-    model = trained.model
-    result: dict[str, Any] = {"facts": dict(model.facts)}
-    result["test"] = model.predict_proba(store.read_descriptors(fold.test, descriptor))
-    for home in fold.integration_homes:
-        frames = store.read_descriptors(home, descriptor, other_frames[home])
-        result[f"integration_{home}"] = model.predict_proba(frames)
-    for home in extra:
-        frames = store.read_descriptors(home, descriptor)
-        result[f"extra_{home.rpartition('/')[2]}"] = model.predict_proba(frames)
+def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
+    """Train and apply one cue in every fold of every scheme that it is wanted for."""
+    own, cue = settings.get(params, f"cues.{name}"), Cue.of(params, name)
+    tested = settings.get(params, "protocol.test_homes")
+    seeds = settings.get(params, "protocol.seeds") if cue.codebook is not None else [None]
+    tasks: list[tuple[Any, ...]] = []
+    places: list[Path] = []
+    for scheme in own["schemes"]:
+        extra = own["extra"] and scheme == "5-5-1"
+        for plan in plans.of_homes(params, scheme, tested, extra=extra):
+            for seed in seeds:
+                clusters = None
+                if seed is not None:
+                    clusters = paths.codebook(own["codebook"], plan.training_set, seed)
+                tasks.append((plan, cue, clusters, own["cross_validate"]))
+                places.append(folder / scheme / plan.test / paths.seed_folder(seed))
+    results = parallel.in_parallel(apply, tasks, f"cue {name}")
+    for place, result in zip(places, results, strict=True):
+        files.write_json(place / "facts.json", result.pop("facts"))
+        for array_name, array in result.items():
+            files.write_array(place / f"{array_name}.npy", array)
+
+
+def apply(plan: plans.Plan, cue: Cue, clusters: Path | None, cross_validate: bool) -> dict[str, Any]:
+    """Train one cue by a plan; give its distributions for the frames of later stages.
+
+    Parameters
+    ----------
+    clusters
+        File of its codebook.
+    """
+    codebook = None if clusters is None else cues.Codebook.from_arrays(files.read_arrays(clusters))
+    frames = read_frames(plan.cues, cue.descriptor)
+    trained = fit(frames, cue, plan.classes, codebook, cross_validate=cross_validate)
+    result: dict[str, Any] = {"facts": dict(trained.model.facts), "test": trained.predict(plan.test)}
+    for home, proba in trained.predict_chosen(plan.integration).items():
+        result[f"integration_{home}"] = proba
+    for part in plan.extra:
+        result[f"extra_{part.sequence}"] = trained.predict(part.home)
     if trained.cross_validated is not None:
         result["cross_validated"] = trained.cross_validated
         result["cross_validated_truth"] = trained.truth
-        temperature = fit_temperature(trained.cross_validated, trained.truth)
-        result["facts"]["temperature"] = temperature
-        result["tempered"] = temper(result["test"], temperature)
+        result["facts"]["temperature"] = trained.temperature
+        result["tempered"] = temper(result["test"], trained.temperature)
     return result
 
 

@@ -7,7 +7,6 @@ import numpy as np
 import pandas as pd
 
 from placecat import definitions, files, listing, paths, settings
-from placecat.evaluation import protocol
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.evaluation.quality import home_quality
 from placecat.evaluation.stays import find_stays
@@ -15,6 +14,7 @@ from placecat.reporting.quality import QUALITY_COLUMNS, gather, quality_rows
 from placecat.reporting.results import MISSING_COLUMNS, SCORE_COLUMNS, Measured, Quality, score_rows
 from placecat.reporting.sources import Source, sources
 from placecat.stages import run
+from placecat.training import protocol
 
 
 def main() -> None:

@@ -9,7 +9,6 @@ import pandas as pd
 
 from placecat import files, parallel, paths, seeds, settings
 from placecat.cues import estimators
-from placecat.evaluation import protocol
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.learning.toy_circles import NAMES, toy_circles
 from placecat.reporting.results import SCORE_COLUMNS, Measured, score_rows
@@ -43,7 +42,7 @@ def main() -> None:
     found: dict[str, dict[str, np.ndarray]] = {}
     done = parallel.in_parallel(compare, tasks, "toy problem")
     for task, (confusions, last) in zip(tasks, done, strict=True):
-        seed = protocol.seed_folder(task.seed)
+        seed = paths.seed_folder(task.seed)
         for name, counts in confusions.items():
             found.setdefault(f"toy/{name}", {})[seed] = counts
             if task.schemes is toy["schemes"]:

@@ -8,17 +8,14 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat import cues, definitions, files, items, listing, parallel, paths, settings, store
-from placecat.cues.codebook import Codebook, seed_of
-from placecat.errors import NotComputable
-from placecat.evaluation import protocol
-from placecat.evaluation.accuracy import confusion_matrix
+from placecat import definitions, files, items, parallel, paths, settings, store
 from placecat.evaluation.trials import Trial, expand
 from placecat.reporting.results import MISSING_COLUMNS, SCORE_COLUMNS, Measured, score_rows
 from placecat.stages import run
+from placecat.training import plan as plans
+from placecat.training import protocol
+from placecat.training.trial import Outcome, judge, of_settings
 
-# Counts of decisions or why there are none, and the facts of the model.
-Outcome = tuple[np.ndarray | str, Mapping[str, Any]]
 FACT_COLUMNS = ["trial", "home", "seed", "nu_lowest", "nu_highest", "flat_sigmoids"]
 
 
@@ -50,24 +47,16 @@ def main() -> None:
 
 def make(study: str, trials: Sequence[Trial], folder: Path, params: Mapping[str, Any]) -> None:
     """Train and test every trial of a study."""
-    homes = list(settings.get(params, "dataset.homes"))
     classes = list(settings.get(params, "dataset.classes"))
     seeds, tested = settings.get(params, "protocol.seeds"), settings.get(params, "protocol.test_homes")
-    folds = {fold.test: fold for fold in protocol.folds(homes, "5-5-1", tested)}
-    wanted = _group(trials, seeds, folds)
+    planned = {plan.test: plan for plan in plans.of_homes(params, "5-5-1", tested)}
+    wanted = _group(trials, seeds, planned)
     tasks = [
-        (
-            [json.loads(key) for key in keys],
-            folds[home],
-            seed,
-            settings.get(params, "dataset.name"),
-            settings.get(params, "protocol.cue_frames"),
-            classes,
-        )
+        (planned[home], [of_settings(json.loads(key)) for key in keys], seed)
         for (_, home, seed), keys in wanted.items()
     ]
     outcomes: dict[tuple[str, str, int | None], Outcome] = {}
-    done = parallel.in_parallel(run_together, tasks, f"trials {study}")
+    done = parallel.in_parallel(judge, tasks, f"trials {study}")
     for ((_, home, seed), keys), results in zip(wanted.items(), done, strict=True):
         outcomes |= {(key, home, seed): result for key, result in zip(keys, results, strict=True)}
     scores, missing = _collect(trials, outcomes, seeds, classes)
@@ -92,53 +81,6 @@ def _group(
     return wanted
 
 
-def run_together(
-    trials: Sequence[Mapping[str, Any]],
-    fold: protocol.Fold,
-    seed: int | None,
-    dataset: str,
-    selection: Mapping[str, int],
-    classes: Sequence[str],
-) -> list[Outcome]:
-    """Run trials that share descriptor and clusters; give what came out of each."""
-    descriptor = trials[0]["descriptor"]
-    labels = {home: listing.read_labels(home) for home in (*fold.cue_homes, fold.test)}
-    chosen = protocol.select_training({home: labels[home] for home in fold.cue_homes}, **selection)
-    truth = np.concatenate([labels[home][chosen[home]] for home in fold.cue_homes])
-    home_of_frame = np.concatenate([np.full(len(chosen[home]), home) for home in fold.cue_homes])
-    train = store.read_training(fold.cue_homes, descriptor, chosen)
-    scored = store.described(fold.test, descriptor, np.flatnonzero(labels[fold.test] >= 0))
-    test = store.read_descriptors(fold.test, descriptor, scored)
-    codebook = None
-    if seed is not None:
-        shared = trials[0]["codebook"]
-        codebook = Codebook.fit(
-            train,
-            cells=shared["cells"],
-            seed=seed_of(dataset, descriptor, shared["cells"], fold.training_set, seed),
-            tree=shared["tree"],
-            numbers=[trial["classifier"]["clusters"] for trial in trials],
-        )
-    outcomes: list[Outcome] = []
-    for trial in trials:
-        try:
-            model = cues.fit(
-                train,
-                truth,
-                home_of_frame,
-                classifier=trial["classifier"],
-                classes=classes,
-                codebook=codebook,
-            )
-            decision = model.predict_proba(test).argmax(axis=1)
-        except NotComputable as error:
-            outcomes.append((str(error), {}))
-        else:
-            counts = confusion_matrix(labels[fold.test][scored], decision, len(classes))
-            outcomes.append((counts, model.facts))
-    return outcomes
-
-
 def _collect(
     trials: Sequence[Trial],
     outcomes: Mapping[tuple[str, str, int | None], Outcome],
@@ -160,7 +102,7 @@ def _collect(
                 measured.append((home, of_seeds))
         if measured:
             confusion = np.array([counts for _, counts in measured]).swapaxes(0, 1)
-            names = tuple(protocol.seed_folder(seed) for seed in own_seeds)
+            names = tuple(paths.seed_folder(seed) for seed in own_seeds)
             homes = tuple(home for home, _ in measured)
             scores += score_rows(trial.name, Measured(homes, names, tuple(classes), confusion))
     return pd.DataFrame(scores, columns=SCORE_COLUMNS), pd.DataFrame(missing, columns=MISSING_COLUMNS)
@@ -174,7 +116,7 @@ def _facts(trials: Sequence[Trial], outcomes: Mapping[tuple[str, str, int | None
             if key == trial.key() and home in trial.homes and "flat_sigmoids" in facts:
                 nu = facts.get("nu", [np.nan])
                 flat = sum(facts["flat_sigmoids"])
-                rows.append((trial.name, home, protocol.seed_folder(seed), min(nu), max(nu), flat))
+                rows.append((trial.name, home, paths.seed_folder(seed), min(nu), max(nu), flat))
     return pd.DataFrame(rows, columns=FACT_COLUMNS)
 
 

@@ -4,8 +4,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from placecat.errors import PlacecatError
-from placecat.evaluation import protocol
-from placecat.evaluation.protocol import folds, select_frames
+from placecat.training import protocol
+from placecat.training.protocol import folds, select_frames
 
 HOMES = ["A", "B", "C", "D", "E", "F"]
 
@@ -92,15 +92,3 @@ def test_selections_with_different_offsets_never_share_a_frame(labels, step):
 def test_offset_must_be_below_step():
     with pytest.raises(PlacecatError, match="offset is 3 and step is 3"):
         select_frames(np.zeros(4, np.int16), offset=3, step=3)
-
-
-def test_places_of_another_data_set_are_numbered_by_name():
-    labels = np.array([0, 1, -1, 2, 1], np.int16)
-    translated = protocol.translate(labels, ["kitchen", "office", "bath"], ["bath", "kitchen"])
-    assert translated.tolist() == [1, -1, -1, 0, -1]
-    assert protocol.translate(np.array([-1], np.int16), [], ["bath"]).tolist() == [-1]
-
-
-def test_seeds_have_folders_and_files():
-    assert [protocol.seed_folder(seed) for seed in (None, 0, 12)] == ["no-seed", "seed-0", "seed-12"]
-    assert protocol.codebook_file("without-a", 1) == "without-a.seed-1.npz"

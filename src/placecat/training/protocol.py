@@ -1,7 +1,7 @@
-"""Who trains on what: the 5-5-1 and 4-5-1 schemes of thesis 4.5, for any number of homes."""
+"""Which homes train and which is tested: 5-5-1 and 4-5-1 of thesis 4.5, for any number of homes."""
 
 import difflib
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 SCHEMES = ("5-5-1", "4-5-1")
-NO_SEED = "no-seed"
 ALL = "all"
 # Why a result lacks a home that is not tested.
 NOT_TESTED = "not among protocol.test_homes"
@@ -39,21 +38,20 @@ class Fold:
     integration_homes: tuple[str, ...]
 
     @property
-    def training_set(self) -> str:
-        """Name of the cues' training set: what it leaves out. Seeds are derived from it."""
+    def left_out(self) -> tuple[str, ...]:
+        """What the training of the cues leaves out: the test home first."""
         kept = [home for home in self.integration_homes if home not in self.cue_homes]
-        left_out = [self.test, *kept] if self.test else kept
-        return "without-" + "-".join(left_out) if left_out else "all"
+        return (self.test, *kept) if self.test else tuple(kept)
+
+    @property
+    def training_set(self) -> str:
+        """Name of the cues' training set. Seeds are derived from it."""
+        return training_set(self.left_out)
 
 
-def seed_folder(seed: int | None) -> str:
-    """Folder of what was computed with one seed, or without any: `seed-0`, or `no-seed`."""
-    return NO_SEED if seed is None else f"seed-{seed}"
-
-
-def codebook_file(training_set: str, seed: int) -> str:
-    """File of the codebook of one training set and seed."""
-    return f"{training_set}.{seed_folder(seed)}.npz"
+def training_set(left_out: Sequence[str]) -> str:
+    """Name a training set by the homes that it leaves out."""
+    return "without-" + "-".join(left_out) if left_out else "all"
 
 
 def tested_homes(homes: Sequence[str], wanted: str | Sequence[str] = ALL) -> tuple[str, ...]:
@@ -170,28 +168,3 @@ def select_frames(labels: NDArray[np.int16], *, offset: int, step: int) -> NDArr
         )
     taken = np.arange(offset, len(labels), step)
     return taken[labels[taken] >= 0]
-
-
-def select_training(
-    labels: Mapping[str, NDArray[np.int16]], *, offset: int, step: int
-) -> dict[str, NDArray[np.int64]]:
-    """:func:`select_frames` for every home of `labels`."""
-    return {home: select_frames(values, offset=offset, step=step) for home, values in labels.items()}
-
-
-def translate(labels: NDArray[np.int16], own: Sequence[str], classes: Sequence[str]) -> NDArray[np.int16]:
-    """Number the places of one data set as another does.
-
-    Parameters
-    ----------
-    labels
-        (frames,) indices into `own`, -1 for unlabelled.
-    own, classes
-        Names of the places of the two data sets.
-
-    Returns
-    -------
-    (frames,) indices into `classes`; -1 for unlabelled frames and for places that it does not have.
-    """
-    index = [classes.index(place) if place in classes else -1 for place in own]
-    return np.array([*index, -1], dtype=np.int16)[labels]

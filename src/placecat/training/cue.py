@@ -1,0 +1,199 @@
+"""A cue by a plan: its frames are read, clustered and learned from, and it judges other frames."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import cues, settings, store
+from placecat.cues.codebook import Codebook, seed_of
+from placecat.cues.descriptors import Descriptors
+from placecat.fusion.temperature import fit_temperature
+from placecat.training.plan import Part, Plan
+
+
+@dataclass(frozen=True)
+class Cue:
+    """The settings of a cue.
+
+    Attributes
+    ----------
+    descriptor
+        As for :func:`placecat.cue_input.check`.
+    classifier
+        As for :func:`placecat.cues.fit`.
+    codebook
+        ``cells`` and ``tree``, as for :meth:`placecat.cues.codebook.Codebook.fit`; None without clusters.
+    """
+
+    descriptor: Mapping[str, Any]
+    classifier: Mapping[str, Any]
+    codebook: Mapping[str, Any] | None = None
+
+    @classmethod
+    def of(cls, params: Mapping[str, Any], name: str) -> Cue:
+        """Look up a cue of params.yaml."""
+        cue = settings.get(params, f"cues.{name}")
+        if cue["codebook"] is None:
+            return cls(cue["descriptor"], cue["classifier"])
+        codebook = settings.get(params, f"codebooks.{cue['codebook']}")
+        return cls(codebook["descriptor"], cue["classifier"], codebook)
+
+
+@dataclass(frozen=True)
+class TrainingFrames:
+    """Frames to learn from, part after part.
+
+    Attributes
+    ----------
+    described
+        Their descriptors.
+    truth, home_of_frame
+        (n,) their classes, and the names of their sequences.
+    """
+
+    described: Descriptors
+    truth: NDArray[np.int16]
+    home_of_frame: NDArray[np.str_]
+
+
+@dataclass(frozen=True)
+class TrainedCue:
+    """A cue that has learned.
+
+    Attributes
+    ----------
+    descriptor
+        What it sees.
+    model
+        What it has learned.
+    truth, home_of_frame
+        (n,) class and sequence of its training frames.
+    cross_validated
+        (n, n_classes) distributions of them by :func:`placecat.cues.cross_validate`, if asked for.
+    """
+
+    descriptor: Mapping[str, Any]
+    model: cues.CueModel
+    truth: NDArray[np.int16]
+    home_of_frame: NDArray[np.str_]
+    cross_validated: NDArray[np.float64] | None
+
+    def predict(self, home: str, rows: NDArray[np.int64] | None = None) -> NDArray[np.float64]:
+        """(n, n_classes) distributions for some frames of a sequence; for all of them without `rows`."""
+        return self.model.predict_proba(store.read_descriptors(home, self.descriptor, rows))
+
+    def predict_chosen(self, parts: Sequence[Part]) -> dict[str, NDArray[np.float64]]:
+        """Distributions for the chosen frames of some sequences, by name."""
+        return {part.home: self.predict(part.home, part.chosen()[0]) for part in parts}
+
+    @cached_property
+    def temperature(self) -> float:
+        """What its distributions are tempered with; 1 if it was not cross-validated."""
+        return 1.0 if self.cross_validated is None else fit_temperature(self.cross_validated, self.truth)
+
+
+def read_frames(parts: Sequence[Part], descriptor: Mapping[str, Any]) -> TrainingFrames:
+    """Read the chosen frames of some sequences, below each other in this order.
+
+    Raises
+    ------
+    PlacecatError
+        A descriptor that was not computed, see :func:`placecat.store.read_descriptors`.
+    """
+    chosen = {part.home: part.chosen() for part in parts}
+    rows = {home: frames for home, (frames, _) in chosen.items()}
+    return TrainingFrames(
+        store.read_training(tuple(rows), descriptor, rows),
+        np.concatenate([truth for _, truth in chosen.values()]),
+        np.concatenate([np.full(len(frames), home) for home, frames in rows.items()]),
+    )
+
+
+def cluster(
+    frames: TrainingFrames, plan: Plan, cue: Cue, seed: int, *, numbers: Sequence[int] | None = None
+) -> Codebook:
+    """Cluster the training frames of a cue that decides from clusters.
+
+    Parameters
+    ----------
+    frames
+        Those that train the plan's cues.
+    seed
+        One of ``protocol.seeds``; the seed of the clustering derives from it and the plan's names.
+    numbers
+        The cluster numbers that will be asked for; None leaves that to the codebook's settings.
+    """
+    assert cue.codebook is not None
+    cells = cue.codebook["cells"]
+    return Codebook.fit(
+        frames.described,
+        cells=cells,
+        seed=seed_of(plan.dataset, cue.descriptor, cells, plan.training_set, seed),
+        tree=cue.codebook["tree"],
+        numbers=numbers,
+    )
+
+
+def fit(
+    frames: TrainingFrames,
+    cue: Cue,
+    classes: Sequence[str],
+    codebook: Codebook | None,
+    *,
+    cross_validate: bool = False,
+) -> TrainedCue:
+    """Train a cue on frames that were read, and clustered if it decides from clusters.
+
+    Parameters
+    ----------
+    classes
+        Names of the places.
+    cross_validate
+        Whether each sequence's frames are judged by a cue trained on the others as well.
+
+    Raises
+    ------
+    PlacecatError
+        As :func:`placecat.cues.fit`.
+    """
+    data = frames.described, frames.truth, frames.home_of_frame
+    options: dict[str, Any] = {"classifier": cue.classifier, "classes": classes, "codebook": codebook}
+    held_out = cues.cross_validate(*data, **options) if cross_validate else None
+    model = cues.fit(*data, **options)
+    return TrainedCue(cue.descriptor, model, frames.truth, frames.home_of_frame, held_out)
+
+
+def train(
+    plan: Plan,
+    cue: Cue,
+    seed: int | None = None,
+    *,
+    numbers: Sequence[int] | None = None,
+    cross_validate: bool = False,
+) -> TrainedCue:
+    """Train a cue by a plan: read its frames, cluster them if it decides from clusters, and learn.
+
+    Parameters
+    ----------
+    seed, numbers
+        As for :func:`cluster`; a cue without clusters needs none.
+    cross_validate
+        As for :func:`fit`.
+
+    Raises
+    ------
+    PlacecatError
+        As :func:`read_frames` and :func:`fit`.
+    """
+    frames = read_frames(plan.cues, cue.descriptor)
+    codebook = None
+    if cue.codebook is not None:
+        assert seed is not None
+        codebook = cluster(frames, plan, cue, seed, numbers=numbers)
+    return fit(frames, cue, plan.classes, codebook, cross_validate=cross_validate)

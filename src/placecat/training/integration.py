@@ -1,0 +1,105 @@
+"""Integration and smoothing by a plan, from the distributions of cues."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import listing, settings
+from placecat.fusion import integrate, smoothing
+from placecat.training.plan import Part, Plan
+
+Probabilities = Mapping[str, NDArray[np.float64]]
+
+
+def smoothing_settings(params: Mapping[str, Any]) -> dict[str, Any]:
+    """Settings of :func:`placecat.fusion.smoothing.fit`: those of params.yaml, but for what is smoothed."""
+    section = settings.get(params, "smoothing")
+    return {name: value for name, value in section.items() if name not in ("cues", "filtered")}
+
+
+def fused_parts(plan: Plan, *, extra: bool) -> tuple[Part, ...]:
+    """Name what an integration trains on."""
+    return (*plan.integration, *(plan.extra if extra else ()))
+
+
+def fuse(
+    parts: Sequence[Part],
+    outputs: Sequence[Probabilities],
+    classes: Sequence[str],
+    integrator: Mapping[str, Any],
+    *,
+    temperatures: Sequence[float] | None = None,
+    cross_validated: bool = True,
+) -> integrate.Trained:
+    """Train an integration.
+
+    Parameters
+    ----------
+    parts
+        What it trains on.
+    outputs
+        Of each cue the distributions for the chosen frames of these parts, by name.
+    classes
+        Names of the places.
+    integrator, temperatures, cross_validated
+        As for :func:`placecat.fusion.integrate.fit`.
+    """
+    train = {part.home: np.stack([proba[part.home] for proba in outputs], axis=1) for part in parts}
+    truth = {part.home: part.chosen()[1] for part in parts}
+    return integrate.fit(
+        train, truth, classes, temperatures=temperatures, cross_validated=cross_validated, **integrator
+    )
+
+
+def training_walks(parts: Sequence[Part]) -> tuple[list[NDArray[np.int16]], list[float]]:
+    """What transitions are counted on: labels of each stretch without a cut, and its frames a second."""
+    walks: list[NDArray[np.int16]] = []
+    rates: list[float] = []
+    for part in parts:
+        labels, rate = part.labels(), listing.frame_rate(part.home)
+        for stretch in listing.sequence_slices(part.home):
+            walks.append(labels[stretch])
+            rates.append(rate)
+    return walks, rates
+
+
+def smooth(
+    home: str,
+    proba: NDArray[np.float64],
+    parts: Sequence[Part],
+    training_proba: NDArray[np.float64],
+    training_truth: NDArray[np.int16],
+    options: Mapping[str, Any],
+) -> dict[str, NDArray[np.float64]]:
+    """Smooth the distributions of a sequence with statistics of others.
+
+    Parameters
+    ----------
+    proba
+        (frames, n_classes) for every frame of `home`.
+    parts
+        What the statistics are of.
+    training_proba, training_truth
+        (n, n_classes) cross-validated distributions of their frames, and (n,) classes.
+    options
+        As for :func:`placecat.fusion.smoothing.fit`.
+
+    Returns
+    -------
+    dict
+        ``hmm`` and ``delayed``, each (frames, n_classes).
+    """
+    walks, frame_rates = training_walks(parts)
+    return smoothing.smooth(
+        proba,
+        listing.sequence_slices(home),
+        frame_rate=listing.frame_rate(home),
+        training_sequences=walks,
+        training_frame_rates=frame_rates,
+        training_proba=training_proba,
+        training_truth=training_truth,
+        n_classes=proba.shape[1],
+        **options,
+    )

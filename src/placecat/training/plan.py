@@ -1,0 +1,243 @@
+"""Training plans: which sequences train what on which frames, and which are tested."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import listing, settings
+from placecat.training import protocol
+
+
+@dataclass(frozen=True)
+class Part:
+    """Frames of one sequence.
+
+    Attributes
+    ----------
+    home
+        Name of the sequence, as for :func:`placecat.paths.sequences`.
+    numbers
+        The class index of each place of the sequence's own data set; -1 for a place that does not count.
+    offset, step
+        Which frames: see :func:`placecat.training.protocol.select_frames`.
+    """
+
+    home: str
+    numbers: tuple[int, ...]
+    offset: int = 0
+    step: int = 1
+
+    @property
+    def sequence(self) -> str:
+        """Name of the sequence in its data set."""
+        return self.home.rpartition("/")[2]
+
+    def labels(self) -> NDArray[np.int16]:
+        """(frames,) class indices of all frames of the sequence, -1 where none counts."""
+        return np.array([*self.numbers, -1], dtype=np.int16)[listing.read_labels(self.home)]
+
+    def chosen(self) -> tuple[NDArray[np.int64], NDArray[np.int16]]:
+        """(n,) ascending indices of the chosen frames, which all have a class, and their (n,) classes."""
+        labels = self.labels()
+        rows = protocol.select_frames(labels, offset=self.offset, step=self.step)
+        return rows, labels[rows]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Who trains and who is tested.
+
+    Attributes
+    ----------
+    classes
+        Names of the places.
+    cues
+        What codebooks, scalings and cues train on.
+    integration
+        What the integration and the smoothing train on.
+    extra
+        Further sequences, for the integration of systems that ask for them (thesis 4.5).
+    tested
+        What nothing fitted has seen.
+    dataset
+        Name of the data set.
+    left_out
+        Homes that the training of the cues leaves out; None on a fixed split.
+    """
+
+    classes: tuple[str, ...]
+    cues: tuple[Part, ...]
+    integration: tuple[Part, ...]
+    extra: tuple[Part, ...]
+    tested: tuple[Part, ...]
+    dataset: str
+    left_out: tuple[str, ...] | None
+
+    @property
+    def training_set(self) -> str:
+        """Name of what trains the cues. Seeds of codebooks derive from it and from `dataset`."""
+        return self.dataset if self.left_out is None else protocol.training_set(self.left_out)
+
+    @property
+    def test(self) -> str:
+        """Name of the only tested sequence."""
+        (part,) = self.tested
+        return part.home
+
+    def with_cue_frames(self, frames: Mapping[str, int]) -> Plan:
+        """Give the same plan with other frames, an ``offset`` and a ``step``, that train the cues."""
+        return replace(
+            self,
+            cues=tuple(replace(part, offset=frames["offset"], step=frames["step"]) for part in self.cues),
+        )
+
+
+def of_homes(
+    params: Mapping[str, Any],
+    scheme: str,
+    tested: str | Sequence[str] = protocol.ALL,
+    *,
+    extra: bool = False,
+) -> list[Plan]:
+    """Plan every fold of the main data set.
+
+    Parameters
+    ----------
+    params
+        All settings.
+    scheme, tested
+        As for :func:`placecat.training.protocol.folds`.
+    extra
+        Whether the sequences of ``protocol.extra`` are planned as well.
+
+    Raises
+    ------
+    PlacecatError
+        As :func:`placecat.training.protocol.folds`.
+    """
+    homes = settings.get(params, "dataset.homes")
+    return [_of_fold(params, fold, extra=extra) for fold in protocol.folds(homes, scheme, tested)]
+
+
+def of_release(
+    params: Mapping[str, Any], scheme: str, without: str | None = None, *, extra: bool = False
+) -> Plan:
+    """Plan a system for other footage: every home trains, or every one but `without`, which is tested.
+
+    Parameters
+    ----------
+    params, scheme, extra
+        As for :func:`of_homes`.
+    """
+    if without is not None:
+        return of_homes(params, scheme, without, extra=extra)[0]
+    fold = protocol.fold_of_all(settings.get(params, "dataset.homes"), scheme)
+    return _of_fold(params, fold, extra=extra)
+
+
+def without_homes(params: Mapping[str, Any], left_out: Sequence[str], tested: Sequence[str]) -> Plan:
+    """Plan a judgement on training homes: those left out have no part in the training, some are tested.
+
+    Parameters
+    ----------
+    params
+        All settings.
+    left_out
+        Homes of the main data set.
+    tested
+        Some of `left_out`.
+    """
+    homes = [home for home in settings.get(params, "dataset.homes") if home not in left_out]
+    return Plan(
+        classes=tuple(settings.get(params, "dataset.classes")),
+        cues=_parts(params, homes, "cue_frames"),
+        integration=_parts(params, homes, "integration_frames"),
+        extra=(),
+        tested=_parts(params, tested, None),
+        dataset=settings.get(params, "dataset.name"),
+        left_out=tuple(left_out),
+    )
+
+
+def of_split(params: Mapping[str, Any], split: str) -> Plan:
+    """Plan a fixed split, of which some sequences train with some of their places (thesis 4.9 and 4.10)."""
+    own = settings.get(params, f"splits.{split}")
+    classes = own["dataset"]["classes"]
+
+    def parts(kind: str, frames: str) -> tuple[Part, ...]:
+        chosen = settings.get(params, f"protocol.{frames}")
+        return tuple(
+            Part(f"{split}/{part['sequence']}", _numbers(classes, part["places"]), **chosen)
+            for part in own[kind]
+        )
+
+    return Plan(
+        classes=tuple(classes),
+        cues=parts("cue_parts", "cue_frames"),
+        integration=parts("integration_parts", "integration_frames"),
+        extra=(),
+        tested=tuple(Part(f"{split}/{sequence}", _numbers(classes, None)) for sequence in own["test"]),
+        dataset=split,
+        left_out=None,
+    )
+
+
+def on_training_homes(plan: Plan) -> list[Plan]:
+    """Plan a judgement on each training home of a plan with one tested sequence, which has no part in it.
+
+    Each is tested by what trains on the others.
+    """
+    found = []
+    training = [part for part in plan.cues if part.home != plan.test]
+    for tested in training:
+        found.append(
+            replace(
+                plan,
+                cues=tuple(part for part in training if part is not tested),
+                integration=tuple(part for part in plan.integration if part.home != tested.home),
+                tested=(replace(tested, offset=0, step=1),),
+                left_out=None if plan.left_out is None else (tested.home, *plan.left_out),
+            )
+        )
+    return found
+
+
+def _of_fold(params: Mapping[str, Any], fold: protocol.Fold, *, extra: bool) -> Plan:
+    return Plan(
+        classes=tuple(settings.get(params, "dataset.classes")),
+        cues=_parts(params, fold.cue_homes, "cue_frames"),
+        integration=_parts(params, fold.integration_homes, "integration_frames"),
+        extra=_extra(params) if extra else (),
+        tested=_parts(params, [fold.test] if fold.test else [], None),
+        dataset=settings.get(params, "dataset.name"),
+        left_out=fold.left_out,
+    )
+
+
+def _parts(params: Mapping[str, Any], homes: Sequence[str], frames: str | None) -> tuple[Part, ...]:
+    """Frames of homes of the main data set; all labelled ones without a setting."""
+    numbers = tuple(range(len(settings.get(params, "dataset.classes"))))
+    chosen: Mapping[str, int] = {} if frames is None else settings.get(params, f"protocol.{frames}")
+    return tuple(Part(home, numbers, **chosen) for home in homes)
+
+
+def _extra(params: Mapping[str, Any]) -> tuple[Part, ...]:
+    """Sequences of ``protocol.extra``, whose places are those of the main data set by name."""
+    split, sequences = (settings.get(params, f"protocol.extra.{name}") for name in ("split", "sequences"))
+    classes = settings.get(params, "dataset.classes")
+    places = settings.get(params, f"splits.{split}.dataset.classes")
+    numbers = tuple(classes.index(place) if place in classes else -1 for place in places)
+    chosen = settings.get(params, "protocol.integration_frames")
+    return tuple(Part(f"{split}/{sequence}", numbers, **chosen) for sequence in sequences)
+
+
+def _numbers(classes: Sequence[str], counted: Sequence[str] | None) -> tuple[int, ...]:
+    """Class index of each place, -1 for those that are not counted; None counts all."""
+    return tuple(
+        number if counted is None or place in counted else -1 for number, place in enumerate(classes)
+    )

@@ -1,0 +1,108 @@
+"""What stages saved of cues and systems, read to train on."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import files, listing, paths
+from placecat.errors import PlacecatError
+from placecat.training.integration import smooth
+from placecat.training.plan import Part, Plan
+
+
+class CueResults:
+    """What the stage `cues` left of a system's cues for one test home and seed.
+
+    Parameters
+    ----------
+    system
+        Its settings.
+    test
+        The test home.
+    seed
+        One of ``protocol.seeds``; None if no cue has clusters.
+    """
+
+    def __init__(self, system: Mapping[str, Any], test: str, seed: int | None) -> None:
+        self._scheme = system["scheme"]
+        self._places = {
+            cue: listing.seeded(paths.CUES / cue / self._scheme / test, seed) for cue in system["cues"]
+        }
+
+    def arrays(self, name: str) -> list[NDArray[Any]]:
+        """Read one array of every cue.
+
+        Raises
+        ------
+        PlacecatError
+            A cue that has not been applied to these frames.
+        """
+        found = []
+        for cue, place in self._places.items():
+            path = place / f"{name}.npy"
+            if not path.exists():
+                raise PlacecatError(
+                    f"{path} is missing: add {self._scheme} to cues.{cue}.schemes, or set cues.{cue}.extra "
+                    "where a system asks for extra training data, and run `dvc repro`"
+                )
+            found.append(files.read_array(path, memory_map=False))
+        return found
+
+    def outputs(self, plan: Plan, parts: Sequence[Part]) -> list[dict[str, NDArray[np.float64]]]:
+        """Of each cue the distributions for the chosen frames of some parts of the plan, by name."""
+        found: list[dict[str, NDArray[np.float64]]] = [{} for _ in self._places]
+        for part in parts:
+            is_extra = part in plan.extra
+            name = f"extra_{part.sequence}" if is_extra else f"integration_{part.home}"
+            for of_cue, proba in zip(found, self.arrays(name), strict=True):
+                # Cues judge every frame of a further sequence.
+                of_cue[part.home] = proba[part.chosen()[0]] if is_extra else proba
+        return found
+
+    def temperatures(self) -> list[float]:
+        """Read the temperature of each cue.
+
+        Raises
+        ------
+        PlacecatError
+            A cue that was not cross-validated.
+        """
+        found = []
+        for cue, place in self._places.items():
+            facts = files.read_json(place / "facts.json")
+            if "temperature" not in facts:
+                raise PlacecatError(
+                    f"cues.{cue} has no temperature: set cues.{cue}.cross_validate, and run `dvc repro`"
+                )
+            found.append(facts["temperature"])
+        return found
+
+
+def smooth_home(source: Path, plan: Plan, model: Mapping[str, Any]) -> dict[str, np.ndarray]:
+    """Smooth the test home of one fold with statistics of its training homes.
+
+    Parameters
+    ----------
+    source
+        Folder of what a cue or a system left of the fold.
+    model
+        As for :func:`placecat.fusion.smoothing.fit`.
+
+    Raises
+    ------
+    PlacecatError
+        Results without cross-validation.
+    """
+    if not (source / "cross_validated.npy").exists():
+        raise PlacecatError(
+            f"{source / 'cross_validated.npy'} is missing: a cue in smoothing.cues must have a classifier "
+            "that is cross-validated, such as nu_svm; take it out of the list, or run `dvc repro`"
+        )
+    proba, held_out, truth = (
+        files.read_array(source / f"{name}.npy", memory_map=False)
+        for name in ("test", "cross_validated", "cross_validated_truth")
+    )
+    return smooth(plan.test, proba, plan.integration, held_out, truth, model)

@@ -1,0 +1,143 @@
+"""A system by a plan: cues, their integration and its smoothing, trained and applied."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import listing, parallel, settings
+from placecat.fusion import integrate, smoothing
+from placecat.training import cue as of_cue
+from placecat.training.cue import Cue, TrainedCue
+from placecat.training.integration import (
+    Probabilities,
+    fuse,
+    fused_parts,
+    smoothing_settings,
+    training_walks,
+)
+from placecat.training.plan import Part, Plan
+
+
+@dataclass(frozen=True)
+class System:
+    """The settings of a system.
+
+    Attributes
+    ----------
+    cues
+        By name, in their order.
+    integrator
+        ``method`` and ``classifier``, as for :func:`placecat.fusion.integrate.fit`.
+    tempered
+        Whether the cues' distributions are tempered before.
+    extra
+        Whether the integration trains on the plan's further sequences as well.
+    smoothing
+        As for :func:`placecat.fusion.smoothing.fit`.
+    """
+
+    cues: Mapping[str, Cue]
+    integrator: Mapping[str, Any]
+    tempered: bool
+    extra: bool
+    smoothing: Mapping[str, Any]
+
+    @classmethod
+    def of(cls, params: Mapping[str, Any], name: str) -> System:
+        """Look up a system of params.yaml."""
+        system = settings.get(params, f"systems.{name}")
+        cues = {cue: Cue.of(params, cue) for cue in system["cues"]}
+        tempered, extra = bool(system["temperature"]), bool(system["extra"])
+        return cls(cues, system["integrator"], tempered, extra, smoothing_settings(params))
+
+    def descriptors(self, params: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+        """Give the ``local`` and ``holistic`` descriptors that the cues need, with their settings."""
+        wanted: dict[str, dict[str, Any]] = {"local": {}, "holistic": {}}
+        for cue in self.cues.values():
+            kind = cue.descriptor["kind"]
+            for name in filter(None, (cue.descriptor["name"], cue.descriptor.get("color"))):
+                wanted[kind][name] = settings.get(params, f"descriptors.{kind}.{name}")
+        return wanted
+
+
+@dataclass(frozen=True)
+class Trained:
+    """A system that has learned.
+
+    Attributes
+    ----------
+    cues
+        By name, in their order.
+    integrator, smoothing
+        What decides from their distributions.
+    """
+
+    cues: Mapping[str, TrainedCue]
+    integrator: integrate.Integrator
+    smoothing: smoothing.SmoothingModel
+
+    def test(self, home: str) -> dict[str, NDArray[np.float64]]:
+        """Name the places of every frame of a sequence.
+
+        Returns
+        -------
+        dict
+            (frames, n_classes) distributions of each cue by its name, of the ``integration``, of the
+            filter, ``hmm``, and after the delay, ``delayed``.
+        """
+        by_cue = {name: cue.predict(home) for name, cue in self.cues.items()}
+        fused = self.integrator.predict_proba(np.stack(list(by_cue.values()), axis=1))
+        smoothed = smoothing.apply(
+            self.smoothing, fused, listing.sequence_slices(home), frame_rate=listing.frame_rate(home)
+        )
+        return by_cue | {"integration": fused} | smoothed
+
+
+def train(plan: Plan, system: System, seed: int) -> Trained:
+    """Train a system by a plan, its cues in parallel.
+
+    Parameters
+    ----------
+    seed
+        One of ``protocol.seeds``, for the clusterings.
+
+    Raises
+    ------
+    PlacecatError
+        Features that were not computed, or settings that cannot be.
+    """
+    parts = fused_parts(plan, extra=system.extra)
+    tasks = [(plan, cue, seed, parts, system.tempered) for cue in system.cues.values()]
+    done = parallel.in_parallel(_train_cue, tasks, "training of cues")
+    fused = fuse(
+        parts,
+        [proba for _, proba, _ in done],
+        plan.classes,
+        system.integrator,
+        temperatures=[temperature for *_, temperature in done] if system.tempered else None,
+    )
+    assert fused.cross_validated is not None
+    walks, frame_rates = training_walks(plan.integration)
+    model = smoothing.fit(
+        walks,
+        fused.cross_validated,
+        fused.truth,
+        len(plan.classes),
+        training_frame_rates=frame_rates,
+        **system.smoothing,
+    )
+    cues = dict(zip(system.cues, (cue for cue, *_ in done), strict=True))
+    return Trained(cues, fused.integrator, model)
+
+
+def _train_cue(
+    plan: Plan, cue: Cue, seed: int, parts: Sequence[Part], tempered: bool
+) -> tuple[TrainedCue, Probabilities, float]:
+    """Train one cue; give it, its distributions for the integration's frames, and its temperature."""
+    trained = of_cue.train(plan, cue, seed, cross_validate=tempered)
+    return trained, trained.predict_chosen(parts), trained.temperature

@@ -1,0 +1,59 @@
+"""Trials of cues by a plan: what each decides on the tested sequence."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import store
+from placecat.errors import NotComputable
+from placecat.evaluation.accuracy import confusion_matrix
+from placecat.training.cue import Cue, cluster, fit, read_frames
+from placecat.training.plan import Plan
+
+# Counts of decisions, with true places as rows, or why there are none; and the facts of the model.
+Outcome = tuple[NDArray[np.int64] | str, Mapping[str, Any]]
+
+
+def of_settings(settings: Mapping[str, Any]) -> Cue:
+    """Read a trial's settings: ``descriptor``, ``classifier`` and, for some, ``codebook``."""
+    return Cue(settings["descriptor"], settings["classifier"], settings.get("codebook"))
+
+
+def judge(plan: Plan, cues: Sequence[Cue], seed: int | None) -> list[Outcome]:
+    """Train cues on the same descriptor and clusters, and count their decisions on the tested sequence.
+
+    Parameters
+    ----------
+    plan
+        With one tested sequence; its labelled frames count, of a variant of the regions those described.
+    cues
+        All with the descriptor and codebook of the first.
+    seed
+        One of ``protocol.seeds``; None without clusters.
+
+    Returns
+    -------
+    list
+        What came out of each.
+    """
+    descriptor = cues[0].descriptor
+    frames = read_frames(plan.cues, descriptor)
+    (tested,) = plan.tested
+    scored = store.described(tested.home, descriptor, tested.chosen()[0])
+    truth, test = tested.labels()[scored], store.read_descriptors(tested.home, descriptor, scored)
+    codebook = None
+    if seed is not None:
+        numbers = [cue.classifier["clusters"] for cue in cues]
+        codebook = cluster(frames, plan, cues[0], seed, numbers=numbers)
+    outcomes: list[Outcome] = []
+    for cue in cues:
+        try:
+            model = fit(frames, cue, plan.classes, codebook).model
+            decision = model.predict_proba(test).argmax(axis=1)
+        except NotComputable as error:
+            outcomes.append((str(error), {}))
+        else:
+            outcomes.append((confusion_matrix(truth, decision, len(plan.classes)), model.facts))
+    return outcomes

@@ -1,0 +1,75 @@
+"""A system trained by a plan is that of the stages, and docs/python.md trains one."""
+
+import re
+import runpy
+from pathlib import Path
+
+import numpy as np
+import pytest
+from made_features import PARAMS, make, run_stages
+
+from placecat.training import system as systems
+from placecat.training.plan import of_homes
+
+ROOT = Path(__file__).resolve().parents[2]
+# Two small cues of the five.
+SMALL = [
+    "dataset.fps=5.0",
+    "dataset.homes=[Home1,Home2,Home3]",
+    "codebooks.hog_y.tree.max_clusters=46",
+    "cues.hog_y.classifier.clusters=46",
+    "systems.das_551_best.cues=[hog_y,gist]",
+]
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("system")
+    with pytest.MonkeyPatch.context() as patch:
+        make(folder)
+        run_stages(folder, patch)
+    return folder
+
+
+@pytest.mark.parametrize(("name", "scheme"), [("das", "5-5-1"), ("das_451", "4-5-1"), ("vote", "5-5-1")])
+def test_a_system_is_that_of_the_stages(folder, monkeypatch, name, scheme):
+    """To the bit: the vote trains on extra data, das_451 is tempered."""
+    monkeypatch.chdir(folder)
+    monkeypatch.setenv("PLACECAT_WORKERS", "1")
+    system = systems.System.of(PARAMS, name)
+    (plan,) = of_homes(PARAMS, scheme, "H2", extra=system.extra)
+    tested = systems.train(plan, system, 1).test("H2")
+    expected = {
+        "hog_y": f"cues/hog_y/{scheme}/H2/seed-1/test",
+        "gist": f"cues/gist/{scheme}/H2/no-seed/test",
+        "integration": f"integration/{name}/H2/seed-1/test",
+        "hmm": f"smoothing/{name}/H2/seed-1/hmm",
+        "delayed": f"smoothing/{name}/H2/seed-1/delayed",
+    }
+    assert tested.keys() == expected.keys()
+    for part, place in expected.items():
+        np.testing.assert_array_equal(tested[part], np.load(f"data/{place}.npy"), err_msg=part)
+
+
+def test_the_page_prints_a_table_of_homes(tmp_path, monkeypatch, capsys):
+    """The code of the page, on drawn homes and with small clusterings."""
+    from sketch import draw_homes
+
+    page = (ROOT / "docs/python.md").read_text()
+    assert len(page.splitlines()) <= 40
+    (code,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    assert code.count('"dataset.root=homes"') == 1
+    small = ", ".join(f'"{one}"' for one in SMALL)
+    script = tmp_path / "page.py"
+    script.write_text(code.replace('"dataset.root=homes"', f'"dataset.root=homes", {small}'))
+    draw_homes(tmp_path / "homes", homes=3, frames_per_room=10, width=160, height=90)
+    (tmp_path / "conf").symlink_to(ROOT / "conf")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("PLACECAT_WORKERS", "1")
+    runpy.run_path(str(script), run_name="__main__")
+    head, *rows = capsys.readouterr().out.splitlines()
+    assert head.split() == ["Home1", "Home2", "Home3", "Average"]
+    assert [row.split()[0] for row in rows] == ["hog_y", "gist", "integration", "hmm", "delayed"]
+    numbers = np.array([row.split()[1:] for row in rows], dtype=float)
+    assert ((numbers >= 0) & (numbers <= 100)).all()
+    np.testing.assert_allclose(numbers[:, 3], numbers[:, :3].mean(axis=1), atol=0.011)
