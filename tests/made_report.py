@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 import pandas as pd
 
-from placecat.reporting.page import Figure, Report, Scale, Speed, Table, Times
+from placecat.report.page import Figure, Report, Scale, Speed, Table, Times
 
 ROOT = Path(__file__).resolve().parents[1]
 CLASSES = ["bedroom", "bathroom", "kitchen", "living_room", "dining_room"]

@@ -9,11 +9,11 @@ from typing import Any
 import pandas as pd
 import yaml
 
-from placecat import definitions, paths, settings
+from placecat import paths, settings
 from placecat.errors import PlacecatError
-from placecat.reporting import kept as differences
-from placecat.reporting.kept_text import sentences
-from placecat.reporting.tracking import flatten
+from placecat.report import kept as differences
+from placecat.report.kept_text import sentences
+from placecat.thesis import definitions
 
 HEAD = "HEAD"
 FOLDERS = (paths.TABLES, paths.OPTIONAL_TABLES)
@@ -149,7 +149,7 @@ def _table(text: str) -> pd.DataFrame:
 def changed_settings(now: dict[str, Any] | None, kept: dict[str, Any] | None) -> list[str]:
     """Dotted names of settings that differ, without those that no table depends on."""
     new, old = (
-        flatten({name: value for name, value in (one or {}).items() if name not in _WITHOUT_EFFECT})
+        settings.flatten({name: value for name, value in (one or {}).items() if name not in _WITHOUT_EFFECT})
         for one in (now, kept)
     )
     return [name for name in dict.fromkeys([*new, *old]) if new.get(name) != old.get(name)]

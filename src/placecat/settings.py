@@ -81,3 +81,14 @@ def call(function: Callable[..., Any], *args: Any, settings: Mapping[str, Any], 
     """Call `function` with positional arguments and checked settings."""
     check(function, settings, where)
     return function(*args, **settings)
+
+
+def flatten(settings: Mapping[str, Any], prefix: str = "") -> dict[str, str]:
+    """Nested settings as dotted names with text values, e.g. ``cues.gist.classifier.base.nu``: ``0.2``."""
+    flat: dict[str, str] = {}
+    for name, value in settings.items():
+        if isinstance(value, Mapping):
+            flat |= flatten(value, f"{prefix}{name}.")
+        else:
+            flat[f"{prefix}{name}"] = str(value)
+    return flat

@@ -10,8 +10,8 @@ import pytest
 import made_report
 from placecat import files, paths, settings
 from placecat.errors import PlacecatError
-from placecat.reporting.tables import tables_of
 from placecat.stages import report
+from placecat.thesis.tables import tables_of
 
 LOCK = "stages:\n  sequences:\n    outs:\n    - md5: 00ff.dir\n"
 

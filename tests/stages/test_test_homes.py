@@ -6,8 +6,8 @@ import pytest
 from made_features import CLASSES, HOMES, PARAMS, make, run_stages
 
 from placecat.evaluation.protocol import NOT_TESTED
-from placecat.reporting.number import in_home, over_homes
-from placecat.reporting.results import from_scores
+from placecat.results.measured import from_scores
+from placecat.thesis.number import in_home, over_homes
 
 TESTED = ["H4", "H2"]
 FOLDERS = ("cues", "integration", "filtered", "smoothing")

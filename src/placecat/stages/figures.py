@@ -4,8 +4,8 @@ import logging
 
 from placecat import files, paths, settings
 from placecat.errors import PlacecatError
-from placecat.reporting import figures
-from placecat.reporting.run import Run
+from placecat.report import figures
+from placecat.report.run import Run
 from placecat.stages import run
 
 

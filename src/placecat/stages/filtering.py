@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from placecat import files, listing, parallel, paths, settings
 from placecat.evaluation import protocol
 from placecat.fusion.information_filter import check, dropped, hold, threshold_of
-from placecat.reporting.results import DROPPED_COLUMNS
+from placecat.results.measured import DROPPED_COLUMNS
 from placecat.stages import run
 
 # What smoothing needs of a filtered result besides the frames of the test home: it is not filtered.

@@ -6,14 +6,14 @@ from typing import Any
 from placecat import files, listing, paths, settings
 from placecat.errors import PlacecatError
 from placecat.lockfile import data_version
-from placecat.reporting.benchmarks import TEXT as BENCHMARK_TEXT
-from placecat.reporting.charts.growth import growth_chart
-from placecat.reporting.charts.picture import png_of
-from placecat.reporting.charts.speed import speed_chart
-from placecat.reporting.page import Figure, Report, Scale, Speed, Table, Times, page_html
-from placecat.reporting.scale import TEXT as SCALE_TEXT
-from placecat.reporting.tables import dataset_of, folder_of, tables_of
+from placecat.report.benchmarks import TEXT as BENCHMARK_TEXT
+from placecat.report.charts.growth import growth_chart
+from placecat.report.charts.picture import png_of
+from placecat.report.charts.speed import speed_chart
+from placecat.report.page import Figure, Report, Scale, Speed, Table, Times, page_html
+from placecat.report.scale import TEXT as SCALE_TEXT
 from placecat.stages import run
+from placecat.thesis.tables import dataset_of, folder_of, tables_of
 
 # Columns that are text even where all of it looks like numbers, e.g. the section 4.10.
 _TEXT = ("group", "row", "column", "name", "section", "quantity", "home", "note")

@@ -4,16 +4,18 @@ from typing import Any
 
 import pandas as pd
 
-from placecat import definitions, files, paths, settings
-from placecat.reporting.collect import read_records, read_results
-from placecat.reporting.in_text import in_text
-from placecat.reporting.latex import table_latex
-from placecat.reporting.markdown import table_markdown
-from placecat.reporting.metrics import chosen_averages, nested_metrics, plot_data
-from placecat.reporting.quality import quality_table
-from placecat.reporting.results import Results
-from placecat.reporting.tables import contradictions_of, dataset_of, fill_table, tables_of
+from placecat import files, paths, settings
+from placecat.report.latex import table_latex
+from placecat.report.markdown import table_markdown
+from placecat.results.collect import read_results
+from placecat.results.measured import Results
+from placecat.results.quality import quality_table
 from placecat.stages import run
+from placecat.thesis import definitions
+from placecat.thesis.in_text import in_text
+from placecat.thesis.metrics import chosen_averages, nested_metrics, plot_data
+from placecat.thesis.records import read_records
+from placecat.thesis.tables import contradictions_of, dataset_of, fill_table, tables_of
 
 
 def main() -> None:

@@ -12,7 +12,7 @@ from placecat.cues import estimators
 from placecat.evaluation import protocol
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.learning.toy_circles import NAMES, toy_circles
-from placecat.reporting.results import SCORE_COLUMNS, Measured, score_rows
+from placecat.results.measured import SCORE_COLUMNS, Measured, score_rows
 from placecat.stages import run
 
 

@@ -2,27 +2,17 @@
 
 import json
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 from placecat import files, paths, settings
 from placecat.lockfile import data_version, git_commit
-from placecat.mlflow_store import tracking_uri
-from placecat.reporting.charts.draw import MatrixDrawer
-from placecat.reporting.collect import read_results
-from placecat.reporting.tables import dataset_of, folder_of, tables_of
-from placecat.reporting.tracking import TableRun, flatten, log_tables
-from placecat.reporting.tracking_content import figures_run, findings_run, table_run
+from placecat.mlflow_log.content import figures_run, findings_run, table_run
+from placecat.mlflow_log.store import tracking_uri
+from placecat.mlflow_log.tables import ARTIFACTS, DESCRIPTION, TableRun, log_tables
+from placecat.report.charts.draw import MatrixDrawer
+from placecat.results.collect import read_results
 from placecat.stages import run
-
-ARTIFACTS = Path("mlartifacts")
-# Of the experiment of a data set.
-DESCRIPTION = (
-    "Visual place categorization, measured on {title}: every table of the thesis is a run, every row of a "
-    "table a nested run. What holds now has the tag placecat.current: filter by "
-    '``tags.`placecat.current` = "true"``. '
-    'Sweeps over settings have ``tags.`placecat.kind` = "sweep"``.'
-)
+from placecat.thesis.tables import dataset_of, folder_of, tables_of
 
 
 def main() -> None:
@@ -36,7 +26,7 @@ def main() -> None:
             files.read_table(folder_of(table) / f"{name}.csv", ["group", "row", "column", "note"]),
             results,
             dataset_of(table, params),
-            flatten(_settings(table, params)),
+            settings.flatten(_settings(table, params)),
             [folder_of(table) / f"{name}.{ending}" for ending in ("csv", "md", "tex")],
             drawer,
         )

@@ -8,14 +8,15 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat import cues, definitions, files, items, listing, parallel, paths, settings, store
+from placecat import cues, files, items, listing, parallel, paths, settings, store
 from placecat.cues.codebook import Codebook, seed_of
 from placecat.errors import NotComputable
 from placecat.evaluation import protocol
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.evaluation.trials import Trial, expand
-from placecat.reporting.results import MISSING_COLUMNS, SCORE_COLUMNS, Measured, score_rows
+from placecat.results.measured import MISSING_COLUMNS, SCORE_COLUMNS, Measured, score_rows
 from placecat.stages import run
+from placecat.thesis import definitions
 
 # Counts of decisions or why there are none, and the facts of the model.
 Outcome = tuple[np.ndarray | str, Mapping[str, Any]]

@@ -5,10 +5,11 @@ from typing import Any
 
 import pandas as pd
 
-from placecat import definitions, files, listing, paths, settings
+from placecat import files, listing, paths, settings
 from placecat.errors import PlacecatError
 from placecat.evaluation import protocol
 from placecat.evaluation.trials import expand
+from placecat.thesis import definitions
 
 # Their work is the same for every home that is tested on.
 PER_TEST_HOME = ("codebooks", "cues", "integration", "filtering", "smoothing")
