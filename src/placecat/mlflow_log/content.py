@@ -18,7 +18,7 @@ from placecat.results.confusion import confusion_rows, pooled_rows
 from placecat.results.measured import Measured, Results, score_rows
 from placecat.thesis.decisions import decisions_of
 from placecat.thesis.number import AVERAGE
-from placecat.thesis.tables import comparable, in_percent, label
+from placecat.thesis.tables import COLUMNS, comparable, in_percent, label
 
 # MLflow takes 8000 characters; an id is longer than its place.
 _LONGEST_DESCRIPTION = 7900
@@ -106,7 +106,7 @@ def table_run(
     return TableRun(
         name=table["name"],
         title=title,
-        content="\n".join([cells.to_csv(index=False), *counts, repr(sorted(quality.items()))]),
+        content="\n".join([cells[COLUMNS].to_csv(index=False), *counts, repr(sorted(quality.items()))]),
         params=settings,
         metrics=_metrics(cells)
         | {key(measure, *labels): value for labels, own in quality.items() for measure, value in own.items()},
@@ -266,10 +266,10 @@ def _description(
     table: Mapping[str, Any], cells: pd.DataFrame, dataset: Mapping[str, Any], beside: bool
 ) -> str:
     if not beside:
-        notes = cells["note"].map(
-            lambda note: "; ".join(part for part in note.split("; ") if not part.startswith("the published "))
+        notes = cells["notes"].map(
+            lambda notes: tuple(note for note in notes if not note.is_about_the_published)
         )
-        cells = cells.assign(published=np.nan, note=notes)
+        cells = cells.assign(published=np.nan, notes=notes)
     chart, reading = "", _READING.format(metrics="", chart="")
     if in_percent(table):
         point = "home" if table["layout"] != "pooled_by_class" else "place"

@@ -6,13 +6,10 @@ from typing import Any
 
 import pandas as pd
 
+from placecat.thesis.notes import Kind, Notes
 from placecat.thesis.number import AVERAGE, home_label
 
 NOT_AVAILABLE = "n/a"
-# Parts of a note that hold for a whole table, which its caption says.
-_OF_THE_TABLE = ("measured on ", "the published number is from ")
-_OF_THE_PUBLISHED = "the published "
-_NOT_AVAILABLE = "the published cell is n/a"
 
 
 @dataclass(frozen=True)
@@ -108,7 +105,7 @@ def make_grid(table: pd.DataFrame) -> Grid:
     ----------
     table
         From :func:`placecat.thesis.tables.fill_table`: columns group, row, column, published, measured,
-        spread, seeds, note.
+        spread, seeds, notes.
 
     Returns
     -------
@@ -197,11 +194,6 @@ def seeds_sentence(table: pd.DataFrame) -> str:
     )
 
 
-def own_notes(note: str) -> list[str]:
-    """Parts of a cell's note without those that hold for its whole table."""
-    return [part for part in note.split("; ") if part and not part.startswith(_OF_THE_TABLE)]
-
-
 def _ordered(names: Iterable[str]) -> Sequence[str]:
     """Names without repetition, the average last: cells that only this run has follow the published ones."""
     found = list(dict.fromkeys(names))
@@ -236,13 +228,11 @@ def _letters(number: int) -> str:
 
 
 def _cell(record: Mapping[Hashable, Any], footnotes: _Footnotes) -> Cell:
-    parts = own_notes(record["note"])
+    notes: Notes = record["notes"]
     cell = make_cell(record["measured"], record["published"], record["spread"], record["seeds"])
     return replace(
         cell,
-        published=NOT_AVAILABLE if _NOT_AVAILABLE in parts else cell.published,
-        mark=footnotes.mark(part for part in parts if not part.startswith(_OF_THE_PUBLISHED)),
-        published_mark=footnotes.mark(
-            part for part in parts if part.startswith(_OF_THE_PUBLISHED) and part != _NOT_AVAILABLE
-        ),
+        published=NOT_AVAILABLE if any(note.kind is Kind.NOT_AVAILABLE for note in notes) else cell.published,
+        mark=footnotes.mark(note.text for note in notes if note.kind is Kind.MEASURED),
+        published_mark=footnotes.mark(note.text for note in notes if note.kind is Kind.PUBLISHED),
     )

@@ -10,8 +10,7 @@ import pandas as pd
 
 NONE = "none"
 # What a row says of its cell; its other columns say which cell it is, except for the table's number.
-_SAID = ("table", "published", "measured", "spread", "seeds", "note")
-_TITLE = re.compile(r"measured on (.+?)(?:; |$)")
+_SAID = ("table", "published", "measured", "spread", "seeds", "note", "data")
 
 
 class Grade(Enum):
@@ -24,7 +23,7 @@ class Grade(Enum):
 
 
 class _Cell(NamedTuple):
-    """A cell's number and its spread over seeds, NaN for none, and the data set that its note names."""
+    """A cell's number and its spread over seeds, NaN for none, and its data set; "" without a number."""
 
     measured: float
     spread: float
@@ -143,15 +142,15 @@ def compare(
 ) -> Comparison:
     """Compare what a run made with what was kept.
 
-    Where the notes of a cell name two data sets ("measured on ..."), only cells whose notes name the same one
-    are compared, and no verdicts.
+    Where the two numbers of a cell are of two data sets, only cells of the same one are compared, and no
+    verdicts.
 
     Parameters
     ----------
     now, kept
         Name of a table to its filled form, numbers as text or not, empty for none: the columns measured
-        (percent), spread (points, may be missing) and note; and columns that say which cell a row is, e.g.
-        group, row, column.
+        (percent), spread (points, may be missing) and data, the data set ("" if unknown); and columns that
+        say which cell a row is, e.g. group, row, column.
     findings_now, findings_kept
         A row a finding, with the columns number and verdict; None for no findings.
     """
@@ -180,7 +179,7 @@ def _cells(table: pd.DataFrame | None) -> dict[tuple[str, ...], _Cell]:
         return {}
     labels = table[[column for column in table.columns if column not in _SAID]].fillna("").astype(str)
     numbers = table.reindex(columns=["measured", "spread"]).apply(pd.to_numeric, errors="coerce")
-    titles = [found[1] if (found := _TITLE.search(str(note))) else "" for note in table["note"]]
+    titles = table["data"].where(numbers["measured"].notna(), "")
     return {
         key: _Cell(measured, spread, title)
         for key, (measured, spread), title in zip(

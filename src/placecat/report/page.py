@@ -15,7 +15,6 @@ from placecat.report.grid import (
     make_cell,
     make_grid,
     number_text,
-    own_notes,
     seeds_sentence,
 )
 from placecat.report.scale import shown_scale
@@ -30,6 +29,7 @@ from placecat.report.summary import (
     readings_of,
 )
 from placecat.templates import environment
+from placecat.thesis.notes import joined
 from placecat.thesis.tables import comparable, in_percent
 
 # CSS pixels a pixel of a figure: 200 pixels an inch are then shown at 125 %.
@@ -147,7 +147,7 @@ class Report:
         In any order.
     in_text
         Numbers that the thesis gives in its text: columns name, section, quantity, home, published, measured,
-        spread, seeds, note.
+        spread, seeds, notes.
     findings
         From :func:`placecat.thesis.findings.ledger`: number, section, claim, published, measured,
         difference, low, high, units, verdict, one ``verdict_...`` a reading, reason.
@@ -313,7 +313,7 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
                 "quantity": record["quantity"],
                 "home": record["home"],
                 "cell": _cell_of_text(record),
-                "note": "; ".join(own_notes(record["note"])),
+                "note": joined(note for note in record["notes"] if not note.is_of_the_table),
             }
             for record in part.to_dict("records")
         ]

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat import files, listing, paths, settings, store
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, SettingError
 from placecat.evaluation import protocol
 
 if TYPE_CHECKING:
@@ -218,7 +218,7 @@ class Run:
         if own.get("frame") is not None:
             home, frame = homes[0], int(own["frame"])
             if not 0 <= frame < len(self.labels(home)):
-                raise PlacecatError(
+                raise SettingError(
                     f"figures.example.frame must be 0 to {len(self.labels(home)) - 1}, not {frame}"
                 )
             return home, frame

@@ -12,18 +12,22 @@ from placecat.mlflow_log.tables import ARTIFACTS, DESCRIPTION, TableRun, log_tab
 from placecat.report.charts.draw import MatrixDrawer
 from placecat.results.collect import read_results
 from placecat.stages import run
+from placecat.thesis import notes
 from placecat.thesis.tables import dataset_of, folder_of, tables_of
+
+_TEXT = ["group", "row", "column", "note"]
 
 
 def main() -> None:
     """Log the tables to MLFLOW_TRACKING_URI, or to mlflow.db in the project's folder."""
     params = settings.load()
     results, drawer = read_results(params), MatrixDrawer()
+    noted = files.read_table(paths.NOTES, notes.COLUMNS)
     by_split: dict[str, list[TableRun]] = {"": []}
     for name, table in tables_of(params).items():
         made = table_run(
             table,
-            files.read_table(folder_of(table) / f"{name}.csv", ["group", "row", "column", "note"]),
+            notes.with_notes(name, files.read_table(folder_of(table) / f"{name}.csv", _TEXT), noted),
             results,
             dataset_of(table, params),
             settings.flatten(_settings(table, params)),

@@ -17,8 +17,8 @@ from placecat.thesis.number import (
     has_reasons,
     home_label,
     in_home,
-    joined,
     mean,
+    merged,
     nothing,
     over_homes,
 )
@@ -198,16 +198,11 @@ def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tu
     left, right = (over_homes(results, one, both or tried) for one in names)
     if both and both != tried:
         note = f"mean over {', '.join(map(home_label, both))} only"
-        left, right = replace(left, note=note), replace(right, note=note)
+        left, right = replace(left, notes=(note,)), replace(right, notes=(note,))
     found.append((AVERAGE, left, right))
     return [
-        (home, _noted(left, pair.variant_note), _noted(right, pair.baseline_note))
-        for home, left, right in found
+        (home, left.noted(pair.variant_note), right.noted(pair.baseline_note)) for home, left, right in found
     ]
-
-
-def _noted(number: Number, note: str) -> Number:
-    return replace(number, note=joined([number.note, note])) if len(number.values) else number
 
 
 def _homes_of(names: Sequence[str], results: Results) -> tuple[list[int], list[int]]:
@@ -280,7 +275,7 @@ def _extreme(differences: Mapping[str, Number], which: Callable[..., str]) -> Nu
     if not there:
         return mean(list(differences.values()))
     label = which(there, key=lambda one: float(there[one].values.mean()))
-    return replace(there[label], note=joined([f"that of {label}", there[label].note]))
+    return replace(there[label], notes=merged([[f"that of {label}"], there[label].notes]))
 
 
 def _error_ratio(results: Results, variant: str, baseline: str) -> Number:

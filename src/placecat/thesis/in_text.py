@@ -10,11 +10,15 @@ from placecat import settings
 from placecat.errors import PlacecatError
 from placecat.results.measured import Results
 from placecat.thesis.comparison import Line, alone, compare
-from placecat.thesis.number import Number, joined, nothing
+from placecat.thesis.notes import Kind, Note, Notes, joined, without_empty
+from placecat.thesis.number import Number, nothing
 from placecat.thesis.records import read_off
-from placecat.thesis.tables import comparable
+from placecat.thesis.tables import comparable, not_comparable
 
 COLUMNS = ["name", "section", "quantity", "home", "published", "measured", "spread", "seeds", "note"]
+# What the table is called, and the columns that say which number a row is.
+NAME = "in_text"
+KEY = ["name", "quantity", "home"]
 _OF_THE_DATA = ("thesis_data", "data", "split")
 
 
@@ -57,8 +61,9 @@ def in_text(
     -------
     DataFrame
         Columns name, section, quantity, home ("Home 6", "Average", or "" for neither), published, measured,
-        spread, seeds, note. Of a comparison both sides and their difference, variant minus baseline, in
-        points. ``spread`` and ``seeds`` as in :func:`~placecat.thesis.tables.fill_table`.
+        spread, seeds, note, and ``notes``, the same by kind. Of a comparison both sides and their difference,
+        variant minus baseline, in points. ``spread`` and ``seeds`` as in
+        :func:`~placecat.thesis.tables.fill_table`.
 
     Raises
     ------
@@ -78,10 +83,10 @@ def in_text(
         own_dataset = splits[entry["split"]] if "split" in entry else dataset
         for quantity, home, number in _lines(name, entry, results, records, known):
             words = said.get((name, quantity, home), _Said())
-            note = _note(entry, number, words, own_dataset)
-            measured = (number.measured, number.spread, number.seeds, note)
+            notes = _notes(entry, number, words, own_dataset)
+            measured = (number.measured, number.spread, number.seeds, joined(notes), notes)
             rows.append((name, str(sections[name]), quantity, home, words.value, *measured))
-    return pd.DataFrame(rows, columns=COLUMNS)
+    return pd.DataFrame(rows, columns=[*COLUMNS, "notes"])
 
 
 def _same_names(entries: Sequence[str], published: Sequence[str]) -> None:
@@ -110,14 +115,14 @@ def _lines(
     return (alone if "result" in entry else compare)(own, results, where)
 
 
-def _note(entry: Mapping[str, Any], number: Number, words: _Said, dataset: Mapping[str, Any]) -> str:
-    notes = [number.note]
+def _notes(entry: Mapping[str, Any], number: Number, words: _Said, dataset: Mapping[str, Any]) -> Notes:
+    notes = [Note(Kind.MEASURED, text) for text in number.notes]
     if len(number.values):
-        notes.insert(0, f"measured on {entry.get('data') or dataset['title']}")
+        notes.insert(0, Note(Kind.DATA, f"measured on {entry.get('data') or dataset['title']}"))
         thesis_data = entry.get("thesis_data")
         if np.isfinite(words.value) and thesis_data is not None and not comparable(entry, dataset):
-            notes.append(f"the published number is from the {thesis_data} and does not compare")
-    notes.append(words.note)
+            notes.append(not_comparable(thesis_data))
+    notes.append(Note(Kind.PUBLISHED, words.note))
     if words.quote:
-        notes.append(f'the thesis says "{words.quote}"')
-    return joined(notes)
+        notes.append(Note(Kind.PUBLISHED, f'the thesis says "{words.quote}"'))
+    return without_empty(notes)

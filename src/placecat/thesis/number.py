@@ -23,15 +23,15 @@ class Number:
         (seeds,) percent or points; (1,) where nothing is random, (0,) where there is no number.
     is_random
         Whether it depends on a seed.
-    note
-        The reason, if there is no number; else what is to be said about it, or "".
+    notes
+        The reasons, if there is no number; else what is to be said about it.
     digits
         After the point.
     """
 
     values: NDArray[np.float64]
     is_random: bool
-    note: str = ""
+    notes: tuple[str, ...] = ()
     digits: int = 2
 
     @property
@@ -49,29 +49,33 @@ class Number:
         """Number of seeds, 0 where nothing is random or there is no number."""
         return len(self.values) if self.is_random else 0
 
+    def noted(self, *notes: str) -> Number:
+        """The number with further notes, without empty ones; without a value, as it is."""
+        return replace(self, notes=merged([self.notes, notes])) if len(self.values) else self
+
     def minus(self, other: Number) -> Number:
         """The difference for each seed; what is not random is the same with every seed."""
         if not len(self.values) or not len(other.values):
-            return nothing(joined([one.note for one in (self, other) if not len(one.values)]))
-        note = joined([self.note, other.note])
-        return Number(self.values - other.values, self.is_random or other.is_random, note)
+            return nothing(*merged(one.notes for one in (self, other) if not len(one.values)))
+        notes = merged([self.notes, other.notes])
+        return Number(self.values - other.values, self.is_random or other.is_random, notes)
 
 
-def nothing(reason: str) -> Number:
+def nothing(*reasons: str) -> Number:
     """No number, and why."""
-    return Number(np.empty(0), False, reason)
+    return Number(np.empty(0), False, reasons)
 
 
-def joined(notes: Iterable[str]) -> str:
-    """Notes in a row, each once, without empty ones."""
-    return "; ".join(dict.fromkeys(note for note in notes if note))
+def merged(notes: Iterable[Iterable[str]]) -> tuple[str, ...]:
+    """Notes of several numbers in a row, each once, without empty ones."""
+    return tuple(dict.fromkeys(note for of_one in notes for note in of_one if note))
 
 
 def mean(numbers: Sequence[Number]) -> Number:
     """The mean of some numbers for each seed; those without a value are left out."""
     there = [one for one in numbers if len(one.values)]
     if not there:
-        return nothing(joined(one.note for one in numbers))
+        return nothing(*merged(one.notes for one in numbers))
     # Adding keeps the seeds apart and spreads what is not random over them.
     total = sum((one.values for one in there[1:]), there[0].values)
     return Number(total / len(there), any(one.is_random for one in there))
@@ -97,9 +101,7 @@ def in_home(results: Results, name: str, number: int) -> Number:
         results.of(name)
     one = results.measured.get(name)
     if one is None or home not in one.homes:
-        # Notes are joined by semicolons.
-        reason = results.missing.get((name, home), f"nothing was measured in {home}")
-        return nothing(reason.replace("; ", ", "))
+        return nothing(results.missing.get((name, home), f"nothing was measured in {home}"))
     return Number(one.by_home()[:, one.homes.index(home)], one.is_random)
 
 
@@ -111,8 +113,7 @@ def over_homes(results: Results, name: str, numbers: Sequence[int]) -> Number:
     parts = [in_home(results, name, number) for number in numbers]
     there = [number for number, part in zip(numbers, parts, strict=True) if len(part.values)]
     note = "" if len(there) == len(parts) else f"mean over {', '.join(map(home_label, there))} only"
-    average = mean(parts)
-    return replace(average, note=note) if there else average
+    return mean(parts).noted(note)
 
 
 def in_homes(results: Results, name: str, numbers: Sequence[int]) -> list[tuple[str, Number]]:

@@ -10,7 +10,8 @@ import pandas as pd
 from placecat import paths, settings
 from placecat.results.measured import Results
 from placecat.thesis import definitions, layouts
-from placecat.thesis.number import joined, nothing
+from placecat.thesis.notes import Kind, Note, joined, without_empty
+from placecat.thesis.number import nothing
 
 ADDITION = "Addition"
 COLUMNS = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "note"]
@@ -66,8 +67,7 @@ def contradictions_of(notes: pd.DataFrame) -> dict[PublishedKey, str]:
     Parameters
     ----------
     notes
-        Columns table, group, row, column, note, as in data/thesis/contradictions.csv. A note starts with "the
-        published", so that tables show it on the published number.
+        Columns table, group, row, column, note, as in data/thesis/contradictions.csv.
     """
     keys = zip(*(notes[name] for name in ["table", *_KEY]), strict=True)
     return {(int(number), *labels): note for (number, *labels), note in zip(keys, notes["note"], strict=True)}
@@ -105,8 +105,9 @@ def fill_table(
     -------
     DataFrame
         Columns table ("Addition" for an addition), group, row, column, published, measured, spread, seeds,
-        note: first the published cells in their order, then cells that only this run has. ``measured``
-        (percent, see :func:`in_percent`; mean over seeds, 2 decimals) is NaN only with a note that says why.
+        note, and ``notes``, the same by kind: first the published cells in their order, then cells that only
+        this run has. ``measured`` (percent, see :func:`in_percent`; mean over seeds, 2 decimals) is NaN only
+        with a note that says why.
         ``spread`` is the largest minus the smallest of the seeds in points, NaN where nothing is random;
         ``seeds`` is their number, then 0.
     """
@@ -118,14 +119,15 @@ def fill_table(
     rows = []
     for key in [*order, *(key for key in cells if key not in value)]:
         cell = cells.get(key) or layouts.cell(key, nothing(_why_missing(key, dataset)))
-        notes = [cell.note]
+        notes = [Note(Kind.MEASURED, text) for text in cell.notes]
         if np.isfinite(cell.measured):
-            notes.insert(0, f"measured on {dataset['title']}")
+            notes.insert(0, Note(Kind.DATA, f"measured on {dataset['title']}"))
             if np.isfinite(value.get(key, np.nan)) and not comparable(table, dataset):
-                notes.append(f"the published number is from the {table['thesis_data']} and does not compare")
+                notes.append(not_comparable(table["thesis_data"]))
         if key in value and np.isnan(value[key]):
-            notes.append("the published cell is n/a")
-        notes.append(contradictions.get((number, *key), ""))
+            notes.append(Note(Kind.NOT_AVAILABLE, "the published cell is n/a"))
+        notes.append(Note(Kind.PUBLISHED, contradictions.get((number, *key), "")))
+        of_cell = without_empty(notes)
         rows.append(
             (
                 ADDITION if number is None else number,
@@ -134,15 +136,21 @@ def fill_table(
                 cell.measured,
                 cell.spread,
                 cell.seeds,
-                joined(notes),
+                joined(of_cell),
+                of_cell,
             )
         )
-    return pd.DataFrame(rows, columns=COLUMNS)
+    return pd.DataFrame(rows, columns=[*COLUMNS, "notes"])
 
 
 def comparable(table: Mapping[str, Any], dataset: Mapping[str, Any]) -> bool:
     """Whether the published numbers of a table were measured on the data of this run."""
     return table["thesis_data"] is not None and bool(table["thesis_data"] == dataset["thesis_data"])
+
+
+def not_comparable(thesis_data: str) -> Note:
+    """The note on a published number that was measured on other data."""
+    return Note(Kind.NOT_COMPARABLE, f"the published number is from the {thesis_data} and does not compare")
 
 
 def _why_missing(key: tuple[str, str, str], dataset: Mapping[str, Any]) -> str:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from placecat import seeds, settings
 from placecat.drawing.palette import place_colors, place_title
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, SettingError
 from placecat.report.figures.choice import home_of
 from placecat.report.figures.panels import Sheet
 from placecat.report.figures.shares import place_legend, share_bar
@@ -146,7 +146,7 @@ def _largest(run: Run, cue: str, test_home: str) -> list[Cluster]:
     own = settings.get(run.params, f"cues.{cue}")
     name, number = own["codebook"], own["classifier"].get("clusters")
     if name is None or number is None:
-        raise PlacecatError(f"figures.clusters.cue {cue!r} has no codebook: use one on salient regions")
+        raise SettingError(f"figures.clusters.cue {cue!r} has no codebook: use one on salient regions")
     train = training_regions(run, name, test_home)
     tree = run.codebook(name, run.fold(test_home).training_set).trees[0]
     words, centers = tree.assign(train.x, number), tree.centers(number)

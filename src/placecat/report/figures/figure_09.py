@@ -14,7 +14,7 @@ from threadpoolctl import threadpool_limits
 
 from placecat import seeds, settings
 from placecat.drawing.palette import INK, place_colors, place_title
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, SettingError
 from placecat.learning.knn import ModifiedKNN
 from placecat.learning.nearest import nearest_centers
 from placecat.report.figures.choice import home_of
@@ -137,7 +137,7 @@ def _query(
         score = np.where(able, proba.max(axis=1) + wishes, -1.0)
         frame = int(score.argmax())
     elif not 0 <= frame < len(x):
-        raise PlacecatError(f"figures.figure_09.frame must be 0 to {len(x) - 1}, not {frame}")
+        raise SettingError(f"figures.figure_09.frame must be 0 to {len(x) - 1}, not {frame}")
     some = slice(0, int(counts[frame]))
     return Query(frame, x[frame, some], nearest[frame, some], proba[frame])
 

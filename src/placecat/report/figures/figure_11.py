@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from placecat import settings
 from placecat.drawing import palette
-from placecat.errors import PlacecatError
+from placecat.errors import SettingError
 from placecat.report.figures.choice import home_of
 from placecat.report.figures.segment import most_smoothed, stretches
 
@@ -48,7 +48,7 @@ def _draw(
         "Hidden Markov model with delay": delayed,
     }
     if frames < 2:
-        raise PlacecatError(f"figures.figure_11.frames must be 2 or more, not {frames}")
+        raise SettingError(f"figures.figure_11.frames must be 2 or more, not {frames}")
     chosen, window = choose(run, classifier, hmm, home=home, start=start, frames=frames)
     outputs = {title: run.proba(result, chosen)[window] for title, result in results.items()}
     return figure(outputs, run.labels(chosen)[window], run.source(classifier).classes, chosen, window.start)
@@ -75,7 +75,7 @@ def choose(
     if start is not None:
         length = len(run.labels(homes[0]))
         if not 0 <= start < length - 1:
-            raise PlacecatError(f"figures.figure_11.start must be in 0 to {length - 2}, not {start}")
+            raise SettingError(f"figures.figure_11.start must be in 0 to {length - 2}, not {start}")
         return homes[0], slice(start, min(start + frames, length))
     found = [
         most_smoothed(

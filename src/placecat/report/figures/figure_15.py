@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from placecat import settings
 from placecat.drawing import palette
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, SettingError
 from placecat.evaluation.accuracy import home_accuracy
 from placecat.report.figures.choice import home_of
 
@@ -34,7 +34,7 @@ def draw(run: "Run") -> Figure:
 
 def _draw(run: "Run", *, home: int, panels: Mapping[str, str]) -> Figure:
     if not panels:
-        raise PlacecatError("figures.figure_15.panels names no result")
+        raise SettingError("figures.figure_15.panels names no result")
     chosen = home_of(run, home)
     drawn = Figure(figsize=(WIDTH, WIDTH / len(panels) + 0.3))
     grid = drawn.subplots(1, len(panels), squeeze=False, sharey=True)[0]

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from matplotlib.figure import Figure
 
 from placecat import settings
-from placecat.errors import PlacecatError
+from placecat.errors import SettingError
 from placecat.report.figures import strips
 
 if TYPE_CHECKING:
@@ -26,6 +26,6 @@ def draw(run: "Run") -> Figure:
 
 def _draw(run: "Run", *, panels: Mapping[str, str]) -> Figure:
     if not panels:
-        raise PlacecatError("figures.figure_20.panels names no result")
+        raise SettingError("figures.figure_20.panels names no result")
     homes = run.source(next(iter(panels.values()))).homes
     return strips.figure(run, homes, panels)

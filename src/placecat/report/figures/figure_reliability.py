@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 
 from placecat import settings
 from placecat.drawing import palette
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, SettingError
 from placecat.evaluation.probabilities import Reliability, pooled, reliability
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ def draw(run: "Run") -> Figure:
 
 def _draw(run: "Run", *, panels: Mapping[str, str]) -> Figure:
     if not panels:
-        raise PlacecatError("figures.figure_reliability.panels names no result")
+        raise SettingError("figures.figure_reliability.panels names no result")
     rows = -(-len(panels) // COLUMNS)
     drawn = Figure(figsize=(WIDTH, rows * ROW + LEGEND))
     heights = [4.0, 1.0] * rows

@@ -13,7 +13,7 @@ from placecat.thesis.number import Number
 class Cell(NamedTuple):
     """One cell of a table: its key in the published tables, and what was measured for it.
 
-    `measured` is a percentage, the mean over the seeds, or NaN with a `note` that says why there is none.
+    `measured` is a percentage, the mean over the seeds, or NaN with `notes` that say why there is none.
     `spread` is the largest minus the smallest of the seeds, NaN where nothing is random; `seeds` is their
     number, then 0.
     """
@@ -24,12 +24,12 @@ class Cell(NamedTuple):
     measured: float
     spread: float
     seeds: int
-    note: str
+    notes: tuple[str, ...]
 
 
 def cell(key: tuple[str, str, str], number: Number) -> Cell:
     """Put a number into the cell of a group, row and column."""
-    return Cell(*key, number.measured, number.spread, number.seeds, number.note)
+    return Cell(*key, number.measured, number.spread, number.seeds, number.notes)
 
 
 def place_column(place: str) -> str:

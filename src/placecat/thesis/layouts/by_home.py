@@ -1,12 +1,11 @@
 """A row a result, a column a test home, and the average over homes (e.g. Table 26)."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 from placecat.results.measured import Results
 from placecat.thesis.layouts import Cell, cell
-from placecat.thesis.number import AVERAGE, Number, home_label, in_homes, joined
+from placecat.thesis.number import AVERAGE, home_label, in_homes
 
 
 def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
@@ -17,11 +16,7 @@ def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
     numbers = range(1, len(results.homes) + 1)
     homes = {home_label(number): home for number, home in enumerate(results.homes, start=1)} | {AVERAGE: ""}
     return [
-        cell((row["group"], row["row"], column), _noted(number, results.drops(row["result"], homes[column])))
+        cell((row["group"], row["row"], column), number.noted(results.drops(row["result"], homes[column])))
         for row in table["rows"]
         for column, number in in_homes(results, row["result"], numbers)
     ]
-
-
-def _noted(number: Number, note: str) -> Number:
-    return replace(number, note=joined([number.note, note])) if len(number.values) else number

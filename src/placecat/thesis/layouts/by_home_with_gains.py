@@ -1,14 +1,13 @@
 """As `by_home`, and what some results have more than the best of others, in points."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from placecat.results.measured import Results
 from placecat.thesis.layouts import Cell, by_home, cell
-from placecat.thesis.number import Number, in_homes, joined, over_homes
+from placecat.thesis.number import in_homes, over_homes
 
 
 def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
@@ -28,7 +27,7 @@ def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
             note += ", the best on average"
         pairs = zip(in_homes(results, gain["result"], numbers), in_homes(results, best, numbers), strict=True)
         for (column, of_result), (_, of_best) in pairs:
-            found = _noted(of_result.minus(of_best), note)
+            found = of_result.minus(of_best).noted(note)
             filled.append(cell((gain["group"], gain["row"], column), found))
     groups = list(dict.fromkeys(one.group for one in filled))
     return sorted(filled, key=lambda one: groups.index(one.group))
@@ -38,7 +37,3 @@ def _best(results: Results, names: Sequence[str], numbers: Sequence[int]) -> str
     """The result with the largest average; the first one of equals, and if none was measured."""
     averages = [over_homes(results, name, numbers).measured for name in names]
     return names[int(np.nanargmax(averages))] if np.isfinite(averages).any() else names[0]
-
-
-def _noted(number: Number, note: str) -> Number:
-    return replace(number, note=joined([number.note, note])) if len(number.values) else number

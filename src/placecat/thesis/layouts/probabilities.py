@@ -5,7 +5,7 @@ from typing import Any
 
 from placecat.results.measured import MEASURES, Results
 from placecat.thesis.layouts import Cell, cell
-from placecat.thesis.number import Number, home_label, joined, nothing
+from placecat.thesis.number import Number, home_label, nothing
 
 
 def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
@@ -24,16 +24,14 @@ def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
 def _over_homes(results: Results, name: str, measure: str) -> Number:
     one = results.quality.get(name)
     if one is None:
-        reasons = [
-            reason.replace("; ", ", ") for (result, _), reason in results.missing.items() if result == name
-        ]
+        reasons = [reason for (result, _), reason in results.missing.items() if result == name]
         if not reasons:
             # Refuses a name that there is not.
             results.of(name)
-        return nothing(joined(reasons) or "nothing was measured")
+        return nothing(*(dict.fromkeys(reasons) or ["nothing was measured"]))
     values = one.over_homes(measure)
     if not len(values):
         return nothing("no tested frame has a label")
     there = [home_label(number) for number, home in enumerate(results.homes, 1) if home in one.homes]
     note = "" if len(there) == len(results.homes) else f"mean over {', '.join(there)} only"
-    return Number(values, one.is_random, note)
+    return Number(values, one.is_random).noted(note)
