@@ -4,8 +4,9 @@ import pytest
 
 from made_report import CLASSES, HOMES, addition, cells
 from placecat.report.grid import homes_sentence, make_cell, make_grid, number_text, seeds_sentence
+from placecat.thesis.notes import Kind, Note
 
-COLUMNS = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "note"]
+COLUMNS = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "notes"]
 
 
 def made(*rows):
@@ -38,11 +39,11 @@ def test_every_cell_of_a_table_is_at_its_place():
 
 def test_what_only_this_run_has_stands_before_the_average():
     table = made(
-        ("", "a", "Home 1", 1.0, 1.0, np.nan, 0, ""),
-        ("", "a", "Average", 1.0, 1.0, np.nan, 0, ""),
-        ("", "Average", "Home 1", 1.0, 1.0, np.nan, 0, ""),
-        ("", "a", "Home 7", np.nan, 2.0, np.nan, 0, ""),
-        ("", "b", "Home 7", np.nan, 3.0, np.nan, 0, ""),
+        ("", "a", "Home 1", 1.0, 1.0, np.nan, 0, ()),
+        ("", "a", "Average", 1.0, 1.0, np.nan, 0, ()),
+        ("", "Average", "Home 1", 1.0, 1.0, np.nan, 0, ()),
+        ("", "a", "Home 7", np.nan, 2.0, np.nan, 0, ()),
+        ("", "b", "Home 7", np.nan, 3.0, np.nan, 0, ()),
     )
     grid = make_grid(table)
     assert grid.columns == ("Home 1", "Home 7", "Average")
@@ -51,18 +52,24 @@ def test_what_only_this_run_has_stands_before_the_average():
 
 
 def test_notes_become_footnotes_on_the_number_that_they_are_about():
-    contradiction = "the published average contradicts its own row"
+    contradiction = Note(Kind.PUBLISHED, "row and average differ")
+    # What it says does not make a note one of the table, nor two.
+    title = Note(Kind.DATA, "measured on my homes; second floor")
+    no_home = Note(Kind.MEASURED, "no such home")
+    not_available = Note(Kind.NOT_AVAILABLE, "the published cell is n/a")
+    other = Note(Kind.NOT_COMPARABLE, "the published number is from the v")
+    of_one = Note(Kind.MEASURED, "measured on one home; the published number is from two")
     table = made(
-        ("", "a", "x", 1.0, np.nan, np.nan, 0, "no such home"),
-        ("", "a", "y", 1.0, 2.0, np.nan, 0, f"measured on d; {contradiction}"),
-        ("", "b", "x", np.nan, np.nan, np.nan, 0, "no such home; the published cell is n/a"),
-        ("", "b", "y", 1.0, 2.0, np.nan, 0, "measured on d; the published number is from the v; of one home"),
+        ("", "a", "x", 1.0, np.nan, np.nan, 0, (no_home,)),
+        ("", "a", "y", 1.0, 2.0, np.nan, 0, (title, contradiction)),
+        ("", "b", "x", np.nan, np.nan, np.nan, 0, (no_home, not_available)),
+        ("", "b", "y", 1.0, 2.0, np.nan, 0, (title, other, of_one)),
     )
     grid = make_grid(table)
     assert [(one.mark, one.text, one.cells) for one in grid.footnotes] == [
         ("a", "no such home", 2),
-        ("b", contradiction, 1),
-        ("c", "of one home", 1),
+        ("b", contradiction.text, 1),
+        ("c", of_one.text, 1),
     ]
     (first, second), (third, fourth) = (row.cells for row in grid.groups[0].rows)
     assert (first.mark, first.published_mark, first.difference) == ("a", "", None)
@@ -90,7 +97,7 @@ def test_the_sentence_on_seeds_names_the_widest_cell():
     table = made(
         ("g", "a", "x", 1.0, 2.0, 0.5, 2, ""),
         ("g", "a", "y", 1.0, 2.0, 1.5, 2, ""),
-        ("g", "b", "y", 1.0, 2.0, np.nan, 0, ""),
+        ("g", "b", "y", 1.0, 2.0, np.nan, 0, ()),
     )
     assert seeds_sentence(table) == (
         "Numbers that depend on chance are means of 2 seeds, which lie 1.00 points apart in the median cell "

@@ -7,7 +7,8 @@ from hypothesis import strategies as st
 
 from placecat.report.kept import NONE, Grade, Turned, compare
 
-DATA = "made homes"
+# Its title is no text to cut.
+DATA = "made homes; second floor"
 
 
 def filled(*numbers, data=DATA, spreads=None):
@@ -23,13 +24,12 @@ def filled(*numbers, data=DATA, spreads=None):
             "" if number is None else str(number),
             str(spread),
             "0",
-            "too few homes"
-            if number is None
-            else f"measured on {data}; the published number does not compare",
+            "too few homes" if number is None else f"measured on {data}",
+            data,
         )
         for place, (number, spread) in enumerate(zip(numbers, spreads, strict=True))
     ]
-    columns = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "note"]
+    columns = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "note", "data"]
     return pd.DataFrame(rows, columns=columns)
 
 
@@ -154,7 +154,7 @@ def test_the_numbers_of_the_text_have_other_labels():
             "home": ["Home 6"] * 2,
             "published": ["35.41", "38.67"],
             "measured": ["30.0", "31.0"],
-            "note": [f"measured on {DATA}"] * 2,
+            "data": [DATA] * 2,
         }
     )
     (table,) = compare({"in_text": kept.assign(measured=["30.0", "30.2"])}, {"in_text": kept}).tables

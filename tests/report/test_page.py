@@ -12,6 +12,7 @@ import made_report
 from browser import evaluate, needs_chromium, screenshot
 from made_report import DATASET, settings
 from placecat.report.page import Figure, Table, duration, page_html
+from placecat.thesis.notes import Kind, Note
 
 
 @pytest.fixture(scope="module")
@@ -305,7 +306,9 @@ def test_names_are_escaped():
             tables=[Table(settings(5, evil), table, DATASET | {"title": evil})],
             figures=[Figure(3, evil, made_report.png()), Figure(4, evil, None, evil)],
             findings=report.findings.assign(claim=evil, reason=evil),
-            in_text=report.in_text.assign(quantity=evil, note=evil),
+            in_text=report.in_text.assign(
+                quantity=evil, notes=[(Note(Kind.MEASURED, evil),)] * len(report.in_text)
+            ),
             settings=evil,
             data_version=evil,
         )

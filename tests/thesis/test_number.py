@@ -29,19 +29,19 @@ def test_homes_and_their_average_by_seed():
     found = dict(in_homes(results(), "one", [1, 2]))
     assert list(found) == ["Home 1", "Home 2", "Average"]
     assert found["Average"].values.tolist() == [(87.5 + 75) / 2, (62.5 + 75) / 2]
-    assert found["Average"].note == ""
+    assert found["Average"].notes == ()
     assert [label for label, _ in in_homes(results(), "one", [2])] == ["Home 2"]
 
 
 def test_a_home_without_a_number_has_a_reason_and_the_average_leaves_it_out():
     found = dict(in_homes(results(C="no frames"), "one", [1, 3, 4]))
-    assert found["Home 3"].note == "no frames"
-    assert found["Home 4"].note == "the data set has only 3 homes"
+    assert found["Home 3"].notes == ("no frames",)
+    assert found["Home 4"].notes == ("the data set has only 3 homes",)
     assert np.isnan(found["Home 3"].measured)
     assert found["Average"].values.tolist() == [87.5, 62.5]
-    assert found["Average"].note == "mean over Home 1 only"
+    assert found["Average"].notes == ("mean over Home 1 only",)
     nowhere = over_homes(results(C="no frames"), "one", [3, 4])
-    assert nowhere.note == "no frames; the data set has only 3 homes"
+    assert nowhere.notes == ("no frames", "the data set has only 3 homes")
     assert (nowhere.seeds, len(nowhere.values)) == (0, 0)
 
 
@@ -49,7 +49,7 @@ def test_an_unknown_result_is_an_error_unless_there_is_a_reason():
     with pytest.raises(PlacecatError, match="no result 'two'"):
         in_home(results(), "two", 1)
     known = Results(("A",), ("x",), {}, {("two", "A"): "why; and so"})
-    assert in_home(known, "two", 1).note == "why, and so"
+    assert in_home(known, "two", 1).notes == ("why; and so",)
 
 
 @given(seeded)
@@ -74,14 +74,14 @@ def test_a_mean_leaves_out_what_there_is_not(numbers):
     found = mean(numbers)
     if there:
         assert found.values.mean() == pytest.approx(np.mean(there))
-        assert found.note == ""
+        assert found.notes == ()
     else:
-        assert found.note == "why"
+        assert found.notes == ("why",)
         assert np.isnan(found.measured)
         assert np.isnan(found.minus(nothing("too")).measured)
 
 
 def test_a_difference_to_nothing_has_the_reason():
     one = Number(np.array([1.0]), False)
-    assert one.minus(nothing("why")).note == "why"
-    assert nothing("why").minus(nothing("why")).note == "why"
+    assert one.minus(nothing("why")).notes == ("why",)
+    assert nothing("why").minus(nothing("why")).notes == ("why",)

@@ -29,7 +29,7 @@ def test_a_gain_is_the_difference_to_the_best_on_average():
     found = gains()
     assert [cell.measured for cell in found.values()] == [-9.0, 11.0, 21.0, 1.0, 11.0, 1.0, 6.0]
     assert list(found)[-1] == "Average"
-    assert {cell.note for cell in found.values()} == {"minus Gist, the best on average"}
+    assert {cell.notes for cell in found.values()} == {("minus Gist, the best on average",)}
     assert {(cell.group, cell.row, cell.spread, cell.seeds) for cell in found.values()} == {
         ("g", "Gain", 2.0, 2)
     }
@@ -39,12 +39,12 @@ def test_seeds_are_compared_one_by_one():
     found = gains(gist=measured([0] * 6))
     assert found["Home 1"].measured == pytest.approx(31 - 22)
     assert found["Home 1"].spread == pytest.approx(2.0)
-    assert found["Average"].note == "minus Hog, the best on average"
+    assert found["Average"].notes == ("minus Hog, the best on average",)
 
 
 def test_over_a_single_result_none_is_the_best_and_a_row_that_is_not_shown_has_its_own_name():
     found = gains(TABLE | {"gains": [GAIN | {"over": ["other"]}]}, other=measured(GIST))
-    assert {cell.note for cell in found.values()} == {"minus other"}
+    assert {cell.notes for cell in found.values()} == {("minus other",)}
 
 
 def test_a_home_without_a_number_has_a_reason_and_no_gain():
@@ -53,7 +53,7 @@ def test_a_home_without_a_number_has_a_reason_and_no_gain():
     made.measured["gist"] = measured([40, 30, 30, 30, 30], homes)
     found = {cell.column: cell for cell in by_home_with_gains.cells(TABLE, made) if cell.row == "Gain"}
     assert np.isnan(found["Home 2"].measured)
-    assert found["Home 2"].note == "too few frames"
+    assert found["Home 2"].notes == ("too few frames",)
     assert found["Home 1"].measured == -9.0
 
 
@@ -61,7 +61,7 @@ def test_without_any_number_there_are_reasons():
     lost = {(name, f"home_{number}"): "too few frames" for name in ("gist", "hog") for number in range(1, 7)}
     made = results(lost, fused=measured(FUSED))
     found = [cell for cell in by_home_with_gains.cells(TABLE, made) if cell.row == "Gain"]
-    assert {cell.note for cell in found} == {"too few frames"}
+    assert {cell.notes for cell in found} == {("too few frames",)}
 
 
 def test_groups_stay_together():
