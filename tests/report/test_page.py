@@ -300,15 +300,14 @@ def test_names_are_escaped():
     table = made_report.cells(5)
     table["row"] = table["row"].replace("SVM", evil)
     report = made_report.report()
+    count = len(report.in_text)
     html = page_html(
         replace(
             report,
             tables=[Table(settings(5, evil), table, DATASET | {"title": evil})],
             figures=[Figure(3, evil, made_report.png()), Figure(4, evil, None, evil)],
             findings=report.findings.assign(claim=evil, reason=evil),
-            in_text=report.in_text.assign(
-                quantity=evil, notes=[(Note(Kind.MEASURED, evil),)] * len(report.in_text)
-            ),
+            in_text=report.in_text.assign(quantity=evil, notes=[(Note(Kind.MEASURED, evil),)] * count),
             settings=evil,
             data_version=evil,
         )
