@@ -7,17 +7,20 @@ import cv2
 import numpy as np
 import pandas as pd
 
-from placecat.reporting.page import Figure, Report, Scale, Speed, Table, Times
+from placecat.report.page import Figure, Report, Scale, Speed, Table, Times
+from placecat.thesis.notes import Kind, Note, joined
 
 ROOT = Path(__file__).resolve().parents[1]
 CLASSES = ["bedroom", "bathroom", "kitchen", "living_room", "dining_room"]
 HOMES = [f"home_{number}" for number in range(1, 7)]
 DATASET = {"name": "homes", "title": "made-up homes", "thesis_data": None, "homes": HOMES, "classes": CLASSES}
 THESIS_DATA = "VPC-2009 home database"
+MEASURED = (Note(Kind.DATA, "measured on made-up homes"),)
 ON_OTHER_DATA = (
-    f"measured on made-up homes; the published number is from the {THESIS_DATA} and does not compare"
+    *MEASURED,
+    Note(Kind.NOT_COMPARABLE, f"the published number is from the {THESIS_DATA} and does not compare"),
 )
-QUOTE = 'the thesis says "over 3% lower"'
+QUOTE = Note(Kind.PUBLISHED, 'the thesis says "over 3% lower"')
 VERDICTS = ["holds", "does not hold", "undecided"]
 
 
@@ -40,32 +43,49 @@ def cells(number, rng=None):
     own["measured"] = (own["published"].fillna(30) + noise).clip(0, 100).round(2)
     own["spread"] = np.nan if rng is None else rng.uniform(0, 3, len(own)).round(2)
     own["seeds"] = 0 if rng is None else 2
-    own["note"] = ON_OTHER_DATA
-    own.loc[own["published"].isna(), "note"] = "measured on made-up homes; the published cell is n/a"
-    return own[["table", "group", "row", "column", "published", "measured", "spread", "seeds", "note"]]
+    empty = (*MEASURED, Note(Kind.NOT_AVAILABLE, "the published cell is n/a"))
+    own["notes"] = [empty if is_empty else ON_OTHER_DATA for is_empty in own["published"].isna()]
+    return noted(
+        own[["table", "group", "row", "column", "published", "measured", "spread", "seeds", "notes"]]
+    )
+
+
+def noted(table):
+    """A table with its notes as text as well."""
+    return table.assign(note=table["notes"].map(joined))
 
 
 def addition():
     rows = [
-        ("Addition", "", "RVM", "Home 1", np.nan, 30.5, np.nan, 0, "measured on made-up homes"),
-        ("Addition", "", "RVM", "Average", np.nan, 31.25, np.nan, 0, "measured on made-up homes"),
-        ("Addition", "", "SVM", "Home 1", np.nan, 33.0, np.nan, 0, "measured on made-up homes"),
-        ("Addition", "", "SVM", "Average", np.nan, np.nan, np.nan, 0, "too few frames"),
+        ("Addition", "", "RVM", "Home 1", np.nan, 30.5, np.nan, 0, MEASURED),
+        ("Addition", "", "RVM", "Average", np.nan, 31.25, np.nan, 0, MEASURED),
+        ("Addition", "", "SVM", "Home 1", np.nan, 33.0, np.nan, 0, MEASURED),
+        (
+            "Addition",
+            "",
+            "SVM",
+            "Average",
+            np.nan,
+            np.nan,
+            np.nan,
+            0,
+            (Note(Kind.MEASURED, "too few frames"),),
+        ),
     ]
-    columns = list(cells(5).columns)
+    columns = list(cells(5).columns.drop("note"))
     named = {"name": "rvm", "number": None, "title": "RVM beside SVM", "thesis_data": None}
-    return Table(named, pd.DataFrame(rows, columns=columns), DATASET)
+    return Table(named, noted(pd.DataFrame(rows, columns=columns)), DATASET)
 
 
 def captioned():
     """A table whose numbers are no percentages, and depend on chance."""
     rows = [
-        ("Addition", "Cues", "Gist", column, np.nan, value, spread, 2, "measured on made-up homes")
+        ("Addition", "Cues", "Gist", column, np.nan, value, spread, 2, MEASURED)
         for column, value, spread in (("Log loss", 1.61, 0.02), ("Stay accuracy", 40.0, 3.0))
     ]
     named = {"name": "addition_quality", "number": None, "title": "How good", "thesis_data": None}
     named["caption"] = "Log loss in nats, stay accuracy in percent."
-    return Table(named, pd.DataFrame(rows, columns=list(cells(5).columns)), DATASET)
+    return Table(named, noted(pd.DataFrame(rows, columns=list(cells(5).columns.drop("note")))), DATASET)
 
 
 def png(width=260, height=160, seed=0):
@@ -131,7 +151,7 @@ def in_text():
             -1.0,
             np.nan,
             0,
-            f"{ON_OTHER_DATA}; {QUOTE}",
+            (*ON_OTHER_DATA, QUOTE),
         ),
         (
             "flat_k_means",
@@ -142,12 +162,12 @@ def in_text():
             np.nan,
             np.nan,
             0,
-            "no such home",
+            (Note(Kind.MEASURED, "no such home"),),
         ),
-        ("short", "4.4", "short colour descriptor", "Average", 28.0, 27.0, 1.5, 2, ""),
+        ("short", "4.4", "short colour descriptor", "Average", 28.0, 27.0, 1.5, 2, ()),
     ]
-    names = ["name", "section", "quantity", "home", "published", "measured", "spread", "seeds", "note"]
-    return pd.DataFrame(rows, columns=names)
+    names = ["name", "section", "quantity", "home", "published", "measured", "spread", "seeds", "notes"]
+    return noted(pd.DataFrame(rows, columns=names))
 
 
 def benchmarks():

@@ -6,11 +6,10 @@ import numpy as np
 import pandas as pd
 import yaml
 
-from placecat import definitions, files
+from placecat import files
 from placecat.evaluation.trials import expand
 from placecat.learning.toy_circles import NAMES
-from placecat.reporting.quality import QUALITY_COLUMNS, quality_rows
-from placecat.reporting.results import (
+from placecat.results.measured import (
     DROPPED_COLUMNS,
     MISSING_COLUMNS,
     NO_SEED,
@@ -20,8 +19,10 @@ from placecat.reporting.results import (
     Results,
     score_rows,
 )
-from placecat.reporting.sources import sources
-from placecat.reporting.tables import contradictions_of
+from placecat.results.quality import QUALITY_COLUMNS, quality_rows
+from placecat.results.sources import sources
+from placecat.thesis import definitions
+from placecat.thesis.tables import contradictions_of
 
 ROOT = Path(__file__).resolve().parents[1]
 PARAMS = yaml.safe_load((ROOT / "params.yaml").read_text())

@@ -18,7 +18,7 @@ SETTINGS = {
 }
 
 
-def write_tables(*numbers, data="made homes"):
+def write_tables(*numbers):
     for table, number in enumerate(numbers, start=1):
         filled = pd.DataFrame(
             {
@@ -30,12 +30,14 @@ def write_tables(*numbers, data="made homes"):
                 "measured": [number, 25.0],
                 "spread": [0.5, None],
                 "seeds": [2, 0],
-                "note": f"measured on {data}",
+                "note": "measured on made homes",
             }
         )
         files.write_csv(paths.TABLES / f"table_{table:02d}.csv", filled)
         files.write_text(paths.TABLES / f"table_{table:02d}.md", "no table\n")
-    files.write_csv(paths.IN_TEXT, filled.drop(columns="table").assign(measured=[number + 1, 24.0]))
+    in_text = filled.drop(columns=["table", "group"]).assign(name="gist")
+    files.write_text(paths.IN_TEXT_DEFINITIONS, "gist: {}\n")
+    files.write_csv(paths.IN_TEXT, in_text.assign(measured=[number + 1, 24.0]))
     verdict = "holds" if numbers[0] > 30 else "does not hold"
     files.write_csv(paths.FINDINGS, pd.DataFrame({"number": [1, 2], "verdict": [verdict, "undecided"]}))
 
@@ -122,11 +124,12 @@ def test_an_older_revision_has_its_own_tables(folder):
 
 
 def test_tables_of_other_data_are_not_compared(folder):
-    write_tables(80.0, 90.0, data="my homes")
+    write_tables(80.0, 90.0)
+    write_settings(dataset={"title": "my homes; second floor"})
     assert kept_in_git.compare() == (
         [
             "Tables are not compared: the kept ones (git HEAD) were measured on made homes, these on "
-            "my homes.",
+            "my homes; second floor.",
         ],
         True,
     )

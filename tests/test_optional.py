@@ -8,12 +8,12 @@ from helpers_sequences import write_image
 
 from made_results import PARAMS, made
 from optional import with_optional
-from placecat import definitions, listing, paths, references
+from placecat import listing, paths, references
 from placecat.cues import estimators
-from placecat.reporting import layouts
-from placecat.reporting.sources import sources
-from placecat.reporting.tables import tables_of
+from placecat.results.sources import sources
 from placecat.stages import site_sequences
+from placecat.thesis import definitions, layouts
+from placecat.thesis.tables import tables_of
 from placecat.vision import holistic, local
 from project import ROOT
 

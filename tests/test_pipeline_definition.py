@@ -18,7 +18,6 @@ SOURCE = ROOT / "src"
 PIPELINE = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]
 # What every stage uses to read, write and loop; it decides no number.
 PLUMBING = {
-    "definitions",
     "errors",
     "items",
     "files",

@@ -32,3 +32,11 @@ def test_broken_params_give_one_message(tmp_path, text, message):
 def test_missing_params_say_what_to_do(tmp_path):
     with pytest.raises(PlacecatError, match="run `placecat params`"):
         settings.load(tmp_path / "params.yaml")
+
+
+def test_settings_are_flat():
+    assert settings.flatten({"a": {"b": 1, "c": {"d": None}}, "e": [1, 2]}) == {
+        "a.b": "1",
+        "a.c.d": "None",
+        "e": "[1, 2]",
+    }

@@ -11,3 +11,7 @@ class PlacecatError(ValueError):
 
 class NotComputable(PlacecatError):
     """These data cannot give this number, whatever the settings: a table says so in its place."""
+
+
+class SettingError(PlacecatError):
+    """A setting that is wrong, whatever the data."""

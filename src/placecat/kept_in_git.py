@@ -2,6 +2,7 @@
 
 import io
 import subprocess
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -9,11 +10,12 @@ from typing import Any
 import pandas as pd
 import yaml
 
-from placecat import definitions, paths, settings
+from placecat import paths, settings
 from placecat.errors import PlacecatError
-from placecat.reporting import kept as differences
-from placecat.reporting.kept_text import sentences
-from placecat.reporting.tracking import flatten
+from placecat.report import kept as differences
+from placecat.report.kept_text import sentences
+from placecat.thesis import definitions
+from placecat.thesis.tables import dataset_of, tables_of
 
 HEAD = "HEAD"
 FOLDERS = (paths.TABLES, paths.OPTIONAL_TABLES)
@@ -60,11 +62,42 @@ def compare(revision: str = HEAD) -> tuple[list[str], bool]:
     now, kept = read_folder(), read_revision(revision)
     # An optional table that this run has not made is as another run has left it.
     others = set(definitions.optional()) - definitions.tables(now.settings or {}).keys()
-    new, old = ({name: one.tables[name] for name in one.tables if name not in others} for one in (now, kept))
+    new, old = (
+        {name: table for name, table in _with_data(one, now.settings).items() if name not in others}
+        for one in (now, kept)
+    )
     comparison = differences.compare(new, old, now.findings, kept.findings)
     changed = changed_settings(now.settings, kept.settings)
     lines = sentences(comparison, tolerance, f"git {revision}", changed)
     return lines, bool(changed) or comparison.grade(tolerance) is not differences.Grade.BEYOND
+
+
+def _with_data(one: Kept, params: dict[str, Any] | None) -> dict[str, pd.DataFrame]:
+    """Tables with a column `data`, the title of the data set that their numbers are of; "" if unknown.
+
+    Parameters
+    ----------
+    params
+        Settings that the definitions of tables are filled with.
+    """
+    defined = {} if params is None else tables_of(params)
+    found = {}
+    for name, table in one.tables.items():
+        if name == paths.IN_TEXT.stem:
+            entries = definitions.in_text()
+            titles = [_title(entries.get(entry, {}), one.settings) for entry in table["name"]]
+        else:
+            titles = [_title(defined.get(name, {}), one.settings)] * len(table)
+        found[name] = table.assign(data=titles)
+    return found
+
+
+def _title(definition: Mapping[str, Any], params: dict[str, Any] | None) -> str:
+    try:
+        return "" if params is None else str(dataset_of(definition, params)["title"])
+    except (PlacecatError, KeyError):
+        # An older revision may have named it otherwise.
+        return ""
 
 
 def read_folder() -> Kept:
@@ -149,7 +182,7 @@ def _table(text: str) -> pd.DataFrame:
 def changed_settings(now: dict[str, Any] | None, kept: dict[str, Any] | None) -> list[str]:
     """Dotted names of settings that differ, without those that no table depends on."""
     new, old = (
-        flatten({name: value for name, value in (one or {}).items() if name not in _WITHOUT_EFFECT})
+        settings.flatten({name: value for name, value in (one or {}).items() if name not in _WITHOUT_EFFECT})
         for one in (now, kept)
     )
     return [name for name in dict.fromkeys([*new, *old]) if new.get(name) != old.get(name)]

@@ -9,7 +9,7 @@ from typing import Any
 import yaml
 
 from placecat import paths
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, SettingError
 
 # libyaml's loader where PyYAML was built with it: ten times faster.
 Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
@@ -67,17 +67,26 @@ def check(function: Callable[..., Any], settings: Mapping[str, Any], where: str)
 
 
 def refuse_unknown(settings: Mapping[str, Any], valid: list[str], where: str) -> None:
-    """Raise PlacecatError for the first setting that is not among the `valid` names."""
+    """Raise SettingError for the first setting that is not among the `valid` names."""
     for name in settings:
         if name not in valid:
             near = difflib.get_close_matches(str(name), valid, n=1)
             hint = f"; did you mean {near[0]!r}?" if near else ""
-            raise PlacecatError(
-                f"{where} has no setting {name!r}{hint} (valid: {', '.join(valid) or 'none'})"
-            )
+            raise SettingError(f"{where} has no setting {name!r}{hint} (valid: {', '.join(valid) or 'none'})")
 
 
 def call(function: Callable[..., Any], *args: Any, settings: Mapping[str, Any], where: str) -> Any:
     """Call `function` with positional arguments and checked settings."""
     check(function, settings, where)
     return function(*args, **settings)
+
+
+def flatten(settings: Mapping[str, Any], prefix: str = "") -> dict[str, str]:
+    """Nested settings as dotted names with text values, e.g. ``cues.gist.classifier.base.nu``: ``0.2``."""
+    flat: dict[str, str] = {}
+    for name, value in settings.items():
+        if isinstance(value, Mapping):
+            flat |= flatten(value, f"{prefix}{name}.")
+        else:
+            flat[f"{prefix}{name}"] = str(value)
+    return flat

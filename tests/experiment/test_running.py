@@ -11,7 +11,7 @@ from made_features import CLASSES, HOMES
 
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.experiment.running import compute
-from placecat.reporting.results import from_scores
+from placecat.results.measured import from_scores
 
 GIST = ("descriptor=gist", "classifier=knn", "codebook.tree.branching=4")
 

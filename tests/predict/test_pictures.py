@@ -5,13 +5,13 @@ from helpers_sequences import HEIGHT, WIDTH, coded
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
 
+from placecat.drawing import palette
 from placecat.predict import report, timeline
 from placecat.predict.annotate import Annotator
 from placecat.predict.clock import clock
 from placecat.predict.frame import Frame
 from placecat.predict.lettering import mask, write
 from placecat.predict.prediction import Prediction
-from placecat.reporting.figures import palette
 
 
 def prediction(places, *, seconds=None, numbers=None, length=None):

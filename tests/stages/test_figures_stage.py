@@ -6,7 +6,7 @@ import yaml
 
 import made_run
 from placecat.errors import PlacecatError
-from placecat.reporting import figures
+from placecat.report import figures
 from placecat.stages import figures as stage
 
 

@@ -9,7 +9,7 @@ from placecat import paths
 from placecat.stages import findings
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests/reporting"))
+sys.path.insert(0, str(ROOT / "tests/thesis"))
 
 
 @pytest.fixture

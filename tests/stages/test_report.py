@@ -10,8 +10,9 @@ import pytest
 import made_report
 from placecat import files, paths, settings
 from placecat.errors import PlacecatError
-from placecat.reporting.tables import tables_of
 from placecat.stages import report
+from placecat.thesis import in_text, notes
+from placecat.thesis.tables import tables_of
 
 LOCK = "stages:\n  sequences:\n    outs:\n    - md5: 00ff.dir\n"
 
@@ -28,10 +29,12 @@ def folder(tmp_path, monkeypatch):
     params = settings.load()
     for home in params["dataset"]["homes"]:
         files.write_csv(paths.SEQUENCES / home / "labels.csv", pd.DataFrame({"class": [0, 0, 1, -1]}))
+    noted = []
     for name, table in tables_of(params).items():
         number = table["number"]
         cells = made_report.addition().cells if number is None else made_report.cells(number)
-        files.write_csv(paths.TABLES / f"{name}.csv", cells)
+        files.write_csv(paths.TABLES / f"{name}.csv", cells.drop(columns="notes"))
+        noted.append(notes.to_rows(name, cells))
     figures = [
         {"name": "figure_02", "number": 2, "file": "figure_02.png", "title": "Two", "reason": None},
         {
@@ -51,7 +54,10 @@ def folder(tmp_path, monkeypatch):
     ]
     files.write_json(paths.FIGURES / "figures.json", figures)
     (paths.FIGURES / "figure_02.png").write_bytes(made_report.png())
-    files.write_csv(paths.IN_TEXT, made_report.in_text())
+    said = made_report.in_text()
+    files.write_csv(paths.IN_TEXT, said.drop(columns="notes"))
+    noted.append(notes.to_rows(in_text.NAME, said, in_text.KEY))
+    files.write_csv(paths.NOTES, pd.concat(noted))
     files.write_csv(paths.FINDINGS, made_report.findings())
     files.write_csv(paths.COMPARISONS, made_report.comparisons())
     return tmp_path

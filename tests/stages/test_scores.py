@@ -10,7 +10,7 @@ from placecat import files, listing, paths, settings
 from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.evaluation.quality import home_quality
-from placecat.reporting.sources import sources
+from placecat.results.sources import sources
 from placecat.stages import scores
 
 OPTIONS = PARAMS["probabilities"]

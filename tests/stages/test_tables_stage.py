@@ -5,9 +5,10 @@ import pandas as pd
 import pytest
 
 from made_results import PARAMS, ROOT, made, write_scores
-from placecat import definitions, files, paths, settings
-from placecat.reporting.tables import tables_of
+from placecat import files, paths, settings
 from placecat.stages import tables
+from placecat.thesis import definitions
+from placecat.thesis.tables import tables_of
 from project import contents
 
 LOST = ("trials/table_04/First-Order Dependency Tree||991", "home_1")

@@ -5,8 +5,8 @@ import pandas as pd
 import pytest
 from made_features import CLASSES, HOMES, PARAMS, make, run_stages
 
-from placecat.reporting.number import in_home, over_homes
-from placecat.reporting.results import from_scores
+from placecat.results.measured import from_scores
+from placecat.thesis.number import in_home, over_homes
 from placecat.training.protocol import NOT_TESTED
 
 TESTED = ["H4", "H2"]
@@ -71,9 +71,9 @@ def test_scores_of_tested_homes_are_the_same_and_others_have_a_reason(folders):
                 expected = in_home(everything, name, number)
                 np.testing.assert_array_equal(in_home(some, name, number).values, expected.values)
             elif (name, home) in some.missing:
-                assert in_home(some, name, number).note == NOT_TESTED
+                assert in_home(some, name, number).notes == (NOT_TESTED,)
     average = over_homes(some, "smoothing/das", range(1, 5))
-    assert average.note == "mean over Home 2, Home 4 only"
+    assert average.notes == ("mean over Home 2, Home 4 only",)
 
 
 def test_a_trial_of_no_tested_home_has_reasons_alone(folders):
@@ -81,4 +81,4 @@ def test_a_trial_of_no_tested_home_has_reasons_alone(folders):
     some = results(folders["some"])
     name = "trials/table_01/||13"
     assert name in results(folders["all"]).measured and name not in some.measured
-    assert [in_home(some, name, number).note for number in (1, 3)] == [NOT_TESTED] * 2
+    assert [in_home(some, name, number).notes for number in (1, 3)] == [(NOT_TESTED,)] * 2

@@ -7,7 +7,7 @@ from made_features import CLASSES, HOMES, PARAMS, STUDIES, make, run_stages
 
 from placecat import cues
 from placecat.evaluation.accuracy import confusion_matrix
-from placecat.reporting.results import from_scores
+from placecat.results.measured import from_scores
 
 TREE = "trials/table_01/||"
 

@@ -14,7 +14,7 @@ from placecat.categorizer.system import TrainedCue, TrainedSystem
 from placecat.errors import PlacecatError
 from placecat.fusion.integrate import Integrator
 from placecat.fusion.smoothing import SmoothingModel
-from placecat.reporting.render import environment
+from placecat.templates import environment
 
 # Raise it when what is stored changes its meaning.
 FORMAT = 2
@@ -36,7 +36,7 @@ def write(path: Path, system: TrainedSystem) -> None:
     }
     texts = {
         _CARD: json.dumps(system.card, indent=1),
-        _TEXT: environment().get_template("model_card.md.j2").render(card=system.card),
+        _TEXT: environment("placecat.categorizer").get_template("model_card.md.j2").render(card=system.card),
         _SYSTEM: json.dumps(content | {"arrays": len(arrays)}),
     }
     with files.replacing(path) as temporary, zipfile.ZipFile(temporary, "w") as archive:

@@ -54,6 +54,6 @@ def _values(key: str, words: Sequence[str]) -> list[str]:
 
     chosen = [word.partition("=")[2] for word in words if word.startswith("data=")]
     try:
-        return [*data.find(settings.load(), (chosen or [options.MAIN])[-1]).tested, options.ALL]
+        return [*data.find(settings.load(), (chosen or [options.MAIN])[-1]).by_test, options.ALL]
     except PlacecatError:
         return []

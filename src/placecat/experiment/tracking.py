@@ -10,14 +10,14 @@ from typing import Any
 
 import pandas as pd
 
-from placecat import files, mlflow_store
+from placecat import files, settings
 from placecat.errors import PlacecatError
 from placecat.experiment import output, summary
 from placecat.experiment.summary import Ran
 from placecat.lockfile import data_version, git_commit
-from placecat.reporting.tracking import flatten
+from placecat.mlflow_log import store
+from placecat.mlflow_log.tables import ARTIFACTS, DESCRIPTION
 from placecat.search import report
-from placecat.stages.tracking import ARTIFACTS, DESCRIPTION
 
 _KIND = "placecat.kind"
 _FILES = (output.SUMMARY, report.SUMMARY, report.RESULTS)
@@ -51,11 +51,11 @@ def log_sweep(ran: Sequence[Ran], swept: Sequence[str], folder: Path, dataset: d
         "failed": sum(one.has_failed for one in ran),
         "without_number": sum(one.result["accuracy"] is None and not one.has_failed for one in ran),
     }
-    own_params = {mlflow_store.key(key): _listed(ran, key) for key in swept}
+    own_params = {store.key(key): _listed(ran, key) for key in swept}
     if top is not None:
         metrics["best"] = top[1]
-        own_params |= {mlflow_store.key("best", key): value for key, value in top[0].items()}
-    parent = mlflow_store.start_run(
+        own_params |= {store.key("best", key): value for key, value in top[0].items()}
+    parent = store.start_run(
         client,
         experiment,
         name,
@@ -68,7 +68,7 @@ def log_sweep(ran: Sequence[Ran], swept: Sequence[str], folder: Path, dataset: d
     for one in ran:
         _log_one(client, experiment, _label(one), one.result, one.folder, one.values, one.seconds, parent)
     failed = any(one.has_failed for one in ran)
-    mlflow_store.finish_run(client, parent, status="FAILED" if failed else "FINISHED")
+    store.finish_run(client, parent, status="FAILED" if failed else "FINISHED")
     return f"run {name!r} of the MLflow experiment {_name(dataset)!r} at {uri}"
 
 
@@ -83,9 +83,9 @@ def log_one(result: dict[str, Any], folder: Path, dataset: dict[str, str]) -> st
 
 
 def _open(dataset: dict[str, str]) -> tuple[str, Any, str]:
-    uri = mlflow_store.tracking_uri()
-    client = mlflow_store.connect(uri)
-    experiment = mlflow_store.experiment_id(
+    uri = store.tracking_uri()
+    client = store.connect(uri)
+    experiment = store.experiment_id(
         client,
         uri,
         _name(dataset),
@@ -101,7 +101,7 @@ def _versions() -> dict[str, str]:
     except PlacecatError:
         # Features that were not made through DVC.
         version = "unknown"
-    return {"data_version": version, mlflow_store.COMMIT: git_commit()}
+    return {"data_version": version, store.COMMIT: git_commit()}
 
 
 def _name(dataset: dict[str, str]) -> str:
@@ -127,15 +127,15 @@ def _log_one(
     parent: str | None,
 ) -> None:
     metrics: dict[str, float] = {} if seconds is None else {"seconds": seconds}
-    params = {mlflow_store.key(key): value for key, value in values.items()}
+    params = {store.key(key): value for key, value in values.items()}
     artifacts = [path for path in (folder / output.RESULT, folder / output.TRACEBACK) if path.is_file()]
     if "settings" in result:
-        params |= {mlflow_store.key(key): value for key, value in flatten(result["settings"]).items()}
+        params |= {store.key(key): value for key, value in settings.flatten(result["settings"]).items()}
     if result["accuracy"] is not None:
         metrics["accuracy"] = result["accuracy"]
         for home, own in result["homes"].items():
             if own["accuracy"] is not None:
-                metrics[mlflow_store.key("accuracy", home)] = own["accuracy"]
+                metrics[store.key("accuracy", home)] = own["accuracy"]
     note = result.get(output.FAILED) or result["reason"] or ""
     with tempfile.TemporaryDirectory() as temporary:
         if result["accuracy"] is not None:
@@ -144,7 +144,7 @@ def _log_one(
             counts.insert(0, "true_place", result["classes"])
             files.write_csv(path, counts)
             artifacts.append(path)
-        run = mlflow_store.start_run(
+        run = store.start_run(
             client,
             experiment,
             name,
@@ -155,4 +155,4 @@ def _log_one(
             parent=parent,
             description=note,
         )
-    mlflow_store.finish_run(client, run, status="FAILED" if output.FAILED in result else "FINISHED")
+    store.finish_run(client, run, status="FAILED" if output.FAILED in result else "FINISHED")

@@ -8,10 +8,10 @@ from matplotlib.colors import to_rgb
 from numpy.typing import NDArray
 
 from placecat.categorizer import Decision
+from placecat.drawing import palette
 from placecat.predict.clock import clock
 from placecat.predict.frame import Frame
 from placecat.predict.lettering import line_height, mask, write
-from placecat.reporting.figures import palette
 from placecat.vision.regions import radius
 
 Color = tuple[int, int, int]

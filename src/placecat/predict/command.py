@@ -9,11 +9,11 @@ from typing import Any
 
 import cv2
 import numpy as np
-from matplotlib import style
 from tqdm import tqdm
 
 from placecat import files
 from placecat.categorizer import Categorizer, Decision
+from placecat.drawing.style import house_style, save
 from placecat.errors import PlacecatError
 from placecat.predict import destination, report, tables, timeline, truth
 from placecat.predict.camera import Camera
@@ -22,7 +22,6 @@ from placecat.predict.frame import Frame
 from placecat.predict.prediction import Prediction
 from placecat.predict.run import Speed, Wish, run
 from placecat.predict.sources import Source, open_source, without_password
-from placecat.reporting import figures
 
 TIMELINE, SPEED = "timeline.png", "speed.json"
 ANNOTATED = "annotated"
@@ -92,10 +91,9 @@ def predict_command(options: Options) -> int:
             agreement = truth.agreement(prediction, shown)
         tables.write_frames(temporary / tables.FRAMES, prediction)
         tables.write_segments(temporary / tables.SEGMENTS, prediction)
-        # From the defaults of matplotlib, whatever the user's own settings are.
-        with style.context([figures.STYLE], after_reset=True):
+        with house_style():
             title = f"{source.name}: {categorizer.card.get('title', 'places')}"
-            figures.save(timeline.draw(prediction, title, shown), temporary / TIMELINE)
+            save(timeline.draw(prediction, title, shown), temporary / TIMELINE)
         files.write_json(temporary / SPEED, _speed(speed, source))
         content = _summary(options, source, chosen, categorizer, prediction, agreement)
         content["files"] = sorted([*(path.name for path in temporary.iterdir()), destination.SUMMARY])

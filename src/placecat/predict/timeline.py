@@ -10,9 +10,9 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 from numpy.typing import NDArray
 
+from placecat.drawing import palette
 from placecat.predict.clock import clock
 from placecat.predict.prediction import Prediction
-from placecat.reporting.figures import palette
 
 COLUMNS = 2000
 """Moments that a strip shows: about as many as it has pixels."""

@@ -3,9 +3,9 @@
 import logging
 
 from placecat import files, paths, settings
-from placecat.errors import PlacecatError
-from placecat.reporting import figures
-from placecat.reporting.run import Run
+from placecat.errors import PlacecatError, SettingError
+from placecat.report import figures
+from placecat.report.run import Run
 from placecat.stages import run
 
 
@@ -23,10 +23,10 @@ def main() -> None:
             reason: str | None = None
             try:
                 figures.render(name, of_run, folder / f"{name}.png")
+            except SettingError:
+                raise
             except PlacecatError as error:
-                # What the data lack leaves a figure out; a mistake in its settings, which it names, is one.
-                if str(error).startswith("figures."):
-                    raise
+                # What the data lack leaves a figure out.
                 logging.warning("%s is left out: %s", name, error)
                 file, reason = None, str(error)
             entries.append(

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from placecat import files, listing, parallel, paths, settings
 from placecat.fusion.information_filter import check, dropped, hold, threshold_of
-from placecat.reporting.results import DROPPED_COLUMNS
+from placecat.results.measured import DROPPED_COLUMNS
 from placecat.stages import run
 from placecat.training import protocol
 

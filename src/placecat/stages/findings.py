@@ -1,10 +1,11 @@
 """Stage `findings`: what the thesis claims, judged on what was measured."""
 
-from placecat import definitions, files, paths, settings
-from placecat.reporting.collect import read_results
-from placecat.reporting.findings import ledger
-from placecat.reporting.published import Published
+from placecat import files, paths, settings
+from placecat.results.collect import read_results
 from placecat.stages import run
+from placecat.thesis import definitions
+from placecat.thesis.findings import ledger
+from placecat.thesis.published import Published
 
 
 def main() -> None:

@@ -6,14 +6,15 @@ from typing import Any
 from placecat import files, listing, paths, settings
 from placecat.errors import PlacecatError
 from placecat.lockfile import data_version
-from placecat.reporting.benchmarks import TEXT as BENCHMARK_TEXT
-from placecat.reporting.charts.growth import growth_chart
-from placecat.reporting.charts.picture import png_of
-from placecat.reporting.charts.speed import speed_chart
-from placecat.reporting.page import Figure, Report, Scale, Speed, Table, Times, page_html
-from placecat.reporting.scale import TEXT as SCALE_TEXT
-from placecat.reporting.tables import dataset_of, folder_of, tables_of
+from placecat.report.benchmarks import TEXT as BENCHMARK_TEXT
+from placecat.report.charts.growth import growth_chart
+from placecat.report.charts.picture import png_of
+from placecat.report.charts.speed import speed_chart
+from placecat.report.page import Figure, Report, Scale, Speed, Table, Times, page_html
+from placecat.report.scale import TEXT as SCALE_TEXT
 from placecat.stages import run
+from placecat.thesis import in_text, notes
+from placecat.thesis.tables import dataset_of, folder_of, tables_of
 
 # Columns that are text even where all of it looks like numbers, e.g. the section 4.10.
 _TEXT = ("group", "row", "column", "name", "section", "quantity", "home", "note")
@@ -23,16 +24,21 @@ def main() -> None:
     """Write reports/index.html."""
     params = settings.load()
     dataset = settings.get(params, "dataset")
+    noted = files.read_table(paths.NOTES, notes.COLUMNS)
     report = Report(
         dataset=dataset,
         frames={home: _frames(home, dataset["classes"]) for home in dataset["homes"]},
         data_version=data_version(),
         tables=[
-            Table(table, files.read_table(folder_of(table) / f"{name}.csv", _TEXT), dataset_of(table, params))
+            Table(
+                table,
+                notes.with_notes(name, files.read_table(folder_of(table) / f"{name}.csv", _TEXT), noted),
+                dataset_of(table, params),
+            )
             for name, table in tables_of(params).items()
         ],
         figures=[_figure(one) for one in files.read_json(_existing(paths.FIGURES / "figures.json"))],
-        in_text=files.read_table(paths.IN_TEXT, _TEXT),
+        in_text=notes.with_notes(in_text.NAME, files.read_table(paths.IN_TEXT, _TEXT), noted, in_text.KEY),
         findings=files.read_table(paths.FINDINGS, _TEXT),
         comparisons=files.read_table(paths.COMPARISONS, _TEXT),
         settings=paths.PARAMS.read_text(encoding="utf-8"),

@@ -4,16 +4,17 @@ from typing import Any
 
 import pandas as pd
 
-from placecat import definitions, files, paths, settings
-from placecat.reporting.collect import read_records, read_results
-from placecat.reporting.in_text import in_text
-from placecat.reporting.latex import table_latex
-from placecat.reporting.markdown import table_markdown
-from placecat.reporting.metrics import chosen_averages, nested_metrics, plot_data
-from placecat.reporting.quality import quality_table
-from placecat.reporting.results import Results
-from placecat.reporting.tables import contradictions_of, dataset_of, fill_table, tables_of
+from placecat import files, paths, settings
+from placecat.report.latex import table_latex
+from placecat.report.markdown import table_markdown
+from placecat.results.collect import read_results
+from placecat.results.measured import Results
+from placecat.results.quality import quality_table
 from placecat.stages import run
+from placecat.thesis import definitions, in_text, notes, tables
+from placecat.thesis.metrics import chosen_averages, nested_metrics, plot_data
+from placecat.thesis.records import read_records
+from placecat.thesis.tables import contradictions_of, dataset_of, fill_table, tables_of
 
 
 def main() -> None:
@@ -21,8 +22,9 @@ def main() -> None:
     params = settings.load()
     results = read_results(params)
     published = files.read_table(paths.PUBLISHED, ["group", "row", "column"])
-    notes = files.read_table(paths.CONTRADICTIONS, ["group", "row", "column", "note"])
-    contradictions = contradictions_of(notes)
+    contradictions = contradictions_of(
+        files.read_table(paths.CONTRADICTIONS, ["group", "row", "column", "note"])
+    )
     filled = {}
     # DVC wants it, also where no table is optional.
     paths.OPTIONAL_TABLES.mkdir(parents=True, exist_ok=True)
@@ -31,12 +33,15 @@ def main() -> None:
             dataset = dataset_of(table, params)
             filled[name] = fill_table(table, results, published, dataset, contradictions)
             target = paths.OPTIONAL_TABLES if "needs" in table else folder
-            files.write_csv(target / f"{name}.csv", filled[name])
+            files.write_csv(target / f"{name}.csv", filled[name][tables.COLUMNS])
             files.write_text(target / f"{name}.md", table_markdown(table, filled[name], dataset))
             files.write_text(target / f"{name}.tex", table_latex(table, filled[name], dataset))
     files.write_csv(paths.ACCURACIES, results.accuracy_table())
     files.write_csv(paths.PROBABILITIES, quality_table(results.quality))
-    files.write_csv(paths.IN_TEXT, _in_text(params, results))
+    said = _in_text(params, results)
+    files.write_csv(paths.IN_TEXT, said[in_text.COLUMNS])
+    of_tables = [notes.to_rows(name, table) for name, table in filled.items()]
+    files.write_csv(paths.NOTES, pd.concat([*of_tables, notes.to_rows(in_text.NAME, said, in_text.KEY)]))
     files.write_json(paths.METRICS, nested_metrics(filled))
     files.write_json(paths.SUMMARY, chosen_averages(results, settings.load(paths.METRIC_DEFINITIONS)))
     with files.replacing(paths.PLOTS) as folder:
@@ -46,7 +51,7 @@ def main() -> None:
 
 def _in_text(params: dict[str, Any], results: Results) -> pd.DataFrame:
     text = ["name", "section", "quantity", "home", "quote", "note"]
-    return in_text(
+    return in_text.in_text(
         definitions.in_text(),
         results,
         files.read_table(paths.PUBLISHED_TEXT, text),

@@ -11,7 +11,7 @@ from placecat import files, parallel, paths, seeds, settings
 from placecat.cues import estimators
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.learning.toy_circles import NAMES, toy_circles
-from placecat.reporting.results import SCORE_COLUMNS, Measured, score_rows
+from placecat.results.measured import SCORE_COLUMNS, Measured, score_rows
 from placecat.stages import run
 
 

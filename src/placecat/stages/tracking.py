@@ -2,41 +2,35 @@
 
 import json
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 from placecat import files, paths, settings
 from placecat.lockfile import data_version, git_commit
-from placecat.mlflow_store import tracking_uri
-from placecat.reporting.charts.draw import MatrixDrawer
-from placecat.reporting.collect import read_results
-from placecat.reporting.tables import dataset_of, folder_of, tables_of
-from placecat.reporting.tracking import TableRun, flatten, log_tables
-from placecat.reporting.tracking_content import figures_run, findings_run, table_run
+from placecat.mlflow_log.content import figures_run, findings_run, table_run
+from placecat.mlflow_log.store import tracking_uri
+from placecat.mlflow_log.tables import ARTIFACTS, DESCRIPTION, TableRun, log_tables
+from placecat.report.charts.draw import MatrixDrawer
+from placecat.results.collect import read_results
 from placecat.stages import run
+from placecat.thesis import notes
+from placecat.thesis.tables import dataset_of, folder_of, tables_of
 
-ARTIFACTS = Path("mlartifacts")
-# Of the experiment of a data set.
-DESCRIPTION = (
-    "Visual place categorization, measured on {title}: every table of the thesis is a run, every row of a "
-    "table a nested run. What holds now has the tag placecat.current: filter by "
-    '``tags.`placecat.current` = "true"``. '
-    'Sweeps over settings have ``tags.`placecat.kind` = "sweep"``.'
-)
+_TEXT = ["group", "row", "column", "note"]
 
 
 def main() -> None:
     """Log the tables to MLFLOW_TRACKING_URI, or to mlflow.db in the project's folder."""
     params = settings.load()
     results, drawer = read_results(params), MatrixDrawer()
+    noted = files.read_table(paths.NOTES, notes.COLUMNS)
     by_split: dict[str, list[TableRun]] = {"": []}
     for name, table in tables_of(params).items():
         made = table_run(
             table,
-            files.read_table(folder_of(table) / f"{name}.csv", ["group", "row", "column", "note"]),
+            notes.with_notes(name, files.read_table(folder_of(table) / f"{name}.csv", _TEXT), noted),
             results,
             dataset_of(table, params),
-            flatten(_settings(table, params)),
+            settings.flatten(_settings(table, params)),
             [folder_of(table) / f"{name}.{ending}" for ending in ("csv", "md", "tex")],
             drawer,
         )

@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat import definitions, files, items, parallel, paths, settings, store
+from placecat import files, items, parallel, paths, settings, store
 from placecat.evaluation.trials import Trial, expand
-from placecat.reporting.results import MISSING_COLUMNS, SCORE_COLUMNS, Measured, score_rows
+from placecat.results.measured import MISSING_COLUMNS, SCORE_COLUMNS, Measured, score_rows
 from placecat.stages import run
+from placecat.thesis import definitions
 from placecat.training import plan as plans
 from placecat.training import protocol
 from placecat.training.trial import Outcome, judge, of_settings

@@ -1,0 +1,1 @@
+"""Logging to MLflow: tables, rows, figures, findings and experiments."""

@@ -1,0 +1,287 @@
+"""What MLflow shows of a table: parameters, metrics, a description, files, and the same of its rows."""
+
+import hashlib
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from placecat import files
+from placecat.mlflow_log.store import key
+from placecat.mlflow_log.tables import RUN_ID, RowRun, TableRun
+from placecat.report.charts.draw import MatrixDrawer, draw_table
+from placecat.report.markdown import table_markdown
+from placecat.report.summary import VERDICTS, readings_of
+from placecat.results.confusion import confusion_rows, pooled_rows
+from placecat.results.measured import Measured, Results, score_rows
+from placecat.thesis.decisions import decisions_of
+from placecat.thesis.number import AVERAGE
+from placecat.thesis.tables import COLUMNS, comparable, in_percent, label
+
+# MLflow takes 8000 characters; an id is longer than its place.
+_LONGEST_DESCRIPTION = 7900
+# The user interface ends a line where the text does.
+_READING = (
+    "\n**How to read it.** Each row of the table is a nested run: open this run with the plus on its left"
+    " in the list, select its rows and press *Compare*, or see *Model metrics* here. {metrics} *Artifacts* "
+    "has the table as CSV, Markdown and LaTeX, {chart}and the confusion matrices.\n"
+)
+_ACCURACIES = (
+    "A metric is an accuracy in percent, the mean over the places and over the seeds; `average` is the one "
+    "over the homes. `log_loss` (nats), `calibration_error` and `stay_accuracy` (percent) say how good the "
+    "probabilities are, on average over the homes."
+)
+_CHART = "`chart.png` with the averages (a mark is one {point}), "
+_FIGURES = (
+    "The figures of the thesis, whose numbers they have, and added ones, drawn from this run's data and "
+    "models.\n\n"
+)
+
+
+def table_run(
+    table: Mapping[str, Any],
+    cells: pd.DataFrame,
+    results: Results,
+    dataset: Mapping[str, Any],
+    settings: Mapping[str, str],
+    written: Sequence[Path],
+    drawer: MatrixDrawer,
+) -> TableRun:
+    """Gather all of one table.
+
+    Parameters
+    ----------
+    table
+        Its configuration and its ``name``.
+    cells
+        The filled table.
+    dataset
+        What the table is measured on (:func:`placecat.thesis.tables.dataset_of`).
+    settings
+        Flat settings that the numbers depend on.
+    written
+        The table's own files, e.g. its CSV.
+    """
+    title = f"{label(table)}: {table['title']}"
+    beside = comparable(table, dataset)
+    decisions = decisions_of(table, results)
+    trials = "trial" in table
+    quality = _quality(table, results)
+    rows = [
+        _row_run(
+            table,
+            *labels,
+            part,
+            decisions.get(labels, {}),
+            quality.get(labels, {}),
+            drawer if not trials else None,
+        )
+        for key, part in cells.groupby(["group", "row"], sort=False)
+        for labels in [(str(key[0]), str(key[1]))]
+    ]
+    counts = [
+        repr(score_rows("/".join([*labels, column]), one))
+        for labels, of_row in decisions.items()
+        for column, one in of_row.items()
+    ]
+
+    def write(folder: Path) -> list[Path]:
+        pictures = draw_table(folder, title, cells, decisions, published=beside, chart=in_percent(table))
+        matrices = [
+            pooled_rows(one).assign(group=group, row=row, column=column)
+            for (group, row), of_row in decisions.items()
+            for column, one in of_row.items()
+        ]
+        if not matrices:
+            return [*written, *pictures]
+        whole = pd.concat(matrices)
+        first = ["group", "row", "column", "truth"]
+        files.write_csv(
+            folder / "confusion.csv", whole[[*first, *whole.columns.difference(first, sort=False)]]
+        )
+        return [*written, *pictures, folder / "confusion.csv"]
+
+    return TableRun(
+        name=table["name"],
+        title=title,
+        content="\n".join([cells[COLUMNS].to_csv(index=False), *counts, repr(sorted(quality.items()))]),
+        params=settings,
+        metrics=_metrics(cells)
+        | {key(measure, *labels): value for labels, own in quality.items() for measure, value in own.items()},
+        description=_description(table, cells, dataset, beside),
+        rows=rows,
+        files=write,
+    )
+
+
+def figures_run(folder: Path) -> TableRun:
+    """All figures that the stage `figures` drew, as one run.
+
+    Parameters
+    ----------
+    folder
+        Has figures.json and the PNGs that it names.
+    """
+    entries = files.read_json(folder / "figures.json")
+    drawn = [folder / Path(entry["file"]).name for entry in entries if entry["file"]]
+    lines = [
+        ("- **Addition.** " if entry["number"] is None else f"- **Figure {entry['number']}.** ")
+        + (entry["title"] if entry["file"] else f"Left out: {entry['reason']}")
+        for entry in entries
+    ]
+    sums = [hashlib.sha256(path.read_bytes()).hexdigest() for path in drawn]
+    return TableRun(
+        name="figures",
+        title="Figures of the thesis",
+        content="\n".join([*lines, *sums]),
+        params={"figures": str(len(drawn))},
+        metrics={},
+        description=_cut(_FIGURES + "\n".join(lines)),
+        files=lambda temporary: drawn,
+        kind="figures",
+    )
+
+
+def findings_run(findings: Path, comparisons: Path) -> TableRun:
+    """The ledger of findings as one run: a metric a verdict, and the verdicts of each reading.
+
+    Parameters
+    ----------
+    findings, comparisons
+        The files that the stage `findings` wrote.
+    """
+    table = files.read_table(findings, ["claim"])
+    readings = readings_of(table)
+    names = [name.replace("_", " ") for name in readings.values()]
+    lines = [
+        "| " + " | ".join(["No.", "Finding", "Verdict", *names]) + " |",
+        "|---:" + "|---" * (2 + len(names)) + "|",
+    ]
+    for one in table.fillna("").to_dict("records"):
+        cells = [str(one[column]) for column in ("number", "claim", "verdict", *readings)]
+        lines.append("| " + " | ".join(cells) + " |")
+    metrics = {
+        key(name, verdict): float((table[column] == verdict).sum())
+        for column, name in ({"verdict": "as_used"} | readings).items()
+        for verdict in VERDICTS
+    }
+    return TableRun(
+        name="findings",
+        title="Findings of the thesis",
+        content="\n".join(path.read_text(encoding="utf-8") for path in (findings, comparisons)),
+        params={"findings": str(len(table))},
+        metrics=metrics,
+        description=_cut("\n".join(lines) + "\n"),
+        files=lambda temporary: [findings, comparisons],
+        kind="findings",
+    )
+
+
+def _row_run(
+    table: Mapping[str, Any],
+    group: str,
+    row: str,
+    cells: pd.DataFrame,
+    decisions: Mapping[str, Measured],
+    quality: Mapping[str, float],
+    drawer: MatrixDrawer | None,
+) -> RowRun:
+    name = ", ".join(part for part in (group, row) if part) or table["title"]
+    params = {"table": label(table), "group": group, "row": row}
+    for own in table.get("rows", []):
+        if (own["group"], own["row"]) == (group, row):
+            params["result"] = own["result"]
+    if "result" in table:
+        params["result"] = table["result"]
+    measured = cells[np.isfinite(cells["measured"])]
+    return RowRun(
+        name=name,
+        params={key: text for key, text in params.items() if text},
+        metrics={
+            _slug(column): value
+            for column, value in zip(measured["column"], measured["measured"], strict=True)
+        }
+        | dict(quality),
+        files=_writer(name, decisions, drawer),
+    )
+
+
+def _writer(
+    name: str, decisions: Mapping[str, Measured], drawer: MatrixDrawer | None
+) -> Callable[[Path], list[Path]]:
+    def write(folder: Path) -> list[Path]:
+        if not decisions:
+            return []
+        parts = [confusion_rows(one).assign(column=column) for column, one in decisions.items()]
+        whole = pd.concat(parts)
+        first = ["column", "home", "seed", "truth"][int(list(decisions) == [""]) :]
+        rest = whole.columns.difference([*first, "column"], sort=False)
+        files.write_csv(folder / "confusion.csv", whole[[*first, *rest]])
+        if drawer is None:
+            return [folder / "confusion.csv"]
+        drawer.draw(folder / "confusion.png", name, decisions)
+        return [folder / "confusion.csv", folder / "confusion.png"]
+
+    return write
+
+
+def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, float]]:
+    """How good the probabilities of each row's result are, by group and row; of a table of one result by "".
+
+    A table that shows just that has it in its cells, and that of trials has nothing.
+    """
+    if not in_percent(table):
+        return {}
+    named = {(row["group"], row["row"]): row["result"] for row in table.get("rows", [])}
+    if "result" in table:
+        named[("", "")] = table["result"]
+    return {
+        labels: results.quality[name].averages() for labels, name in named.items() if name in results.quality
+    }
+
+
+def _metrics(cells: pd.DataFrame) -> dict[str, float]:
+    """By column first, so that the user interface has a section of charts for the averages of all rows.
+
+    It lists them in this order: the averages on top.
+    """
+    measured = cells[np.isfinite(cells["measured"])]
+    measured = measured.sort_values("column", key=lambda column: column != AVERAGE, kind="stable")
+    return {
+        key(_slug(column) or "accuracy", group, row): float(value)
+        for group, row, column, value in measured[["group", "row", "column", "measured"]].itertuples(
+            index=False, name=None
+        )
+    }
+
+
+def _slug(column: str) -> str:
+    """E.g. "Home 1" as ``home_1``; a table of one column may have no name for it."""
+    return key(column).lower().replace(" ", "_") or "accuracy"
+
+
+def _description(
+    table: Mapping[str, Any], cells: pd.DataFrame, dataset: Mapping[str, Any], beside: bool
+) -> str:
+    if not beside:
+        notes = cells["notes"].map(
+            lambda notes: tuple(note for note in notes if not note.is_about_the_published)
+        )
+        cells = cells.assign(published=np.nan, notes=notes)
+    chart, reading = "", _READING.format(metrics="", chart="")
+    if in_percent(table):
+        point = "home" if table["layout"] != "pooled_by_class" else "place"
+        chart = f"![Chart of the averages](get-artifact?path=chart.png&run_uuid={RUN_ID})\n"
+        reading = _READING.format(metrics=_ACCURACIES, chart=_CHART.format(point=point))
+    # Without the heading, which is the run's name.
+    text = table_markdown(table, cells, dataset).partition("\n")[2].lstrip()
+    return _cut(f"{text}\n{chart}{reading}")
+
+
+def _cut(text: str) -> str:
+    """Whole lines, as many as MLflow takes."""
+    if len(text) <= _LONGEST_DESCRIPTION:
+        return text
+    return text[: text.rindex("\n", 0, _LONGEST_DESCRIPTION - 40)] + "\n\n*The rest is in the artifacts.*\n"

@@ -1,0 +1,250 @@
+"""MLflow: a run a table with nested runs for its rows; running again never duplicates one.
+
+Tags: ``placecat.kind`` is table, row, figures or findings; ``placecat.table`` the name of the table;
+``placecat.digest`` the checksum of all that a table shows; ``placecat.current`` is "true" for what holds
+now. A run counts only if it is current and FINISHED. The order of writing: the run of the table and every
+row, their end; then what they supersede is no longer current; then the rows are, and last the run of the
+table. So whenever this is killed, nothing is current that is not complete, and nothing twice; the next time
+finishes what is left to do and deletes the torso.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from placecat.mlflow_log import store
+from placecat.mlflow_log.store import COMMIT
+
+if TYPE_CHECKING:
+    from mlflow import MlflowClient
+    from mlflow.entities import Run
+
+KIND, TABLE, DIGEST = "placecat.kind", "placecat.table", "placecat.digest"
+CURRENT, SUPERSEDED_BY = "placecat.current", "placecat.superseded_by"
+# Change it when the runs get other content for the same numbers, so that they are logged anew.
+_FORM = "3"
+# Where a description shows its run's id.
+RUN_ID = "{run_id}"
+ARTIFACTS = Path("mlartifacts")
+# Of the experiment of a data set.
+DESCRIPTION = (
+    "Visual place categorization, measured on {title}: every table of the thesis is a run, every row of a "
+    "table a nested run. What holds now has the tag placecat.current: filter by "
+    '``tags.`placecat.current` = "true"``. '
+    'Sweeps over settings have ``tags.`placecat.kind` = "sweep"``.'
+)
+
+
+@dataclass(frozen=True)
+class RowRun:
+    """What MLflow is to know of one row.
+
+    Attributes
+    ----------
+    name
+        For people, e.g. "5-5-1, all cues, Gist".
+    params, metrics
+        What identifies it, and its numbers: ``average``, ``home_1``, ... in percent, and how good its
+        probabilities are (:meth:`placecat.results.quality.Quality.averages`).
+    files
+        Writes the row's files into the folder that it is given, and gives their paths.
+    """
+
+    name: str
+    params: Mapping[str, str]
+    metrics: Mapping[str, float]
+    files: Callable[[Path], Sequence[Path]] = lambda folder: ()
+
+
+@dataclass(frozen=True)
+class TableRun:
+    """What MLflow is to know of one table.
+
+    Attributes
+    ----------
+    name
+        E.g. "table_26".
+    title
+        For people.
+    content
+        Everything that the table shows, as text; with `params`, of which `digest` is made.
+    params
+        Flat settings that the numbers depend on.
+    metrics
+        Name to number, percent unless it says otherwise.
+    description
+        Markdown for people; `RUN_ID` in it becomes the run's id.
+    rows
+        Nested runs.
+    files
+        As for a row.
+    kind
+        "table", or "figures" and "findings" for the two runs that are none.
+    """
+
+    name: str
+    title: str
+    content: str
+    params: Mapping[str, str]
+    metrics: Mapping[str, float]
+    description: str
+    rows: Sequence[RowRun] = ()
+    files: Callable[[Path], Sequence[Path]] = lambda folder: ()
+    kind: str = "table"
+
+    def digest(self, data_version: str) -> str:
+        """Checksum of all that the run shows: the table's numbers, its settings, the version of the data."""
+        content = [_FORM, self.title, self.content, repr(sorted(self.params.items())), data_version]
+        return hashlib.sha256("\n".join(content).encode()).hexdigest()
+
+
+def log_tables(
+    runs: Sequence[TableRun],
+    *,
+    uri: str,
+    experiment: str,
+    description: str,
+    data: str,
+    data_version: str,
+    commit: str,
+    artifacts: Path,
+) -> dict[str, str]:
+    """Log every table whose content is new; mark what it supersedes.
+
+    Parameters
+    ----------
+    runs
+        All tables of the experiment, in the order in which the user interface is to show them, which puts
+        the latest on top.
+    uri
+        MLflow tracking URI.
+    experiment, description
+        Name of the experiment, made if it does not exist, and what it says of itself (Markdown).
+    data, data_version
+        What the data set is called, and the checksum of its files.
+    commit
+        Git commit, or "" if there is none.
+    artifacts
+        Where a new experiment on a local database keeps its files.
+
+    Returns
+    -------
+    dict
+        For each table the digest of its content, which does not depend on time or on earlier runs.
+
+    Raises
+    ------
+    PlacecatError
+        If MLflow does not answer, or refuses.
+    """
+    client = store.connect(uri)
+    experiment_id = store.experiment_id(client, uri, experiment, artifacts=artifacts, description=description)
+    known: dict[str, list[Run]] = {}
+    # Not superseded: current ones, complete ones that did not become current yet, and torsos.
+    for one in _search(client, experiment_id, f"tags.`{DIGEST}` LIKE '%'"):
+        if SUPERSEDED_BY not in one.data.tags:
+            known.setdefault(one.data.tags.get(TABLE, ""), []).append(one)
+    digests = {}
+    common = {"data": data, "data_version": data_version, "mlflow.source.name": "placecat.stages.tracking"}
+    common |= {COMMIT: commit} if commit else {}
+    for run in reversed(runs):
+        digest = digests[run.name] = run.digest(data_version)
+        earlier = known.get(run.name, [])
+        complete = [one for one in earlier if one.info.status == "FINISHED"]
+        same = [one for one in complete if one.data.tags.get(DIGEST) == digest]
+        chosen = same[0].info.run_id if same else None
+        for torso in earlier:
+            if torso not in complete:
+                _delete(client, experiment_id, torso.info.run_id)
+        if chosen is None:
+            chosen = _log(client, experiment_id, run, digest, common)
+        elif same[0].data.tags.get(CURRENT) == "true" and len(complete) == 1:
+            continue
+        old = [one.info.run_id for one in complete if one.info.run_id != chosen]
+        _make_current(client, experiment_id, chosen, old)
+    for name in known.keys() - digests.keys():
+        # A table that there is no more.
+        for one in known[name]:
+            _supersede(client, experiment_id, one.info.run_id, "nothing")
+    return digests
+
+
+def _log(
+    client: MlflowClient, experiment_id: str, run: TableRun, digest: str, common: Mapping[str, str]
+) -> str:
+    """Log a table and its rows, not current yet; gives the run's id."""
+    tags = {**common, TABLE: run.name, CURRENT: "false"}
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary)
+        files = run.files(folder)
+        of_rows = []
+        for number, row in enumerate(run.rows):
+            (own := folder / f"row_{number}").mkdir()
+            of_rows.append(row.files(own))
+        run_id = store.start_run(
+            client,
+            experiment_id,
+            run.title,
+            params=run.params,
+            metrics=run.metrics,
+            tags={**tags, KIND: run.kind, DIGEST: digest},
+            files=files,
+        )
+        store.set_tags(client, run_id, {store.DESCRIPTION: run.description.replace(RUN_ID, run_id)})
+        # The last is on top.
+        for row, paths in reversed(list(zip(run.rows, of_rows, strict=True))):
+            store.log_run(
+                client,
+                experiment_id,
+                row.name,
+                params=row.params,
+                metrics=row.metrics,
+                tags={**tags, KIND: "row"},
+                files=paths,
+                parent=run_id,
+            )
+        store.finish_run(client, run_id)
+    return run_id
+
+
+def _make_current(client: MlflowClient, experiment_id: str, run_id: str, old: Sequence[str]) -> None:
+    # Another process sees all of it or nothing.
+    with store.writing(client):
+        for one in old:
+            _supersede(client, experiment_id, one, run_id)
+        for each in [*_nested(client, experiment_id, run_id), run_id]:
+            store.set_tags(client, each, {CURRENT: "true"})
+
+
+def _supersede(client: MlflowClient, experiment_id: str, run_id: str, by: str) -> None:
+    # The table's run last, so that this is done again if it is interrupted.
+    for each in [*_nested(client, experiment_id, run_id), run_id]:
+        store.set_tags(client, each, {CURRENT: "false", SUPERSEDED_BY: by})
+
+
+def _delete(client: MlflowClient, experiment_id: str, run_id: str) -> None:
+    with store.writing(client):
+        for each in [*_nested(client, experiment_id, run_id), run_id]:
+            client.delete_run(each)
+
+
+def _nested(client: MlflowClient, experiment_id: str, run_id: str) -> list[str]:
+    found = _search(client, experiment_id, f"tags.`{store.PARENT}` = '{run_id}'")
+    return [str(one.info.run_id) for one in found]
+
+
+def _search(client: MlflowClient, experiment_id: str, condition: str) -> list[Run]:
+    found: list[Run] = []
+    token = None
+    with store.writing(client):
+        while True:
+            page = client.search_runs([experiment_id], condition, max_results=1000, page_token=token)
+            found += page
+            token = page.token
+            if not token:
+                return found

@@ -1,0 +1,92 @@
+"""What a bar chart of a table shows: a bar a result, its single homes as points."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pandas as pd
+
+from placecat.thesis.number import AVERAGE
+
+_HOME = r"Home \d+"
+
+
+@dataclass(frozen=True)
+class Bar:
+    """One bar.
+
+    Attributes
+    ----------
+    section, label
+        What stands above the bars of a group, "" for nothing, and beside this one.
+    measured
+        Percent.
+    published
+        Percent, NaN for none.
+    points
+        What `measured` is the average of, in percent, as far as the table has it.
+    """
+
+    section: str
+    label: str
+    measured: float
+    published: float
+    points: tuple[float, ...]
+
+
+def bars_of(cells: pd.DataFrame) -> list[Bar]:
+    """A table's averages: over homes, else over places; without either, every cell is a bar.
+
+    Parameters
+    ----------
+    cells
+        A filled table: columns group, row, column (text), published and measured (percent).
+
+    Returns
+    -------
+    list
+        In the table's order; what was not measured has no bar.
+    """
+    axis = _averaged(cells)
+    if axis is None:
+        named = cells.assign(
+            section=[_joined(*names) for names in zip(cells["group"], cells["row"], strict=True)],
+            label=cells["column"],
+        )
+    else:
+        named = cells.assign(section=cells["group"], label=cells["column" if axis == "row" else "row"])
+    found = []
+    for (section, label), part in named.groupby(["section", "label"], sort=False):
+        whole = part if axis is None else part[part[axis] == AVERAGE]
+        # The only home has no average.
+        whole = part if whole.empty else whole
+        if len(whole) != 1 or not np.isfinite(whole["measured"].iloc[0]):
+            continue
+        points = part.drop(whole.index)["measured"].dropna()
+        found.append(
+            Bar(
+                str(section),
+                str(label),
+                float(whole["measured"].iloc[0]),
+                float(whole["published"].iloc[0]),
+                tuple(points),
+            )
+        )
+    return found
+
+
+def point_name(cells: pd.DataFrame) -> str:
+    """What a point of `bars_of` is: "home" or "place"."""
+    axis = _averaged(cells)
+    return "home" if axis is not None and cells[axis].str.fullmatch(_HOME).any() else "place"
+
+
+def _averaged(cells: pd.DataFrame) -> str | None:
+    """The column of labels over which a table averages."""
+    for axis in ("row", "column"):
+        if cells[axis].str.fullmatch(_HOME).any():
+            return axis
+    return "column" if (cells["column"] == AVERAGE).any() else None
+
+
+def _joined(*names: str) -> str:
+    return ", ".join(name for name in names if name)

@@ -1,0 +1,145 @@
+"""Charts of confusion matrices: one with its numbers, or those of a whole table at a glance."""
+
+from collections.abc import Mapping, Sequence
+from itertools import chain
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from placecat.drawing.palette import place_title
+from placecat.results.confusion import ALL_HOMES, in_home, pooled_counts, shares
+from placecat.results.measured import Measured
+
+_MAP = "Blues"
+# Inches.
+_CELL = 0.11
+
+
+class Matrices:
+    """Confusion matrices side by side; used again for the next ones, since drawing axes takes longest.
+
+    Parameters
+    ----------
+    classes
+        Places in order.
+    count
+        Number of matrices.
+    """
+
+    def __init__(self, classes: Sequence[str], count: int) -> None:
+        size = len(classes)
+        cell, left = 0.42, 0.95
+        width, height = left + count * (cell * size + 0.25), 0.55 + cell * size + 0.8
+        self.figure = Figure(figsize=(width, height), dpi=100)
+        self._images, self._texts, self._titles = [], [], []
+        names = [place_title(place) for place in classes]
+        for number in range(count):
+            axes = self.figure.add_axes(
+                (
+                    (left + number * (cell * size + 0.25)) / width,
+                    0.8 / height,
+                    cell * size / width,
+                    cell * size / height,
+                )
+            )
+            image = axes.imshow(np.zeros((size, size)), cmap=_MAP, vmin=0, vmax=100, interpolation="nearest")
+            axes.set_xticks(range(size), names, rotation=45, ha="right", rotation_mode="anchor")
+            axes.set_yticks(range(size), names if number == 0 else [""] * size)
+            axes.tick_params(length=0)
+            axes.spines[:].set_visible(False)
+            self._images.append(image)
+            self._texts.append(
+                [
+                    [axes.text(k, i, "", ha="center", va="center", fontsize=7) for k in range(size)]
+                    for i in range(size)
+                ]
+            )
+            self._titles.append(axes.set_title(""))
+        self._title = self.figure.text(0.01, 1 - 0.06 / height, "", va="top", fontsize=8, fontweight="bold")
+
+    def fill(self, title: str, matrices: Mapping[str, Measured]) -> Figure:
+        """Show the share of each true place (row) that was decided as each place (column), in percent.
+
+        Parameters
+        ----------
+        matrices
+            Caption to what was measured; counts over all homes and seeds.
+        """
+        self._title.set_text(title)
+        parts = zip(matrices.items(), self._images, self._texts, self._titles, strict=True)
+        for (caption, one), image, texts, heading in parts:
+            values = shares(pooled_counts(one))
+            image.set_data(values)
+            heading.set_text(caption)
+            for text, value in zip(chain.from_iterable(texts), values.ravel(), strict=True):
+                text.set_text("" if np.isnan(value) else f"{value:.0f}")
+                text.set_color("white" if value > 55 else "#222222")
+        return self.figure
+
+
+def confusion_sheet(title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> Figure | None:
+    """Draw all confusion matrices of a table: a line a row, and in it each column or each home.
+
+    Parameters
+    ----------
+    rows
+        From :func:`placecat.thesis.decisions.decisions_of`.
+
+    Returns
+    -------
+    Figure or None
+        None if nothing was measured.
+    """
+    lines = {key: _blocks(of_row) for key, of_row in rows.items() if of_row}
+    if not lines:
+        return None
+    columns = list(dict.fromkeys(name for blocks in lines.values() for name in blocks))
+    size = max(len(values) for blocks in lines.values() for values in blocks.values())
+    # One picture of all, as hundreds of axes would take minutes. The gaps are NaN, which shows as white.
+    step = size + 1
+    canvas = np.full((len(lines) * step - 1, len(columns) * step - 1), np.nan)
+    for y, blocks in enumerate(lines.values()):
+        for name, values in blocks.items():
+            x = columns.index(name)
+            canvas[y * step : y * step + len(values), x * step : x * step + len(values)] = values
+    labels = ["\n".join(part for part in key if part) for key in lines]
+    left = 0.2 + 0.058 * max(len(line) for label in labels for line in label.split("\n"))
+    height, width = (_CELL * count for count in canvas.shape)
+    above, right, below = 0.65, 0.75, 0.1
+    # The title may need the room.
+    full = (max(left + width + right, 5.2), above + height + below)
+    figure = Figure(figsize=full)
+    axes = figure.add_axes((left / full[0], below / full[1], width / full[0], height / full[1]))
+    image = axes.imshow(canvas, cmap=_MAP, vmin=0, vmax=100, interpolation="nearest")
+    axes.set_yticks(np.arange(len(lines)) * step + (size - 1) / 2, labels)
+    axes.set_xticks(np.arange(len(columns)) * step + (size - 1) / 2, columns)
+    axes.tick_params(length=0)
+    axes.xaxis.tick_top()
+    axes.spines[:].set_visible(False)
+    bar_height = min(height, 1.4)
+    bar = figure.colorbar(
+        image,
+        cax=figure.add_axes(
+            (
+                (left + width + 0.12) / full[0],
+                (below + height - bar_height) / full[1],
+                0.1 / full[0],
+                bar_height / full[1],
+            )
+        ),
+    )
+    bar.set_label("percent of the true place")
+    bar.outline.set_visible(False)
+    figure.text(0.1 / full[0], 1 - 0.08 / full[1], title, va="top", fontsize=9)
+    return figure
+
+
+def _blocks(of_row: Mapping[str, Measured]) -> dict[str, np.ndarray]:
+    parts: dict[str, Measured] = {}
+    for column, one in of_row.items():
+        if column == "" and len(of_row) == 1 and len(one.homes) > 1:
+            parts |= {place_title(home): in_home(one, home) for home in one.homes}
+            parts[ALL_HOMES] = one
+        else:
+            parts[column] = one
+    return {name: shares(pooled_counts(one)) for name, one in parts.items()}

@@ -1,0 +1,50 @@
+"""The layout that Figures 4 and 5 share: the sub-channels of one channel around its conspicuity map."""
+
+from collections.abc import Sequence
+
+from matplotlib.figure import Figure
+
+from placecat.report.figures.panels import Sheet, show_map, weight_text
+from placecat.report.run import Run
+
+WIDTH, GAP, ARROW, HEAD = 1.55, 0.14, 0.95, 0.2
+
+
+def draw_channel(run: Run, channel: str, symbol: str, subchannels: Sequence[str]) -> Figure:
+    """Draw the feature maps of one channel's sub-channels, added across scales, and their weighted sum.
+
+    Parameters
+    ----------
+    channel
+        Of `placecat.vision.saliency.CHANNELS`; it has four sub-channels.
+    symbol
+        Of its conspicuity map, e.g. "C".
+    subchannels
+        What to call them, in their order.
+    """
+    home, index = run.example
+    fused = run.saliency(home, index)
+    stack, weights = fused.subchannels[channel], fused.subchannel_weights[channel]
+    height = WIDTH * stack.shape[1] / stack.shape[2]
+    step = height + HEAD + GAP
+    left, right = 0.06, 0.06 + 2 * (WIDTH + ARROW)
+    middle = left + WIDTH + ARROW
+    sheet = Sheet(right + WIDTH + 0.06, 2 * step - GAP + 0.06)
+    centre = step + HEAD / 2 - GAP / 2
+    for number, name in enumerate(subchannels):
+        row, side = divmod(number, 2)
+        x = left if side == 0 else right
+        top = row * step + HEAD
+        show_map(sheet.panel(x, top, WIDTH, height), stack[number])
+        sheet.text(x + WIDTH / 2, top - 0.09, f"{symbol}′ {name}")
+        start = x + WIDTH + 0.05 if side == 0 else x - 0.05
+        end = middle - 0.05 if side == 0 else middle + WIDTH + 0.05
+        toward = -1 if row == 0 else 1
+        sheet.arrow(
+            (start, top + height / 2),
+            (end, centre + toward * height / 4),
+            weight_text(float(weights[number])),
+        )
+    show_map(sheet.panel(middle, centre - height / 2, WIDTH, height), fused.conspicuity[channel])
+    sheet.text(middle + WIDTH / 2, centre - height / 2 - 0.09, f"conspicuity map {symbol}")
+    return sheet.figure

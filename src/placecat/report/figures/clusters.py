@@ -1,0 +1,209 @@
+"""What the largest clusters of a codebook of salient regions hold: their patches (Figures 12 to 14)."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+import cv2
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from placecat import seeds, settings
+from placecat.drawing.palette import place_colors, place_title
+from placecat.errors import PlacecatError, SettingError
+from placecat.report.figures.choice import home_of
+from placecat.report.figures.panels import Sheet
+from placecat.report.figures.shares import place_legend, share_bar
+from placecat.report.figures.training import training_regions
+from placecat.report.run import Run
+from placecat.vision.regions import radius
+
+SHOWN = 3
+PIXELS = 128
+COLUMNS, PATCH, GAP, LEFT = 10, 0.62, 0.07, 0.06
+
+
+@dataclass(frozen=True)
+class Cluster:
+    """One cluster of salient regions.
+
+    Attributes
+    ----------
+    total
+        Number of regions in all clusters.
+    shares
+        (classes,) share of each place among its regions.
+    labels
+        (n,) place of each region's frame.
+    distance
+        (n,) from the cluster's centre.
+    home, frame
+        (n,) where each region is from.
+    patches
+        (n, PIXELS, PIXELS, 3) uint8 BGR: the squares around the regions.
+    """
+
+    total: int
+    shares: NDArray[np.float64]
+    labels: NDArray[np.int16]
+    distance: NDArray[np.float64]
+    home: NDArray[np.int64]
+    frame: NDArray[np.int64]
+    patches: NDArray[np.uint8]
+
+    def contrast(self) -> NDArray[np.float64]:
+        """(n,) standard deviation of each patch's grey levels."""
+        return np.array([cv2.cvtColor(patch, cv2.COLOR_BGR2GRAY).std() for patch in self.patches])
+
+
+def draw_cluster(run: Run, rank: int, *, by_contrast: bool) -> Figure:
+    """Draw patches of one cluster; settings in ``figures.clusters``.
+
+    Parameters
+    ----------
+    rank
+        1 for the largest cluster, up to `SHOWN`.
+    by_contrast
+        Show the third of its patches that has most contrast apart from the third that has least, each by a
+        random sample; otherwise a random sample of all.
+    """
+    return settings.call(
+        _draw, run, rank, by_contrast, settings=run.options("clusters"), where="figures.clusters"
+    )
+
+
+def _draw(run: Run, rank: int, by_contrast: bool, *, cue: str, home: int, patches: int, apart: int) -> Figure:
+    test = home_of(run, home)
+    largest = _largest(run, cue, test)
+    if len(largest) < rank:
+        raise PlacecatError(f"the regions that train for {test} fill only {len(largest)} clusters")
+    cluster = largest[rank - 1]
+    rng = np.random.default_rng(seeds.derive("figures", "clusters", rank))
+    mixed = rng.permutation(len(cluster.labels))
+    blocks = [("nearest to the centre", np.argsort(cluster.distance, kind="stable"))]
+    if by_contrast:
+        rank_of = np.argsort(np.argsort(cluster.contrast(), kind="stable"))[mixed]
+        third = len(mixed) / 3
+        blocks += [
+            ("random sample of the third with most contrast", mixed[rank_of >= 2 * third]),
+            ("random sample of the third with least contrast", mixed[rank_of < third]),
+        ]
+    else:
+        blocks += [("random sample", mixed)]
+    chosen = [(title, spread(order, cluster.home, cluster.frame, patches, apart)) for title, order in blocks]
+    return _sheet(run.classes, f"Cluster {rank}, learned without {place_title(test)}", cluster, chosen)
+
+
+def spread(
+    order: NDArray[np.integer], home: NDArray[np.int64], frame: NDArray[np.int64], count: int, apart: int
+) -> list[int]:
+    """Take the first in order, passing over those from nearly the same moment as one taken before.
+
+    Parameters
+    ----------
+    order
+        Indices into `home` and `frame`, the preferred first.
+    count
+        How many to take at most.
+    apart
+        Frames of one home that lie less than this from each other count as the same moment.
+    """
+    taken: list[int] = []
+    for one in order.tolist():
+        near = any(home[one] == home[other] and abs(frame[one] - frame[other]) < apart for other in taken)
+        if not near:
+            taken.append(one)
+            if len(taken) == count:
+                break
+    return taken
+
+
+def cut_patch(frame: NDArray[np.uint8], region: NDArray[np.float32]) -> NDArray[np.uint8]:
+    """Cut the square around a salient region from a frame at full size.
+
+    Parameters
+    ----------
+    frame
+        (H, W, 3) uint8 BGR; beyond its border the outermost pixels go on.
+    region
+        (4,): x, y, scale, saliency.
+
+    Returns
+    -------
+    (PIXELS, PIXELS, 3) uint8 BGR.
+    """
+    x, y, scale = (float(value) for value in region[:3])
+    side = max(2, round(2 * float(radius(scale, frame.shape[1]))))
+    square = cv2.getRectSubPix(frame, (side, side), (x, y))
+    how = cv2.INTER_AREA if side > PIXELS else cv2.INTER_LINEAR
+    return np.asarray(cv2.resize(square, (PIXELS, PIXELS), interpolation=how), np.uint8)
+
+
+# Three figures share one pass over the videos.
+@lru_cache(maxsize=1)
+def _largest(run: Run, cue: str, test_home: str) -> list[Cluster]:
+    own = settings.get(run.params, f"cues.{cue}")
+    name, number = own["codebook"], own["classifier"].get("clusters")
+    if name is None or number is None:
+        raise SettingError(f"figures.clusters.cue {cue!r} has no codebook: use one on salient regions")
+    train = training_regions(run, name, test_home)
+    tree = run.codebook(name, run.fold(test_home).training_set).trees[0]
+    words, centers = tree.assign(train.x, number), tree.centers(number)
+    sizes = np.bincount(words, minlength=number)
+    largest = [cluster for cluster in np.argsort(-sizes, kind="stable")[:SHOWN] if sizes[cluster]]
+    members = [np.flatnonzero(words == cluster) for cluster in largest]
+    patches: dict[int, NDArray[np.uint8]] = {}
+    for position, home in enumerate(train.homes):
+        wanted = np.concatenate([some[train.home[some] == position] for some in members])
+        for index, frame in run.frames(home, train.frame[wanted]):
+            regions = run.regions(home, index)
+            for row in wanted[train.frame[wanted] == index].tolist():
+                patches[row] = cut_patch(frame, regions[train.number[row]])
+    return [
+        Cluster(
+            total=len(words),
+            shares=np.bincount(train.labels[some], minlength=len(run.classes)) / len(some),
+            labels=train.labels[some],
+            distance=np.linalg.norm(train.x[some] - centers[cluster], axis=1),
+            home=train.home[some],
+            frame=train.frame[some],
+            patches=np.stack([patches[row] for row in some.tolist()]),
+        )
+        for cluster, some in zip(largest, members, strict=True)
+    ]
+
+
+def _sheet(
+    classes: Sequence[str], name: str, cluster: Cluster, blocks: list[tuple[str, list[int]]]
+) -> Figure:
+    step, head, title = PATCH + GAP, 0.62, 0.24
+    rows = [-(-len(some) // COLUMNS) for _, some in blocks]
+    width = 2 * LEFT + COLUMNS * step - GAP
+    sheet = Sheet(width, head + sum(title + count * step for count in rows))
+    size = len(cluster.labels)
+    sheet.text(LEFT, 0.15, name, ha="left", fontsize=8)
+    share = f"{size} of {cluster.total} regions ({100 * size / cluster.total:.1f} %)"
+    sheet.text(LEFT, 0.42, share, ha="left", fontsize=8)
+    bar = sheet.panel(LEFT + 3.0, 0.05, width - 2 * LEFT - 3.0, 0.2)
+    share_bar(bar, 0.0, cluster.shares, classes, height=1.0)
+    bar.set_xlim(0, 1)
+    bar.set_ylim(-0.5, 0.5)
+    bar.set_axis_off()
+    place_legend(sheet.figure, classes, ((LEFT + 3.0) / width, 1 - 0.42 / sheet.height))
+    colors = list(place_colors(classes).values())
+    top = head
+    for number, ((kind, some), count) in enumerate(zip(blocks, rows, strict=True)):
+        sheet.text(LEFT, top + title / 2, f"({chr(ord('a') + number)}) {kind}", ha="left", fontsize=8)
+        for position, one in enumerate(some):
+            row, column = divmod(position, COLUMNS)
+            axes = sheet.panel(LEFT + column * step, top + title + row * step, PATCH, PATCH)
+            axes.imshow(cv2.cvtColor(cluster.patches[one], cv2.COLOR_BGR2RGB))
+            axes.set_xticks([])
+            axes.set_yticks([])
+            for spine in axes.spines.values():
+                spine.set_visible(True)
+                spine.set_color(colors[cluster.labels[one]])
+                spine.set_linewidth(2.2)
+        top += title + count * step
+    return sheet.figure

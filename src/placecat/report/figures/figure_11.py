@@ -1,0 +1,185 @@
+"""Figure 11: what the hidden Markov model and the delay make of a classifier's output (thesis 3.4)."""
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from numpy.typing import NDArray
+
+from placecat import settings
+from placecat.drawing import palette
+from placecat.errors import SettingError
+from placecat.report.figures.choice import home_of
+from placecat.report.figures.segment import most_smoothed, stretches
+
+if TYPE_CHECKING:
+    from placecat.report.run import Run
+
+TITLE = (
+    "The output of the integration, of the hidden Markov model, and of the delay behind it, where the model "
+    "removes most jumps of the decision, first seed: probabilities of the places over time. The bar under a "
+    "panel is the decision, the one on top the true place."
+)
+
+# So that places are told apart in grey print.
+LINES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)), (0, (1, 2)), (0, (3, 3)))
+# Of the decision, below the curves.
+BAR = (-0.22, -0.09)
+# Share of the window from which on a stretch has room for its place's name.
+NAMED = 0.12
+LUMINANCE = np.array([0.299, 0.587, 0.114])
+
+
+def draw(run: "Run") -> Figure:
+    """Three panels below each other; settings in ``figures.figure_11``."""
+    return settings.call(_draw, run, settings=run.options("figure_11"), where="figures.figure_11")
+
+
+def _draw(
+    run: "Run", *, home: int | None, start: int | None, frames: int, classifier: str, hmm: str, delayed: str
+) -> Figure:
+    results = {
+        "Integration": classifier,
+        "Hidden Markov model": hmm,
+        "Hidden Markov model with delay": delayed,
+    }
+    if frames < 2:
+        raise SettingError(f"figures.figure_11.frames must be 2 or more, not {frames}")
+    chosen, window = choose(run, classifier, hmm, home=home, start=start, frames=frames)
+    outputs = {title: run.proba(result, chosen)[window] for title, result in results.items()}
+    return figure(outputs, run.labels(chosen)[window], run.source(classifier).classes, chosen, window.start)
+
+
+def choose(
+    run: "Run", classifier: str, hmm: str, *, home: int | None, start: int | None, frames: int
+) -> tuple[str, slice]:
+    """The home and the frames that are shown.
+
+    Parameters
+    ----------
+    classifier, hmm
+        Results between which changes of the decision are to vanish.
+    home
+        Number of the home from 1; None for the one in which most changes vanish, the first of equals, or,
+        with a `start`, for the first.
+    start
+        First frame, counted from 0; None for the window in which most changes vanish.
+    frames
+        Length of the window, as far as there are frames.
+    """
+    homes = run.source(classifier).homes if home is None else (home_of(run, home),)
+    if start is not None:
+        length = len(run.labels(homes[0]))
+        if not 0 <= start < length - 1:
+            raise SettingError(f"figures.figure_11.start must be in 0 to {length - 2}, not {start}")
+        return homes[0], slice(start, min(start + frames, length))
+    found = [
+        most_smoothed(
+            run.proba(classifier, one),
+            run.proba(hmm, one),
+            run.labels(one),
+            run.sequence_slices(one),
+            frames=frames,
+        )
+        for one in homes
+    ]
+    best = int(np.argmax([removed for removed, _ in found]))
+    return homes[best], found[best][1]
+
+
+def figure(
+    outputs: Mapping[str, NDArray[np.float64]],
+    truth: NDArray[np.int16],
+    classes: Sequence[str],
+    home: str,
+    start: int,
+) -> Figure:
+    """Draw the panels.
+
+    Parameters
+    ----------
+    outputs
+        Title of a panel to (frames, classes) distributions.
+    truth
+        (frames,) class indices, -1 for unlabelled.
+    home, start
+        Where the frames are from, and the first one's index.
+    """
+    colors = list(palette.place_colors(classes).values())
+    decided = [proba.argmax(axis=1) for proba in outputs.values()]
+    shown = np.unique(np.concatenate([truth[truth >= 0], *decided])).tolist()
+    styles = {
+        place: {"color": colors[place], "linestyle": LINES[i % len(LINES)]} for i, place in enumerate(shown)
+    }
+    drawn = Figure(figsize=(6.5, 0.9 + 1.25 * len(outputs)))
+    ratios = [0.15, *[1.0] * len(outputs)]
+    grid = drawn.subplots(len(ratios), 1, sharex=True, gridspec_kw={"height_ratios": ratios})
+    _bar(grid[0], truth, start, (0.0, 1.0), colors)
+    grid[0].set_yticks([0.5], ["true place"])
+    for part in stretches(truth):
+        _name(grid[0], truth, part, start, classes, colors)
+    grid[0].tick_params(length=0, labelbottom=False)
+    grid[0].spines[:].set_visible(False)
+    time = start + np.arange(len(truth)) + 0.5
+    for number, (axes, title) in enumerate(zip(grid[1:], outputs, strict=True)):
+        for place, style in styles.items():
+            axes.plot(time, outputs[title][:, place], **style)
+        for part in stretches(truth)[1:]:
+            axes.axvline(start + part.start, color=palette.MUTED, linewidth=0.6)
+        _bar(axes, decided[number], start, BAR, colors)
+        axes.set_ylim(BAR[0] - 0.02, 1.02)
+        axes.set_yticks([sum(BAR) / 2, 0.0, 0.5, 1.0], ["decision", "0", "0.5", "1"])
+        axes.set_ylabel("probability")
+        axes.set_title(f"({chr(ord('a') + number)}) {title}", loc="left")
+    grid[-1].set_xlim(start, start + len(truth))
+    grid[-1].set_xlabel(f"frame of {palette.place_title(home)}")
+    handles = [
+        Line2D([], [], label=palette.place_title(classes[place]), **style) for place, style in styles.items()
+    ]
+    drawn.legend(handles=handles, loc="outside upper center", ncols=min(len(handles), 5), handlelength=2.6)
+    return drawn
+
+
+def _bar(
+    axes: Axes,
+    places: NDArray[np.integer],
+    start: int,
+    span: tuple[float, float],
+    colors: Sequence[str],
+) -> None:
+    """A bar in the colours of the places over time, between two heights; white where unlabelled."""
+    for part in stretches(places):
+        if places[part.start] >= 0:
+            axes.fill_between(
+                [start + part.start, start + part.stop],
+                *span,
+                facecolor=colors[places[part.start]],
+                linewidth=0,
+            )
+
+
+def _name(
+    axes: Axes,
+    truth: NDArray[np.int16],
+    part: slice,
+    start: int,
+    classes: Sequence[str],
+    colors: Sequence[str],
+) -> None:
+    """Write the place into a stretch of the bar that has room for it."""
+    if part.stop - part.start < NAMED * len(truth):
+        return
+    place = truth[part.start]
+    name, color = ("no label", "white") if place < 0 else (palette.place_title(classes[place]), colors[place])
+    dark = np.dot(to_rgb(color), LUMINANCE) < 0.5
+    text: dict[str, Any] = {
+        "ha": "center",
+        "va": "center_baseline",
+        "fontsize": 7,
+        "color": "white" if dark else palette.INK,
+    }
+    axes.text(start + (part.start + part.stop) / 2, 0.5, name, **text)

@@ -1,0 +1,78 @@
+"""Figure 15: which places are taken for which, after integration and after smoothing (thesis 4.5)."""
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from placecat import settings
+from placecat.drawing import palette
+from placecat.errors import PlacecatError, SettingError
+from placecat.evaluation.accuracy import home_accuracy
+from placecat.report.figures.choice import home_of
+
+if TYPE_CHECKING:
+    from placecat.report.run import Run
+
+TITLE = (
+    "The confusion matrices after integration and after smoothing for a home, first seed: percent of the "
+    "frames of a place (row) that were decided to be a place (column), and their number below."
+)
+
+WIDTH = 6.5
+# Percentages from here on are written in white.
+DARK = 55.0
+
+
+def draw(run: "Run") -> Figure:
+    """One matrix a panel; settings in ``figures.figure_15``."""
+    return settings.call(_draw, run, settings=run.options("figure_15"), where="figures.figure_15")
+
+
+def _draw(run: "Run", *, home: int, panels: Mapping[str, str]) -> Figure:
+    if not panels:
+        raise SettingError("figures.figure_15.panels names no result")
+    chosen = home_of(run, home)
+    drawn = Figure(figsize=(WIDTH, WIDTH / len(panels) + 0.3))
+    grid = drawn.subplots(1, len(panels), squeeze=False, sharey=True)[0]
+    for number, (axes, (title, result)) in enumerate(zip(grid, panels.items(), strict=True)):
+        measured = run.results.of(result)
+        if chosen not in measured.homes:
+            raise PlacecatError(f"{result} was not measured on {chosen}")
+        matrix(axes, measured.confusion[0, measured.homes.index(chosen)], measured.classes)
+        accuracy = home_accuracy(measured.confusion[0, measured.homes.index(chosen)])
+        letter = f"({chr(ord('a') + number)}) " if len(panels) > 1 else ""
+        axes.set_title(f"{letter}{title}, accuracy {accuracy:.1f} %", loc="left")
+    grid[0].set_ylabel(f"true place of {palette.place_title(chosen)}")
+    return drawn
+
+
+def matrix(axes: Axes, confusion: NDArray[np.int64], classes: Sequence[str]) -> None:
+    """Draw one confusion matrix.
+
+    Parameters
+    ----------
+    confusion
+        (classes, classes) counts, rows true; a place without frames has a row of dashes.
+    """
+    totals = confusion.sum(axis=1, keepdims=True)
+    percent = 100.0 * confusion / np.maximum(totals, 1)
+    axes.imshow(percent, cmap=palette.AMOUNT, vmin=0.0, vmax=100.0)
+    for row, column in np.ndindex(*confusion.shape):
+        color = "white" if percent[row, column] >= DARK else palette.INK
+        text: dict[str, Any] = {"ha": "center", "color": color}
+        if not totals[row]:
+            axes.text(column, row, "–", va="center", **text)
+            continue
+        axes.text(column, row, f"{percent[row, column]:.1f}", va="bottom", fontsize=8, **text)
+        axes.text(column, row + 0.06, f"{confusion[row, column]}", va="top", fontsize=7, **text)
+    names = [palette.place_title(place).replace(" ", "\n") for place in classes]
+    axes.set_xticks(range(len(names)), names)
+    axes.set_yticks(range(len(names)), names)
+    axes.tick_params(length=0)
+    axes.set_xlabel("decided place")
+    for spine in axes.spines.values():
+        spine.set_visible(True)

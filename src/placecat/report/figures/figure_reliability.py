@@ -1,0 +1,126 @@
+"""Reliability diagrams, an added figure: are decisions right as often as their probabilities say?"""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from placecat import settings
+from placecat.drawing import palette
+from placecat.errors import PlacecatError, SettingError
+from placecat.evaluation.probabilities import Reliability, pooled, reliability
+
+if TYPE_CHECKING:
+    from placecat.report.run import Run
+
+TITLE = (
+    "Reliability diagrams: frames sorted into bins by the probability of their decided place. A point is a "
+    "bin, the larger the more frames it has (bins of less than 0.5 % are not drawn): on the dashed line "
+    "decisions are right as often as their probability says, below it they are too sure, above it not sure "
+    "enough. Below each diagram the shares of the frames. Places, test homes and seeds weigh the same. Log "
+    "loss and calibration error are those of the added table, means over homes and seeds; that of pooled "
+    "homes, as drawn, is smaller, since being too sure in one home makes up for the contrary in another."
+)
+
+COLUMNS = 3
+# In inches.
+WIDTH, ROW, LEGEND = 6.5, 2.65, 0.25
+POINT, GAP = "#0072b2", "#d55e00"
+# Share of the frames from which a bin is drawn: what happened to a handful of frames says little.
+LEAST = 0.005
+# Points squared: what a bin of all frames and the smallest bin have.
+LARGEST, SMALLEST = 150.0, 5.0
+
+
+def draw(run: "Run") -> Figure:
+    """One diagram a result; settings in ``figures.figure_reliability``."""
+    own = run.options("figure_reliability")
+    return settings.call(_draw, run, settings=own, where="figures.figure_reliability")
+
+
+def _draw(run: "Run", *, panels: Mapping[str, str]) -> Figure:
+    if not panels:
+        raise SettingError("figures.figure_reliability.panels names no result")
+    rows = -(-len(panels) // COLUMNS)
+    drawn = Figure(figsize=(WIDTH, rows * ROW + LEGEND))
+    heights = [4.0, 1.0] * rows
+    grid = drawn.subplots(
+        2 * rows, COLUMNS, squeeze=False, sharex=True, gridspec_kw={"height_ratios": heights}
+    )
+    for number, (title, result) in enumerate(panels.items()):
+        diagram = diagram_of(run, result)
+        row, column = divmod(number, COLUMNS)
+        above, below = grid[2 * row, column], grid[2 * row + 1, column]
+        points(above, diagram)
+        bars(below, diagram)
+        above.set_title(f"({chr(ord('a') + number)}) {title}\n{numbers(run, result)}", loc="left")
+        below.set_xlabel("probability of the decided place")
+        below.tick_params(labelbottom=True)
+        if column == 0:
+            above.set_ylabel("share of right decisions")
+            below.set_ylabel("frames, %")
+        else:
+            above.tick_params(labelleft=False)
+    for number in range(len(panels), rows * COLUMNS):
+        row, column = divmod(number, COLUMNS)
+        for axes in grid[2 * row : 2 * row + 2, column]:
+            axes.remove()
+    handles = [
+        Line2D([], [], color=POINT, marker="o", label="bin of frames"),
+        Line2D([], [], color=GAP, linewidth=2.0, alpha=0.5, label="distance that the error averages"),
+        Line2D([], [], color=palette.MUTED, linewidth=0.8, linestyle="--", label="right as often as said"),
+    ]
+    drawn.legend(handles=handles, loc="outside lower right", ncols=len(handles))
+    return drawn
+
+
+def diagram_of(run: "Run", result: str) -> Reliability:
+    """The diagram of all test homes and seeds of a result, each weighing the same.
+
+    Raises
+    ------
+    PlacecatError
+        If this run has not the result, or no labelled frame of it.
+    """
+    source = run.source(result)
+    bins = settings.get(run.params, "probabilities.bins")
+    found = [
+        reliability(run.labels(source.listed(home)), run.proba(result, home, seed), bins=bins)
+        for home in source.homes
+        # Without any it says that the result was not computed.
+        for seed in source.seeds() or (None,)
+    ]
+    there = [one for one in found if one.weight.any()]
+    if not there:
+        raise PlacecatError(f"no frame that {result} was tested on has a label")
+    return pooled(there)
+
+
+def numbers(run: "Run", result: str) -> str:
+    """Log-loss and calibration error as in the added table."""
+    averages = run.results.quality[result].averages()
+    return f"log loss {averages['log_loss']:.2f}, error {averages['calibration_error']:.1f} %"
+
+
+def points(axes: Axes, diagram: Reliability) -> None:
+    """Draw the bins of a diagram, their distances from the diagonal, and the diagonal."""
+    axes.plot([0, 1], [0, 1], color=palette.MUTED, linewidth=0.8, linestyle="--")
+    there = diagram.weight >= LEAST
+    confidence, accuracy, weight = (part[there] for part in diagram)
+    axes.vlines(confidence, confidence, accuracy, color=GAP, linewidth=2.0, alpha=0.5)
+    axes.plot(confidence, accuracy, color=POINT, linewidth=0.8)
+    axes.scatter(confidence, accuracy, np.maximum(LARGEST * weight, SMALLEST), color=POINT, zorder=3)
+    axes.set_xlim(0, 1)
+    axes.set_ylim(0, 1)
+    axes.set_yticks([0, 0.5, 1], ["0", "0.5", "1"])
+    axes.set_xticks([0, 0.5, 1], ["0", "0.5", "1"])
+
+
+def bars(axes: Axes, diagram: Reliability) -> None:
+    """Draw the shares of the frames."""
+    count = len(diagram.weight)
+    axes.bar((np.arange(count) + 0.5) / count, 100.0 * diagram.weight, 0.9 / count, color=palette.MUTED)
+    axes.set_yticks([0, round(100.0 * float(diagram.weight.max()))])

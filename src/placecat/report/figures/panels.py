@@ -1,0 +1,140 @@
+"""Parts that several figures share: frames, maps, circles and arrows."""
+
+from typing import Any
+
+import cv2
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Circle, FancyArrowPatch
+from numpy.typing import NDArray
+
+from placecat.drawing import palette
+from placecat.vision.regions import radius
+
+DARKEST = 99.5
+
+
+def show_frame(axes: Axes, frame: NDArray[np.uint8], *, width: int = 960) -> None:
+    """Show a frame without axes; the data coordinates are the frame's pixels.
+
+    Parameters
+    ----------
+    frame
+        (H, W, 3) uint8 BGR.
+    width
+        Of the picture kept in the figure, in pixels; a smaller frame stays as it is.
+    """
+    height, full = frame.shape[:2]
+    shown = cv2.cvtColor(frame, cv2.COLOR_BGR2RGB)
+    if full > width:
+        shown = cv2.resize(shown, (width, round(width * height / full)), interpolation=cv2.INTER_AREA)
+    extent = (-0.5, full - 0.5, height - 0.5, -0.5)
+    axes.imshow(shown, extent=extent, interpolation="lanczos")
+    _bare(axes)
+
+
+def show_map(axes: Axes, plane: NDArray[np.floating], *, frame_size: tuple[int, int] | None = None) -> None:
+    """Show a map, strong responses dark; the darkest are those from the `DARKEST` percentile on.
+
+    Parameters
+    ----------
+    plane
+        (h, w), >= 0.
+    frame_size
+        (width, height) of the frame that the data coordinates are to be pixels of; None for the map's own.
+    """
+    height, width = plane.shape
+    extent = (-0.5, width - 0.5, height - 0.5, -0.5)
+    if frame_size is not None:
+        extent = (-0.5, frame_size[0] - 0.5, frame_size[1] - 0.5, -0.5)
+    # A few peaks are many times the rest, which they would leave white.
+    darkest = float(np.percentile(plane, DARKEST))
+    axes.imshow(plane, cmap=palette.MAP, vmin=0.0, vmax=darkest or float(plane.max()) or 1.0, extent=extent)
+    _bare(axes)
+
+
+def draw_regions(
+    axes: Axes, regions: NDArray[np.float32], width: int, colors: list[str], *, linewidth: float = 1.0
+) -> None:
+    """Draw the circles of salient regions (thesis 3.1.1.3) over a frame.
+
+    Parameters
+    ----------
+    regions
+        (n, 4): x, y, scale, saliency.
+    width
+        Of the frame in pixels.
+    colors
+        One a region.
+    """
+    for (x, y, scale, _), color in zip(regions.tolist(), colors, strict=True):
+        size = float(radius(scale, width))
+        # A pale rim keeps the circle visible on dark and on light ground.
+        for edge, wide in (("white", linewidth + 0.9), (color, linewidth)):
+            axes.add_patch(Circle((x, y), size, fill=False, edgecolor=edge, linewidth=wide))
+
+
+class Sheet:
+    """A figure whose panels are placed by hand, in inches from the upper left corner.
+
+    Parameters
+    ----------
+    width, height
+        Of the figure in inches.
+    """
+
+    def __init__(self, width: float, height: float) -> None:
+        self.width, self.height = width, height
+        self.figure = Figure(figsize=(width, height))
+        self.figure.set_layout_engine("none")
+
+    def panel(self, left: float, top: float, width: float, height: float) -> Axes:
+        """Add axes."""
+        box = (left / self.width, 1 - (top + height) / self.height, width / self.width, height / self.height)
+        return self.figure.add_axes(box)
+
+    def arrow(self, start: tuple[float, float], end: tuple[float, float], text: str = "") -> None:
+        """Draw a small arrow between two points (x, y), with a text on its middle."""
+        self.figure.add_artist(
+            FancyArrowPatch(
+                self._at(*start),
+                self._at(*end),
+                transform=self.figure.transFigure,
+                arrowstyle="-|>",
+                mutation_scale=8,
+                color=palette.MUTED,
+                linewidth=0.9,
+                shrinkA=0,
+                shrinkB=0,
+            )
+        )
+        if text:
+            clear = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
+            self.text((start[0] + end[0]) / 2, (start[1] + end[1]) / 2, text, bbox=clear)
+
+    def text(self, x: float, y: float, text: str, **options: Any) -> None:
+        """Write at a point; `options` are those of `matplotlib.figure.Figure.text`."""
+        self.figure.text(*self._at(x, y), text, **{"ha": "center", "va": "center", "fontsize": 7, **options})
+
+    def _at(self, x: float, y: float) -> tuple[float, float]:
+        return x / self.width, 1 - y / self.height
+
+
+def peaks(weight: float) -> int:
+    """Number m of local maxima that gave a map the weight 1 / sqrt(m) (thesis 3.1.1.1); 0 for weight 0."""
+    return round(weight**-2) if weight else 0
+
+
+def weight_text(weight: float) -> str:
+    """A map's weight as a figure writes it: "× 1/√m" in numbers."""
+    return f"× 1/√{peaks(weight)}" if weight else "× 0"
+
+
+def _bare(axes: Axes) -> None:
+    axes.set_xticks([])
+    axes.set_yticks([])
+    for spine in axes.spines.values():
+        spine.set_visible(True)
+        spine.set_color("#999999")
+        spine.set_linewidth(0.5)

@@ -1,0 +1,56 @@
+"""Distributions over places as bars cut into shares (Figures 9, 12 to 14)."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+from numpy.typing import NDArray
+
+from placecat.drawing.palette import INK, place_colors, place_title
+
+# Share from which there is room for its percentage.
+LEAST_WRITTEN = 0.07
+LEGEND_COLUMNS = 5
+
+
+def share_bar(
+    axes: Axes, y: float, shares: NDArray[np.floating], classes: Sequence[str], *, height: float = 0.7
+) -> None:
+    """Draw one distribution as a horizontal bar from 0 to 1, with percentages where there is room.
+
+    Parameters
+    ----------
+    y
+        Of its middle.
+    shares
+        (classes,) that sum to 1.
+    """
+    left = 0.0
+    for share, color in zip(shares.tolist(), place_colors(classes).values(), strict=True):
+        axes.barh(y, share, height, left, color=color, edgecolor="white", linewidth=0.6)
+        if share >= LEAST_WRITTEN:
+            ink = "white" if np.dot(to_rgb(color), (0.299, 0.587, 0.114)) < 0.55 else INK
+            axes.text(
+                left + share / 2, y, f"{100 * share:.0f}", color=ink, fontsize=7, ha="center", va="center"
+            )
+        left += share
+
+
+def place_legend(figure: Figure, classes: Sequence[str], at: tuple[float, float]) -> None:
+    """Write which colour is which place; `at` is the legend's centre left in fractions of the figure."""
+    handles = [Patch(color=color) for color in place_colors(classes).values()]
+    titles = [place_title(place) for place in classes]
+    figure.legend(
+        handles,
+        titles,
+        loc="center left",
+        bbox_to_anchor=at,
+        handlelength=1.0,
+        handleheight=0.8,
+        columnspacing=1.0,
+        borderaxespad=0,
+        ncols=min(len(handles), LEGEND_COLUMNS),
+    )

@@ -1,0 +1,58 @@
+"""The salient regions that one fold's codebooks and cues trained on, one row a region."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.report.run import Run
+
+
+@dataclass(frozen=True)
+class TrainingRegions:
+    """Salient regions of training frames.
+
+    Attributes
+    ----------
+    x
+        (n, D) float32 descriptors.
+    labels
+        (n,) class of each region's frame.
+    homes
+        Names of the homes.
+    home
+        (n,) which of `homes` it is from.
+    frame
+        (n,) index of its frame in the home.
+    number
+        (n,) its place among the frame's regions, 0 for the most salient.
+    """
+
+    x: NDArray[np.float32]
+    labels: NDArray[np.int16]
+    homes: tuple[str, ...]
+    home: NDArray[np.int64]
+    frame: NDArray[np.int64]
+    number: NDArray[np.int64]
+
+
+def training_regions(run: Run, codebook: str, test_home: str) -> TrainingRegions:
+    """Read what the codebook of one fold of 5-5-1 was made of.
+
+    Parameters
+    ----------
+    codebook
+        Its name, e.g. ``hog_y``.
+    test_home
+        The home that the fold leaves out.
+    """
+    homes = run.fold(test_home).cue_homes
+    parts = []
+    for position, home in enumerate(homes):
+        rows = run.training_frames(home)
+        found = run.descriptors(home, codebook, rows)
+        of_row, number = np.nonzero(found.valid())
+        frame = rows[of_row]
+        parts.append((found.rows(), run.labels(home)[frame], np.full(len(frame), position), frame, number))
+    x, labels, home_of_row, frames, numbers = (np.concatenate(column) for column in zip(*parts, strict=True))
+    return TrainingRegions(x, labels, homes, home_of_row, frames, numbers)

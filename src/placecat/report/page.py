@@ -1,0 +1,389 @@
+"""The report: one self-contained HTML page with every table, figure, finding and setting."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import pandas as pd
+from markupsafe import Markup, escape
+
+from placecat.report.benchmarks import shown_rows
+from placecat.report.embed import embed
+from placecat.report.grid import (
+    Cell,
+    homes_sentence,
+    make_cell,
+    make_grid,
+    number_text,
+    seeds_sentence,
+)
+from placecat.report.scale import shown_scale
+from placecat.report.sections import arrange
+from placecat.report.shading import legend, shade
+from placecat.report.summary import (
+    WU_FILTERED,
+    WU_FRAMES,
+    WU_SIFT,
+    count_verdicts,
+    headlines,
+    readings_of,
+)
+from placecat.templates import environment
+from placecat.thesis.notes import joined
+from placecat.thesis.tables import comparable, in_percent
+
+# CSS pixels a pixel of a figure: 200 pixels an inch are then shown at 125 %.
+_FIGURE_SCALE = 0.6
+
+
+@dataclass(frozen=True)
+class Table:
+    """One table: its configuration with its name, its filled form, and the data set it was measured on."""
+
+    settings: Mapping[str, Any]
+    cells: pd.DataFrame
+    dataset: Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Figure:
+    """One figure.
+
+    Attributes
+    ----------
+    number
+        In the thesis; None for an added one.
+    title
+        Its caption.
+    png
+        None if it was not drawn.
+    reason
+        Why it was not drawn, "" if it was.
+    name
+        E.g. "figure_reliability"; where an added one stands on the page comes from it.
+    """
+
+    number: int | None
+    title: str
+    png: bytes | None
+    reason: str = ""
+    name: str = ""
+
+
+@dataclass(frozen=True)
+class Times:
+    """A kept record of how long a run took.
+
+    Attributes
+    ----------
+    stages
+        Columns stage, runs (of a stage with several items, such as homes) and seconds.
+    data
+        What it ran on, for people.
+    cores
+        Of the machine.
+    total
+        Seconds of the whole run.
+    """
+
+    stages: pd.DataFrame
+    data: str
+    cores: int
+    total: float
+
+
+@dataclass(frozen=True)
+class Speed:
+    """A kept record of benchmarks.
+
+    Attributes
+    ----------
+    benchmarks
+        As :func:`placecat_bench.run.run` writes it, empty cells of text as "".
+    facts
+        ``processor``, ``python`` and ``packages`` that it was measured with.
+    chart
+        A PNG, None if there is nothing to draw.
+    """
+
+    benchmarks: pd.DataFrame
+    facts: Mapping[str, str]
+    chart: bytes | None
+
+
+@dataclass(frozen=True)
+class Scale:
+    """A kept record of the stages at the size of the real home database.
+
+    Attributes
+    ----------
+    measured, growth, facts
+        As for :func:`placecat.report.scale.shown_scale`.
+    chart
+        A PNG, None if there is nothing to draw.
+    """
+
+    measured: pd.DataFrame
+    growth: pd.DataFrame
+    facts: Mapping[str, Any]
+    chart: bytes | None
+
+
+@dataclass(frozen=True)
+class Report:
+    """All that the page shows.
+
+    Attributes
+    ----------
+    dataset
+        Of the run: its ``title``, ``homes``, ``classes`` and ``thesis_data``.
+    frames
+        For each home the number of frames of each place, and ``unlabelled``.
+    data_version
+        Checksum of the data.
+    tables
+        In any order.
+    figures
+        In any order.
+    in_text
+        Numbers that the thesis gives in its text: columns name, section, quantity, home, published, measured,
+        spread, seeds, notes.
+    findings
+        From :func:`placecat.thesis.findings.ledger`: number, section, claim, published, measured,
+        difference, low, high, units, verdict, one ``verdict_...`` a reading, reason.
+    comparisons
+        From there too; shown without the names of the results.
+    settings
+        Content of params.yaml.
+    times, speed, scale
+        None if there is no record.
+    """
+
+    dataset: Mapping[str, Any]
+    frames: Mapping[str, Mapping[str, int]]
+    data_version: str
+    tables: Sequence[Table]
+    figures: Sequence[Figure]
+    in_text: pd.DataFrame
+    findings: pd.DataFrame
+    comparisons: pd.DataFrame
+    settings: str
+    times: Times | None = None
+    speed: Speed | None = None
+    scale: Scale | None = None
+
+
+def page_html(report: Report) -> str:
+    """Render the page: the same report gives the same text."""
+    tables = {one.settings["number"]: _shown_table(one) for one in report.tables if _numbered(one)}
+    additions = [_shown_table(one) for one in report.tables if not _numbered(one)]
+    figures = {one.number: _shown_figure(one) for one in report.figures if one.number is not None}
+    added_figures = [_shown_figure(one) for one in report.figures if one.number is None]
+    sections, rest = arrange(tables, figures)
+    table_26 = next((one.cells for one in report.tables if one.settings["number"] == 26), None)
+    return (
+        _environment()
+        .get_template("page.html.j2")
+        .render(
+            dataset=report.dataset,
+            frames=report.frames,
+            data_version=report.data_version,
+            headlines=[] if table_26 is None else headlines(table_26),
+            wu={"frames": WU_FRAMES, "filtered": WU_FILTERED, "sift": WU_SIFT},
+            verdicts=count_verdicts(report.findings),
+            findings=_records(report.findings),
+            readings=[
+                {"column": column, "name": name.replace("_", " ")}
+                for column, name in readings_of(report.findings).items()
+            ],
+            interval_limit=_interval_limit(report.findings),
+            comparisons=_plain(
+                report.comparisons.drop(columns=["left_results", "right_results"], errors="ignore")
+            ),
+            sections=sections,
+            rest=rest,
+            tables=tables,
+            figures=figures,
+            additions=additions,
+            added_figures=added_figures,
+            in_text=_entries(report.in_text),
+            in_text_seeds=seeds_sentence(
+                report.in_text.rename(columns={"quantity": "row", "home": "column"})
+            ),
+            legend=legend(),
+            settings=_blocks(report.settings),
+            times=report.times,
+            speed=None if report.speed is None else _shown_speed(report.speed),
+            scale=None if report.scale is None else _shown_scale(report.scale),
+            time_rows=[] if report.times is None else _records(report.times.stages),
+        )
+    )
+
+
+def anchor(settings: Mapping[str, Any]) -> str:
+    """Where a table stands on the page: ``table-26``, or its name with hyphens if it has no number."""
+    number = settings["number"]
+    return f"addition-{settings['name']}".replace("_", "-") if number is None else f"table-{number}"
+
+
+def duration(seconds: float) -> str:
+    """E.g. "2 h 5 min", "4 min 3 s" or "0.8 s"."""
+    if seconds < 9.95:
+        return f"{seconds:.1f} s"
+    minutes, rest = divmod(round(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    parts = [f"{hours} h"] * bool(hours) + [f"{minutes} min"] * bool(minutes)
+    return " ".join(parts + [f"{rest} s"] * (not hours and bool(rest or not minutes)))
+
+
+def _environment() -> Any:
+    own = environment("placecat.report").overlay()
+    own.filters = own.filters | {
+        "at": _at,
+        "breakable": _breakable,
+        "duration": duration,
+        "number": _number,
+        "shade": shade,
+        "signed": _signed,
+    }
+    return own
+
+
+def _numbered(table: Table) -> bool:
+    return table.settings["number"] is not None
+
+
+def _shown_table(table: Table) -> dict[str, Any]:
+    settings = table.settings
+    return {
+        "anchor": anchor(settings),
+        "number": settings["number"],
+        "title": settings["title"],
+        "data": table.dataset["title"],
+        "thesis_data": settings["thesis_data"],
+        "comparable": comparable(settings, table.dataset),
+        "grid": make_grid(table.cells),
+        "homes": homes_sentence(table.cells, table.dataset["homes"]),
+        "caption": settings.get("caption", ""),
+        "seeds": seeds_sentence(table.cells) if in_percent(settings) else "",
+    }
+
+
+def _shown_figure(figure: Figure) -> dict[str, Any]:
+    shown: dict[str, Any] = {
+        "anchor": f"addition-{figure.name}".replace("_", "-")
+        if figure.number is None
+        else f"figure-{figure.number}",
+        "label": "Addition" if figure.number is None else f"Figure {figure.number}",
+        "name": figure.name.removeprefix("figure_").replace("_", " "),
+        "title": figure.title,
+        "reason": figure.reason,
+        "source": None,
+    }
+    if figure.png is not None:
+        shown |= _shown_picture(figure.png)
+    return shown
+
+
+def _shown_picture(png: bytes) -> dict[str, Any]:
+    picture = embed(png)
+    return {
+        "source": picture.source,
+        "width": round(picture.width * _FIGURE_SCALE),
+        "height": round(picture.height * _FIGURE_SCALE),
+    }
+
+
+def _shown_speed(speed: Speed) -> dict[str, Any]:
+    chart = None if speed.chart is None else _shown_picture(speed.chart)
+    return {"chart": chart, "facts": speed.facts, "rows": shown_rows(speed.benchmarks)}
+
+
+def _shown_scale(scale: Scale) -> dict[str, Any]:
+    chart = None if scale.chart is None else _shown_picture(scale.chart)
+    return {"chart": chart} | shown_scale(scale.measured, scale.growth, scale.facts)
+
+
+def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
+    """Numbers in the text by what they are about."""
+    entries = []
+    for name, part in in_text.groupby("name", sort=False):
+        rows = [
+            {
+                "quantity": record["quantity"],
+                "home": record["home"],
+                "cell": _cell_of_text(record),
+                "note": joined(note for note in record["notes"] if not note.is_of_the_table),
+            }
+            for record in part.to_dict("records")
+        ]
+        section = part["section"].iloc[0]
+        entries.append({"name": str(name).replace("_", " "), "section": section, "rows": rows})
+    return entries
+
+
+def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
+    """The cell of a number in the text; one that is no percentage may have more decimals than two."""
+    cell = make_cell(*(record[key] for key in ("measured", "published", "spread", "seeds")))
+    values = [value for value in (record["measured"], record["published"]) if pd.notna(value)]
+    if all(value == round(value, 2) for value in values):
+        return cell
+    measured, published = (
+        "" if pd.isna(record[key]) else f"{record[key]:.5f}" for key in ("measured", "published")
+    )
+    return replace(cell, measured=measured, published=published, difference=None)
+
+
+def _records(table: pd.DataFrame) -> list[dict[str, Any]]:
+    """Rows as dictionaries, None for what is missing."""
+    return [
+        {str(name): None if pd.isna(value) else value for name, value in record.items()}
+        for record in table.to_dict("records")
+    ]
+
+
+def _plain(table: pd.DataFrame) -> dict[str, Any]:
+    """A table of any columns: which are numbers, and all cells as text."""
+    numeric = {name: pd.api.types.is_numeric_dtype(table[name]) for name in table.columns}
+    columns = [{"name": str(name).replace("_", " "), "numeric": numeric[name]} for name in table.columns]
+    rows = [[_number(value) for value in row] for row in table.itertuples(index=False)]
+    return {"columns": columns, "rows": rows}
+
+
+def _number(value: Any) -> str:
+    """Whole numbers as they are, others with two decimals, None and NaN as "", text as it is."""
+    if value is None or isinstance(value, float):
+        return number_text(value)
+    return str(value)
+
+
+def _breakable(text: str) -> Markup:
+    """Let a long label break after a plus."""
+    return escape(text).replace("+", Markup("+<wbr>"))
+
+
+def _signed(value: float) -> str:
+    """Points with a sign, e.g. "−1.20" with a minus of its own width."""
+    return f"{value:+.2f}".replace("-", "−")
+
+
+def _at(points: float, limit: float) -> str:
+    """Where a value lies on an axis of 100 pixels from -limit to limit; what is beyond lies at its end."""
+    return f"{50 + 46 * max(-limit, min(limit, points)) / limit:.1f}"
+
+
+def _interval_limit(findings: pd.DataFrame) -> float:
+    """Points at the ends of the axis on which the ledger draws its intervals: at most 25, a multiple of 5."""
+    bounds = findings[["difference", "low", "high"]].apply(pd.to_numeric, errors="coerce").abs().max().max()
+    return 5.0 if pd.isna(bounds) else float(min(25.0, 5.0 * max(1.0, -(-bounds // 5))))
+
+
+def _blocks(settings: str) -> list[dict[str, str]]:
+    """The settings cut at their outermost names, each with its lines."""
+    blocks: list[dict[str, str]] = []
+    for line in settings.splitlines():
+        if not blocks or (line and not line.startswith((" ", "-", "#"))):
+            blocks.append({"name": line.split(":")[0], "text": line})
+        else:
+            blocks[-1]["text"] += f"\n{line}"
+    return blocks

@@ -1,0 +1,253 @@
+"""What the figures may ask of a run: frames, maps, features, codebooks, distributions. Reads when asked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import files, listing, paths, settings, store
+from placecat.errors import PlacecatError, SettingError
+from placecat.training import protocol
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+    from placecat.cues.codebook import Codebook
+    from placecat.cues.descriptors import Descriptors
+    from placecat.results.measured import Results
+    from placecat.results.sources import Source
+    from placecat.vision.maps import FrameMaps
+    from placecat.vision.saliency import Saliency
+
+Frame = NDArray[np.uint8]
+
+KEPT_FRAMES = 8
+
+
+class Run:
+    """A finished run, read from the project's folder; the only thing that opens files for figures.
+
+    What a run does not have raises PlacecatError, e.g. a result that was not asked for.
+
+    Parameters
+    ----------
+    params
+        The composed settings.
+
+    Attributes
+    ----------
+    params
+        As given.
+    homes
+        Names of the homes of the main data set in order.
+    classes
+        Names of its places in order.
+    """
+
+    def __init__(self, params: Mapping[str, Any]) -> None:
+        self.params = params
+        self.homes: tuple[str, ...] = tuple(settings.get(params, "dataset.homes"))
+        self.classes: tuple[str, ...] = tuple(settings.get(params, "dataset.classes"))
+        self._frames: dict[tuple[str, int], Frame] = {}
+
+    def options(self, figure: str) -> Mapping[str, Any]:
+        """The settings of one figure, ``figures.<figure>``; empty where it has none."""
+        return settings.get(self.params, "figures").get(figure) or {}
+
+    @cached_property
+    def results(self) -> Results:
+        """Everything that was measured."""
+        from placecat.results.collect import read_results
+
+        return read_results(self.params)
+
+    @cached_property
+    def sources(self) -> dict[str, Source]:
+        """Name of a result to where its distributions lie."""
+        from placecat.results.sources import sources
+
+        return sources(self.params)
+
+    def source(self, result: str) -> Source:
+        """Where the distributions of one result lie."""
+        if result not in self.sources:
+            known = ", ".join(sorted(self.sources)) or "none"
+            raise PlacecatError(f"there are no distributions of {result!r} in this run, only of {known}")
+        return self.sources[result]
+
+    def proba(self, result: str, home: str, seed: str | None = None) -> NDArray[np.float64]:
+        """(frames, classes) distributions of one result on one of its test homes.
+
+        Parameters
+        ----------
+        seed
+            E.g. "seed-0"; None for the first that the result has.
+        """
+        source = self.source(result)
+        if home not in source.homes:
+            raise PlacecatError(f"{result} has no test home {home!r}, only {', '.join(source.homes)}")
+        if seed is None:
+            seeds = source.seeds()
+            if not seeds:
+                raise PlacecatError(f"{result} was not computed: run `dvc repro` to make it")
+            seed = seeds[0]
+        return np.asarray(self._array(source.array(home, seed)), np.float64)
+
+    def labels(self, home: str) -> NDArray[np.int16]:
+        """(frames,) class indices of a home in order of time, -1 for unlabelled."""
+        return listing.read_labels(home)
+
+    def sequence_slices(self, home: str) -> list[slice]:
+        """The stretches of a home's frames that were filmed without a cut."""
+        return listing.sequence_slices(home)
+
+    def home_facts(self, home: str) -> Mapping[str, Any]:
+        """``fps``, ``camera``, ``width`` and ``height`` of a home."""
+        return files.read_json(paths.sequences(home) / "home.json")
+
+    def frames(self, home: str, indices: Iterable[int]) -> Iterator[tuple[int, Frame]]:
+        """Decode some frames of a home in one pass.
+
+        Parameters
+        ----------
+        home
+            A home of the main data set, or one of another, e.g. ``university/north_2_cloudy_2``.
+        indices
+            From 0, in any order.
+
+        Yields
+        ------
+        Index and frame, (H, W, 3) uint8 BGR; each index once, ascending.
+        """
+        from placecat.sequences.base import read_frames
+
+        rows = sorted({int(index) for index in indices})
+        table = self._frame_table(home)
+        if rows and not 0 <= rows[0] <= rows[-1] < len(table):
+            raise PlacecatError(f"{home} has the frames 0 to {len(table) - 1}, not {rows[0]} to {rows[-1]}")
+        facts = self.home_facts(home)
+        site = home.rpartition("/")[0]
+        root = settings.get(self.params, f"splits.{site}.dataset.root" if site else "dataset.root")
+        decoded = read_frames(root, table.iloc[rows], size=(facts["width"], facts["height"]))
+        yield from zip(rows, decoded, strict=True)
+
+    def frame(self, home: str, index: int) -> Frame:
+        """(H, W, 3) uint8 BGR, one frame of a home; do not write on it."""
+        key = (home, int(index))
+        if key not in self._frames:
+            if len(self._frames) >= KEPT_FRAMES:
+                self._frames.pop(next(iter(self._frames)))
+            self._frames[key] = next(self.frames(home, [index]))[1]
+        return self._frames[key]
+
+    def maps(self, home: str, index: int) -> FrameMaps:
+        """The pyramids and feature maps of one frame."""
+        from placecat.vision.attention import compute_maps
+
+        return compute_maps(self.frame(home, index), **settings.get(self.params, "attention"))
+
+    def saliency(self, home: str, index: int) -> Saliency:
+        """The saliency map of one frame and what it was fused from."""
+        from placecat.vision.discovery import settings_of
+        from placecat.vision.saliency import saliency
+
+        own = settings_of(saliency)
+        options = {name: value for name, value in settings.get(self.params, "regions").items() if name in own}
+        return saliency(self.maps(home, index), **options)
+
+    def regions(self, home: str, index: int) -> NDArray[np.float32]:
+        """(n, 4) salient regions of one frame: x, y (pixels), scale, saliency; the most salient first."""
+        count = int(self._feature(home, "count")[index])
+        return np.array(self._feature(home, "regions")[index, :count])
+
+    def information(self, home: str) -> NDArray[np.float32]:
+        """(frames,) information measure of a home's frames (thesis 4.6)."""
+        return np.array(self._feature(home, "information"))
+
+    def descriptors(
+        self, home: str, name: str, rows: Sequence[int] | NDArray[np.int64] | None = None
+    ) -> Descriptors:
+        """Descriptors of a home as one codebook clusters them.
+
+        Parameters
+        ----------
+        name
+            Of the codebook, e.g. ``hog_y``: its settings say which descriptor.
+        rows
+            Frame indices; None for all.
+        """
+        own = settings.get(self.params, f"codebooks.{name}.descriptor")
+        return store.read_descriptors(home, own, None if rows is None else np.asarray(rows, np.int64))
+
+    def codebook(self, name: str, training_set: str, seed: int = 0) -> Codebook:
+        """The clusters of one training set, e.g. ``without-home_1``."""
+        from placecat.cues.codebook import Codebook
+
+        path = paths.codebook(name, training_set, seed)
+        self._need(path)
+        return Codebook.from_arrays(files.read_arrays(path))
+
+    def fold(self, home: str, scheme: str = "5-5-1") -> protocol.Fold:
+        """Who trained for a test home."""
+        for fold in protocol.folds(self.homes, scheme):
+            if fold.test == home:
+                return fold
+        raise PlacecatError(f"there is no home {home!r} in dataset.homes: {', '.join(self.homes)}")
+
+    def training_frames(self, home: str) -> NDArray[np.int64]:
+        """Indices of the frames of a home that cues and codebooks train on (thesis 4.2)."""
+        return protocol.select_frames(self.labels(home), **settings.get(self.params, "protocol.cue_frames"))
+
+    @cached_property
+    def example(self) -> tuple[str, int]:
+        """Home and frame that Figures 2 to 7 show.
+
+        ``figures.example`` names them. Left open they are found: the labelled frame, of this home or of all,
+        that shows most by the information measure.
+        """
+        from placecat.report.figures.choice import home_of
+
+        own = self.options("example")
+        settings.refuse_unknown(own, ["home", "frame"], "figures.example")
+        homes = self.homes if own.get("home") is None else (home_of(self, int(own["home"])),)
+        if own.get("frame") is not None:
+            home, frame = homes[0], int(own["frame"])
+            if not 0 <= frame < len(self.labels(home)):
+                raise SettingError(
+                    f"figures.example.frame must be 0 to {len(self.labels(home)) - 1}, not {frame}"
+                )
+            return home, frame
+        best: dict[str, tuple[float, int]] = {}
+        for home in homes:
+            shown = np.where(self.labels(home) >= 0, self.information(home), -np.inf)
+            best[home] = float(shown.max()), int(shown.argmax())
+        home = max(best, key=lambda name: best[name][0])
+        if best[home][0] < 0:
+            raise PlacecatError("no frame has a label, so there is no example to show: set figures.example")
+        return home, best[home][1]
+
+    @property
+    def example_home(self) -> str:
+        """Home that Figures 2 to 7 show."""
+        return self.example[0]
+
+    def _frame_table(self, home: str) -> pd.DataFrame:
+        self._need(paths.sequences(home) / "frames.csv")
+        return listing.read_frames(home)
+
+    def _feature(self, home: str, name: str) -> NDArray[Any]:
+        return self._array(paths.features(home) / f"{name}.npy")
+
+    def _array(self, path: Path) -> NDArray[Any]:
+        self._need(path)
+        return files.read_array(path)
+
+    @staticmethod
+    def _need(path: Path) -> None:
+        if not path.exists():
+            raise PlacecatError(f"{path} is missing: run `dvc repro` to make it")

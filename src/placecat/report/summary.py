@@ -1,0 +1,95 @@
+"""What the report says first: the best cue, its integration and smoothing, and how the findings fare."""
+
+from dataclasses import dataclass
+
+import pandas as pd
+
+from placecat.report.grid import Cell, make_cell
+from placecat.thesis.number import AVERAGE
+
+INTEGRATION, SMOOTHED = "Integration", "HMM"
+VERDICTS = ("holds", "does not hold", "undecided")
+
+# Accuracies on the VPC-2009 home database in percent, of which the thesis says that Wu et al. published them:
+# the holistic Centrist of single frames (4.2), filtered over time (4.2), and SIFT in its place (2.3).
+WU_FRAMES, WU_FILTERED, WU_SIFT = 41.87, 46.78, 39.8
+
+
+@dataclass(frozen=True)
+class Headline:
+    """One group of Table 26 in three averages over homes.
+
+    Attributes
+    ----------
+    group
+        The group's name, e.g. "5-5-1, all cues".
+    best, best_published
+        Which single cue is the best here and in the thesis, "" where the group has none.
+    cue, integration, smoothed
+        Average of the best cue, of the integration, and of that smoothed.
+    """
+
+    group: str
+    best: str
+    best_published: str
+    cue: Cell
+    integration: Cell
+    smoothed: Cell
+
+
+def headlines(table: pd.DataFrame) -> list[Headline]:
+    """Condense Table 26.
+
+    Parameters
+    ----------
+    table
+        Table 26 from :func:`placecat.thesis.tables.fill_table`.
+
+    Returns
+    -------
+    list of Headline
+        One a group, in the table's order.
+    """
+    averages = table[table["column"] == AVERAGE]
+    return [_headline(str(group), part) for group, part in averages.groupby("group", sort=False)]
+
+
+def _headline(group: str, part: pd.DataFrame) -> Headline:
+    cues = part[~part["row"].isin([INTEGRATION, SMOOTHED])]
+    best, measured, spread, seeds = "", None, None, 0
+    if len(some := cues.dropna(subset="measured")):
+        one = some.nlargest(1, "measured").iloc[0]
+        best, measured, spread, seeds = str(one["row"]), one["measured"], one["spread"], one["seeds"]
+    best_published, published = "", None
+    if len(some := cues.dropna(subset="published")):
+        one = some.nlargest(1, "published").iloc[0]
+        best_published, published = str(one["row"]), one["published"]
+    return Headline(
+        group,
+        best,
+        best_published,
+        make_cell(measured, published, spread, seeds),
+        _of_row(part, INTEGRATION),
+        _of_row(part, SMOOTHED),
+    )
+
+
+def _of_row(part: pd.DataFrame, row: str) -> Cell:
+    found = part[part["row"] == row]
+    if found.empty:
+        return Cell()
+    one = found.iloc[0]
+    return make_cell(one["measured"], one["published"], one["spread"], one["seeds"])
+
+
+def readings_of(findings: pd.DataFrame) -> dict[str, str]:
+    """Columns with the verdicts of other readings of the thesis, to the readings' names."""
+    first = "verdict_"
+    return {name: name.removeprefix(first) for name in findings.columns if name.startswith(first)}
+
+
+def count_verdicts(findings: pd.DataFrame) -> dict[str, int]:
+    """Number of findings of each verdict, the usual three first."""
+    counts = findings["verdict"].value_counts()
+    names = [*VERDICTS, *sorted(set(counts.index) - set(VERDICTS))]
+    return {str(name): int(counts.get(name, 0)) for name in names}

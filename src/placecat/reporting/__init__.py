@@ -1,1 +1,0 @@
-"""From measured numbers to tables, the page and MLflow."""

@@ -1,0 +1,1 @@
+"""What a run measured: typed results, and where they are on disk."""

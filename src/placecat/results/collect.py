@@ -1,0 +1,46 @@
+"""Reading the results that the stage `scores` wrote."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import pandas as pd
+
+from placecat import files, paths, settings
+from placecat.learning.toy_circles import NAMES
+from placecat.results.measured import Results, from_scores
+from placecat.results.quality import TEXT_COLUMNS, from_rows
+
+
+def read_results(params: Mapping[str, Any]) -> Results:
+    """Read every result of a run.
+
+    Parameters
+    ----------
+    params
+        All settings; ``dataset`` and ``splits`` name homes and places.
+
+    Raises
+    ------
+    PlacecatError
+        If the stage `scores` has not run.
+    """
+    others = [own["dataset"]["classes"] for own in settings.get(params, "splits").values()]
+    results = from_scores(
+        _read("scores"),
+        _read("missing"),
+        settings.get(params, "dataset.homes"),
+        settings.get(params, "dataset.classes"),
+        [*others, NAMES],
+        _read("stays"),
+        files.read_table(paths.SCORES / "dropped.csv", ["filter", "home"]),
+    )
+    quality = files.read_table(paths.SCORES / "probabilities.csv", TEXT_COLUMNS)
+    return replace(results, quality=from_rows(quality))
+
+
+def _read(name: str) -> pd.DataFrame:
+    # Names of homes may look like numbers.
+    table = files.read_csv(paths.SCORES / f"{name}.csv")
+    text = [column for column in table.columns if column != "frames"]
+    return table.astype(dict.fromkeys(text, str))

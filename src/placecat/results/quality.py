@@ -1,0 +1,85 @@
+"""How good the distributions of every result are: log-loss, calibration error, and stays named rightly."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import pandas as pd
+
+from placecat.evaluation.quality import HomeQuality
+from placecat.results.measured import DECIMALS, Quality
+
+QUALITY_COLUMNS = ["result", "home", "seed", *HomeQuality._fields]
+TEXT_COLUMNS = QUALITY_COLUMNS[:3]
+_COUNTS = ("stays", "stays_right")
+# Of what is written: the last bits of a logarithm depend on the processor.
+_DECIMALS = 6
+STAY_SHARE = "stay_share"
+_SHOWN = DECIMALS | {STAY_SHARE: 2}
+
+
+def gather(homes: Sequence[str], seeds: Sequence[str], measured: Sequence[Sequence[HomeQuality]]) -> Quality:
+    """Put the numbers of the homes together, of which `measured` has those of each seed."""
+    values = np.array(measured, np.float64).reshape(len(seeds), len(homes), -1)
+    return Quality(
+        tuple(homes), tuple(seeds), {field: values[..., k] for k, field in enumerate(HomeQuality._fields)}
+    )
+
+
+def quality_rows(name: str, one: Quality) -> list[tuple[str | float, ...]]:
+    """Rows of the file of all results (`QUALITY_COLUMNS`)."""
+    return [
+        (
+            name,
+            home,
+            seed,
+            *(_written(field, float(one.values[field][s, h])) for field in HomeQuality._fields),
+        )
+        for s, seed in enumerate(one.seeds)
+        for h, home in enumerate(one.homes)
+    ]
+
+
+def _written(field: str, value: float) -> float:
+    return int(value) if field in _COUNTS else round(value, _DECIMALS)
+
+
+def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
+    """Name of a result to its numbers, from the rows that `quality_rows` gives."""
+    found = {}
+    for name, rows in table.groupby("result", sort=False):
+        homes, seeds = tuple(dict.fromkeys(rows["home"])), tuple(dict.fromkeys(rows["seed"]))
+        index = (pd.Categorical(rows["seed"], seeds).codes, pd.Categorical(rows["home"], homes).codes)
+        values = {}
+        for field in HomeQuality._fields:
+            values[field] = np.full((len(seeds), len(homes)), np.nan)
+            values[field][index] = rows[field]
+        found[str(name)] = Quality(homes, seeds, values)
+    return found
+
+
+def quality_table(found: Mapping[str, Quality]) -> pd.DataFrame:
+    """A row a result: the means over its homes and seeds.
+
+    Returns
+    -------
+    DataFrame
+        result; homes, seeds (their numbers; 0 where nothing is random); log_loss (nats), calibration_error,
+        stay_accuracy (percent, the mean over the places of a home and over homes); stays, the number of
+        stays; stay_share, percent of all of them that were named rightly; and the ``spread`` of each, the
+        largest minus the smallest of the seeds, NaN where nothing is random.
+    """
+    rows = []
+    for name, one in found.items():
+        row: dict[str, str | float] = {"result": name, "homes": len(one.homes)}
+        row["seeds"] = len(one.seeds) if one.is_random else 0
+        row["stays"] = int(one.values["stays"][0].sum())
+        for measure, decimals in _SHOWN.items():
+            values = one.stay_share() if measure == STAY_SHARE else one.over_homes(measure)
+            row[measure] = round(float(values.mean()), decimals) if len(values) else np.nan
+            random = one.is_random and len(values)
+            row[f"{measure}_spread"] = round(float(np.ptp(values)), decimals) if random else np.nan
+        rows.append(row)
+    columns = [part for measure in _SHOWN for part in (measure, f"{measure}_spread")]
+    return pd.DataFrame(rows, columns=["result", "homes", "seeds", "stays", *columns])

@@ -1,0 +1,18 @@
+"""The settings of Jinja2 that all templates share."""
+
+from functools import cache
+
+from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
+
+
+@cache
+def environment(package: str) -> Environment:
+    """Templates in a package's folder `templates`; HTML is escaped, an unknown name is an error."""
+    return Environment(
+        loader=PackageLoader(package),
+        autoescape=select_autoescape(["html.j2"]),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )

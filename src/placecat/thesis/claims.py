@@ -1,0 +1,254 @@
+"""What the thesis claims, as comparisons of results: the files of data/thesis/findings."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from placecat import paths, settings
+from placecat.errors import PlacecatError
+
+COMBINE = ("mean", "best", "last")
+COMPARE = ("difference", "ratio")
+# The range of a claim about single homes: their results are compared one by one.
+BOTH_SIGNS = "both_signs"
+# The range of a claim about one side, with the number that it is compared with.
+ABOVE = "above"
+
+
+@dataclass(frozen=True)
+class Side:
+    """One side of a comparison: a number made of results.
+
+    Attributes
+    ----------
+    label
+        For people.
+    results
+        Names of results.
+    combine
+        ``mean``; ``best``, the one with the highest mean over all units; or ``last``, the last of those that
+        could be measured on this data.
+    place
+        Name of the class whose accuracy counts; None for the mean over the classes present.
+    error
+        Whether 100 minus the accuracy counts.
+    plain
+        Whether the share of all frames counts, whatever their class.
+    published
+        Where the thesis has the number of each result; None if that follows from its name.
+    """
+
+    label: str
+    results: tuple[str, ...]
+    combine: str = "mean"
+    place: str | None = None
+    error: bool = False
+    plain: bool = False
+    published: tuple[Mapping[str, Any], ...] | None = None
+
+    def only(self, results: Sequence[str]) -> "Side":
+        """The side with some of its results, each beside the published number of its own cell."""
+        published = self.published
+        if published is not None and len(published) == len(self.results):
+            published = tuple(
+                one for name, one in zip(self.results, published, strict=True) if name in results
+            )
+        return replace(self, results=tuple(results), published=published)
+
+    def renamed(self, parts: Mapping[str, str]) -> "Side":
+        """The side with other results beside the same published numbers; `parts` are of their names."""
+        results = tuple("/".join(parts.get(part, part) for part in name.split("/")) for name in self.results)
+        published = self.published
+        if published is None and self.place is None and not self.error:
+            published = tuple({"result": name} for name in self.results)
+        return replace(self, results=results, published=published)
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Left minus right, or left by right, and where the claim puts it.
+
+    Attributes
+    ----------
+    left, right
+        Without `right` the left is compared with the number of the range ``above``.
+    range
+        Name of a kind of range, and its number if it takes one, see
+        :func:`placecat.thesis.rules.claimed_range`.
+    compare
+        ``difference`` or ``ratio``.
+    published
+        Where the thesis has the difference itself; None if it follows from the sides.
+    published_home
+        Whose published numbers are meant, where a table has those of several homes; None for their average.
+    pooled
+        Whether the frames of all test sequences are counted as one, as in Tables 30 and 31.
+    """
+
+    left: Side
+    right: Side | None
+    range: tuple[str, float | None]
+    compare: str = "difference"
+    published: Mapping[str, Any] | None = None
+    published_home: str | None = None
+    pooled: bool = False
+
+    @property
+    def sides(self) -> tuple[Side, ...]:
+        """One or two."""
+        return (self.left,) if self.right is None else (self.left, self.right)
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One sentence of the thesis.
+
+    Attributes
+    ----------
+    name
+        Of its file, e.g. ``finding_04``.
+    number
+        In the list of findings.
+    section
+        Of the thesis.
+    claim
+        The sentence.
+    comparisons
+        What has to hold for it.
+    readings
+        Other ways to read the thesis: a name, e.g. ``as_printed``, to the parts of results' names that stand
+        for others then.
+    filters
+        Names of the information filters of which the reason tells how many frames they drop.
+    """
+
+    name: str
+    number: int
+    section: str
+    claim: str
+    comparisons: tuple[Comparison, ...]
+    readings: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    filters: tuple[str, ...] = ()
+
+    def read_as(self, reading: str) -> "Finding":
+        """The same claim on the results of another reading."""
+        parts = self.readings[reading]
+        comparisons = tuple(
+            replace(
+                one,
+                left=one.left.renamed(parts),
+                right=None if one.right is None else one.right.renamed(parts),
+            )
+            for one in self.comparisons
+        )
+        return replace(self, comparisons=comparisons)
+
+
+def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
+    """Read the settings of one finding.
+
+    A comparison with ``each``, a list of mappings, stands for one comparison a mapping, with ``{key}``
+    replaced by the mapping's value in all its text.
+
+    Raises
+    ------
+    PlacecatError
+        For settings that are unknown, missing or contradictory.
+    """
+    file = f"{paths.FINDING_DEFINITIONS / name}.yaml"
+    _check(config, ["number", "section", "claim", "comparisons"], ["readings", "filters"], file)
+    comparisons = []
+    for one in config["comparisons"]:
+        rest = {key: value for key, value in one.items() if key != "each"}
+        comparisons += [_comparison(_substitute(rest, values), name) for values in one.get("each", [{}])]
+    if not comparisons:
+        raise PlacecatError(f"{name} makes no comparison")
+    if len({one.range[0] == BOTH_SIGNS for one in comparisons}) > 1:
+        raise PlacecatError(f"{name} has {BOTH_SIGNS} beside other ranges: it is judged over all comparisons")
+    readings = {str(reading): dict(parts) for reading, parts in config.get("readings", {}).items()}
+    named = {
+        part
+        for one in comparisons
+        for side in one.sides
+        for result in side.results
+        for part in result.split("/")
+    }
+    for reading, parts in readings.items():
+        for part in parts:
+            if part not in named:
+                raise PlacecatError(
+                    f"{name} reads {part!r} in another way ({reading}), but compares no such result"
+                )
+    return Finding(
+        name,
+        int(config["number"]),
+        str(config["section"]),
+        str(config["claim"]),
+        tuple(comparisons),
+        readings,
+        tuple(config.get("filters", ())),
+    )
+
+
+def _comparison(config: Mapping[str, Any], where: str) -> Comparison:
+    options = dict(config)
+    _check(options, ["left", "range"], ["right", "compare", "published", "published_home", "pooled"], where)
+    left = _side(options.pop("left"), where)
+    right = _side(options.pop("right"), where) if "right" in options else None
+    kind = options.pop("range")
+    if isinstance(kind, Mapping):
+        if len(kind) != 1:
+            raise PlacecatError(f"a range of {where} has {len(kind)} kinds, one is needed")
+        ((name, number),) = kind.items()
+        kind = (name, float(number))
+    else:
+        kind = (kind, None)
+    comparison = Comparison(left, right, kind, **options)
+    if comparison.compare not in COMPARE:
+        raise PlacecatError(f"{where} compares by {comparison.compare!r}; choose {' or '.join(COMPARE)}")
+    if (kind[0] == ABOVE) != (right is None):
+        raise PlacecatError(f"{where} needs either a right side or the range {ABOVE!r}")
+    if right is None and comparison.compare == "ratio":
+        raise PlacecatError(f"a ratio of {where} has no right side")
+    if side_error := next((one for one in comparison.sides if one.plain and (one.place or one.error)), None):
+        raise PlacecatError(
+            f"{side_error.label!r} of {where} cannot be both plain and of one place or an error"
+        )
+    if kind[0] == BOTH_SIGNS and right and len(left.results) != len(right.results):
+        raise PlacecatError(f"{BOTH_SIGNS} of {where} needs as many results on the right as on the left")
+    return comparison
+
+
+def _side(config: Mapping[str, Any], where: str) -> Side:
+    options = dict(config)
+    if ("result" in options) == ("results" in options):
+        raise PlacecatError(f"a side of {where} needs either result or results")
+    results = [options.pop("result")] if "result" in options else options.pop("results")
+    published = options.pop("published", None)
+    if published is not None:
+        published = tuple(published) if isinstance(published, Sequence) else (published,)
+    side: Side = settings.call(
+        Side, settings=options | {"results": tuple(results)}, where=f"a side of {where}"
+    )
+    if side.combine not in COMBINE:
+        raise PlacecatError(f"{where} combines by {side.combine!r}; choose one of {', '.join(COMBINE)}")
+    if published is not None and side.combine != "mean" and len(published) != len(results):
+        raise PlacecatError(f"{where} has {len(published)} published numbers of {len(results)} results")
+    return replace(side, published=published)
+
+
+def _substitute(value: Any, replacements: Mapping[str, Any]) -> Any:
+    if isinstance(value, str):
+        return value.format_map(replacements) if replacements else value
+    if isinstance(value, Mapping):
+        return {key: _substitute(one, replacements) for key, one in value.items()}
+    if isinstance(value, Sequence):
+        return [_substitute(one, replacements) for one in value]
+    return value
+
+
+def _check(config: Mapping[str, Any], needed: list[str], optional: list[str], where: str) -> None:
+    settings.refuse_unknown(config, [*needed, *optional], where)
+    for name in needed:
+        if name not in config:
+            raise PlacecatError(f"{where} has no setting {name!r}, which is needed")

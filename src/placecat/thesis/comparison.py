@@ -1,0 +1,286 @@
+"""Results beside each other: a variant, what it is compared with, and their difference."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from placecat import settings
+from placecat.errors import PlacecatError
+from placecat.evaluation.trials import AXES
+from placecat.results.measured import Results
+from placecat.thesis.layouts import place_column
+from placecat.thesis.number import (
+    AVERAGE,
+    Number,
+    has_reasons,
+    home_label,
+    in_home,
+    mean,
+    merged,
+    nothing,
+    over_homes,
+)
+
+DIFFERENCE = "difference"
+SETTINGS = ["homes", "variant", "baseline", "pairs", "label", "places", "summary", "error_ratio", "plain"]
+# In the name of a trial: the best of this axis.
+BEST = "*"
+_SPLIT = "splits/"
+
+
+class Line(NamedTuple):
+    """One number: what it is, in which home ("Home 6", "Average", or "" for neither), and its value."""
+
+    quantity: str
+    home: str
+    number: Number
+
+
+class Pair(NamedTuple):
+    """What to call a comparison, "" for the only one; the names of its two results, and a note on each."""
+
+    label: str
+    variant: str
+    baseline: str
+    variant_note: str = ""
+    baseline_note: str = ""
+
+
+def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line]:
+    """Compare two results, several pairs, or all trials below two names that end in "/", pair by pair.
+
+    Parameters
+    ----------
+    entry
+        ``variant`` and ``baseline``, each with ``quantity`` (what to call it) and ``result``, unless
+        ``pairs`` gives the two results of each label; in the name of a trial ``*`` for the label of an axis
+        is the best one on average. ``homes``, the numbers from 1 of homes to show besides the average, or
+        None for results that are not of the main data set. ``places``, those that are compared one by one as
+        well, or "all". Of pairs of trials ``label``, what to call each by the labels of its axes, e.g.
+        "{column} clusters". ``summary`` of the differences, one or some of "mean", "lowest" and "highest"; of
+        those by place if there are any. ``error_ratio``, with ``quantity``, ``variant`` and ``baseline``, two
+        more results. ``plain``, whether the share of all frames counts, of results that are not of the main
+        data set.
+    where
+        What messages call the entry.
+
+    Returns
+    -------
+    list of Line
+        Both sides in percent and the difference, variant minus baseline, in points. The average is over the
+        homes in which both were measured. Frames of all sequences of a split are counted together.
+
+    Raises
+    ------
+    PlacecatError
+        An unknown setting, or a result that does not exist.
+    """
+    settings.refuse_unknown(entry, SETTINGS, where)
+    lines: list[Line] = []
+    differences: dict[str, Number] = {}
+    of_places: dict[str, Number] = {}
+    for pair in _pairs(entry, results, where):
+        for home, left, right in _in_homes(pair, entry, results):
+            difference = left.minus(right)
+            lines += _three(entry, pair.label, home, left, right, difference)
+            if home == AVERAGE:
+                differences[pair.label] = difference
+        for place, left, right in _in_places(pair, entry.get("places", []), results):
+            label = joined_label(pair.label, place)
+            of_places[label] = left.minus(right)
+            lines += _three(entry, label, AVERAGE, left, right, of_places[label])
+    summary = entry.get("summary", [])
+    for kind in [summary] if isinstance(summary, str) else summary:
+        lines.append(_summary(str(kind), of_places or differences, where))
+    if entry.get("error_ratio"):
+        ratio = entry["error_ratio"]
+        number = _error_ratio(results, ratio["variant"], ratio["baseline"])
+        lines.append(Line(ratio["quantity"], "", number))
+    return lines
+
+
+def joined_label(label: str, place: str) -> str:
+    """What to call a comparison in one place."""
+    return f"{label}, {place}" if label else place
+
+
+def alone(entry: Mapping[str, Any], results: Results, where: str) -> list[Line]:
+    """One result by itself: ``quantity``, ``result`` and ``homes`` as for :func:`compare`.
+
+    Raises
+    ------
+    PlacecatError
+        As :func:`compare`.
+    """
+    settings.refuse_unknown(entry, ["homes", "quantity", "result"], where)
+    pair = Pair("", entry["result"], entry["result"])
+    return [Line(entry["quantity"], home, number) for home, number, _ in _in_homes(pair, entry, results)]
+
+
+def _three(
+    entry: Mapping[str, Any], label: str, home: str, left: Number, right: Number, difference: Number
+) -> list[Line]:
+    prefix = f"{label}: " if label else ""
+    return [
+        Line(prefix + entry["variant"]["quantity"], home, left),
+        Line(prefix + entry["baseline"]["quantity"], home, right),
+        Line(prefix + DIFFERENCE, home, difference),
+    ]
+
+
+def _pairs(entry: Mapping[str, Any], results: Results, where: str) -> list[Pair]:
+    """Label, variant and baseline of each comparison."""
+    if "pairs" in entry:
+        return [
+            _chosen(str(label), variant, baseline, results)
+            for label, (variant, baseline) in entry["pairs"].items()
+        ]
+    variant, baseline = entry["variant"]["result"], entry["baseline"]["result"]
+    if not variant.endswith("/"):
+        return [_chosen("", variant, baseline, results)]
+    rests = [result.removeprefix(variant) for result in _known(results) if result.startswith(variant)]
+    if not rests:
+        raise PlacecatError(f"{where}: there is no result below {variant}")
+    labels = [entry["label"].format(**dict(zip(AXES, rest.split("|"), strict=True))) for rest in rests]
+    return [Pair(label, variant + rest, baseline + rest) for label, rest in zip(labels, rests, strict=True)]
+
+
+def _known(results: Results) -> list[str]:
+    return list(dict.fromkeys([*results.measured, *(result for result, _ in results.missing)]))
+
+
+def _chosen(label: str, variant: str, baseline: str, results: Results) -> Pair:
+    """The pair with the best trial in place of every name with ``*``."""
+    (left, left_note), (right, right_note) = (_best(one, results) for one in (variant, baseline))
+    return Pair(label, left, right, left_note, right_note)
+
+
+def _best(pattern: str, results: Results) -> tuple[str, str]:
+    """The trial with the highest average over its homes among those of a pattern, and a note on it."""
+    wanted = _labels(pattern)
+    if BEST not in wanted:
+        return pattern, ""
+    table = pattern.removesuffix("|".join(wanted))
+    found = [
+        name
+        for name in _known(results)
+        if name.startswith(table)
+        and all(part in (BEST, label) for part, label in zip(wanted, _labels(name), strict=True))
+    ]
+    if not found:
+        raise PlacecatError(f"there is no result {pattern!r}")
+    numbers = range(1, len(results.homes) + 1)
+    averages = [over_homes(results, name, numbers).measured for name in found]
+    best = found[int(np.nanargmax(averages))] if np.isfinite(averages).any() else found[0]
+    chosen = [label for part, label in zip(wanted, _labels(best), strict=True) if part == BEST and label]
+    return best, f"the best: {', '.join(chosen)}"
+
+
+def _labels(trial: str) -> list[str]:
+    """Labels of the axes of a trial; those may have slashes."""
+    return trial.split("/", 2)[-1].split("|")
+
+
+def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tuple[str, Number, Number]]:
+    """Label of a home and both numbers: in each of the entry's homes, and on average."""
+    names = (pair.variant, pair.baseline)
+    homes: Sequence[int] | None = entry["homes"]
+    if homes is None:
+        left, right = (_whole(results, one, bool(entry.get("plain"))) for one in names)
+        return [("", left, right)]
+    tried, both = _homes_of(names, results)
+    found = [
+        (home_label(number), in_home(results, pair.variant, number), in_home(results, pair.baseline, number))
+        for number in homes
+    ]
+    left, right = (over_homes(results, one, both or tried) for one in names)
+    if both and both != tried:
+        note = f"mean over {', '.join(map(home_label, both))} only"
+        left, right = replace(left, notes=(note,)), replace(right, notes=(note,))
+    found.append((AVERAGE, left, right))
+    return [
+        (home, left.noted(pair.variant_note), right.noted(pair.baseline_note)) for home, left, right in found
+    ]
+
+
+def _homes_of(names: Sequence[str], results: Results) -> tuple[list[int], list[int]]:
+    """Numbers from 1 of the homes in which all of some results were tried, and in which all were measured."""
+    everywhere = range(1, len(results.homes) + 1)
+    tried = [n for n in everywhere if all(_was_tried(results, one, n) for one in names)]
+    return tried, [n for n in tried if all(len(in_home(results, one, n).values) for one in names)]
+
+
+def _in_places(
+    pair: Pair, places: str | Sequence[str], results: Results
+) -> Iterator[tuple[str, Number, Number]]:
+    """Name of each place and both numbers, averaged over the homes that show it."""
+    names = (pair.variant, pair.baseline)
+    _, both = _homes_of(names, results)
+    for place in results.classes if places == "all" else places:
+        title = place_column(place)
+        if place not in results.classes:
+            reason = nothing("the data set has no such place")
+            yield title, reason, reason
+            continue
+        left, right = (_in_place(results, one, both, place) for one in names)
+        yield title, left, right
+
+
+def _in_place(results: Results, name: str, numbers: Sequence[int], place: str) -> Number:
+    one = results.measured.get(name)
+    if one is None or not numbers:
+        return over_homes(results, name, range(1, len(results.homes) + 1))
+    homes = [one.homes.index(results.homes[number - 1]) for number in numbers]
+    values = one.by_class()[:, homes, one.classes.index(place)]
+    shown = np.isfinite(values).all(axis=0)
+    if not shown.any():
+        return nothing(f"no tested frame shows the place {place}")
+    return Number(values[:, shown].mean(axis=1), one.is_random)
+
+
+def _was_tried(results: Results, name: str, number: int) -> bool:
+    """Whether a result is, or has a reason not to be, in the n-th home (from 1)."""
+    if name not in results.measured and not has_reasons(results, name):
+        results.of(name)
+    home = results.homes[number - 1]
+    one = results.measured.get(name)
+    return (name, home) in results.missing or (one is not None and home in one.homes)
+
+
+def _whole(results: Results, name: str, plain: bool) -> Number:
+    """All homes of a result: of a split counted together, as in its table, otherwise their mean."""
+    one = results.of(name)
+    if name.startswith(_SPLIT):
+        one = one.pooled()
+    values = one.plain() if plain else one.by_home()
+    return Number(values.mean(axis=1), one.is_random)
+
+
+def _summary(kind: str, differences: Mapping[str, Number], where: str) -> Line:
+    """One number for all differences."""
+    kinds: dict[str, Callable[[Mapping[str, Number]], Number]] = {
+        "mean": lambda found: mean(list(found.values())),
+        "lowest": lambda found: _extreme(found, min),
+        "highest": lambda found: _extreme(found, max),
+    }
+    if kind not in kinds:
+        raise PlacecatError(f"{where}.summary {kind!r} does not exist: use one of {', '.join(kinds)}")
+    return Line(f"{DIFFERENCE}, {kind}", AVERAGE, kinds[kind](differences))
+
+
+def _extreme(differences: Mapping[str, Number], which: Callable[..., str]) -> Number:
+    there = {label: one for label, one in differences.items() if len(one.values)}
+    if not there:
+        return mean(list(differences.values()))
+    label = which(there, key=lambda one: float(there[one].values.mean()))
+    return replace(there[label], notes=merged([[f"that of {label}"], there[label].notes]))
+
+
+def _error_ratio(results: Results, variant: str, baseline: str) -> Number:
+    """How many times larger the share of frames is that one result decides wrongly."""
+    errors = [100.0 - results.of(name).by_home().mean(axis=1) for name in (variant, baseline)]
+    if (errors[1] <= 0).any():
+        return nothing(f"{baseline} makes no error")
+    return Number(errors[0] / errors[1], results.of(variant).is_random)

@@ -1,0 +1,183 @@
+"""Tables, findings and numbers in the text: what the thesis says, in the files of data/thesis.
+
+Two things stand for others in these files. A mapping with `like: PATH` starts from what that file holds, one
+of conf/ or another table, and changes what stands beside it. `${NAME}` is a setting of params.yaml.
+"""
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from placecat import paths, settings
+from placecat.errors import PlacecatError
+
+LIKE = "like"
+_SETTING = re.compile(r"\$\{(\.*)([\w.]+)\}")
+# What a table says beside what its layout needs.
+_OF_A_TABLE = ("number", "title", "thesis_data", "layout", "caption", "split", "data", "plain", "needs")
+_OF_A_LAYOUT = ("rows", "result", "gains")
+_OF_TRIALS = ("trial", "homes", "axes")
+
+
+def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, Any]]:
+    """Read the tables that show results of the pipeline, e.g. ``table_26``.
+
+    Parameters
+    ----------
+    params
+        All settings.
+    root
+        The project's folder.
+
+    Returns
+    -------
+    dict
+        By name, in the order of the names: ``number`` (None for an addition), ``title``, ``thesis_data``,
+        ``layout`` and what the layout needs. A table that `needs` a setting is there if the setting is.
+
+    Raises
+    ------
+    PlacecatError
+        A file that is no YAML, a key or a setting that is unknown, with the file's name.
+    """
+    found = _read(sorted((root / paths.TABLE_DEFINITIONS).glob("*.yaml")), params, root)
+    for path, table in found.items():
+        settings.refuse_unknown(table, [*_OF_A_TABLE, *_OF_A_LAYOUT], str(path))
+    return {
+        path.stem: table
+        for path, table in found.items()
+        if "needs" not in table or _is_set(params, table["needs"])
+    }
+
+
+def optional(root: Path = Path()) -> list[str]:
+    """Names of the tables that need a setting, in order: git keeps them for runs that have not got it."""
+    files = sorted((root / paths.TABLE_DEFINITIONS).glob("*.yaml"))
+    return [path.stem for path in files if "needs" in _yaml(path)]
+
+
+def studies(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, dict[str, Any]]]:
+    """Read the tables whose cells are trials of their own: a folder a study, a file a table.
+
+    Parameters
+    ----------
+    params, root
+        As for :func:`tables`.
+
+    Returns
+    -------
+    dict
+        Study to name to table, each with ``trial``, ``homes`` and ``axes``
+        (:func:`placecat.evaluation.trials.expand`).
+
+    Raises
+    ------
+    PlacecatError
+        As :func:`tables`.
+    """
+    found = _read(sorted((root / paths.TABLE_DEFINITIONS).glob("*/*.yaml")), params, root)
+    by_study: dict[str, dict[str, dict[str, Any]]] = {}
+    for path, table in found.items():
+        settings.refuse_unknown(table, [*_OF_A_TABLE, *_OF_TRIALS], str(path))
+        by_study.setdefault(path.parent.name, {})[path.stem] = table
+    return by_study
+
+
+def findings(root: Path = Path()) -> dict[str, dict[str, Any]]:
+    """Read the claims of the thesis, by name: see `placecat.thesis.claims.read_finding`.
+
+    Raises
+    ------
+    PlacecatError
+        A file that is no YAML.
+    """
+    return {path.stem: _yaml(path) for path in sorted((root / paths.FINDING_DEFINITIONS).glob("*.yaml"))}
+
+
+def in_text(root: Path = Path()) -> dict[str, dict[str, Any]]:
+    """Read the numbers in the thesis's text, by name: see `placecat.thesis.in_text.in_text`.
+
+    Raises
+    ------
+    PlacecatError
+        A file that is no YAML.
+    """
+    return _yaml(root / paths.IN_TEXT_DEFINITIONS)
+
+
+def _read(files: list[Path], params: Mapping[str, Any], root: Path) -> dict[Path, dict[str, Any]]:
+    """Contents of files by their paths in the project, with all that stands for something else filled in."""
+    found = {path.relative_to(root): _load(path, root, ()) for path in files}
+    for path, content in found.items():
+        try:
+            found[path] = _set(content, (), params)
+        except PlacecatError as error:
+            raise PlacecatError(f"{path}: {error}") from None
+    return found
+
+
+def _set(value: Any, around: tuple[dict[str, Any], ...], params: Mapping[str, Any]) -> Any:
+    """Put settings in the place of ``${NAME}``; ``${..NAME}`` is beside the mapping, as in conf/."""
+    if isinstance(value, dict):
+        return {key: _set(one, (value, *around), params) for key, one in value.items()}
+    if isinstance(value, list):
+        return [_set(one, around, params) for one in value]
+    if not isinstance(value, str) or not (match := _SETTING.fullmatch(value)):
+        return value
+    dots, name = match.groups()
+    return _set(settings.get(around[len(dots) - 1] if dots else params, name), around, params)
+
+
+def _load(path: Path, root: Path, before: tuple[Path, ...]) -> dict[str, Any]:
+    """One file with what it is like; `before` are the files that led to it."""
+    if path in before:
+        raise PlacecatError(f"{path} is like itself, by way of {', '.join(map(str, before))}")
+    content = _yaml(path)
+    # A file of conf/ starts from others as Hydra writes it: "/scheme@scheme: parallel".
+    base = {}
+    for default in content.pop("defaults", []):
+        if default != "_self_":
+            ((group, name),) = default.items()
+            folder, _, key = group.removeprefix("/").partition("@")
+            base[key] = _load(root / paths.CONF / folder / f"{name}.yaml", root, (*before, path))
+    return _filled(content, base, root, (*before, path))
+
+
+def _filled(value: Any, inherited: Any, root: Path, before: tuple[Path, ...]) -> Any:
+    """A value over what it inherits: mappings are merged, but for those with `like`; all else replaces."""
+    if isinstance(value, list):
+        return [_filled(one, None, root, before) for one in value]
+    if not isinstance(value, dict):
+        return value
+    if LIKE in value:
+        inherited = _load(root / value[LIKE], root, before)
+    filled = dict(inherited) if isinstance(inherited, dict) else {}
+    for key, one in value.items():
+        if key != LIKE:
+            filled[key] = _filled(one, filled.get(key), root, before)
+    return filled
+
+
+def _yaml(path: Path) -> dict[str, Any]:
+    try:
+        content = yaml.load(path.read_text(encoding="utf-8"), Loader=settings.Loader)
+    except FileNotFoundError:
+        raise PlacecatError(
+            f"{path} is missing: restore it from git, or mend the `{LIKE}` that names it"
+        ) from None
+    except yaml.YAMLError as error:
+        raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None
+    if not isinstance(content, dict):
+        raise PlacecatError(f"{path} is empty: give it the keys of the files beside it")
+    return content
+
+
+def _is_set(params: Mapping[str, Any], name: str) -> bool:
+    try:
+        settings.get(params, name)
+    except PlacecatError:
+        return False
+    return True

@@ -1,0 +1,171 @@
+"""The findings ledger: what the thesis claims, what was measured, and whether it holds."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from placecat import settings
+from placecat.evaluation.bootstrap import Interval
+from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED, combine, corrected_level
+from placecat.results.measured import Results
+from placecat.thesis.claims import Comparison, Finding, read_finding
+from placecat.thesis.judging import Judged, judge_cases, judge_comparison, percent
+from placecat.thesis.published import Published
+from placecat.thesis.rules import Rules
+
+_VERDICTS = (HOLDS, FAILS, UNDECIDED)
+_NOTHING = Interval(float("nan"), float("nan"), float("nan"))
+
+
+def ledger(
+    findings: Mapping[str, Any], verdict: Mapping[str, Any], results: Results, published: Published
+) -> tuple[pd.DataFrame, pd.DataFrame]:
+    """Judge every finding.
+
+    Parameters
+    ----------
+    findings
+        Name of a finding to its settings, see `read_finding`.
+    verdict
+        Settings of `Rules`.
+
+    Returns
+    -------
+    findings, comparisons
+        One row a finding, in order of their numbers: number, section, claim, published, measured, difference,
+        low, high, units, verdict, one ``verdict_...`` a reading ("" where the finding has no such reading),
+        reason. A finding of several comparisons shows the one that decides it; `difference` is the ratio if
+        that one is of a ratio.
+        And one row a comparison: finding, reading ("" or the other reading's name), left, right, compare,
+        published_left, published_right, published, measured_left, measured_right, measured, low, high,
+        corrected_low, corrected_high, range, units, verdict, reason, left_results, right_results; `published`
+        and `measured` are the difference, or the ratio where `compare` says so. A comparison holds by `low`
+        and `high` and fails by the corrected ends, which allow for the number of the finding's comparisons.
+        Numbers are percent and points with 2 decimals, NaN for none.
+
+    Raises
+    ------
+    PlacecatError
+        For settings that are wrong; what was not measured only makes a finding undecided.
+    """
+    rules: Rules = settings.call(Rules, settings=verdict, where="verdict")
+    read = sorted((read_finding(name, one) for name, one in findings.items()), key=lambda one: one.number)
+    readings = list(dict.fromkeys(reading for finding in read for reading in finding.readings))
+    rows, details = [], []
+    for finding in read:
+        judged = _judge(finding, rules, results, published)
+        row = _finding_row(finding, judged, rules)
+        reason = "; ".join(
+            [row.pop("reason"), *filter(None, (results.drops(f"filtered/{one}") for one in finding.filters))]
+        )
+        for reading in readings:
+            row[f"verdict_{reading}"] = ""
+        details += [_comparison_row(finding, "", one) for one in judged]
+        for reading in finding.readings:
+            again = _judge(finding.read_as(reading), rules, results, published)
+            row[f"verdict_{reading}"] = _finding_row(finding, again, rules)["verdict"]
+            details += [_comparison_row(finding, reading, one) for one in again]
+        rows.append(row | {"reason": reason})
+    return pd.DataFrame(rows), pd.DataFrame(details)
+
+
+def _judge(finding: Finding, rules: Rules, results: Results, published: Published) -> list[Judged]:
+    count = len(finding.comparisons)
+    return [
+        judge_comparison(finding.name, one, rules, results, published, count) for one in finding.comparisons
+    ]
+
+
+def _finding_row(finding: Finding, judged: Sequence[Judged], rules: Rules) -> dict[str, Any]:
+    verdict, reasons = combine([one.verdict for one in judged]), []
+    about_cases = all(one.claimed is None for one in judged)
+    measured = [one.measurement for one in judged if one.measurement]
+    if about_cases and measured:
+        verdict, reason = judge_cases(measured, rules)
+        reasons.append(reason)
+    candidates = judged if about_cases else [one for one in judged if one.verdict == verdict]
+    shown = min(candidates, key=_margin, default=judged[0])
+    if len(judged) > 1:
+        counts = {kind: sum(one.verdict == kind for one in judged) for kind in _VERDICTS}
+        listed = ", ".join(f"{kind} {count}" for kind, count in counts.items() if count)
+        if not about_cases:
+            level = percent(corrected_level(rules.level, len(judged)))
+            listed += f", allowing for {len(judged)} comparisons (Bonferroni: {level} intervals)"
+        reasons.append(f"of {len(judged)} comparisons: {listed}; shown is {_names(shown.comparison)}")
+    if not (about_cases and measured):
+        reasons.append(shown.reason)
+    return {
+        "number": finding.number,
+        "section": finding.section,
+        "claim": finding.claim,
+        "published": _text(shown.comparison, shown.thesis.numbers, shown.thesis.difference),
+        "measured": _text(shown.comparison, shown.measurement.numbers) if shown.measurement else "",
+        **_interval("difference", shown),
+        "units": shown.measurement.units if shown.measurement else "",
+        "verdict": verdict,
+        "reason": "; ".join(dict.fromkeys(reasons)),
+    }
+
+
+def _margin(judged: Judged) -> tuple[bool, float]:
+    """Smallest for the comparison that decides; one without an interval says less than any with one."""
+    if judged.measurement is None or np.isnan(judged.measurement.interval.low):
+        return True, 0.0
+    return False, judged.claimed.margin(judged.measurement.interval) if judged.claimed else 0.0
+
+
+def _comparison_row(finding: Finding, reading: str, judged: Judged) -> dict[str, Any]:
+    comparison, measurement = judged.comparison, judged.measurement
+    results = measurement.results if measurement else tuple(side.results for side in comparison.sides)
+    corrected = measurement.corrected if measurement else _NOTHING
+    return {
+        "finding": finding.number,
+        "reading": reading,
+        "left": comparison.left.label,
+        "right": _right_label(comparison),
+        "compare": comparison.compare,
+        **_sides("published", judged.thesis.numbers),
+        "published": _round(judged.thesis.difference),
+        **_sides("measured", measurement.numbers if measurement else ()),
+        **_interval("measured", judged),
+        "corrected_low": corrected.low,
+        "corrected_high": corrected.high,
+        "range": "both signs" if judged.claimed is None else str(judged.claimed),
+        "units": measurement.units if measurement else "",
+        "verdict": judged.verdict,
+        "reason": judged.reason,
+        "left_results": "; ".join(results[0]),
+        "right_results": "; ".join(results[1]) if len(results) > 1 else "",
+    }
+
+
+def _sides(kind: str, numbers: Sequence[float]) -> dict[str, float]:
+    left, right = [*numbers, np.nan, np.nan][:2]
+    return {f"{kind}_left": _round(left), f"{kind}_right": _round(right)}
+
+
+def _interval(name: str, judged: Judged) -> dict[str, float]:
+    interval = judged.measurement.interval if judged.measurement else _NOTHING
+    return {name: interval.estimate, "low": interval.low, "high": interval.high}
+
+
+def _text(comparison: Comparison, numbers: Sequence[float], difference: float = float("nan")) -> str:
+    if not np.isnan(numbers).any():
+        pairs = zip(comparison.sides, numbers, strict=True)
+        text = ", ".join(f"{side.label} {number:.2f}" for side, number in pairs)
+        return f"{text} against {_right_label(comparison)}" if comparison.right is None else text
+    return "" if np.isnan(difference) else f"{comparison.compare} {difference:.2f}"
+
+
+def _names(comparison: Comparison) -> str:
+    return f"{comparison.left.label} against {_right_label(comparison)}"
+
+
+def _right_label(comparison: Comparison) -> str:
+    return comparison.right.label if comparison.right else f"{comparison.range[1]:g}"
+
+
+def _round(number: float) -> float:
+    return round(float(number), 2) + 0.0

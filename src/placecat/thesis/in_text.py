@@ -1,0 +1,128 @@
+"""Numbers that the thesis gives in its text only: what was measured beside what was published."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+import pandas as pd
+
+from placecat import settings
+from placecat.errors import PlacecatError
+from placecat.results.measured import Results
+from placecat.thesis.comparison import Line, alone, compare
+from placecat.thesis.notes import Kind, Note, Notes, joined, without_empty
+from placecat.thesis.number import Number, nothing
+from placecat.thesis.records import read_off
+from placecat.thesis.tables import comparable, not_comparable
+
+COLUMNS = ["name", "section", "quantity", "home", "published", "measured", "spread", "seeds", "note"]
+# What the table is called, and the columns that say which number a row is.
+NAME = "in_text"
+KEY = ["name", "quantity", "home"]
+_OF_THE_DATA = ("thesis_data", "data", "split")
+
+
+class _Said(NamedTuple):
+    """What the thesis says of one quantity: a number, NaN where it has only words; the words; a note."""
+
+    value: float = np.nan
+    quote: str = ""
+    note: str = ""
+
+
+def in_text(
+    entries: Mapping[str, Mapping[str, Any]],
+    results: Results,
+    published: pd.DataFrame,
+    dataset: Mapping[str, Any],
+    splits: Mapping[str, Mapping[str, Any]],
+    records: Mapping[str, pd.DataFrame],
+) -> pd.DataFrame:
+    """Put the measured numbers beside those of the text.
+
+    Parameters
+    ----------
+    entries
+        Name of an entry to its settings, see data/thesis/in_text.yaml: a comparison
+        (:func:`~placecat.thesis.comparison.compare`), a single ``result``
+        (:func:`~placecat.thesis.comparison.alone`) or a ``record``
+        (:func:`~placecat.thesis.records.read_off`), each with ``thesis_data`` and, if it is not the main
+        data set, what it was measured on (``split``, or ``data`` in words); or a ``reference``, the reason
+        why it was not measured.
+    published
+        Columns name, section, quantity, home, value (NaN where the thesis gives only words), quote and note,
+        which says what in the thesis contradicts the value.
+    dataset, splits
+        ``title`` and ``thesis_data`` of the main data set, and of that of each split.
+    records
+        Tables by name.
+
+    Returns
+    -------
+    DataFrame
+        Columns name, section, quantity, home ("Home 6", "Average", or "" for neither), published, measured,
+        spread, seeds, note, and ``notes``, the same by kind. Of a comparison both sides and their difference,
+        variant minus baseline, in points. ``spread`` and ``seeds`` as in
+        :func:`~placecat.thesis.tables.fill_table`.
+
+    Raises
+    ------
+    PlacecatError
+        An unknown setting, an entry without a published line or the reverse, or a result that does not exist.
+    """
+    sections = dict(zip(published["name"], published["section"], strict=True))
+    _same_names(list(entries), list(sections))
+    columns = [published[name] for name in ("name", "quantity", "home", "value", "quote", "note")]
+    said = {
+        (name, quantity, home): _Said(float(value), quote, note)
+        for name, quantity, home, value, quote, note in zip(*columns, strict=True)
+    }
+    rows = []
+    for name, entry in entries.items():
+        known = [(quantity, home) for own, quantity, home in said if own == name]
+        own_dataset = splits[entry["split"]] if "split" in entry else dataset
+        for quantity, home, number in _lines(name, entry, results, records, known):
+            words = said.get((name, quantity, home), _Said())
+            notes = _notes(entry, number, words, own_dataset)
+            measured = (number.measured, number.spread, number.seeds, joined(notes), notes)
+            rows.append((name, str(sections[name]), quantity, home, words.value, *measured))
+    return pd.DataFrame(rows, columns=[*COLUMNS, "notes"])
+
+
+def _same_names(entries: Sequence[str], published: Sequence[str]) -> None:
+    for name in entries:
+        if name not in published:
+            raise PlacecatError(f"in_text has an entry {name!r} of which the thesis says nothing")
+    for name in published:
+        if name not in entries:
+            raise PlacecatError(f"the thesis's number {name!r} has no entry in in_text")
+
+
+def _lines(
+    name: str,
+    entry: Mapping[str, Any],
+    results: Results,
+    records: Mapping[str, pd.DataFrame],
+    known: Sequence[tuple[str, str]],
+) -> list[Line]:
+    where = f"in_text.{name}"
+    own = {key: value for key, value in entry.items() if key not in _OF_THE_DATA}
+    if "reference" in entry:
+        settings.refuse_unknown(entry, ["reference"], where)
+        return [Line(quantity, home, nothing(str(entry["reference"]))) for quantity, home in known]
+    if "record" in entry:
+        return read_off(own, records, where)
+    return (alone if "result" in entry else compare)(own, results, where)
+
+
+def _notes(entry: Mapping[str, Any], number: Number, words: _Said, dataset: Mapping[str, Any]) -> Notes:
+    notes = [Note(Kind.MEASURED, text) for text in number.notes]
+    if len(number.values):
+        notes.insert(0, Note(Kind.DATA, f"measured on {entry.get('data') or dataset['title']}"))
+        thesis_data = entry.get("thesis_data")
+        if np.isfinite(words.value) and thesis_data is not None and not comparable(entry, dataset):
+            notes.append(not_comparable(thesis_data))
+    notes.append(Note(Kind.PUBLISHED, words.note))
+    if words.quote:
+        notes.append(Note(Kind.PUBLISHED, f'the thesis says "{words.quote}"'))
+    return without_empty(notes)

@@ -1,0 +1,303 @@
+"""Judging one comparison of the thesis on what was measured."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import seeds
+from placecat.errors import NotComputable
+from placecat.evaluation.bootstrap import Interval
+from placecat.evaluation.tail import share_below
+from placecat.evaluation.verdict import (
+    FAILS,
+    HOLDS,
+    UNDECIDED,
+    Range,
+    corrected_level,
+    judge,
+    judge_shares,
+)
+from placecat.results.measured import Results
+from placecat.thesis.claims import Comparison, Side
+from placecat.thesis.pairing import Paired, pair
+from placecat.thesis.pooling import Pooled, pool
+from placecat.thesis.published import AVERAGE, Published
+from placecat.thesis.rules import Rules, claimed_range
+
+_WHERE = {
+    HOLDS: "the whole interval is {}",
+    FAILS: "none of the interval is {}",
+    UNDECIDED: "only a part of the interval is {}",
+}
+
+
+@dataclass(frozen=True)
+class Thesis:
+    """What the thesis has: a number of each side and their difference (or ratio), NaN for none."""
+
+    numbers: tuple[float, ...]
+    difference: float
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """What this run has.
+
+    Attributes
+    ----------
+    numbers
+        Of each side, percent.
+    results
+        Those that each side was made of in the end.
+    interval
+        Of the difference (or ratio), rounded to 2 decimals; NaN ends if there is a single unit.
+    corrected
+        The same at the level that allows for the number of the finding's comparisons.
+    n_units, units
+        Their number, and what they are.
+    gains
+        Of each home (or all pooled sequences), (results,): left minus right, result by result, mean over
+        seeds; empty if the sides have no such pairs.
+    worse, better
+        A case is a result in a home; in how many the left was noticeably worse and better than the right,
+        whatever the seed.
+    note
+        What was left out, "" for nothing.
+    """
+
+    numbers: tuple[float, ...]
+    results: tuple[tuple[str, ...], ...]
+    interval: Interval
+    corrected: Interval
+    n_units: int
+    units: str
+    gains: tuple[NDArray[np.float64], ...]
+    worse: int
+    better: int
+    note: str
+
+
+@dataclass(frozen=True)
+class Judged:
+    """One comparison, what the thesis and this run have of it, and the verdict.
+
+    Attributes
+    ----------
+    claimed
+        Where the claim puts the difference; None for ``both_signs``.
+    measurement
+        None if this run does not have all results; the reason says why.
+    """
+
+    comparison: Comparison
+    thesis: Thesis
+    claimed: Range | None
+    measurement: Measurement | None
+    verdict: str
+    reason: str
+
+
+def judge_comparison(
+    finding: str,
+    comparison: Comparison,
+    rules: Rules,
+    results: Results,
+    published: Published,
+    comparisons: int = 1,
+) -> Judged:
+    """Judge one comparison.
+
+    Parameters
+    ----------
+    finding
+        Name of the finding that makes it; the bootstrap's seed is derived from it.
+    comparisons
+        How many the finding makes, each of which has to hold.
+
+    Raises
+    ------
+    PlacecatError
+        For settings that are wrong. What was not measured only makes the verdict undecided.
+    """
+    try:
+        paired = _pair(comparison, rules, results)
+    except NotComputable as error:
+        return _without(comparison, rules, published, str(error))
+    thesis = look_up(comparison, published, paired.sides)
+    claimed = claimed_range(comparison.range, thesis.difference, rules)
+    try:
+        measured = measure(finding, comparison, rules, paired, comparisons)
+    except NotComputable as error:
+        return _without(comparison, rules, published, str(error))
+    if claimed is None:
+        verdict, reason = judge_cases([measured], rules)
+    elif too_few := paired.too_few(rules.minimum_units):
+        verdict, reason = UNDECIDED, too_few
+    else:
+        verdict = judge(measured.interval, claimed, measured.corrected)
+        reason = _reason(verdict, measured, claimed, corrected_level(rules.level, comparisons))
+        reason += ", in these homes" if paired.at_hand else ""
+    if measured.note:
+        reason += f"; {measured.note}"
+    return Judged(comparison, thesis, claimed, measured, verdict, reason)
+
+
+def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str]:
+    """Judge that something can hurt as well as help: the verdict on all cases together, and why.
+
+    A case is a result in a home; :func:`placecat.evaluation.verdict.judge_shares` has the rule.
+
+    Parameters
+    ----------
+    measured
+        Of each comparison that was measured, in homes that no other has.
+    """
+    worse, better = sum(one.worse for one in measured), sum(one.better for one in measured)
+    gains = [gain for one in measured for gain in one.gains]
+    counts = f"worse in {worse}, better in {better} of {sum(len(one) for one in gains)} cases"
+    if len(gains) < rules.minimum_units:
+        few = "1 home is" if len(gains) == 1 else f"{len(gains)} homes are"
+        return UNDECIDED, f"{counts}; {few} too few for a verdict"
+    shares = [
+        share_below([sign * gain for gain in gains], -rules.noticeable, level=rules.level)
+        for sign in (1.0, -1.0)
+    ]
+    verdict = judge_shares(shares[0], shares[1], rules.rare)
+    texts = [f"{100 * one.estimate:.0f} % ({100 * one.low:.0f} to {100 * one.high:.0f})" for one in shares]
+    return verdict, (
+        f"{counts}; by at least {rules.noticeable:g} points worse in {texts[0]}, better in {texts[1]} of all "
+        f"cases; both have to be above {100 * rules.rare:g} %"
+    )
+
+
+def look_up(comparison: Comparison, published: Published, sides: Sequence[Side] | None = None) -> Thesis:
+    """Find the published numbers of a comparison.
+
+    Parameters
+    ----------
+    sides
+        With only the results that were measured: the number of no other cell stands beside them. None for
+        all.
+    """
+    sides = comparison.sides if sides is None else sides
+    home = comparison.published_home or AVERAGE
+    numbers = [_combine(side, _published(side, published, home)[:, None]) for side in sides]
+    difference = _compare(comparison, numbers)[0]
+    if comparison.published is not None:
+        difference = published.number(comparison.published)
+    return Thesis(tuple(float(number[0]) for number in numbers), float(difference))
+
+
+def measure(
+    finding: str, comparison: Comparison, rules: Rules, paired: Paired | Pooled, comparisons: int = 1
+) -> Measurement:
+    """Measure a comparison, with the interval from a bootstrap over its units.
+
+    Parameters
+    ----------
+    comparisons
+        As for :func:`judge_comparison`.
+
+    Raises
+    ------
+    NotComputable
+        If a ratio divides by 0.
+    """
+
+    def sides_of(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
+        return [_combine(side, own) for side, own in zip(paired.sides, values, strict=True)]
+
+    overall = paired.overall()
+    numbers = sides_of(overall)
+    estimate = float(_compare(comparison, numbers)[0])
+    interval = corrected = Interval(estimate, float("nan"), float("nan"))
+    if paired.n_units > 1:
+        interval, corrected = (
+            paired.interval(
+                lambda values: _compare(comparison, sides_of(values)),
+                seeds.derive("finding", finding, *(side.label for side in comparison.sides)),
+                level,
+                rules.resamples,
+            )
+            for level in (rules.level, corrected_level(rules.level, comparisons))
+        )
+    gains = _gains(paired)
+    return Measurement(
+        numbers=tuple(float(one[0]) for one in numbers),
+        results=tuple(_used(side, own) for side, own in zip(paired.sides, overall, strict=True)),
+        interval=interval.rounded(),
+        corrected=corrected.rounded(),
+        n_units=paired.n_units,
+        units=paired.units,
+        gains=tuple(gains.mean(axis=2).T),
+        worse=int((gains <= -rules.noticeable).all(axis=2).sum()),
+        better=int((gains >= rules.noticeable).all(axis=2).sum()),
+        note=paired.note,
+    )
+
+
+def _pair(comparison: Comparison, rules: Rules, results: Results) -> Paired | Pooled:
+    if comparison.pooled:
+        return pool(results, comparison.sides)
+    return pair(results, comparison.sides, rules.few_homes)
+
+
+def _without(comparison: Comparison, rules: Rules, published: Published, reason: str) -> Judged:
+    thesis = look_up(comparison, published)
+    claimed = claimed_range(comparison.range, thesis.difference, rules)
+    return Judged(comparison, thesis, claimed, None, UNDECIDED, reason)
+
+
+def _reason(verdict: str, measured: Measurement, claimed: Range, level: float) -> str:
+    wide = measured.corrected != measured.interval
+    if verdict == FAILS and wide:
+        return f"none of the {percent(level)} interval is {claimed}"
+    if verdict == UNDECIDED and judge(measured.interval, claimed) == FAILS:
+        return f"none of the interval is {claimed}, but a part of the {percent(level)} one"
+    return _WHERE[verdict].format(claimed)
+
+
+def percent(level: float) -> str:
+    """A level for people, e.g. "95 %" or "99.64 %"."""
+    return f"{100 * level:.4g} %"
+
+
+def _combine(side: Side, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(results, n) to (n,)."""
+    return values.max(axis=0) if side.combine == "best" else values.mean(axis=0)
+
+
+def _compare(comparison: Comparison, sides: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
+    """One or two (n,) to (n,)."""
+    if len(sides) == 1:
+        return sides[0] - (comparison.range[1] or 0.0)
+    if comparison.compare == "difference":
+        return sides[0] - sides[1]
+    if (sides[1] == 0.0).any():
+        raise NotComputable(f"{comparison.right.label if comparison.right else ''} can be 0: it has no ratio")
+    return sides[0] / sides[1]
+
+
+def _gains(paired: Paired | Pooled) -> NDArray[np.float64]:
+    """(results, homes, seeds): left minus right, result by result; empty if the sides have no such pairs."""
+    if len(paired.values) == 2 and len(paired.values[0]) == len(paired.values[1]):
+        return paired.values[0] - paired.values[1]
+    return np.empty((0, *paired.values[0].shape[1:]))
+
+
+def _used(side: Side, overall: NDArray[np.float64]) -> tuple[str, ...]:
+    if side.combine == "best":
+        return (side.results[int(overall[:, 0].argmax())],)
+    return side.results
+
+
+def _published(side: Side, published: Published, home: str) -> NDArray[np.float64]:
+    if side.published is not None:
+        numbers = [published.number(one, home) for one in side.published]
+    elif side.place is not None or side.error:
+        numbers = [float("nan")]
+    else:
+        numbers = [published.of_trial(name, home) for name in side.results]
+    return np.array(numbers[-1:] if side.combine == "last" else numbers)

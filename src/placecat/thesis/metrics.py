@@ -1,0 +1,145 @@
+"""What DVC compares between revisions: numbers of the tables, confusion matrices and accuracies as plots."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from placecat.errors import PlacecatError
+from placecat.results.measured import Measured, Results
+from placecat.settings import refuse_unknown
+
+CONFUSION, ACCURACY_BY_HOME = "confusion", "accuracy_by_home"
+ACCURACY, LOG_LOSS = "accuracy", "log_loss"
+_AXES = ("group", "row", "column")
+# For the few rows or groups without a name in a table whose others have one.
+_NAMELESS = "-"
+
+
+def nested_metrics(tables: Mapping[str, pd.DataFrame]) -> dict[str, Any]:
+    """Nest the measured numbers of filled tables, as `dvc metrics` wants them.
+
+    Parameters
+    ----------
+    tables
+        Name of a table, e.g. ``table_26``, to its filled form: columns group, row, column (text) and measured
+        (percent, NaN for none).
+
+    Returns
+    -------
+    dict
+        Name to group to row to column to the number as in the table. What has no name anywhere in a table is
+        no level of its own: Table 26 is ``{"5-5-1, all cues": {"Gist": {"Home 1": 31.2}}}``, Table 5
+        ``{"SVM": {"Home 1": 31.2}}``. Cells without a number are left out, and so are tables that have none.
+    """
+    return {name: found for name, table in tables.items() if (found := _nest(table))}
+
+
+def _nest(table: pd.DataFrame) -> dict[str, Any]:
+    levels = [axis for axis in _AXES if (table[axis] != "").any()]
+    nested: dict[str, Any] = {}
+    for *labels, measured in table[[*levels, "measured"]].itertuples(index=False, name=None):
+        if not np.isfinite(measured):
+            continue
+        *above, last = [str(label) or _NAMELESS for label in labels] or [_NAMELESS]
+        inner = nested
+        for label in above:
+            inner = inner.setdefault(label, {})
+        inner[last] = round(float(measured), 2)
+    return nested
+
+
+def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -> dict[str, Any]:
+    """Averages of a few results, a column each in `dvc exp show`.
+
+    Parameters
+    ----------
+    chosen
+        ``accuracy`` and ``log_loss``: name of a column, e.g. ``gist``, to the name of its result, e.g.
+        ``cues/gist/5-5-1``.
+
+    Returns
+    -------
+    dict
+        Name to accuracy in percent, rounded to two decimals, and in ``log_loss`` name to log-loss in nats,
+        rounded to three: means over homes and seeds as in the tables; none for a result that these data
+        cannot give.
+
+    Raises
+    ------
+    PlacecatError
+        Another kind of number, or a result that does not exist.
+    """
+    refuse_unknown(chosen, [ACCURACY, LOG_LOSS], "metrics")
+    impossible = {name for name, _ in results.missing}
+    averages: dict[str, dict[str, float]] = {ACCURACY: {}, LOG_LOSS: {}}
+    for kind, columns in chosen.items():
+        for column, name in columns.items():
+            try:
+                accuracy = round(float(results.of(name).by_home().mean()), 2)
+            except PlacecatError as error:
+                if name not in impossible:
+                    raise PlacecatError(f"metrics.{kind}.{column}: {error}") from None
+                continue
+            found = {ACCURACY: accuracy} | (results.quality[name].averages() if kind == LOG_LOSS else {})
+            if kind in found:
+                averages[kind][column] = found[kind]
+    return averages[ACCURACY] | {LOG_LOSS: averages[LOG_LOSS]}
+
+
+def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[str, pd.DataFrame]:
+    """Choose what `dvc plots` draws.
+
+    Parameters
+    ----------
+    plots
+        ``confusion`` and ``accuracy_by_home``: the name of a panel to the name of its result.
+
+    Returns
+    -------
+    dict
+        File below reports/plots, e.g. ``confusion/smoothing.csv``, to its rows; none for a result that these
+        data cannot give.
+
+    Raises
+    ------
+    PlacecatError
+        Another kind of plot, or a result that does not exist.
+    """
+    kinds = {CONFUSION: decisions, ACCURACY_BY_HOME: accuracies}
+    refuse_unknown(plots, list(kinds), "plots")
+    impossible = {name for name, _ in results.missing}
+    found = {}
+    for kind, panels in plots.items():
+        for panel, name in panels.items():
+            try:
+                rows = kinds[kind](results.of(name))
+            except PlacecatError as error:
+                if name not in impossible:
+                    raise PlacecatError(f"plots.{kind}.{panel}: {error}") from None
+                rows = kinds[kind](None)
+            found[f"{kind}/{panel}.csv"] = rows
+    return found
+
+
+def decisions(measured: Measured | None) -> pd.DataFrame:
+    """Columns truth and decision, one row a frame of all test homes, of the first seed.
+
+    DVC's template `confusion` counts the rows itself. They are in the order of the places.
+    """
+    columns = ["truth", "decision"]
+    if measured is None:
+        return pd.DataFrame(columns=columns)
+    counts = measured.confusion[0].sum(axis=0)
+    truth, decision = np.repeat(np.indices(counts.shape).reshape(2, -1), counts.ravel(), axis=1)
+    places = np.array(measured.classes)
+    return pd.DataFrame({"truth": places[truth], "decision": places[decision]}, columns=columns)
+
+
+def accuracies(measured: Measured | None) -> pd.DataFrame:
+    """Columns home and accuracy (percent, mean over places and seeds), one row a test home."""
+    if measured is None:
+        return pd.DataFrame(columns=["home", "accuracy"])
+    mean = measured.by_home().mean(axis=0).round(2)
+    return pd.DataFrame({"home": measured.homes, "accuracy": mean})

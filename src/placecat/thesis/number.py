@@ -1,0 +1,129 @@
+"""A number for a report: its value for each seed, or the reason why there is none."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.results.measured import Results, mean_and_spread
+
+AVERAGE = "Average"
+
+
+@dataclass(frozen=True)
+class Number:
+    """One number, as measured with each seed.
+
+    Attributes
+    ----------
+    values
+        (seeds,) percent or points; (1,) where nothing is random, (0,) where there is no number.
+    is_random
+        Whether it depends on a seed.
+    notes
+        The reasons, if there is no number; else what is to be said about it.
+    digits
+        After the point.
+    """
+
+    values: NDArray[np.float64]
+    is_random: bool
+    notes: tuple[str, ...] = ()
+    digits: int = 2
+
+    @property
+    def measured(self) -> float:
+        """Mean over the seeds, rounded; NaN if there is no number."""
+        return round(float(self.values.mean()), self.digits) if len(self.values) else float("nan")
+
+    @property
+    def spread(self) -> float:
+        """Largest minus smallest over the seeds, 2 decimals; NaN if there is no number or nothing random."""
+        return mean_and_spread(self.values, random=self.is_random)[1] if len(self.values) else float("nan")
+
+    @property
+    def seeds(self) -> int:
+        """Number of seeds, 0 where nothing is random or there is no number."""
+        return len(self.values) if self.is_random else 0
+
+    def noted(self, *notes: str) -> Number:
+        """The number with further notes, without empty ones; without a value, as it is."""
+        return replace(self, notes=merged([self.notes, notes])) if len(self.values) else self
+
+    def minus(self, other: Number) -> Number:
+        """The difference for each seed; what is not random is the same with every seed."""
+        if not len(self.values) or not len(other.values):
+            return nothing(*merged(one.notes for one in (self, other) if not len(one.values)))
+        notes = merged([self.notes, other.notes])
+        return Number(self.values - other.values, self.is_random or other.is_random, notes)
+
+
+def nothing(*reasons: str) -> Number:
+    """No number, and why."""
+    return Number(np.empty(0), False, reasons)
+
+
+def merged(notes: Iterable[Iterable[str]]) -> tuple[str, ...]:
+    """Notes of several numbers in a row, each once, without empty ones."""
+    return tuple(dict.fromkeys(note for of_one in notes for note in of_one if note))
+
+
+def mean(numbers: Sequence[Number]) -> Number:
+    """The mean of some numbers for each seed; those without a value are left out."""
+    there = [one for one in numbers if len(one.values)]
+    if not there:
+        return nothing(*merged(one.notes for one in numbers))
+    # Adding keeps the seeds apart and spreads what is not random over them.
+    total = sum((one.values for one in there[1:]), there[0].values)
+    return Number(total / len(there), any(one.is_random for one in there))
+
+
+def home_label(number: int) -> str:
+    """Name of the n-th home (from 1) in the published tables."""
+    return f"Home {number}"
+
+
+def in_home(results: Results, name: str, number: int) -> Number:
+    """Accuracy of a result in the n-th home (from 1) of the main data set, in percent.
+
+    Raises
+    ------
+    PlacecatError
+        If there is no result of this name, nor a reason why.
+    """
+    if number > len(results.homes):
+        return nothing(f"the data set has only {len(results.homes)} homes")
+    home = results.homes[number - 1]
+    if name not in results.measured and not has_reasons(results, name):
+        results.of(name)
+    one = results.measured.get(name)
+    if one is None or home not in one.homes:
+        return nothing(results.missing.get((name, home), f"nothing was measured in {home}"))
+    return Number(one.by_home()[:, one.homes.index(home)], one.is_random)
+
+
+def over_homes(results: Results, name: str, numbers: Sequence[int]) -> Number:
+    """Accuracy of a result averaged over homes given by their numbers (from 1), in percent.
+
+    Homes without a number are left out, and the note says so.
+    """
+    parts = [in_home(results, name, number) for number in numbers]
+    there = [number for number, part in zip(numbers, parts, strict=True) if len(part.values)]
+    note = "" if len(there) == len(parts) else f"mean over {', '.join(map(home_label, there))} only"
+    return mean(parts).noted(note)
+
+
+def in_homes(results: Results, name: str, numbers: Sequence[int]) -> list[tuple[str, Number]]:
+    """Accuracies in each of some homes and, of two or more, their average, with their published names."""
+    found = [(home_label(number), in_home(results, name, number)) for number in numbers]
+    if len(numbers) > 1:
+        found.append((AVERAGE, over_homes(results, name, numbers)))
+    return found
+
+
+def has_reasons(results: Results, name: str) -> bool:
+    """Whether there is a reason why a result lacks a home."""
+    return any(result == name for result, _ in results.missing)

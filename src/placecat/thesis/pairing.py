@@ -1,0 +1,209 @@
+"""What two sides of a comparison measured on the same homes, or on the same stays."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import NotComputable
+from placecat.evaluation.bootstrap import Interval, paired_bootstrap
+from placecat.results.measured import Measured, Results
+from placecat.thesis.claims import Side
+
+Statistic = Callable[[Sequence[NDArray[np.float64]]], NDArray[np.float64]]
+
+
+@dataclass(frozen=True)
+class Paired:
+    """Values of some sides on the homes that all of them were measured on.
+
+    Attributes
+    ----------
+    sides
+        Those asked for, each with only the results that are used.
+    values
+        A side: (results, homes, seeds) percent. One seed where nothing is random.
+    homes
+        Their names.
+    seeds
+        Number of seeds that all random results have in common, 0 where nothing is random.
+    by_seed
+        Whether a home with one seed is a unit, instead of a home with the mean over its seeds.
+    note
+        Which homes had to be left out and why, "" for none.
+    """
+
+    sides: tuple[Side, ...]
+    values: tuple[NDArray[np.float64], ...]
+    homes: tuple[str, ...]
+    seeds: int
+    by_seed: bool
+    note: str
+
+    @property
+    def units(self) -> str:
+        """For people, e.g. ``6 homes`` or ``2 homes x 2 seeds``."""
+        homes = _count(len(self.homes), "home")
+        return f"{homes} x {_count(self.seeds, 'seed')}" if self.by_seed else homes
+
+    def by_unit(self) -> tuple[NDArray[np.float64], ...]:
+        """A side: (results, units); the units are those of `by_seed`."""
+        if self.by_seed:
+            return tuple(values.reshape(len(values), -1) for values in self.values)
+        return tuple(values.mean(axis=2) for values in self.values)
+
+    @property
+    def n_units(self) -> int:
+        """Number of units."""
+        return self.by_unit()[0].shape[1]
+
+    @property
+    def at_hand(self) -> bool:
+        """Whether an interval is for the homes at hand only."""
+        return self.by_seed
+
+    def too_few(self, minimum: int) -> str:
+        """Why there are too few units for a verdict, "" if there are enough."""
+        return f"{self.units} are too few for a verdict" if self.n_units < minimum else ""
+
+    def overall(self) -> tuple[NDArray[np.float64], ...]:
+        """A side: (results, 1) percent, all units alike."""
+        return tuple(values.mean(axis=1, keepdims=True) for values in self.by_unit())
+
+    def interval(self, statistic: Statistic, seed: int, level: float, resamples: int) -> Interval:
+        """Interval of a statistic of the sides, which takes (results, n) of each and gives (n,)."""
+        by_unit = self.by_unit()
+        return paired_bootstrap(
+            lambda weights: statistic([values @ weights.T for values in by_unit]),
+            self.n_units,
+            seed,
+            level=level,
+            resamples=resamples,
+        )
+
+
+def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
+    """Bring sides together.
+
+    Parameters
+    ----------
+    few_homes
+        With so many homes or fewer, a home with one seed is a unit, if anything is random.
+
+    Raises
+    ------
+    NotComputable
+        If a result was not measured, or if no home has all of them; the message has the reasons.
+    """
+    used = computable(results, sides)
+    names = list(dict.fromkeys(name for side in used for name in side.results))
+    measured = {name: look_up(results, name) for name in names}
+    everywhere = list(dict.fromkeys(home for one in measured.values() for home in one.homes))
+    common = [home for home in everywhere if all(home in one.homes for one in measured.values())]
+    seeds = common_seeds(measured.values())
+    values = [
+        np.stack([_values(measured[name], side, common, seeds) for name in side.results]) for side in used
+    ]
+    scored = np.all([np.isfinite(value).all(axis=(0, 2)) for value in values], axis=0)
+    homes = tuple(home for home, is_scored in zip(common, scored, strict=True) if is_scored)
+    if not homes:
+        raise NotComputable(f"no home has all of {', '.join(names)}")
+    return Paired(
+        used,
+        tuple(value[:, scored] for value in values),
+        homes,
+        len(seeds),
+        by_seed=len(seeds) > 0 and len(homes) <= few_homes,
+        note="; ".join(filter(None, [*left_out(sides, used), _note(results, names, everywhere)])),
+    )
+
+
+def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
+    """Leave out what this data cannot give: numbers of which a side has several.
+
+    The best, the last: of those that there are. Of means with one result for each, both sides keep the same
+    places. A side keeps all its results where none would be left, so that the reasons are told. What a side
+    keeps stays beside the published number of its own cell.
+    """
+    impossible = {name for name, _ in results.missing} - set(results.measured)
+    together = len({len(side.results) for side in sides}) == 1
+    places = [
+        place
+        for place in range(len(sides[0].results))
+        if together and not any(side.results[place] in impossible for side in sides)
+    ]
+    used = []
+    for side in sides:
+        if side.combine == "mean":
+            kept = tuple(side.results[place] for place in places)
+        elif side.combine == "last":
+            kept = tuple(name for name in side.results if name in results.measured)[-1:]
+        else:
+            kept = tuple(name for name in side.results if name not in impossible)
+        last = side.results[-1:] if side.combine == "last" else side.results
+        used.append(side.only(kept or last))
+    return tuple(used)
+
+
+def look_up(results: Results, name: str) -> Measured:
+    """Find a result; NotComputable with the reasons why it was not measured."""
+    if name not in results.measured:
+        reasons = {reason for (result, _), reason in results.missing.items() if result == name}
+        if reasons:
+            raise NotComputable(f"{name}: {', '.join(sorted(reasons))}")
+        raise NotComputable(f"this run has no result {name}")
+    return results.measured[name]
+
+
+def common_seeds(measured: Iterable[Measured]) -> tuple[str, ...]:
+    """Names of the seeds that all random results have, none where nothing is random."""
+    random = [one for one in measured if one.is_random]
+    if not random:
+        return ()
+    return tuple(seed for seed in random[0].seeds if all(seed in one.seeds for one in random))
+
+
+def _values(one: Measured, side: Side, homes: Sequence[str], seeds: tuple[str, ...]) -> NDArray[np.float64]:
+    if side.plain:
+        percent = one.plain()
+    elif side.place is None:
+        percent = one.by_home()
+    elif side.place in one.classes:
+        percent = one.by_class()[:, :, one.classes.index(side.place)]
+    else:
+        raise NotComputable(f"this data has no place {side.place}")
+    percent = percent[:, [one.homes.index(home) for home in homes]]
+    if side.error:
+        percent = 100.0 - percent
+    if one.is_random and seeds:
+        return percent[[one.seeds.index(seed) for seed in seeds]].T
+    # Nothing is random, or seeds differ: there is nothing to pair but the means.
+    return np.broadcast_to(percent.mean(axis=0), (max(len(seeds), 1), len(homes))).T
+
+
+def left_out(sides: Sequence[Side], used: Sequence[Side]) -> list[str]:
+    """Say which results could not be computed; of the last one, those after it."""
+    texts = []
+    for side, kept in zip(sides, used, strict=True):
+        asked = side.results
+        if side.combine == "last":
+            asked = asked[asked.index(kept.results[-1]) :]
+        gone = [name.rpartition("|")[2] or name for name in asked if name not in kept.results]
+        if gone:
+            texts.append(f"{side.label} without {', '.join(gone)}, which this data cannot give")
+    return texts
+
+
+def _note(results: Results, names: Sequence[str], homes: Sequence[str]) -> str:
+    reasons = {
+        f"without {home}: {results.missing[name, home]}"
+        for name in names
+        for home in homes
+        if (name, home) in results.missing
+    }
+    return "; ".join(sorted(reasons))
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}" if number == 1 else f"{number} {what}s"

@@ -1,0 +1,151 @@
+"""What two sides of a comparison measured on the frames of all test sequences, counted as one."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import NotComputable
+from placecat.evaluation.bootstrap import Interval, stratified_bootstrap
+from placecat.results.measured import Measured, Results
+from placecat.thesis.claims import Side
+from placecat.thesis.pairing import Statistic, common_seeds, computable, left_out, look_up
+
+
+@dataclass(frozen=True)
+class Pooled:
+    """Decisions of some sides on the stays, visits to a place, that all test sequences have.
+
+    The frames of a stay are near-duplicates, so that a stay is the unit. Which stay shows which place is
+    fixed: each place is a stratum.
+
+    Attributes
+    ----------
+    sides
+        Those asked for, each with only the results that are used.
+    right
+        A side: (results, seeds, stays) number of frames named rightly. One seed where nothing is random.
+    frames
+        (stays,) number of frames.
+    places
+        (stays,) number of the place, from 0 for the first of `names`.
+    names
+        Of the places, each with a stay at least.
+    note
+        What had to be left out and why, "" for nothing.
+    """
+
+    sides: tuple[Side, ...]
+    right: tuple[NDArray[np.int64], ...]
+    frames: NDArray[np.int64]
+    places: NDArray[np.int64]
+    names: tuple[str, ...]
+    note: str
+
+    #: An interval is for these sequences only.
+    at_hand = True
+
+    @property
+    def units(self) -> str:
+        """For people."""
+        return f"{len(self.frames)} stays"
+
+    @property
+    def n_units(self) -> int:
+        """Number of stays, 1 if no place has two of them: then there is no interval."""
+        return len(self.frames) if len(self.frames) > len(self.names) else 1
+
+    @property
+    def values(self) -> tuple[NDArray[np.float64], ...]:
+        """A side: (results, 1, seeds) percent, all sequences together as if they were one home."""
+        everything: NDArray[np.float64] = 1.0 / np.bincount(self.places)[self.places][None]
+        return tuple(
+            np.stack([self._accuracy(side, of_seed, everything) for of_seed in right.swapaxes(0, 1)], axis=2)
+            for side, right in zip(self.sides, self.right, strict=True)
+        )
+
+    def too_few(self, minimum: int) -> str:
+        """Why there are too few stays for a verdict, "" if there are enough."""
+        once = [self.names[place] for place in np.flatnonzero(np.bincount(self.places) == 1)]
+        if len(self.frames) < minimum:
+            return f"{self.units} are too few for a verdict"
+        return f"one stay only shows {' and '.join(once)}: too few for a verdict" if once else ""
+
+    def overall(self) -> tuple[NDArray[np.float64], ...]:
+        """A side: (results, 1) percent, mean over the seeds."""
+        return tuple(values.mean(axis=2) for values in self.values)
+
+    def interval(self, statistic: Statistic, seed: int, level: float, resamples: int) -> Interval:
+        """As :meth:`placecat.thesis.pairing.Paired.interval`, from a bootstrap over the stays."""
+        means = [right.mean(axis=1) for right in self.right]
+        return stratified_bootstrap(
+            lambda weights: statistic(
+                [self._accuracy(side, mean, weights) for side, mean in zip(self.sides, means, strict=True)]
+            ),
+            self.places,
+            seed,
+            level=level,
+            resamples=resamples,
+        )
+
+    def _accuracy(
+        self, side: Side, right: NDArray[np.float64], weights: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """(results, stays) right frames and (n, stays) weights to (results, n) percent."""
+        kind = np.eye(len(self.names))[self.places]
+        if side.plain:
+            # A place weighs as much as it has stays.
+            kind = np.bincount(self.places)[self.places][:, None] * np.ones((1, 1))
+        elif side.place is not None:
+            kind = kind[:, [self.names.index(side.place)]]
+        named = (right[:, None] * weights) @ kind
+        percent = 100.0 * (named / ((self.frames * weights) @ kind)).mean(axis=2)
+        return 100.0 - percent if side.error else percent
+
+
+def pool(results: Results, sides: Sequence[Side]) -> Pooled:
+    """Bring sides together on the stays of all test sequences.
+
+    Raises
+    ------
+    NotComputable
+        If a result was not measured, or has no stays; the message has the reasons.
+    """
+    used = computable(results, sides)
+    names = list(dict.fromkeys(name for side in used for name in side.results))
+    by_stay = {name: _by_stay(results, name) for name in names}
+    seeds = common_seeds(by_stay.values())
+    first = by_stay[names[0]]
+    shown = first.confusion[0].sum(axis=2)
+    there = np.flatnonzero(shown.any(axis=0))
+    places = tuple(first.classes[place] for place in there)
+    for side in used:
+        if side.place is not None and side.place not in places:
+            raise NotComputable(f"no test sequence shows the place {side.place}")
+    return Pooled(
+        used,
+        tuple(
+            np.stack([_right(by_stay[name], first.homes, seeds) for name in side.results]) for side in used
+        ),
+        shown.sum(axis=1),
+        np.searchsorted(there, shown.argmax(axis=1)),
+        places,
+        "; ".join(left_out(sides, used)),
+    )
+
+
+def _by_stay(results: Results, name: str) -> Measured:
+    look_up(results, name)
+    if name not in results.stays:
+        raise NotComputable(f"this run has no stays of {name}")
+    return results.stays[name]
+
+
+def _right(one: Measured, stays: Sequence[str], seeds: Sequence[str]) -> NDArray[np.int64]:
+    """(seeds, stays) frames named rightly."""
+    right = np.diagonal(one.confusion, axis1=2, axis2=3).sum(axis=2)
+    right = right[:, [one.homes.index(stay) for stay in stays]]
+    if one.is_random and seeds:
+        return right[[one.seeds.index(seed) for seed in seeds]]
+    return np.broadcast_to(right.mean(axis=0), (max(len(seeds), 1), len(stays)))

@@ -1,0 +1,134 @@
+"""Numbers read off tables of records: speeds that git keeps, facts that stages left beside their results."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from placecat import files, listing, paths, settings
+from placecat.errors import PlacecatError
+from placecat.evaluation.trials import expand
+from placecat.thesis import definitions
+from placecat.thesis.comparison import Line
+from placecat.thesis.number import Number, nothing
+from placecat.training import protocol
+
+PICKS = {"lowest": np.min, "highest": np.max}
+_VALUE = ["quantity", "column", "where", "pick", "digits"]
+
+
+def read_off(entry: Mapping[str, Any], records: Mapping[str, pd.DataFrame], where: str) -> list[Line]:
+    """Read the numbers of one entry off a table.
+
+    Parameters
+    ----------
+    entry
+        ``record``, the name of the table, and ``values``, each with ``quantity`` (what to call it),
+        ``column`` and ``where``, the values that columns of its row have; with several rows ``pick``,
+        "lowest" or "highest"; ``digits`` after the point, 2 by default.
+    records
+        Tables by name; one without rows was not recorded.
+    where
+        What messages call the entry.
+
+    Raises
+    ------
+    PlacecatError
+        An unknown setting, table or column, or several rows without ``pick``.
+    """
+    settings.refuse_unknown(entry, ["record", "values"], where)
+    if entry["record"] not in records:
+        raise PlacecatError(
+            f"{where}: there is no record {entry['record']!r} (there are: {', '.join(records)})"
+        )
+    table = records[entry["record"]]
+    return [Line(one["quantity"], "", _value(one, table, where)) for one in entry["values"]]
+
+
+def _value(one: Mapping[str, Any], table: pd.DataFrame, where: str) -> Number:
+    settings.refuse_unknown(one, _VALUE, f"{where}.values")
+    pick, digits = one.get("pick"), int(one.get("digits", 2))
+    if pick is not None and pick not in PICKS:
+        raise PlacecatError(f"{where}.values.pick {pick!r} does not exist: use one of {', '.join(PICKS)}")
+    if table.empty:
+        return nothing("not recorded")
+    found = table
+    for column, value in {**one.get("where", {}), one["column"]: None}.items():
+        if column not in table:
+            raise PlacecatError(
+                f"{where}: the record has no column {column!r} (it has: {', '.join(map(str, table))})"
+            )
+        found = found if value is None else found[found[column] == value]
+    values = found[one["column"]].dropna().to_numpy(float)
+    if not len(values):
+        return nothing("not recorded")
+    if pick is None and len(values) > 1:
+        raise PlacecatError(f"{where}: the record has {len(values)} rows for {one['quantity']!r}: add pick")
+    return Number(np.array([values[0] if pick is None else PICKS[pick](values)]), False, digits=digits)
+
+
+def read_records(params: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
+    """Read what numbers in the thesis's text are measured by besides results.
+
+    Returns
+    -------
+    dict
+        ``benchmarks`` and ``scale``, which git keeps; ``nu``, a row a model of a nu-SVM that trained for one
+        test home: result, home, asked, lowest and highest nu in force of its two-class machines;
+        ``rejected``, a row a labelled frame that a filter rejects: filter, home, information. Without rows
+        where nothing is there.
+    """
+    kept = {"benchmarks": paths.BENCHMARKS, "scale": paths.SCALE_STAGES}
+    found = {name: pd.read_csv(path) if path.is_file() else pd.DataFrame() for name, path in kept.items()}
+    found["nu"] = pd.DataFrame([*_nu_of_cues(params), *_nu_of_trials(params)])
+    found["rejected"] = pd.DataFrame(_rejected(params))
+    return found
+
+
+def _nu_of_cues(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
+    for name, cue in settings.get(params, "cues").items():
+        asked = _asked(cue["classifier"])
+        if asked is None:
+            continue
+        for path in sorted((paths.CUES / name).glob("*/*/*/facts.json")):
+            nu = files.read_json(path).get("nu")
+            if nu:
+                scheme, home = path.parts[-4:-2]
+                yield _nu(f"cues/{name}/{scheme}", home, asked, min(nu), max(nu))
+
+
+def _nu_of_trials(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
+    homes = settings.get(params, "dataset.homes")
+    for study, tables in definitions.studies(params).items():
+        path = paths.TRIALS / study / "facts.csv"
+        if not path.is_file():
+            continue
+        trials = [trial for name, table in tables.items() for trial in expand(name, table, homes)]
+        all_asked = {trial.name: _asked(trial.settings["classifier"]) for trial in trials}
+        for facts in files.read_table(path, ["trial", "home", "seed"]).to_dict("records"):
+            asked = all_asked.get(facts["trial"])
+            if asked is not None and pd.notna(facts["nu_lowest"]):
+                yield _nu(facts["trial"], facts["home"], asked, facts["nu_lowest"], facts["nu_highest"])
+
+
+def _nu(result: str, home: str, asked: float, lowest: float, highest: float) -> dict[str, Any]:
+    return {"result": result, "home": home, "asked": asked, "lowest": lowest, "highest": highest}
+
+
+def _asked(classifier: Mapping[str, Any]) -> float | None:
+    """The nu that a classifier's settings ask for, if it is a nu-SVM."""
+    base = classifier.get("base", {})
+    return float(base["nu"]) if base.get("name") == "nu_svm" else None
+
+
+def _rejected(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
+    homes = settings.get(params, "dataset.homes")
+    for home in protocol.tested_homes(homes, settings.get(params, "protocol.test_homes")):
+        path = paths.features(home) / "information.npy"
+        information = files.read_array(path)[listing.read_labels(home) >= 0]
+        for name, options in settings.get(params, "filters").items():
+            if options["threshold"] is None:
+                continue
+            for value in information[information < options["threshold"]]:
+                yield {"filter": name, "home": home, "information": float(value)}

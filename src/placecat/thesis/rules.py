@@ -1,0 +1,90 @@
+"""What words like "better" and "about" mean when a claim is judged."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from placecat.errors import PlacecatError
+from placecat.evaluation.verdict import Range
+from placecat.thesis.claims import ABOVE, BOTH_SIGNS
+
+_INFINITE = float("inf")
+
+
+@dataclass(frozen=True)
+class Rules:
+    """When something holds; see conf/verdict.
+
+    Attributes
+    ----------
+    level, resamples
+        As in `paired_bootstrap`.
+    minimum_units
+        With fewer units the verdict is undecided.
+    few_homes
+        As in `pair`.
+    about
+        Share of a published difference that "about" may be off.
+    margin
+        Points that are still "little", and that make nothing "better".
+    noticeable
+        Points from which on a single home got better or worse.
+    rare
+        Share of the cases up to which it is an exception that one got better or worse, below 0.5.
+    """
+
+    level: float
+    resamples: int
+    minimum_units: int
+    few_homes: int
+    about: float
+    margin: float
+    noticeable: float
+    rare: float
+
+
+def claimed_range(kind: tuple[str, float | None], published_difference: float, rules: Rules) -> Range | None:
+    """Where a claim puts the difference.
+
+    Parameters
+    ----------
+    kind
+        ``better``: above 0. ``worse``: below 0. ``about``: about the published difference. ``little``: not
+        far from 0. ``no_better``: at most a little above 0. ``within`` and a number: nearer to 0 than that.
+        ``above`` and a number: above 0, since the number is what the left is compared with. ``both_signs``:
+        noticeably below 0 in more than a rare share of the cases, and above 0 in as many.
+
+    Returns
+    -------
+    Range or None
+        None for ``both_signs``, which is no claim about the mean.
+
+    Raises
+    ------
+    PlacecatError
+        An unknown kind, or ``about`` without a published difference.
+    """
+    name, number = kind
+    known = {
+        "better": Range(0.0, _INFINITE),
+        "worse": Range(-_INFINITE, 0.0),
+        "little": Range(-rules.margin, rules.margin),
+        "no_better": Range(-_INFINITE, rules.margin),
+        BOTH_SIGNS: None,
+    }
+    if name in ("within", ABOVE):
+        if number is None:
+            raise PlacecatError(f"range {name!r} needs a number")
+        return Range(-number, number) if name == "within" else Range(0.0, _INFINITE)
+    if number is not None:
+        raise PlacecatError(f"range {name!r} takes no number")
+    if name == "about":
+        if np.isnan(published_difference):
+            raise PlacecatError("range 'about' needs a published difference")
+        low, high = sorted(published_difference * (1.0 + share) for share in (-rules.about, rules.about))
+        return Range(round(low, 2), round(high, 2))
+    if name not in known:
+        raise PlacecatError(
+            f"unknown range {name!r}; choose one of {', '.join([*known, 'about', 'within', ABOVE])}"
+        )
+    return known[name]

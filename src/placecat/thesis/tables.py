@@ -1,0 +1,164 @@
+"""The thesis's tables: what was measured beside what was published."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from placecat import paths, settings
+from placecat.results.measured import Results
+from placecat.thesis import definitions, layouts
+from placecat.thesis.notes import Kind, Note, joined, without_empty
+from placecat.thesis.number import nothing
+
+ADDITION = "Addition"
+COLUMNS = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "note"]
+_KEY = ["group", "row", "column"]
+
+# Table, group, row and column of a published cell.
+PublishedKey = tuple[int, str, str, str]
+
+
+def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, Any]]:
+    """Every table of a run by name, e.g. ``table_12``: those of the thesis by number, then additions.
+
+    Each is its definition (:mod:`placecat.thesis.definitions`) and its ``name``. Studies without a layout are
+    no tables (:mod:`in_text`).
+
+    Parameters
+    ----------
+    params
+        All settings.
+    root
+        The project's folder.
+    """
+    found = definitions.tables(params, root)
+    for study in definitions.studies(params, root).values():
+        found |= {name: table for name, table in study.items() if table["layout"] is not None}
+    order = sorted(found, key=lambda name: (found[name]["number"] is None, found[name]["number"], name))
+    return {name: {**found[name], "name": name} for name in order}
+
+
+def folder_of(table: Mapping[str, Any]) -> Path:
+    """Where a table's files are: those that need a setting lie apart, since runs without it leave them."""
+    return paths.OPTIONAL_TABLES if "needs" in table else paths.TABLES
+
+
+def dataset_of(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, Any]:
+    """What a table is measured on: the main data set, its split's with the test sequences, or other data."""
+    if "data" in table:
+        return settings.get(params, "dataset") | {"title": table["data"], "thesis_data": None}
+    if "split" not in table:
+        return dict(settings.get(params, "dataset"))
+    split = settings.get(params, f"splits.{table['split']}")
+    return {**split["dataset"], "homes": split["test"]}
+
+
+def label(table: Mapping[str, Any]) -> str:
+    """What a table is called: "Table 12", or "Addition" for what is no table of the thesis."""
+    return ADDITION if table["number"] is None else f"Table {table['number']}"
+
+
+def contradictions_of(notes: pd.DataFrame) -> dict[PublishedKey, str]:
+    """Notes on published cells that contradict the thesis's own numbers, by cell; the numbers stay.
+
+    Parameters
+    ----------
+    notes
+        Columns table, group, row, column, note, as in data/thesis/contradictions.csv.
+    """
+    keys = zip(*(notes[name] for name in ["table", *_KEY]), strict=True)
+    return {(int(number), *labels): note for (number, *labels), note in zip(keys, notes["note"], strict=True)}
+
+
+def in_percent(table: Mapping[str, Any]) -> bool:
+    """Whether a table's numbers are percentages; otherwise its ``caption`` says what they are."""
+    return "caption" not in table
+
+
+def fill_table(
+    table: Mapping[str, Any],
+    results: Results,
+    published: pd.DataFrame,
+    dataset: Mapping[str, Any],
+    contradictions: Mapping[PublishedKey, str],
+) -> pd.DataFrame:
+    """Fill one table.
+
+    Parameters
+    ----------
+    table
+        Its configuration: ``name``, ``number`` (None for an addition), ``thesis_data``, ``layout`` and what
+        the layout needs.
+    published
+        All published cells, columns table, group, row, column, value; an empty value is an n/a.
+    dataset
+        What the table is measured on (:func:`dataset_of`): ``homes``, ``classes``, ``title``, which every
+        measured cell's note names, and ``thesis_data``; if that is not the table's ``thesis_data``, every
+        note says that the numbers do not compare.
+    contradictions
+        From :func:`contradictions_of`.
+
+    Returns
+    -------
+    DataFrame
+        Columns table ("Addition" for an addition), group, row, column, published, measured, spread, seeds,
+        note, and ``notes``, the same by kind: first the published cells in their order, then cells that only
+        this run has. ``measured`` (percent, see :func:`in_percent`; mean over seeds, 2 decimals) is NaN only
+        with a note that says why.
+        ``spread`` is the largest minus the smallest of the seeds in points, NaN where nothing is random;
+        ``seeds`` is their number, then 0.
+    """
+    number = table["number"]
+    known = published[published["table"] == number]
+    order = [tuple(key) for key in known[_KEY].itertuples(index=False)]
+    value = dict(zip(order, known["value"], strict=True))
+    cells = {(cell.group, cell.row, cell.column): cell for cell in layouts.cells(table, results)}
+    rows = []
+    for key in [*order, *(key for key in cells if key not in value)]:
+        cell = cells.get(key) or layouts.cell(key, nothing(_why_missing(key, dataset)))
+        notes = [Note(Kind.MEASURED, text) for text in cell.notes]
+        if np.isfinite(cell.measured):
+            notes.insert(0, Note(Kind.DATA, f"measured on {dataset['title']}"))
+            if np.isfinite(value.get(key, np.nan)) and not comparable(table, dataset):
+                notes.append(not_comparable(table["thesis_data"]))
+        if key in value and np.isnan(value[key]):
+            notes.append(Note(Kind.NOT_AVAILABLE, "the published cell is n/a"))
+        notes.append(Note(Kind.PUBLISHED, contradictions.get((number, *key), "")))
+        of_cell = without_empty(notes)
+        rows.append(
+            (
+                ADDITION if number is None else number,
+                *key,
+                value.get(key, np.nan),
+                cell.measured,
+                cell.spread,
+                cell.seeds,
+                joined(of_cell),
+                of_cell,
+            )
+        )
+    return pd.DataFrame(rows, columns=[*COLUMNS, "notes"])
+
+
+def comparable(table: Mapping[str, Any], dataset: Mapping[str, Any]) -> bool:
+    """Whether the published numbers of a table were measured on the data of this run."""
+    return table["thesis_data"] is not None and bool(table["thesis_data"] == dataset["thesis_data"])
+
+
+def not_comparable(thesis_data: str) -> Note:
+    """The note on a published number that was measured on other data."""
+    return Note(Kind.NOT_COMPARABLE, f"the published number is from the {thesis_data} and does not compare")
+
+
+def _why_missing(key: tuple[str, str, str], dataset: Mapping[str, Any]) -> str:
+    """Why the layout has no cell of a published key: the data lack a home or a place."""
+    _, row, column = key
+    homes = len(dataset["homes"])
+    if any(name.startswith("Home ") and int(name.removeprefix("Home ")) > homes for name in (row, column)):
+        return f"the data set has only {homes} homes"
+    if column in map(layouts.place_column, dataset["classes"]):
+        return "no tested frame shows this place"
+    return "the data set has no such place"

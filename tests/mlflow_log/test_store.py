@@ -1,0 +1,122 @@
+import multiprocessing
+import traceback
+from pathlib import Path
+
+import pytest
+
+from placecat.errors import PlacecatError
+from placecat.mlflow_log import store
+
+pytestmark = pytest.mark.xdist_group("mlflow")
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    # How often to ask again is what takes the time.
+    monkeypatch.setenv("MLFLOW_HTTP_REQUEST_MAX_RETRIES", "0")
+    return tmp_path
+
+
+def uri():
+    """Absolute, since MLflow keeps what it opened by its URI."""
+    return f"sqlite:///{Path('mlflow.db').resolve()}"
+
+
+def experiment(client):
+    return store.experiment_id(client, uri(), "placecat/test", artifacts=Path("files"), description="Hi")
+
+
+def test_a_run_with_more_than_one_batch(folder):
+    client = store.connect(uri())
+    params = {f"p{number}": str(number) for number in range(130)} | {"long": "x" * 7000}
+    metrics = {f"m{number}": number / 7 for number in range(900)}
+    (folder / "one.txt").write_text("1")
+    parent = store.start_run(client, experiment(client), "parent")
+    assert client.get_run(parent).info.status == "RUNNING"
+    child = store.log_run(
+        client,
+        experiment(client),
+        "child",
+        params=params,
+        metrics=metrics,
+        tags={"a": "b"},
+        files={"inner": [folder / "one.txt"]},
+        parent=parent,
+        description="Read *me*.",
+    )
+    store.finish_run(client, parent, metrics={"last": 2.0}, status="FAILED")
+    run = client.get_run(child)
+    assert run.info.status == "FINISHED"
+    assert run.data.params == params | {"long": "x" * 6000}
+    assert run.data.metrics == metrics
+    assert run.data.tags["mlflow.parentRunId"] == parent
+    assert run.data.tags["mlflow.note.content"] == "Read *me*."
+    assert [path.parent.name for path in (folder / "files").rglob("one.txt")] == ["inner"]
+    assert client.get_run(parent).info.status == "FAILED"
+    assert client.get_run(parent).data.metrics == {"last": 2.0}
+
+
+def _log_one(number, start, failures):
+    try:
+        start.wait()
+        client = store.connect(uri())
+        store.log_run(client, experiment(client), f"run {number}", metrics={"number": number})
+    except BaseException:
+        failures.put(traceback.format_exc())
+
+
+def test_sixteen_processes_start_at_once_on_a_fresh_database():
+    """Real processes, forked from this one to share its import of MLflow, which would cost each 5 s; nothing
+    of a database is open yet, and a barrier lets all of them go at once."""
+    import mlflow  # noqa: F401
+
+    context = multiprocessing.get_context("fork")
+    start, failures = context.Barrier(16), context.SimpleQueue()
+    processes = [context.Process(target=_log_one, args=(number, start, failures)) for number in range(16)]
+    for process in processes:
+        process.start()
+    for process in processes:
+        process.join(120)
+    assert failures.empty(), failures.get()
+    assert [process.exitcode for process in processes] == [0] * 16
+    client = store.connect(uri())
+    runs = client.search_runs([experiment(client)])
+    assert sorted(run.data.metrics["number"] for run in runs) == list(range(16))
+    assert {run.info.status for run in runs} == {"FINISHED"}
+
+
+@pytest.mark.parametrize(
+    ("address", "says"),
+    [
+        ("sqlite:///broken.db", "file is not a database"),
+        ("sqlite://", "names no file"),
+        ("ftp://somewhere", "ftp"),
+        ("http://me:secret@127.0.0.1:9", "127.0.0.1"),
+    ],
+)
+def test_what_is_no_mlflow_is_told_in_one_line(folder, address, says):
+    (folder / "broken.db").write_text("This is no database, whatever its name says." * 9)
+    with pytest.raises(PlacecatError, match=says) as caught:
+        store.connect(address)
+    assert "\n" not in str(caught.value)
+    assert "secret" not in str(caught.value)
+
+
+def test_a_deleted_experiment_is_told(folder):
+    client = store.connect(uri())
+    client.delete_experiment(experiment(client))
+    with pytest.raises(PlacecatError, match="mlflow experiments restore"):
+        experiment(client)
+
+
+def test_the_server_is_that_of_the_environment(monkeypatch):
+    monkeypatch.delenv("MLFLOW_TRACKING_URI", raising=False)
+    assert store.tracking_uri() == "sqlite:///mlflow.db"
+    monkeypatch.setenv("MLFLOW_TRACKING_URI", "http://127.0.0.1:5000")
+    assert store.tracking_uri() == "http://127.0.0.1:5000"
+
+
+def test_names_are_accepted_by_mlflow():
+    name = store.key("4-5-1, all cues", "Ori M/V + y-Pos", "", "Home 1")
+    assert name == "4-5-1 all cues/Ori M/V and y-Pos/Home 1"

@@ -1,0 +1,327 @@
+from contextlib import suppress
+from dataclasses import replace
+
+import numpy as np
+import pandas as pd
+import pytest
+
+import made_results
+from placecat import files
+from placecat.errors import PlacecatError
+from placecat.mlflow_log import store, tables
+from placecat.mlflow_log.content import figures_run, table_run
+from placecat.mlflow_log.tables import RowRun, TableRun, log_tables
+from placecat.report.charts.bars import bars_of
+from placecat.report.charts.draw import MatrixDrawer
+from placecat.results.confusion import shares
+from placecat.thesis.decisions import decisions_of
+from placecat.thesis.tables import dataset_of, fill_table, tables_of
+
+pytestmark = pytest.mark.xdist_group("mlflow")
+
+
+@pytest.fixture(scope="module")
+def database(tmp_path_factory):
+    """One for all tests, since a new one takes a second; each test has its own experiment."""
+    return tmp_path_factory.mktemp("mlflow")
+
+
+@pytest.fixture
+def log(database, request):
+    """Logs two tables, of which one has two rows."""
+
+    def write(folder):
+        (folder / "table_05.csv").write_text("1")
+        return [folder / "table_05.csv"]
+
+    rows = [
+        RowRun("SVM", {"row": "SVM"}, {"average": 30.5}),
+        RowRun("KNN", {"row": "KNN"}, {"average": 29.0}),
+    ]
+
+    def log(content="30.5, 29.0", data_version="v1", commit="", both=True):
+        run = TableRun(
+            "table_05",
+            "Table 5: Gist",
+            content,
+            {"cues.gist.classifier.base.nu": "0.2"},
+            {"average/SVM": 30.5},
+            "As *measured*: {run_id}",
+            rows,
+            write,
+        )
+        other = replace(run, name="table_06", title="Table 6: Other", content="never changes", rows=())
+        return log_tables(
+            [run, other] if both else [run],
+            uri=f"sqlite:///{database / 'mlflow.db'}",
+            experiment=request.node.name,
+            description="All tables",
+            data="test homes",
+            data_version=data_version,
+            commit=commit,
+            artifacts=database / "artifacts",
+        )
+
+    return log
+
+
+@pytest.fixture
+def runs(database, request):
+    client = store.connect(f"sqlite:///{database / 'mlflow.db'}")
+
+    def runs(table="table_05", current=None):
+        """The runs of a table, its rows among them; they count as current only if they are finished."""
+        experiment = client.get_experiment_by_name(request.node.name)
+        found = client.search_runs([experiment.experiment_id])
+        return {
+            run.info.run_id: run
+            for run in found
+            if run.data.tags["placecat.table"] == table
+            and current
+            in (None, (run.data.tags["placecat.current"], run.info.status) == ("true", "FINISHED"))
+        }
+
+    return runs
+
+
+def names(found):
+    return sorted(run.info.run_name for run in found.values())
+
+
+def test_a_table_is_a_run_and_is_never_logged_twice(log, runs, database):
+    first = log(commit="a" * 40)
+    before = runs()
+    # Another commit with the same result is no other result.
+    assert log(commit="b" * 40) == first
+    assert set(runs()) == set(before)
+    (table,) = [run for run in before.values() if run.data.tags["placecat.kind"] == "table"]
+    rows = [run for run in before.values() if run.data.tags["placecat.kind"] == "row"]
+    assert names(runs(current=True)) == ["KNN", "SVM", "Table 5: Gist"]
+    assert table.data.metrics == {"average/SVM": 30.5}
+    assert table.data.params == {"cues.gist.classifier.base.nu": "0.2"}
+    assert table.data.tags["data_version"] == "v1"
+    assert table.data.tags["mlflow.source.git.commit"] == "a" * 40
+    assert table.data.tags["mlflow.note.content"] == f"As *measured*: {table.info.run_id}"
+    assert {run.data.tags["mlflow.parentRunId"] for run in rows} == {table.info.run_id}
+    assert {run.data.metrics["average"] for run in rows} == {30.5, 29.0}
+    assert len(list((database / "artifacts" / table.info.run_id).rglob("table_05.csv"))) == 1
+
+
+def test_a_changed_result_supersedes_and_leaves_others_alone(log, runs):
+    log()
+    first, other = runs(), set(runs("table_06"))
+    log("31.0, 29.0")
+    current = runs(current=True)
+    assert names(current) == ["KNN", "SVM", "Table 5: Gist"]
+    assert not set(current) & set(first)
+    (table,) = [key for key, run in current.items() if run.data.tags["placecat.kind"] == "table"]
+    for key in first:
+        tags = runs()[key].data.tags
+        assert tags["placecat.current"] == "false"
+        assert tags["placecat.superseded_by"] == table
+    assert set(runs("table_06")) == other
+    # The old result again is a new run: what was superseded stays so.
+    log()
+    assert len(runs(current=True)) == 3
+    assert len(runs()) == 9
+    log(data_version="v2")
+    assert len(runs(current=True)) == 3
+    assert not set(runs("table_06", current=True)) & other
+
+
+def test_a_table_that_there_is_no_more_is_not_current(log, runs):
+    log()
+    log(both=False)
+    assert runs("table_06", current=True) == {}
+    assert len(runs(current=True)) == 3
+    log()
+    assert len(runs("table_06", current=True)) == 1
+
+
+def _dying(original, calls, last, killed):
+    def dying(*arguments, **named):
+        if next(calls) >= last:
+            killed.append(last)
+            raise PlacecatError("killed")
+        return original(*arguments, **named)
+
+    return dying
+
+
+def test_killed_anywhere_it_leaves_nothing_half_done_and_ends_well_the_next_time(log, runs, monkeypatch):
+    """Every call that writes is once the last one of a process; the state before it is what is left."""
+    from mlflow import MlflowClient
+
+    log()
+    for last in range(1, 100):
+        old, content, killed = set(runs(current=True)), f"31.0, {last}", []
+        calls = iter(range(1, 1000))
+        with monkeypatch.context() as patch:
+            for name in ("create_run", "log_batch", "log_artifact", "set_terminated"):
+                patch.setattr(MlflowClient, name, _dying(getattr(MlflowClient, name), calls, last, killed))
+            with suppress(PlacecatError):
+                log(content)
+        if not killed:
+            break
+        current = runs(current=True)
+        # Of the old result or of the new one, never of both, so nothing twice.
+        assert set(current) <= old or not set(current) & old
+        assert len(set(names(current))) == len(current)
+        if "Table 5: Gist" in names(current) and not set(current) <= old:
+            assert len(current) == 3
+        log(content)
+        found = runs()
+        assert names(runs(current=True)) == ["KNN", "SVM", "Table 5: Gist"]
+        assert not set(runs(current=True)) & old
+        # No torso is left.
+        assert {run.info.status for run in found.values()} == {"FINISHED"}
+        assert len(found) == 3 * (last + 1)
+    # The table's run and rows are made, filled and ended; then the tags of old and new ones change.
+    assert last > 15
+
+
+@pytest.fixture(scope="module")
+def results():
+    return made_results.made()
+
+
+def filled(name, results, params=made_results.PARAMS):
+    table = tables_of(params, made_results.ROOT)[name]
+    return table, fill_table(table, results, made_results.published(), dataset_of(table, params), {})
+
+
+def gathered(name, results):
+    table, cells = filled(name, results)
+    run = table_run(table, cells, results, dataset_of(table, made_results.PARAMS), {}, [], MatrixDrawer())
+    return run, cells
+
+
+def test_a_row_has_its_numbers_by_home_and_its_confusion_matrix(results, tmp_path):
+    run, cells = gathered("table_26", results)
+    by_name = {row.name: row for row in run.rows}
+    row = by_name["5-5-1, all cues, Gist"]
+    good = results.quality["cues/gist/5-5-1"].averages()
+    own = cells[(cells["group"] == "5-5-1, all cues") & (cells["row"] == "Gist")].set_index("column")[
+        "measured"
+    ]
+    assert row.metrics == {name.lower().replace(" ", "_"): value for name, value in own.items()} | good
+    assert good.keys() == {"log_loss", "calibration_error", "stay_accuracy"}
+    for measure, value in good.items():
+        assert run.metrics[f"{measure}/5-5-1 all cues/Gist"] == value
+    assert run.metrics["average/5-5-1 all cues/Gist"] == own["Average"]
+    assert row.params["result"] == "cues/gist/5-5-1"
+    paths = {path.name: path for path in row.files(tmp_path)}
+    assert set(paths) == {"confusion.csv", "confusion.png"}
+    table = pd.read_csv(paths["confusion.csv"])
+    measured = results.of("cues/gist/5-5-1")
+    for (home, truth), counts in table.groupby(["home", "truth"])[list(measured.classes)].sum().iterrows():
+        h, i = measured.homes.index(home), measured.classes.index(truth)
+        np.testing.assert_array_equal(counts, measured.confusion[:, h, i].sum(axis=0))
+
+
+def test_a_table_of_one_result_and_one_of_probabilities_have_their_numbers_once(results, tmp_path):
+    of_one, _ = gathered("table_06", results)
+    name = tables_of(made_results.PARAMS, made_results.ROOT)["table_06"]["result"]
+    good = results.quality[name].averages()
+    assert {measure: of_one.metrics[measure] for measure in good} == good
+    assert not any(good.keys() & row.metrics.keys() for row in of_one.rows)
+    run, cells = gathered("addition_probabilities", results)
+    row = next(one for one in run.rows if one.params["result"] == "smoothing/das_551_best")
+    expected = results.quality["smoothing/das_551_best"].averages()
+    assert row.metrics == pytest.approx(expected, abs=0.0051)
+    assert len(run.metrics) == len(cells) == 3 * len(run.rows)
+    # No bars of nats beside percent, but what the numbers are.
+    assert "chart.png" not in {path.name for path in run.files(tmp_path)}
+    assert "chart.png" not in run.description and "accuracy in percent" not in run.description
+    assert "Log loss in nats" in run.description
+
+
+def test_the_figures_are_one_run_with_added_ones_among_them(tmp_path):
+    entries = [
+        {"name": "figure_02", "number": 2, "file": "figure_02.png", "title": "Two.", "reason": None},
+        {"name": "figure_20", "number": 20, "file": None, "title": "Twenty.", "reason": "no such data"},
+        {"name": "figure_reliability", "number": None, "file": "figure_reliability.png", "title": "Sure."}
+        | {"reason": None},
+    ]
+    files.write_json(tmp_path / "figures.json", entries)
+    for name in ("figure_02", "figure_reliability"):
+        (tmp_path / f"{name}.png").write_bytes(name.encode())
+    run = figures_run(tmp_path)
+    assert [path.name for path in run.files(tmp_path)] == ["figure_02.png", "figure_reliability.png"]
+    lines = run.description.splitlines()[-3:]
+    assert lines == [
+        "- **Figure 2.** Two.",
+        "- **Figure 20.** Left out: no such data",
+        "- **Addition.** Sure.",
+    ]
+    first = run.digest("v1")
+    (tmp_path / "figure_reliability.png").write_bytes(b"another")
+    assert figures_run(tmp_path).digest("v1") != first
+
+
+def test_a_description_has_the_measured_table_and_no_foreign_numbers(results):
+    run, cells = gathered("table_26", results)
+    assert "| Gist |" in run.description
+    assert f"{cells['measured'].iloc[0]:.2f}" in run.description
+    # They are of other data; and no footnote of theirs is left.
+    assert "Published" not in run.description
+    assert "the published" not in run.description
+    assert len(run.description) < 8000 - 32
+
+
+def test_the_digest_covers_every_decision_and_how_sure_they_are(results):
+    table, cells = filled("table_05", results)
+    dataset = dataset_of(table, made_results.PARAMS)
+    one = results.of("cues/gist/5-5-1")
+    moved = one.confusion.copy()
+    moved[0, 0, 0, [1, 2]] = moved[0, 0, 0, [2, 1]] + [1, -1]
+    changed = replace(results, measured=results.measured | {"cues/gist/5-5-1": replace(one, confusion=moved)})
+    good = results.quality["cues/gist/5-5-1"]
+    surer = replace(good, values=good.values | {"log_loss": good.values["log_loss"] + 0.01})
+    better = replace(results, quality=dict(results.quality) | {"cues/gist/5-5-1": surer})
+    digests = {
+        table_run(table, cells, each, dataset, {}, [], MatrixDrawer()).digest("v1")
+        for each in (results, changed, better)
+    }
+    assert len(digests) == 3
+
+
+@pytest.mark.parametrize("name", ["table_01", "table_12", "table_15", "table_22", "table_06", "table_30"])
+def test_every_kind_of_table_has_bars_and_decisions_that_are_its_numbers(results, name):
+    """The accuracy of a row's pooled or single confusion matrix is the number in the table."""
+    table, cells = filled(name, results)
+    bars = bars_of(cells)
+    assert bars
+    assert {bar.measured for bar in bars} <= set(cells["measured"])
+    decisions = decisions_of(table, results)
+    assert set(decisions) == set(zip(cells["group"], cells["row"], strict=True))
+    value = cells.set_index(["group", "row", "column"])["measured"]
+    for (group, row), of_row in decisions.items():
+        for column, one in of_row.items():
+            one = one.pooled() if table["layout"] == "pooled_by_class" else one
+            mean = one.by_home().mean()
+            label = column or ("Average" if (group, row, "Average") in value.index else "Home 1")
+            assert value[group, row, label] == pytest.approx(mean, abs=0.0051)
+
+
+def test_pictures_are_the_same_bytes_each_time(results, tmp_path):
+    run, _ = gathered("table_05", results)
+    for number in (1, 2):
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        run.files(folder)
+        (folder / "row").mkdir()
+        run.rows[1].files(folder / "row")
+    for path in (tmp_path / "1").rglob("*.png"):
+        assert path.read_bytes() == (tmp_path / "2" / path.relative_to(tmp_path / "1")).read_bytes()
+    assert len(list((tmp_path / "1").rglob("*.png"))) == 3
+
+
+def test_a_place_without_frames_has_no_shares():
+    np.testing.assert_array_equal(shares(np.array([[1, 3], [0, 0]])), [[25, 75], [np.nan, np.nan]])
+
+
+def test_another_form_of_the_runs_is_logged_anew(log, monkeypatch):
+    first = log()
+    monkeypatch.setattr(tables, "_FORM", "next")
+    assert log() != first

@@ -1,0 +1,115 @@
+import numpy as np
+import pandas as pd
+import pytest
+
+from made_report import CLASSES, HOMES, addition, cells
+from placecat.report.grid import homes_sentence, make_cell, make_grid, number_text, seeds_sentence
+from placecat.thesis.notes import Kind, Note
+
+COLUMNS = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "notes"]
+
+
+def made(*rows):
+    return pd.DataFrame([(1, *row) for row in rows], columns=COLUMNS)
+
+
+def test_every_cell_of_a_table_is_at_its_place():
+    table = cells(26, np.random.default_rng(0))
+    grid = make_grid(table)
+    assert grid.columns == (*(f"Home {number}" for number in range(1, 7)), "Average")
+    assert [(group.name, len(group.rows)) for group in grid.groups] == [
+        ("4-5-1, all cues", 9),
+        ("5-5-1, all cues", 9),
+        ("5-5-1, HOG+SIFT+Centrist+Gist+holistic Centrist", 2),
+    ]
+    shown = {
+        (group.name, row.name, column): cell
+        for group in grid.groups
+        for row in group.rows
+        for column, cell in zip(grid.columns, row.cells, strict=True)
+    }
+    assert len(shown) == len(table)
+    for cell in table.itertuples():
+        one = shown[cell.group, cell.row, cell.column]
+        assert (one.measured, one.published) == (f"{cell.measured:.2f}", f"{cell.published:.2f}")
+        assert one.difference == pytest.approx(cell.measured - cell.published, abs=0.006)
+        assert (one.spread, one.seeds) == (cell.spread, 2)
+    assert grid.footnotes == ()
+
+
+def test_what_only_this_run_has_stands_before_the_average():
+    table = made(
+        ("", "a", "Home 1", 1.0, 1.0, np.nan, 0, ()),
+        ("", "a", "Average", 1.0, 1.0, np.nan, 0, ()),
+        ("", "Average", "Home 1", 1.0, 1.0, np.nan, 0, ()),
+        ("", "a", "Home 7", np.nan, 2.0, np.nan, 0, ()),
+        ("", "b", "Home 7", np.nan, 3.0, np.nan, 0, ()),
+    )
+    grid = make_grid(table)
+    assert grid.columns == ("Home 1", "Home 7", "Average")
+    assert [row.name for row in grid.groups[0].rows] == ["a", "b", "Average"]
+    assert [cell.measured for cell in grid.groups[0].rows[1].cells] == ["", "3.00", ""]
+
+
+def test_notes_become_footnotes_on_the_number_that_they_are_about():
+    contradiction = Note(Kind.PUBLISHED, "row and average differ")
+    # What it says does not make a note one of the table, nor two.
+    title = Note(Kind.DATA, "measured on my homes; second floor")
+    no_home = Note(Kind.MEASURED, "no such home")
+    not_available = Note(Kind.NOT_AVAILABLE, "the published cell is n/a")
+    other = Note(Kind.NOT_COMPARABLE, "the published number is from the v")
+    of_one = Note(Kind.MEASURED, "measured on one home; the published number is from two")
+    table = made(
+        ("", "a", "x", 1.0, np.nan, np.nan, 0, (no_home,)),
+        ("", "a", "y", 1.0, 2.0, np.nan, 0, (title, contradiction)),
+        ("", "b", "x", np.nan, np.nan, np.nan, 0, (no_home, not_available)),
+        ("", "b", "y", 1.0, 2.0, np.nan, 0, (title, other, of_one)),
+    )
+    grid = make_grid(table)
+    assert [(one.mark, one.text, one.cells) for one in grid.footnotes] == [
+        ("a", "no such home", 2),
+        ("b", contradiction.text, 1),
+        ("c", of_one.text, 1),
+    ]
+    (first, second), (third, fourth) = (row.cells for row in grid.groups[0].rows)
+    assert (first.mark, first.published_mark, first.difference) == ("a", "", None)
+    assert (second.mark, second.published_mark) == ("", "b")
+    assert (third.mark, third.published, third.published_mark) == ("a", "n/a", "")
+    assert fourth.mark == "c"
+
+
+def test_an_addition_has_nothing_published():
+    grid = make_grid(addition().cells)
+    assert not grid.has_published
+    assert not grid.groups[0].has_published
+    assert make_grid(cells(5)).has_published
+
+
+def test_numbers_have_two_decimals_or_are_none():
+    assert number_text(3) == "3.00"
+    assert number_text(float("nan")) == number_text(None) == ""
+    assert make_cell(None, 3.0).difference is None
+    assert make_cell(2.5, 3.0, float("nan"), 0).difference == -0.5
+    assert make_cell(2.5, None, 1.25, 2).spread == 1.25
+
+
+def test_the_sentence_on_seeds_names_the_widest_cell():
+    table = made(
+        ("g", "a", "x", 1.0, 2.0, 0.5, 2, ""),
+        ("g", "a", "y", 1.0, 2.0, 1.5, 2, ""),
+        ("g", "b", "y", 1.0, 2.0, np.nan, 0, ()),
+    )
+    assert seeds_sentence(table) == (
+        "Numbers that depend on chance are means of 2 seeds, which lie 1.00 points apart in the median cell "
+        "and 1.50 at most (g, a, y)."
+    )
+    assert seeds_sentence(table[:2]).startswith("Numbers are means of 2 seeds, ")
+    assert seeds_sentence(table[2:]) == ""
+
+
+def test_homes_are_named_where_they_are_not_called_so():
+    table = cells(12)
+    assert homes_sentence(table, ["flat", *HOMES[1:5], "house"]) == "Home 1 is flat, Home 6 is house."
+    assert homes_sentence(table, HOMES) == ""
+    assert homes_sentence(cells(30), ["north_1"]) == ""
+    assert homes_sentence(cells(6), CLASSES[:1]) == "Home 1 is bedroom."

@@ -1,0 +1,177 @@
+"""Differences between tables are found, counted and judged."""
+
+import pandas as pd
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from placecat.report.kept import NONE, Grade, Turned, compare
+
+# Its title is no text to cut.
+DATA = "made homes; second floor"
+
+
+def filled(*numbers, data=DATA, spreads=None):
+    """A table of one row a number; None has a reason instead."""
+    spreads = spreads or [""] * len(numbers)
+    rows = [
+        (
+            "12",
+            "",
+            "HOG + y-Pos",
+            f"Home {place + 1}",
+            "30.0",
+            "" if number is None else str(number),
+            str(spread),
+            "0",
+            "too few homes" if number is None else f"measured on {data}",
+            data,
+        )
+        for place, (number, spread) in enumerate(zip(numbers, spreads, strict=True))
+    ]
+    columns = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "note", "data"]
+    return pd.DataFrame(rows, columns=columns)
+
+
+def of_one(now, kept):
+    (table,) = compare({"table_12": now}, {"table_12": kept}).tables
+    return table
+
+
+def test_the_same_tables_are_equal():
+    tables = {"table_12": filled(31.2, None, 20.0)}
+    found = compare(tables, tables)
+    assert (found.cells, found.differing, found.largest) == (2, 0, None)
+    assert found.grade(0.0) is Grade.EQUAL
+
+
+def test_a_moved_number_is_found_where_it_is():
+    found = of_one(filled(31.2, 20.1, 7.0), filled(31.2, 20.0, 7.3))
+    assert (found.cells, found.differing, found.largest) == (3, 2, 0.3)
+    assert found.where == "HOG + y-Pos, Home 3"
+    assert found.label == "Table 12"
+
+
+@pytest.mark.parametrize(
+    ("moved", "grade"),
+    [
+        (0.0, Grade.EQUAL),
+        (0.01, Grade.WITHIN),
+        (2.0, Grade.WITHIN),
+        (2.01, Grade.BEYOND),
+        (-2.01, Grade.BEYOND),
+    ],
+)
+def test_the_tolerance_is_still_within(moved, grade):
+    # 0.1 + 2.0 - 0.1 is not 2.0 in floating point.
+    now, kept = filled(round(20.1 + moved, 2), 5.0), filled(20.1, 5.0)
+    assert compare({"table_12": now}, {"table_12": kept}).grade(2.0) is grade
+
+
+@pytest.mark.parametrize(
+    ("now", "kept", "appeared", "disappeared"),
+    [
+        (filled(1.0, 2.0), filled(1.0, None), 1, 0),
+        (filled(1.0, None), filled(1.0, 2.0), 0, 1),
+        (filled(1.0, 2.0), filled(1.0), 1, 0),
+        (filled(1.0), None, 1, 0),
+        (None, filled(1.0, None, 3.0), 0, 2),
+        (filled(1.0, None), filled(1.0), 0, 0),
+    ],
+    ids=["filled", "emptied", "new cell", "new table", "no such table any more", "new reason"],
+)
+def test_numbers_that_come_or_go_are_beyond_any_tolerance(now, kept, appeared, disappeared):
+    sides = [{} if table is None else {"table_12": table} for table in (now, kept)]
+    found = compare(*sides)
+    (table,) = found.tables
+    assert (table.appeared, table.disappeared, table.differing) == (
+        appeared,
+        disappeared,
+        appeared + disappeared,
+    )
+    assert found.grade(100.0) is (Grade.BEYOND if appeared or disappeared else Grade.EQUAL)
+
+
+def test_another_spread_makes_a_cell_differ():
+    found = of_one(filled(31.2, spreads=[1.5]), filled(31.2, spreads=[1.4]))
+    assert (found.differing, found.largest) == (1, 0.0)
+
+
+def test_tables_without_spreads_can_be_compared():
+    table = filled(31.2, None).drop(columns=["spread", "seeds"])
+    assert compare({"table_12": table}, {"table_12": table}).grade(0.0) is Grade.EQUAL
+
+
+def test_tables_with_numbers_and_tables_of_text_compare():
+    """What a stage holds in memory is equal to what it wrote."""
+    text = filled(31.2, None, 20.0)
+    numbers = text.assign(measured=pd.to_numeric(text["measured"]), spread=pd.to_numeric(text["spread"]))
+    assert compare({"table_12": numbers}, {"table_12": text}).grade(0.0) is Grade.EQUAL
+
+
+def test_other_data_are_not_compared():
+    findings = pd.DataFrame({"number": [1], "verdict": ["holds"]})
+    found = compare(
+        {"table_12": filled(1.0, None, data="my homes")},
+        {"table_12": filled(2.0, 3.0), "table_13": filled(3.0)},
+        findings,
+        findings,
+    )
+    assert found.data == (DATA, "my homes")
+    assert (found.cells, found.findings) == (0, 0)
+    assert found.grade(2.0) is Grade.NOT_COMPARED
+
+
+def test_what_is_of_the_same_data_is_compared_still():
+    """A data set of one's own leaves the tables of the others as they were."""
+    now = {"table_12": filled(1.0, data="my homes"), "table_30": filled(9.0, data="university")}
+    kept = {"table_12": filled(2.0), "table_30": filled(9.5, data="university")}
+    found = compare(now, kept)
+    assert found.cells == 1
+    assert found.largest.name == "table_30"
+
+
+def test_verdicts_that_turn_are_listed_and_within_any_tolerance():
+    kept = pd.DataFrame({"number": ["1", "2", "3"], "verdict": ["holds", "undecided", "holds"]})
+    now = pd.DataFrame({"number": [1, 2, 4], "verdict": ["holds", "holds", "undecided"]})
+    tables = {"table_12": filled(31.2)}
+    found = compare(tables, tables, now, kept)
+    assert found.findings == 4
+    assert found.turned == (
+        Turned("2", "undecided", "holds"),
+        Turned("4", NONE, "undecided"),
+        Turned("3", "holds", NONE),
+    )
+    assert found.grade(0.0) is Grade.WITHIN
+
+
+def test_the_numbers_of_the_text_have_other_labels():
+    kept = pd.DataFrame(
+        {
+            "name": ["gist"] * 2,
+            "section": ["4.2"] * 2,
+            "quantity": ["without colour", "with colour"],
+            "home": ["Home 6"] * 2,
+            "published": ["35.41", "38.67"],
+            "measured": ["30.0", "31.0"],
+            "data": [DATA] * 2,
+        }
+    )
+    (table,) = compare({"in_text": kept.assign(measured=["30.0", "30.2"])}, {"in_text": kept}).tables
+    assert (table.cells, table.differing, table.largest) == (2, 1, 0.8)
+    assert table.where == "gist, 4.2, with colour, Home 6"
+    assert table.label == "in text"
+
+
+percent = st.one_of(st.none(), st.decimals(0, 100, places=2).map(float))
+
+
+@given(st.lists(st.tuples(percent, percent), min_size=1, max_size=8))
+def test_both_directions_see_the_same(pairs):
+    now, kept = (filled(*numbers) for numbers in zip(*pairs, strict=True))
+    there, back = of_one(now, kept), of_one(kept, now)
+    assert (there.cells, there.differing, there.largest) == (back.cells, back.differing, back.largest)
+    assert (there.appeared, there.disappeared) == (back.disappeared, back.appeared)
+    assert there.differing == sum(one != other for one, other in pairs)
+    moved = [abs(one - other) for one, other in pairs if one is not None and other is not None]
+    assert there.largest == pytest.approx(max(moved, default=0.0), abs=0.005)

@@ -1,0 +1,59 @@
+import numpy as np
+
+from made_report import DATASET, addition, captioned, cells, settings
+from placecat.report.markdown import markdown_text, table_markdown
+
+
+def lines_of(text):
+    return [line for line in text.splitlines() if line.startswith("|")]
+
+
+def test_a_table_has_the_measured_numbers_first_and_the_published_below():
+    table = cells(12, np.random.default_rng(0))
+    text = table_markdown(settings(12, "KNN"), table, DATASET | {"homes": ["a", *"bcde", "f"]})
+    assert text.startswith(
+        "# Table 12: KNN\n\nPercent, measured on made-up homes. Home 1 is a, Home 6 is f. "
+    )
+    measured, published = text.split("## Published")
+    for part, column in ((measured, "measured"), (published, "published")):
+        numbers = [cell.strip() for line in lines_of(part) for cell in line.split("|")[2:-1]]
+        expected = [f"{value:.2f}" for value in table[column]]
+        assert [one for one in numbers if "." in one] == expected
+        assert "**HOG + y-Pos**" in part
+    assert "other data, so the two tables do not compare" in published
+
+
+def test_rows_are_as_wide_as_the_head():
+    lines = lines_of(table_markdown(settings(26), cells(26), DATASET))
+    assert {line.count("|") for line in lines} == {9}
+    assert lines[1] == "|---|" + "---:|" * 7
+
+
+def test_an_addition_has_no_number_and_nothing_published():
+    one = addition()
+    text = table_markdown(one.settings, one.cells, DATASET)
+    assert text.startswith("# RVM beside SVM\n")
+    assert "Published" not in text
+    assert "| SVM | 33.00 | <sup>a</sup> |" in text
+    assert text.endswith("a: too few frames.\n\n")
+
+
+def test_a_table_that_is_not_in_percent_says_what_its_numbers_are():
+    one = captioned()
+    text = table_markdown(one.settings, one.cells, DATASET)
+    start = "# How good\n\nLog loss in nats, stay accuracy in percent. Measured on made-up homes.\n"
+    assert text.startswith(start)
+    assert "Percent, " not in text and "points" not in text
+    assert "| Gist | 1.61 | 40.00 |" in text
+
+
+def test_the_same_data_compare():
+    text = table_markdown(settings(5), cells(5), DATASET | {"thesis_data": "VPC-2009 home database"})
+    assert "The thesis's numbers on the same data." in text
+
+
+def test_markup_in_names_is_escaped():
+    table = cells(5)
+    table["row"] = table["row"].replace("SVM", "a|b *c*")
+    assert r"| a\|b \*c\* | 37.22 |" in table_markdown(settings(5), table, DATASET)
+    assert markdown_text("a|b*c`d<e>\nf") == r"a\|b\*c\`d\<e> f"

@@ -1,0 +1,444 @@
+"""The report page, from made-up results, as text and in a real browser."""
+
+import re
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pandas as pd
+import pytest
+
+import made_report
+from browser import evaluate, needs_chromium, screenshot
+from made_report import DATASET, settings
+from placecat.report.page import Figure, Table, duration, page_html
+from placecat.thesis.notes import Kind, Note
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory):
+    target = tmp_path_factory.mktemp("page") / "index.html"
+    target.write_text(page_html(made_report.report()), encoding="utf-8")
+    return target
+
+
+def text_of(html):
+    return re.sub(r"\s+", " ", re.sub(r"<[^>]*>", "", html))
+
+
+def part_of(html, anchor):
+    start = html.index(f'id="{anchor}"')
+    return html[start : html.index("</section>", start)]
+
+
+@needs_chromium
+def test_every_table_and_figure_is_there_and_the_console_is_clean(page, tmp_path):
+    found, console = evaluate(
+        page,
+        tmp_path,
+        """
+        const ids = (selector) => [...document.querySelectorAll(selector)].map((one) => one.id);
+        const cells = {};
+        for (const one of document.querySelectorAll("section.table[id^=table-]"))
+            cells[one.id] = one.querySelectorAll("td.thesis").length;
+        return {
+            tables: ids("section.table[id^=table-]"), figures: ids("figure"), cells,
+            broken: [...document.images].filter((one) => one.naturalWidth !== 260).length,
+            images: document.images.length,
+            alts: [...document.images].map((one) => one.alt),
+            lost: [...document.querySelectorAll("a")].filter((one) => !document.querySelector(one.hash))
+                .length,
+            links: document.querySelectorAll("nav a").length,
+            findings: document.querySelectorAll("#ledger tbody tr").length,
+            doubled: ids("[id]").length - new Set(ids("[id]")).size,
+        };
+        """,
+    )
+    assert console == []
+    assert found["tables"] == [f"table-{number}" for number in range(1, 32)]
+    before, after = list(range(1, 11)), [12, 13, 14, 11, 15, 16, 17, 18, 19, 20]
+    added = "addition-figure-how-sure"
+    assert found["figures"] == [*(f"figure-{number}" for number in [*before, *after]), added]
+    assert found["images"] == 22  # figure 20 has a reason instead; speed and scale have a chart
+    assert found["broken"] == 0
+    assert found["alts"][0] == "What figure 1 shows."
+    published = made_report.published_tables().groupby("table").size()
+    for number, count in published.items():
+        assert found["cells"][f"table-{number}"] >= count
+    assert (found["lost"], found["doubled"], found["findings"]) == (0, 0, 34)
+    assert found["links"] > 31 + 20
+
+
+@needs_chromium
+@pytest.mark.parametrize("width", [390, 800, 1280, 1700])
+def test_only_tables_scroll_sideways(page, tmp_path, width):
+    found, console = evaluate(
+        page,
+        tmp_path,
+        """
+        document.querySelectorAll("details").forEach((one) => (one.open = true));
+        const inside = (one) => one.closest(".scroll, pre");
+        const right = document.documentElement.clientWidth;
+        const out = [...document.body.querySelectorAll("*")].filter(
+            (one) => !inside(one) && one.getBoundingClientRect().right > right + 1);
+        return {width: innerWidth, scroll: document.documentElement.scrollWidth,
+                out: out.map((one) => `${one.tagName}#${one.id}.${one.className}`)};
+        """,
+        width=width,
+    )
+    assert console == []
+    assert found["width"] == width
+    assert found["out"] == []
+    assert found["scroll"] <= width
+
+
+COPY = """
+const copied = [];
+Object.defineProperty(navigator, "clipboard", {value: {writeText: async (text) => copied.push(text)}});
+for (const id of %s) {
+    const button = document.querySelector(`#${id} button.copy`);
+    if (button.hidden) throw "hidden";
+    button.click();
+    await new Promise((done) => setTimeout(done, 10));
+    if (button.textContent !== "Copied") throw button.textContent;
+}
+return copied;
+"""
+
+
+@needs_chromium
+def test_tables_copy_as_lines_of_tab_separated_cells(page, tmp_path):
+    ids = [
+        "table-5",
+        "table-4",
+        "addition-rvm",
+        "ledger",
+        "headline",
+        "in-text-numbers",
+        "frames",
+        "comparisons",
+    ]
+    texts, console = evaluate(page, tmp_path, COPY % ids)
+    assert console == []
+    tables = {
+        name: [line.split("\t") for line in text.splitlines()] for name, text in zip(ids, texts, strict=True)
+    }
+    for rows in tables.values():
+        assert len({len(row) for row in rows}) == 1
+
+    shown = next(one.cells for one in made_report.report().tables if one.settings["number"] == 5)
+    head, *rows = tables["table-5"]
+    assert head[:3] == ["", "Home 1 measured", "Home 1 published"]
+    assert head[-1] == "Average published"
+    assert [row[0] for row in rows] == ["naive Bayes", "SVM"]
+    numbers = [(float(row[i]), float(row[i + 1])) for row in rows for i in range(1, 15, 2)]
+    assert numbers == list(zip(shown["measured"], shown["published"], strict=True))
+
+    head, *rows = tables["table-4"]
+    assert head[:4] == ["", "", "31 measured", "31 published"]
+    assert [row[:2] for row in rows[2:4]] == [
+        ["Naive Bayes", "Average"],
+        ["First-Order Dependency Tree", "Home 1"],
+    ]
+    assert rows[3][-1] == "n/a"
+
+    assert tables["addition-rvm"] == [
+        ["", "Home 1", "Average"],
+        ["RVM", "30.50", "31.25"],
+        ["SVM", "33.00", ""],
+    ]
+    head, first, *_ = tables["ledger"]
+    assert head[:7] == ["No.", "Section", "Finding", "Verdict", "Difference", "Low", "High"]
+    assert head[7:] == ["Units", "Measured", "Published", "Reason"]
+    ledger = made_report.findings().iloc[0]
+    assert first[3:7] == [
+        ledger["verdict"],
+        *(f"{ledger[name]:.2f}" for name in ("difference", "low", "high")),
+    ]
+    assert tables["in-text-numbers"][1][:5] == [
+        "4.2 gist without color",
+        "without colour",
+        "Home 6",
+        "30.11",
+        "35.41",
+    ]
+    assert tables["frames"][1] == ["Home 1: home_1", *["100"] * 5, "20"]
+
+
+@needs_chromium
+def test_without_a_clipboard_the_table_is_selected(page, tmp_path):
+    found, console = evaluate(
+        page,
+        tmp_path,
+        """
+        Object.defineProperty(navigator, "clipboard", {value: undefined});
+        const button = document.querySelector("#table-5 button.copy");
+        button.click();
+        await new Promise((done) => setTimeout(done, 10));
+        return [button.textContent, getSelection().toString()];
+        """,
+    )
+    assert console == []
+    assert found[0] == "Selected"
+    assert "naive Bayes" in found[1]
+    assert "First-Order" not in found[1]
+
+
+@needs_chromium
+def test_shades_are_seen_and_told_apart(page, tmp_path):
+    """Every step has a background of its own, and text on it is readable, in the light and in the dark."""
+    script = """
+    const value = (one) => getComputedStyle(one).backgroundColor.match(/[0-9]+/g).slice(0, 3).map(Number);
+    const ink = (one) => getComputedStyle(one).color.match(/[0-9]+/g).slice(0, 3).map(Number);
+    return [...document.querySelectorAll(".legend span[class]")].map((one) => [value(one), ink(one)]);
+    """
+
+    def luminance(color):
+        linear = [
+            one / 12.92 if one <= 0.04045 else ((one + 0.055) / 1.055) ** 2.4 for one in np.array(color) / 255
+        ]
+        return float(np.dot(linear, [0.2126, 0.7152, 0.0722]))
+
+    found, _ = evaluate(page, tmp_path, script)
+    assert len(found) == 8
+    assert len({tuple(background) for background, _ in found}) == 8
+    for background, ink in found:
+        low, high = sorted([luminance(background), luminance(ink)])
+        assert (high + 0.05) / (low + 0.05) > 4.5
+    # Blue above, orange below: told apart by every kind of colour vision, since blue and red swap.
+    assert all(background[0] > background[2] for background, _ in found[:4])
+    assert all(background[0] < background[2] for background, _ in found[4:])
+
+
+@needs_chromium
+def test_a_phone_shows_something(page, tmp_path):
+    picture = cv2.imread(str(screenshot(page.as_uri(), tmp_path, "phone", width=390, height=800)))
+    assert picture.shape[:2] == (800, 390)
+    assert (picture[:, -5:] == picture[0, 0]).all(), "content reaches the edge of the window"
+    assert picture.std() > 10
+
+
+def test_the_page_needs_nothing_else_and_changes_only_with_its_content(page):
+    html = page.read_text(encoding="utf-8")
+    assert re.findall(r'(?:src|href)="(?!#|data:)[^"]*"', html) == []
+    assert "url(" not in html
+    assert "@import" not in html
+    assert html == page_html(made_report.report())
+    assert not re.search(r"20\d\d-\d\d-\d\d", html)
+
+
+def test_it_works_without_scripts(page):
+    html = re.sub(r"<script>.*?</script>", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+    assert html.count('<button class="copy" type="button" hidden>') == html.count("<button")
+    assert "hidden" not in part_of(html, "table-5").replace(" hidden>Copy", "")
+
+
+def test_the_summary_says_the_numbers(page):
+    summary = text_of(part_of(page.read_text(encoding="utf-8"), "summary"))
+    table = next(one.cells for one in made_report.report().tables if one.settings["number"] == 26)
+    averages = table[table["column"] == "Average"].set_index(["group", "row"])["measured"]
+    group = "5-5-1, all cues"
+    cues = averages[group].drop(["Integration", "HMM"])
+    integration, smoothed = averages[group, "Integration"], averages[group, "HMM"]
+    assert (
+        f"5-5-1, all cues: the best single cue is {cues.idxmax()} with {cues.max():.2f} %; the integration "
+        f"gives {integration:.2f} %, and {smoothed:.2f} % when smoothed over time. In the thesis it "
+        "is Centrist with 43.99 %, then 45.71 and 47.53 %."
+    ) in summary
+    assert "6 homes with 3,120 frames, of which 3,000 show one of 5 places" in summary
+    assert "Chance is 20 %." in summary
+    counts = made_report.findings()["verdict"].value_counts()
+    holds, fails, undecided = (counts[verdict] for verdict in made_report.VERDICTS)
+    assert (
+        f"Of the thesis’s 34 findings, {holds} hold, {fails} do not hold, and {undecided} are undecided"
+    ) in summary
+    assert "Centrist 41.87 %, filtered over time 46.78 %, and SIFT 39.8 %. Those are other data" in text_of(
+        page.read_text(encoding="utf-8")
+    )
+
+
+def test_a_cell_is_shaded_by_its_difference_and_says_how_far_the_seeds_lie_apart():
+    table = made_report.cells(5)
+    for index, difference in enumerate([0.5, 3.0, -7.0, 12.0, -25.0]):
+        table.loc[index, "measured"] = table.loc[index, "published"] + difference
+    table.loc[1, ["spread", "seeds"]] = [1.25, 2]
+    html = page_html(replace(made_report.report(), tables=[Table(settings(5), table, DATASET)]))
+    cells = re.findall(r"<td([^>]*)>[\d.]+</td><td class=\"thesis\"", part_of(html, "table-5"))
+    assert [re.findall('class="([^"]*)"', one) for one in cells[:5]] == [
+        [],
+        ["above-1"],
+        ["below-2"],
+        ["above-3"],
+        ["below-4"],
+    ]
+    assert 'title="+3.00 points; 2 seeds, 1.25 apart"' in cells[1]
+    assert 'title="−7.00 points"' in cells[2]
+
+
+def test_every_table_says_what_its_numbers_are_from(page):
+    html = page.read_text(encoding="utf-8")
+    for number in range(1, 32):
+        said = text_of(part_of(html, f"table-{number}"))
+        assert "Here: made-up homes. Thesis: VPC-2009 home database, other data, so the shading shows" in said
+    same = Table(settings(5), made_report.cells(5), DATASET | {"thesis_data": "VPC-2009 home database"})
+    said = text_of(part_of(page_html(replace(made_report.report(), tables=[same])), "table-5"))
+    assert "Thesis: VPC-2009 home database." in said
+    assert "Measured on made-up homes." in text_of(part_of(html, "addition-rvm"))
+
+
+def test_reasons_are_given_for_what_is_missing(page):
+    html = page.read_text(encoding="utf-8")
+    addition = part_of(html, "addition-rvm")
+    assert '<td data-mark="a"></td>' in addition
+    assert "a too few frames." in text_of(addition)
+    assert "Not drawn: this run has no university." in text_of(html)
+    assert "this data has no such cue" in text_of(part_of(html, "ledger"))
+
+
+def test_names_are_escaped():
+    evil = "<b onclick=x>&\"'"
+    table = made_report.cells(5)
+    table["row"] = table["row"].replace("SVM", evil)
+    report = made_report.report()
+    count = len(report.in_text)
+    html = page_html(
+        replace(
+            report,
+            tables=[Table(settings(5, evil), table, DATASET | {"title": evil})],
+            figures=[Figure(3, evil, made_report.png()), Figure(4, evil, None, evil)],
+            findings=report.findings.assign(claim=evil, reason=evil),
+            in_text=report.in_text.assign(quantity=evil, notes=[(Note(Kind.MEASURED, evil),)] * count),
+            settings=evil,
+            data_version=evil,
+        )
+    )
+    assert "<b onclick" not in html
+    assert html.count("&lt;b onclick") >= 9
+
+
+def test_the_settings_are_all_there(page):
+    html = page.read_text(encoding="utf-8")
+    blocks = re.findall(r"<pre>(.*?)</pre>", html, flags=re.DOTALL)
+    assert blocks == ["dataset:\n  name: homes\n  title: a &lt; b &amp; c", "smoothing:\n  step: 1"]
+    assert html.count("0123456789abcdef0123456789abcdef.dir") == 2
+
+
+def test_times_are_those_of_the_kept_record(page):
+    said = text_of(part_of(page.read_text(encoding="utf-8"), "times"))
+    assert "4 min 3 s on 2 cores, on made-up homes" in said
+    without = page_html(replace(made_report.report(), times=None))
+    assert "No record of times is kept" in text_of(part_of(without, "times"))
+
+
+def test_what_a_run_lacks_leaves_no_gap():
+    report = made_report.report(tables=[5], figures=[])
+    html = page_html(
+        replace(
+            report,
+            tables=report.tables[:1],
+            findings=report.findings[:0],
+            comparisons=report.comparisons[:0],
+            in_text=report.in_text[:0],
+        )
+    )
+    assert re.findall(r'<section id="([^"]*)"', html) == [
+        "summary",
+        "data",
+        "section-4-2",
+        "speed",
+        "scale",
+        "times",
+        "settings",
+    ]
+    assert "headline" not in re.findall(r'id="([^"]*)"', html)
+    assert re.findall(r'href="#([^"]*)"', html) == [
+        "data",
+        "section-4-2",
+        "table-5",
+        "speed",
+        "scale",
+        "times",
+        "settings",
+    ]
+
+
+def test_numbers_of_no_section_are_shown_at_the_end():
+    report = made_report.report(tables=[5], figures=[])
+    other = Table(settings(40), made_report.cells(5), DATASET)
+    html = page_html(
+        replace(report, tables=[other, *report.tables], figures=[Figure(21, "More", made_report.png())])
+    )
+    assert html.index('id="additions"') < html.index('id="table-40"') < html.index('id="addition-rvm"')
+    assert html.index('id="addition-rvm"') < html.index('id="figure-21"')
+
+
+def test_the_ledger_draws_intervals_on_one_axis():
+    findings = pd.DataFrame(
+        {
+            "number": [1, 2],
+            "section": "4.2",
+            "claim": "c",
+            "published": "",
+            "measured": "",
+            "difference": [-40.0, 5.0],
+            "low": [-50.0, 0.0],
+            "high": [-30.0, 12.5],
+            "units": "6 homes",
+            "verdict": "holds",
+            "reason": "",
+        }
+    )
+    html = page_html(replace(made_report.report(), findings=findings))
+    ranges = re.findall(r'<line class="range" x1="([\d.]+)" x2="([\d.]+)"', html)
+    assert ranges == [("4.0", "4.0"), ("50.0", "73.0")]
+    assert re.findall(r'<circle cx="([\d.]+)"', html) == ["4.0", "59.2"]
+    assert "from 25 points below 0 to as many above" in text_of(html)
+
+
+@pytest.mark.parametrize(
+    "seconds, expected",
+    [
+        (0, "0.0 s"),
+        (0.84, "0.8 s"),
+        (59.6, "1 min"),
+        (243.4, "4 min 3 s"),
+        (3600, "1 h"),
+        (7512, "2 h 5 min"),
+    ],
+)
+def test_durations(seconds, expected):
+    assert duration(seconds) == expected
+
+
+def test_benchmarks_have_a_table_and_what_a_missed_target_is_spent_on(page):
+    html = page.read_text(encoding="utf-8")
+    part = text_of(part_of(html, "speed-table"))
+    cells = ("HOG", "25 regions", "1 ms", "OpenCV: compute 4.14.0", "1.7 ms", "1.7 (1.6 to 1.9)")
+    assert "".join(cells) + "at least 2x fasterno" in part
+    assert "spent on: resizing 61%" in part
+    assert part.count("spent on") == 1
+    assert "A processor &lt;fast&gt;, Python 3.11.7, numpy 2.3.5" in html
+
+
+def test_without_benchmarks_the_page_says_how_to_measure():
+    html = page_html(replace(made_report.report(), speed=None))
+    assert "make bench" in text_of(part_of(html, "speed"))
+    assert "speed-table" not in html
+
+
+def test_scale_has_the_growth_of_every_stage_and_what_a_full_run_takes(page):
+    html = page.read_text(encoding="utf-8")
+    rows = re.findall(r"<tr.*?</tr>", part_of(html, "scale-table"), re.S)
+    assert [text_of(row.replace("<td", " <td")) for row in rows[1:]] == [
+        "codebooks 10.0 20.0 40.0 12.0 2.00 1.00 1.00",
+        "trials 10.0 40.0 160.0 50.0 4.00 2.00 2.00",
+        "scores 1.5 1.5 1.5 1.0 0.20 0.00 0.00",
+        "all 21.5 61.5 201.5 63.0 4.00 1.70 1.80",
+    ]
+    assert "would take about 12.3 hours" in text_of(html)
+    assert "1 min 3 s and at most 4.0 GiB (trials@gist), with 2 workers on 2 cores" in text_of(html)
+
+
+def test_without_a_scale_run_the_page_says_how_to_measure():
+    html = page_html(replace(made_report.report(), scale=None))
+    assert "make bench-scale" in text_of(part_of(html, "scale"))

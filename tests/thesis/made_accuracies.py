@@ -1,0 +1,26 @@
+"""Results with given accuracies: two places, as many frames of each, all wrong ones named the other."""
+
+import numpy as np
+
+from placecat.results.measured import NO_SEED, Measured, Results
+
+FRAMES = 1000
+PLACES = ("bedroom", "kitchen")
+
+
+def measured(percent, homes=None, *, places=PLACES):
+    """One result from (homes,) percentages, or from (seeds, homes) where it is random; NaN for no frames."""
+    percent = np.asarray(percent, float)
+    seeds = (NO_SEED,) if percent.ndim == 1 else tuple(f"seed-{number}" for number in range(len(percent)))
+    percent = np.atleast_2d(percent)
+    right = np.nan_to_num(percent * FRAMES / 100).round().astype(int)
+    wrong = np.where(np.isnan(percent), 0, FRAMES - right)
+    confusion = np.stack([np.stack([right, wrong], -1), np.stack([wrong, right], -1)], -2)
+    homes = homes or tuple(f"home_{number}" for number in range(1, percent.shape[1] + 1))
+    return Measured(tuple(homes), seeds, places, confusion)
+
+
+def results(missing=None, **named):
+    """Results by name, from `measured`."""
+    homes = tuple(f"home_{number}" for number in range(1, 7))
+    return Results(homes, PLACES, named, missing or {})
