@@ -199,8 +199,8 @@ def test_the_commands_are_those_of_the_test(tmp_path):
     tried = search(own, lambda one: 50 + ("none" in one[1]))
     text = report.write(tmp_path, tried, own, {"descriptor": "hog", "data": "main"}, "Home 1")
     assert text == (tmp_path / report.SUMMARY).read_text()
-    commands = [line.strip() for line in text.splitlines() if line.startswith("    python")]
-    program = "python -m placecat.experiment descriptor=hog codebook.cells=1 "
+    commands = [line.strip() for line in text.splitlines() if line.startswith("    placecat")]
+    program = "placecat experiment descriptor=hog codebook.cells=1 "
     end = " 'test_home=Home 1' judge=test_home"
     found = study.best(tried)
     assert commands == [program + " ".join(one.overrides) + end for one in (found, tried[0])]
@@ -212,7 +212,7 @@ def test_the_commands_are_those_of_the_test(tmp_path):
 def run(folder, *arguments, **environment):
     own = {"PLACECAT_WORKERS": "2", "MLFLOW_DISABLE_TELEMETRY": "true"}
     return subprocess.run(
-        [sys.executable, "-m", "placecat.experiment", "+search=nu_svm", "descriptor=gist", *arguments],
+        [sys.executable, "-m", "placecat", "search", "nu_svm", "descriptor=gist", *arguments],
         cwd=folder,
         env=os.environ | own | environment,
         capture_output=True,

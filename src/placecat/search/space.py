@@ -104,6 +104,14 @@ class Space:
         """Key to value of each setting to start with, for Optuna."""
         return [{one.key: one.starts[place] for one in self.dimensions} for place in range(len(self.starts))]
 
+    def ends(self) -> list[tuple[str, ...]]:
+        """Overrides that bring each setting to each of its ends, the others as in the first start."""
+        first = self.start_values()[0]
+        found = [first]
+        for one in self.dimensions:
+            found += [first | {one.key: value} for value in one.choices or (one.low, one.high)]
+        return [self.overrides(values) for values in found]
+
     def distributions(self) -> "dict[str, BaseDistribution]":
         """Key to what may be chosen, as Optuna knows it."""
         return {one.key: one.distribution() for one in self.dimensions}
@@ -111,6 +119,11 @@ class Space:
     def overrides(self, values: Mapping[str, Any]) -> tuple[str, ...]:
         """The overrides for the values that Optuna chose."""
         return tuple(one.override(values[one.key], self.digits) for one in self.dimensions)
+
+
+def values(overrides: Sequence[str]) -> dict[str, str]:
+    """Key to value of overrides."""
+    return dict(one.split("=", 1) for one in overrides)
 
 
 def read(
