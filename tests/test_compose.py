@@ -144,7 +144,6 @@ def _set(params, name, value):
         ("cues.gist.descriptor.kind", "whole", r"cue/gist\.yaml: there is no kind of descriptor 'whole'"),
         ("cues.gist.descriptor.kind", ["local"], r"there is no kind of descriptor \['local'\]"),
         ("cues.gist.descriptor", None, r"cue/gist\.yaml: descriptor needs kind"),
-        ("cues.gist.seed", 1, r"cue/gist\.yaml has no setting 'seed'"),
         ("cues.hog_y.codebook", "hog", r"cue/hog_y\.yaml: there is no codebook 'hog'"),
         ("cues.hog_tracked.schemes", ["4-5-1"], r"cue/hog_tracked\.yaml.*for the scheme '4-5-1'.* 5-5-1"),
         ("cues.color_mv_y.extra", True, r"cue/color_mv_y\.yaml has extra.*split/apartments.* no local desc"),

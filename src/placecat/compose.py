@@ -5,7 +5,7 @@ from pathlib import Path
 
 import yaml
 
-from placecat import files, inferred, paths, references, settings
+from placecat import files, inferred, paths, references, schema, settings
 from placecat.errors import PlacecatError
 
 # Folders of conf/ all of whose files are used, and where their content goes.
@@ -101,7 +101,8 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
     Raises
     ------
     PlacecatError
-        As `found`, `compose` and :func:`placecat.references.check`; params.yaml stays as it was.
+        As `found`, `compose`, :func:`placecat.schema.check` and :func:`placecat.references.check`; params.yaml
+        stays as it was.
     """
     listing = paths.CONF / "found.yaml"
     if (paths.CONF / "config.yaml").is_file():
@@ -110,4 +111,6 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
             files.write_text(listing, content)
     with files.replacing(target) as temporary:
         temporary.write_text(compose(overrides), encoding="utf-8")
-        references.check(settings.load(temporary))
+        params = settings.load(temporary)
+        schema.check(params)
+        references.check(params)
