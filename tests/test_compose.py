@@ -183,3 +183,29 @@ def test_params_with_a_name_of_nothing_are_not_written(tmp_path, monkeypatch):
     with pytest.raises(PlacecatError, match=r"cue/gist\.yaml: there is no holistic descriptor 'gits'"):
         write_params(["cues.gist.descriptor.name=gits"])
     assert {path.name for path in tmp_path.iterdir()} == {"conf"}
+
+
+def test_the_same_settings_are_composed_once(tmp_path, monkeypatch):
+    from placecat import compose as module
+
+    (tmp_path / "conf").mkdir()
+    (tmp_path / "conf/config.yaml").write_text("verdict: {}\n")
+    monkeypatch.chdir(tmp_path)
+    calls = []
+    monkeypatch.setattr(module, "compose", lambda overrides: calls.append(overrides) or "figures: {}\n")
+    write_params()
+    write_params()
+    assert len(calls) == 1
+    write_params(["a=1"])
+    assert len(calls) == 2
+    (tmp_path / "conf/new.yaml").write_text("a: 1\n")
+    write_params(["a=1"])
+    assert len(calls) == 3
+    (tmp_path / "params.yaml").write_text("edited: 1\n")
+    write_params(["a=1"])
+    assert len(calls) == 4
+    assert (tmp_path / "params.yaml").read_text() == "figures: {}\n"
+    (tmp_path / "conf/new.yaml").write_text("a: ${oc.env:HOME}\n")
+    write_params(["a=1"])
+    write_params(["a=1"])
+    assert len(calls) == 6
