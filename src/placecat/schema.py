@@ -1,4 +1,4 @@
-"""What each section of params.yaml has: names and types, so that a wrong setting is refused when composing.
+"""What params.yaml and an experiment have: names and types, so that a wrong setting is refused at once.
 
 Settings of estimators, schemes, descriptors and figures are the parameters of their functions, which refuse
 others (:func:`placecat.settings.check`). Ranges are checked where the numbers are used.
@@ -8,9 +8,9 @@ import difflib
 import importlib
 import inspect
 from collections.abc import Mapping
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from placecat.errors import PlacecatError
 
@@ -340,7 +340,7 @@ class Params(Section):
     model: Model | None = None
     toy: Toy | None = None
     verdict: Verdict | None = None
-    compute: Local | Dask | None = None
+    compute: Annotated[Local | Dask, Field(discriminator="kind")] | None = None
     reproducibility: Reproducibility | None = None
     probabilities: Probabilities | None = None
     figures: dict[str, Own] = {}
@@ -352,13 +352,51 @@ class Params(Section):
     splits: dict[str, Split] = {}
 
 
-def check(params: Mapping[str, Any]) -> None:
+class ExperimentFrames(Section):
+    """Of an experiment; None: as in params.yaml."""
+
+    offset: int | None
+    step: int | None
+
+
+class ExperimentCodebook(Section):
+    """Of an experiment; None: as usual for the classifier."""
+
+    cells: int | None
+    tree: Own
+
+
+class Limits(Section):
+    """What an experiment may need unasked."""
+
+    kernel_rows: int
+
+
+class Experiment(Section):
+    """conf/experiment.yaml."""
+
+    descriptor: Descriptor
+    classifier: Own
+    data: str
+    test_home: Name | list[Name]
+    judge: Literal["test_home", "training_homes"]
+    frames: ExperimentFrames
+    seeds: int | list[int] | None
+    codebook: ExperimentCodebook
+    cells_of_frames: dict[str, int]
+    limits: Limits
+    track: bool
+
+
+def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
     """Refuse a setting that nothing reads, that is missing, or that is of another type.
 
     Parameters
     ----------
-    params
-        The content of params.yaml.
+    content
+        Settings, as plain containers.
+    model
+        What they have.
 
     Raises
     ------
@@ -366,35 +404,34 @@ def check(params: Mapping[str, Any]) -> None:
         Naming the first such setting by its dotted name.
     """
     try:
-        Params.model_validate(params)
+        model.model_validate(content)
     except ValidationError as error:
-        raise PlacecatError(_told(params, error)) from None
+        raise PlacecatError(_told(content, error)) from None
 
 
-def _told(params: Mapping[str, Any], error: ValidationError) -> str:
+def _told(content: Mapping[str, Any], error: ValidationError) -> str:
     """The first mistake in one line."""
     errors = error.errors(include_url=False)
     # Where a value may be of several kinds, the name of the kind is a part of the place.
-    place, here = [], params
+    place: list[str] = []
+    here: Any = content
     for part in errors[0]["loc"]:
         if isinstance(here, Mapping | list) and _has(here, part):
             place.append(str(part))
-            here = here[part]  # type: ignore[index]
+            here = here[part]
     dotted, kind = ".".join(place), errors[0]["type"]
     if kind == "missing":
-        return f"{dotted} has no setting {errors[0]['loc'][-1]!r}, which it needs"
+        return f"{dotted or 'the settings'} has no setting {errors[0]['loc'][-1]!r}, which it needs"
     if kind == "extra_forbidden":
         *parents, name = place
         unknown = {str(one["loc"][-1]) for one in errors if one["type"] == kind}
-        around: Any = params
+        around: Any = content
         for part in parents:
             around = around[int(part) if isinstance(around, list) else part]
         valid = [str(key) for key in around if key not in unknown]
         near = difflib.get_close_matches(name, valid, n=1)
         hint = f"; did you mean {near[0]!r}?" if near else ""
-        return (
-            f"{'.'.join(parents) or 'params.yaml'} has no setting {name!r}{hint} (it has {', '.join(valid)})"
-        )
+        return f"{'.'.join(parents) or 'the whole'} has no setting {name!r}{hint} (it has {', '.join(valid)})"
     return f"{dotted}={errors[0]['input']}: {errors[0]['msg']}"
 
 

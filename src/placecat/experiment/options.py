@@ -13,7 +13,6 @@ MAIN = "main"
 ALL = "all"
 TEST_HOME = "test_home"
 TRAINING_HOMES = "training_homes"
-JUDGES = (TEST_HOME, TRAINING_HOMES)
 
 
 def descriptors(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:
