@@ -11,6 +11,8 @@ from omegaconf import DictConfig
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from hydra.plugins.launcher import Launcher
+
 
 class _Checked(Sweeper):
     """A sweeper that ends with one message if an experiment is refused, and with status 1 if one failed."""
@@ -21,7 +23,7 @@ class _Checked(Sweeper):
 
         self.hydra_context: HydraContext = hydra_context
         self.config: DictConfig = config
-        self.launcher = Plugins.instance().instantiate_launcher(
+        self.launcher: Launcher = Plugins.instance().instantiate_launcher(
             hydra_context=hydra_context, task_function=task_function, config=config
         )
 
