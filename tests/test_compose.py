@@ -144,7 +144,6 @@ def _set(params, name, value):
         ("cues.gist.descriptor.kind", "whole", r"cue/gist\.yaml: there is no kind of descriptor 'whole'"),
         ("cues.gist.descriptor.kind", ["local"], r"there is no kind of descriptor \['local'\]"),
         ("cues.gist.descriptor", None, r"cue/gist\.yaml: descriptor needs kind"),
-        ("cues.gist.seed", 1, r"cue/gist\.yaml has no setting 'seed'"),
         ("cues.hog_y.codebook", "hog", r"cue/hog_y\.yaml: there is no codebook 'hog'"),
         ("cues.hog_tracked.schemes", ["4-5-1"], r"cue/hog_tracked\.yaml.*for the scheme '4-5-1'.* 5-5-1"),
         ("cues.color_mv_y.extra", True, r"cue/color_mv_y\.yaml has extra.*split/apartments.* no local desc"),
@@ -184,3 +183,29 @@ def test_params_with_a_name_of_nothing_are_not_written(tmp_path, monkeypatch):
     with pytest.raises(PlacecatError, match=r"cue/gist\.yaml: there is no holistic descriptor 'gits'"):
         write_params(["cues.gist.descriptor.name=gits"])
     assert {path.name for path in tmp_path.iterdir()} == {"conf"}
+
+
+def test_the_same_settings_are_composed_once(tmp_path, monkeypatch):
+    from placecat import compose as module
+
+    (tmp_path / "conf").mkdir()
+    (tmp_path / "conf/config.yaml").write_text("verdict: {}\n")
+    monkeypatch.chdir(tmp_path)
+    calls = []
+    monkeypatch.setattr(module, "compose", lambda overrides: calls.append(overrides) or "figures: {}\n")
+    write_params()
+    write_params()
+    assert len(calls) == 1
+    write_params(["a=1"])
+    assert len(calls) == 2
+    (tmp_path / "conf/new.yaml").write_text("a: 1\n")
+    write_params(["a=1"])
+    assert len(calls) == 3
+    (tmp_path / "params.yaml").write_text("edited: 1\n")
+    write_params(["a=1"])
+    assert len(calls) == 4
+    assert (tmp_path / "params.yaml").read_text() == "figures: {}\n"
+    (tmp_path / "conf/new.yaml").write_text("a: ${oc.env:HOME}\n")
+    write_params(["a=1"])
+    write_params(["a=1"])
+    assert len(calls) == 6

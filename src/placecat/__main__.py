@@ -20,9 +20,13 @@ _STATUS = (
 
 def main(arguments: Sequence[str] | None = None) -> None:
     """Run a subcommand; a mistake of the user's ends with its message and status 1."""
-    options = _parser().parse_args(arguments)
+    given = list(sys.argv[1:] if arguments is None else arguments)
     try:
-        status: int = options.run(options)
+        if given[:1] in (["experiment"], ["search"]):
+            status = _hydra(given[0], given[1:])
+        else:
+            options = _parser().parse_args(given)
+            status = options.run(options)
     except PlacecatError as error:
         sys.exit(f"placecat: {error}")
     except KeyboardInterrupt:
@@ -88,6 +92,9 @@ def _parser() -> argparse.ArgumentParser:
     _add_train(commands)
     _add_predict(commands)
     _add_worker(commands)
+    # Hydra reads their arguments.
+    commands.add_parser("experiment", help="train and test any descriptor and classifier, or a sweep of them")
+    commands.add_parser("search", help="search settings by their accuracy on training homes")
     return parser
 
 
@@ -189,6 +196,16 @@ def _add_worker(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
         help="further options of `dask worker`, e.g. --nworkers 4 --memory-limit 8GB",
     )
     worker.set_defaults(run=_worker)
+
+
+def _hydra(command: str, arguments: list[str]) -> int:
+    from placecat.experiment import application
+
+    if command == "search":
+        application.search(arguments)
+    else:
+        application.main(arguments)
+    return 0
 
 
 def _params(options: argparse.Namespace) -> int:

@@ -1,5 +1,7 @@
 """Compose params.yaml from conf/ with Hydra, exactly as `dvc exp run` does."""
 
+import hashlib
+import os
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -20,6 +22,8 @@ FOUND = {
 }
 # How a codebook without a file of its own is clustered: this file of conf/clustering.
 CLUSTERING = "hierarchical_kmeans"
+# What params.yaml was composed of.
+_COMPOSED = Path("data/params.sha256")
 
 
 def found(conf: Path = paths.CONF) -> str:
@@ -85,29 +89,53 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
     try:
         with initialize_config_dir(str(conf.resolve()), version_base=None):
             config = hydra_compose("config", overrides=list(overrides))
-        missing = sorted(OmegaConf.missing_keys(config))
+        text: str = OmegaConf.to_yaml(config, resolve=True)
+        # Slow to look for otherwise.
+        missing = sorted(OmegaConf.missing_keys(config)) if "???" in text else []
         if missing:
             raise PlacecatError(f"setting {missing[0]} has no value: add {missing[0]}=VALUE to the overrides")
-        OmegaConf.resolve(config)
     except (HydraException, OmegaConfBaseException) as error:
         lines = [line.strip() for line in str(error).splitlines() if line.strip()]
         raise PlacecatError(f"the settings cannot be composed: {' '.join(lines)}") from None
-    return OmegaConf.to_yaml(config)
+    return text
 
 
 def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> None:
     """List what is there in conf/found.yaml, compose the settings and write them to params.yaml.
 
+    Nothing is composed where it was from the same files and overrides before, since Hydra takes seconds.
+
     Raises
     ------
     PlacecatError
-        As `found`, `compose` and :func:`placecat.references.check`; params.yaml stays as it was.
+        As `found`, `compose`, :func:`placecat.schema.check` and :func:`placecat.references.check`;
+        params.yaml stays as it was.
     """
     listing = paths.CONF / "found.yaml"
     if (paths.CONF / "config.yaml").is_file():
         content = found()
         if not listing.exists() or listing.read_text(encoding="utf-8") != content:
             files.write_text(listing, content)
+    if _COMPOSED.is_file() and _COMPOSED.read_text(encoding="utf-8") == _digest(overrides, target):
+        return
     with files.replacing(target) as temporary:
         temporary.write_text(compose(overrides), encoding="utf-8")
-        references.check(settings.load(temporary))
+        # Here, since pydantic is slow to import.
+        from placecat import schema
+
+        params = settings.load(temporary)
+        schema.check(params)
+        references.check(params)
+    files.write_text(_COMPOSED, _digest(overrides, target))
+
+
+def _digest(overrides: Sequence[str], target: Path) -> str:
+    """Of all that params.yaml is composed of, and of itself."""
+    content = hashlib.sha256(repr(list(overrides)).encode())
+    for path in [*sorted(paths.CONF.rglob("*.yaml")), target]:
+        own = path.read_bytes() if path.is_file() else b""
+        # Another environment gives another value.
+        if b"oc.env" in own:
+            own = os.urandom(16)
+        content.update(f"{path} {hashlib.sha256(own).hexdigest()}".encode())
+    return content.hexdigest()

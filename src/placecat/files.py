@@ -7,12 +7,14 @@ import zipfile
 from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import pandas as pd
 
 from placecat.errors import PlacecatError
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
 @contextmanager
@@ -118,22 +120,26 @@ def read_json(path: Path) -> Any:
     return json.loads(Path(path).read_text(encoding="utf-8"))
 
 
-def write_csv(path: Path, table: pd.DataFrame) -> None:
+def write_csv(path: Path, table: "pd.DataFrame") -> None:
     """Write a table as CSV without an index, newline-terminated on every system."""
     with replacing(path) as temporary:
         table.to_csv(temporary, index=False, lineterminator="\n")
 
 
-def read_csv(path: Path) -> pd.DataFrame:
+def read_csv(path: Path) -> "pd.DataFrame":
     """Read a CSV that this project wrote; empty cells of text columns stay empty strings."""
+    import pandas as pd
+
     try:
         return pd.read_csv(path, keep_default_na=False)
     except FileNotFoundError:
         raise PlacecatError(f"{path} is missing: run `dvc repro` to make it") from None
 
 
-def read_table(path: Path, text: Collection[str]) -> pd.DataFrame:
+def read_table(path: Path, text: Collection[str]) -> "pd.DataFrame":
     """Read a CSV of numbers and text: empty cells of the columns in `text` are "", others NaN."""
+    import pandas as pd
+
     if not path.is_file():
         raise PlacecatError(f"{path} is missing: run `dvc repro` to make it, or restore it from git")
     table = pd.read_csv(path, dtype=dict.fromkeys(text, str))

@@ -4,12 +4,11 @@ import difflib
 from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
-from placecat import paths, settings
+from placecat import paths
 from placecat.errors import PlacecatError
 
 # Where a name is said, what it names, the name, and those that there are.
 _Reference = tuple[str, str, str, Collection[str]]
-_OF_A_CUE = ("title", "codebook", "schemes", "cross_validate", "extra", "classifier")
 
 
 def check(params: Mapping[str, Any]) -> None:
@@ -41,10 +40,6 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
     descriptors, smoothing = params.get("descriptors", {}), params.get("smoothing", {})
     for name, cue in cues.items():
         where = _file("cue", name)
-        missing = [key for key in _OF_A_CUE if key not in cue]
-        if missing:
-            raise PlacecatError(f"{where} has no {missing[0]!r}: see the other files of that folder")
-        settings.refuse_unknown(cue, [*_OF_A_CUE, "descriptor"], where)
         codebook = cue["codebook"]
         if codebook is None:
             yield from _of_descriptor(where, cue.get("descriptor"), descriptors)

@@ -4,11 +4,12 @@ import copy
 from pathlib import Path
 
 from hydra import compose, initialize_config_dir
+from hydra.core.global_hydra import GlobalHydra
 from made_features import PARAMS, make
 from omegaconf import OmegaConf
 
 from placecat import paths, settings
-from placecat.experiment import options
+from placecat.experiment import options, sweep
 from placecat.experiment.combination import resolve
 
 CONF = Path(__file__).resolve().parents[2] / "conf"
@@ -34,3 +35,12 @@ def composed(*overrides):
 
 def resolved(*overrides, **changed):
     return resolve(composed(*overrides) | changed, settings.load())
+
+
+def swept(*overrides):
+    """The experiments and combinations of a sweep, checked."""
+    options.register()
+    with initialize_config_dir(str(paths.CONF.resolve()), version_base="1.3"):
+        config = compose("experiment", return_hydra_config=True)
+        lines, combinations = sweep.grid(overrides, GlobalHydra.instance().config_loader())
+        return sweep.check(config, lines, combinations), combinations

@@ -126,7 +126,7 @@ def test_a_start_without_a_number_is_told(tmp_path):
 def test_a_cue_of_another_descriptor_is_no_start():
     tracked = cue(y_pos=True, tracked=True)
     own = read(cues={"sift_y": cue(name="sift"), "hog": cue(y_pos=False), "hog_tracked": tracked})
-    assert own.starts == (starts.SETTINGS,)
+    assert list(own.starts) == [starts.SETTINGS]
 
 
 def test_the_thesis_setting_of_hog_is_a_start():
@@ -143,8 +143,8 @@ def test_the_thesis_setting_of_hog_is_a_start():
 
 def test_the_command_line_goes_first():
     own = read(arguments=[f"{GAMMA}=1.0", "test_home=home_1", f"{SCALING}=choice(standard,unit)"])
-    assert [one.key for one in own.dimensions] == [SCALING]
-    assert own.dimensions[0].choices == ("standard", "unit")
+    assert list(own.distributions) == [SCALING]
+    assert own.distributions[SCALING].choices == ("standard", "unit")
     assert own.fixed == (f"{GAMMA}=1.0", "test_home=home_1")
 
 
@@ -154,7 +154,7 @@ def test_the_command_line_goes_first():
         ({GAMMA: "interval(3.0, 4.0)"}, (), "does not hold 2.0"),
         ({SCALING: "choice(none, unit)"}, (), "does not hold standard"),
         ({CLUSTERS: "range(16, 91, 15)"}, (), "does not hold 91"),
-        ({GAMMA: "tag(log, interval(0.0, 4.0))"}, (), "above 0"),
+        ({GAMMA: "tag(log, interval(0.0, 4.0))"}, (), "is no span"),
         ({"classifier.unheard": "choice(1, 2)"}, (), "no such setting"),
         (PARAMS, ["test_home=home_1,home_2"], "belongs to how"),
         (PARAMS, ["judge=choice(training_homes,test_home)"], "belongs to how"),
@@ -187,8 +187,8 @@ def test_spaces_in_conf_hold_what_there_is():
     tree = yaml.safe_load((CONF / "clustering/hierarchical_kmeans.yaml").read_text())
     for name in ("knn", "naive_bayes", "dependency_tree"):
         own = yaml.safe_load((CONF / f"search/{name}.yaml").read_text())["hydra"]["sweeper"]["params"]
-        dimension = read(own).dimensions[0]
-        numbers = range(int(dimension.low), int(dimension.high) + 1, int(dimension.step))
+        (dimension,) = read(own).distributions.values()
+        numbers = range(dimension.low, dimension.high + 1, dimension.step)
         assert max(numbers) == tree["max_clusters"]
         for number in numbers:
             check_cluster_number(number, tree["branching"])
@@ -199,8 +199,8 @@ def test_the_commands_are_those_of_the_test(tmp_path):
     tried = search(own, lambda one: 50 + ("none" in one[1]))
     text = report.write(tmp_path, tried, own, {"descriptor": "hog", "data": "main"}, "Home 1")
     assert text == (tmp_path / report.SUMMARY).read_text()
-    commands = [line.strip() for line in text.splitlines() if line.startswith("    python")]
-    program = "python -m placecat.experiment descriptor=hog codebook.cells=1 "
+    commands = [line.strip() for line in text.splitlines() if line.startswith("    placecat")]
+    program = "placecat experiment descriptor=hog codebook.cells=1 "
     end = " 'test_home=Home 1' judge=test_home"
     found = study.best(tried)
     assert commands == [program + " ".join(one.overrides) + end for one in (found, tried[0])]
@@ -212,7 +212,7 @@ def test_the_commands_are_those_of_the_test(tmp_path):
 def run(folder, *arguments, **environment):
     own = {"PLACECAT_WORKERS": "2", "MLFLOW_DISABLE_TELEMETRY": "true"}
     return subprocess.run(
-        [sys.executable, "-m", "placecat.experiment", "+search=nu_svm", "descriptor=gist", *arguments],
+        [sys.executable, "-m", "placecat", "search", "nu_svm", "descriptor=gist", *arguments],
         cwd=folder,
         env=os.environ | own | environment,
         capture_output=True,

@@ -1,9 +1,10 @@
 """The summary of a sweep."""
 
-from types import SimpleNamespace
+import pandas as pd
+from omegaconf import OmegaConf
 
 from placecat import files
-from placecat.experiment import output, summary
+from placecat.experiment import output, summary, sweep
 
 SWEPT = ("descriptor", "classifier.clusters", "test_home")
 
@@ -37,23 +38,25 @@ def made(tmp_path):
             content = output.failure("no memory")
         if number != 7:
             files.write_json(tmp_path / str(number) / output.RESULT, content)
-    return summary.read(tmp_path, combinations, SWEPT)
+    return summary.read(tmp_path, [one | {"test_home": one["test_home"].upper()} for one in combinations])
 
 
 def test_a_sweep_reads_as_a_table_does(tmp_path):
-    text = summary.text(made(tmp_path), SWEPT)
-    assert text.splitlines()[2:12] == [
-        "                       classifier.clusters",
-        "descriptor  test_home      4      16",
-        "----------  ---------  -----  ------",
-        "hog         H1         10.50  failed",
-        "            H2             -   40.50",
-        "            average    10.50   40.50",
-        "sift        H1         50.50   70.50",
-        "            H2         60.50  failed",
-        "            average    55.50   70.50",
-        "",
-    ]
+    ran = made(tmp_path)
+    expected = pd.DataFrame(
+        {
+            "4": ["10.50", "-", "10.50", "50.50", "60.50", "55.50"],
+            "16": ["-", "40.50", "40.50", "70.50", "-", "70.50"],
+        },
+        index=pd.MultiIndex.from_product([["hog", "sift"], ["H1", "H2", "average"]]),
+    )
+    found = summary.grid(ran)
+    assert found.index.tolist() == expected.index.tolist()
+    assert found.to_dict("list") == expected.to_dict("list")
+    assert found.index.names == ["descriptor", "test_home"]
+    assert found.columns.name == "classifier.clusters"
+    assert "| hog " in summary.markdown(ran)
+    text = summary.text(ran)
     assert "Highest: descriptor=sift classifier.clusters=4: 55.50 %, average of 2 homes" in text
     assert "test_home=H2: no number: too few" in text
     assert "failed: no memory" in text
@@ -61,13 +64,20 @@ def test_a_sweep_reads_as_a_table_does(tmp_path):
 
 
 def test_spread_is_the_range_of_the_seeds(tmp_path):
-    frame = summary.as_frame(made(tmp_path), SWEPT)
+    frame = summary.as_frame(made(tmp_path))
     assert frame["spread"].tolist()[0] == 1.0
     assert frame["note"].tolist()[:3] == ["", "too few", "no memory"]
 
 
 def test_an_earlier_sweep_in_the_same_folder_is_no_result(tmp_path):
     made(tmp_path)
-    config = SimpleNamespace(hydra=SimpleNamespace(sweep=SimpleNamespace(dir=str(tmp_path))))
-    output.Remember().on_multirun_start(config)
+    sweep.begin(OmegaConf.create({"hydra": {"sweep": {"dir": str(tmp_path)}}}))
     assert not list(tmp_path.glob("*/result.json"))
+
+
+def test_homes_alone_are_averaged_below(tmp_path):
+    for number, value in enumerate((40.0, 60.0)):
+        files.write_json(tmp_path / str(number) / output.RESULT, result(f"H{number}", value))
+    ran = summary.read(tmp_path, [{"test_home": "H0"}, {"test_home": "H1"}])
+    assert summary.grid(ran)["accuracy"].to_dict() == {"H0": "40.00", "H1": "60.00", "average": "50.00"}
+    assert summary.highest(ran) == ({}, 50.0)

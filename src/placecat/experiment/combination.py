@@ -9,25 +9,18 @@ from typing import Any
 
 import numpy as np
 
-from placecat import cues, files, paths, settings
+from placecat import cues, files, paths, schema, settings
 from placecat.cues import estimators
 from placecat.errors import NotComputable, PlacecatError
 from placecat.experiment import data as data_sets
 from placecat.experiment.data import Data
-from placecat.experiment.options import JUDGES, TEST_HOME, classifiers
+from placecat.experiment.options import TEST_HOME, classifiers
 from placecat.learning.hierarchical_kmeans import check_cluster_number
 from placecat.learning.kernels import KernelMachine
 from placecat.learning.scaling import KernelScaling
 from placecat.learning.spatial_pca import SpatialPCA
 from placecat.training import protocol
 from placecat.training.plan import Plan
-
-_LOCAL: dict[str, tuple[tuple[type, ...], str]] = {
-    "y_pos": ((bool,), "true or false"),
-    "y_weight": ((int, float), "a number"),
-    "max_regions": ((int,), "a whole number"),
-    "tracked": ((bool,), "true or false"),
-}
 
 
 @dataclass(frozen=True)
@@ -82,11 +75,9 @@ def resolve(config: Mapping[str, Any], params: Mapping[str, Any]) -> Experiment:
     PlacecatError
         What is wrong, and what would be right.
     """
-    data = data_sets.find(params, str(config["data"]))
+    schema.check(config, schema.Experiment)
+    data = data_sets.find(params, config["data"])
     homes = data_sets.find_homes(data, config["test_home"])
-    judge = config["judge"]
-    if judge not in JUDGES:
-        raise PlacecatError(f"judge={judge} does not exist: use one of {', '.join(JUDGES)}")
     frames = _frames(config["frames"], settings.get(params, "protocol.cue_frames"))
     descriptor = _descriptor(config["descriptor"])
     classifier = dict(config["classifier"])
@@ -99,8 +90,8 @@ def resolve(config: Mapping[str, Any], params: Mapping[str, Any]) -> Experiment:
             f"codebook.cells is for classifiers on clusters, not for {_name(classifier)}: leave it out"
         )
     seeds = _seeds(config["seeds"], settings.get(params, "protocol.seeds"))
-    experiment = Experiment(data, homes, judge, own, frames, seeds if needs_codebook else (None,))
-    _check_data(experiment, int(config["limits"]["kernel_rows"]))
+    experiment = Experiment(data, homes, config["judge"], own, frames, seeds if needs_codebook else (None,))
+    _check_data(experiment, config["limits"]["kernel_rows"])
     return experiment
 
 
@@ -111,45 +102,27 @@ def _name(classifier: Mapping[str, Any]) -> str:
 
 def _frames(wanted: Mapping[str, Any], default: Mapping[str, int]) -> dict[str, int]:
     frames = {name: default[name] if wanted[name] is None else wanted[name] for name in ("offset", "step")}
-    for name, value in frames.items():
-        if not isinstance(value, int) or isinstance(value, bool):
-            raise PlacecatError(f"frames.{name}={value} is no whole number")
     protocol.select_frames(np.empty(0, np.int16), **frames)
     return frames
 
 
-def _seeds(wanted: Any, default: Sequence[int]) -> tuple[int, ...]:
-    seeds = default if wanted is None else wanted if isinstance(wanted, Sequence) else [wanted]
-    if (
-        not seeds
-        or isinstance(seeds, str)
-        or any(not isinstance(seed, int) or isinstance(seed, bool) or seed < 0 for seed in seeds)
-        or len(set(seeds)) != len(seeds)
-    ):
+def _seeds(wanted: int | Sequence[int] | None, default: Sequence[int]) -> tuple[int, ...]:
+    seeds = default if wanted is None else [wanted] if isinstance(wanted, int) else wanted
+    if not seeds or min(seeds) < 0 or len(set(seeds)) != len(seeds):
         raise PlacecatError(f"seeds={wanted} must be different whole numbers of 0 or more: e.g. seeds=[0,1]")
     return tuple(seeds)
 
 
-def _descriptor(wanted: Any) -> dict[str, Any]:
+def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
     """The descriptor as tables write it, since seeds are derived from the text."""
-    if not isinstance(wanted, Mapping) or wanted.get("kind") not in ("local", "holistic"):
-        raise PlacecatError(
-            "descriptor.kind must be local or holistic: choose a descriptor by its name, e.g. descriptor=hog"
-        )
     own = dict(wanted)
-    name = f"descriptor {own.get('name')}"
     if own["kind"] == "holistic":
-        settings.refuse_unknown(own, ["kind", "name"], f"{name}, of whole frames,")
+        settings.refuse_unknown(own, ["kind", "name"], f"descriptor {own['name']}, of whole frames,")
         return own
-    settings.refuse_unknown(own, ["kind", "name", *_LOCAL, "color"], name)
-    for setting, (kinds, meaning) in _LOCAL.items():
-        value = own[setting]
-        if not isinstance(value, kinds) or (isinstance(value, bool) and bool not in kinds):
-            raise PlacecatError(f"descriptor.{setting}={value} must be {meaning}")
     if own["max_regions"] < 1:
         raise PlacecatError(f"descriptor.max_regions={own['max_regions']} must be 1 or more")
-    if own["color"] is not None and own["color"] == own["name"]:
-        raise PlacecatError(f"descriptor.color={own['color']} appends the {name} to itself: use null")
+    if own["color"] == own["name"]:
+        raise PlacecatError(f"descriptor.color={own['color']} appends the descriptor to itself: use null")
     own["y_weight"] = float(own["y_weight"])
     if not own["tracked"]:
         del own["tracked"]
@@ -209,7 +182,7 @@ def _codebook(
         usual, whose = int(of_frames[model]), "whole frames"
     if cells is None:
         cells = usual
-    if not isinstance(cells, int) or isinstance(cells, bool) or cells < 1:
+    if cells < 1:
         raise PlacecatError(f"codebook.cells={cells} must be a whole number of at least 1")
     if cells != 1 and (descriptor["kind"] == "local" or model == "knn"):
         raise PlacecatError(

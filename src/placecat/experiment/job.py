@@ -2,10 +2,10 @@
 
 import logging
 import math
+import sys
 import time
 import traceback
 from pathlib import Path
-from typing import Any
 
 from hydra.core.hydra_config import HydraConfig
 from hydra.types import RunMode
@@ -21,24 +21,29 @@ _log = logging.getLogger(__name__)
 def job(config: DictConfig) -> float:
     """Compute one experiment and write result.json to Hydra's output folder.
 
-    Nothing is raised, so that a failure does not cost the other experiments of a sweep: it is in
-    result.json, and the sweep ends with status 1.
+    In a sweep nothing is raised, so that a failure does not cost the other experiments: it is in result.json,
+    and the sweep ends with status 1. A single experiment is told and logged here.
 
     Returns
     -------
     float
         Accuracy in percent, the mean over test homes; NaN where there is none.
     """
+    # Here, since they import scikit-learn, which `--help` does without.
+    from placecat.experiment import running
+    from placecat.experiment.combination import resolve
+
     hydra = HydraConfig.get()
     folder = Path(hydra.runtime.output_dir)
     for name in (output.RESULT, output.TRACEBACK):
         (folder / name).unlink(missing_ok=True)
+    is_single = hydra.mode == RunMode.RUN
     start = time.perf_counter()
     try:
         # A sweep's experiments run beside each other, unless each can use a cluster.
-        alone = hydra.mode == RunMode.RUN or compute.cluster() is not None
-        workers = parallel.workers() if alone else 1
-        result = run(OmegaConf.to_container(config, resolve=True), workers=workers)
+        workers = parallel.workers() if is_single or compute.cluster() is not None else 1
+        experiment = resolve(OmegaConf.to_container(config, resolve=True), settings.load())  # type: ignore[arg-type]
+        result = running.compute(experiment, workers=workers)
     except PlacecatError as error:
         result = output.failure(str(error))
     except Exception as error:
@@ -50,31 +55,13 @@ def job(config: DictConfig) -> float:
     files.write_json(folder / output.RESULT, result)
     # By itself, since the result is the same whenever and wherever it is computed.
     files.write_json(folder / output.SECONDS, round(time.perf_counter() - start, 2))
-    accuracy = result["accuracy"]
-    _log.info("%s: %s", " ".join(hydra.overrides.task), output.shown(result))
-    return math.nan if accuracy is None else accuracy
+    if not is_single:
+        _log.info("%s: %s", " ".join(hydra.overrides.task), output.shown(result))
+    elif output.FAILED in result:
+        sys.exit(f"placecat: {result[output.FAILED]}")
+    else:
+        from placecat.experiment import sweep
 
-
-def run(config: Any, *, workers: int = 1) -> dict[str, Any]:
-    """Compute one experiment.
-
-    Parameters
-    ----------
-    config
-        conf/experiment.yaml, composed, as plain containers.
-
-    Returns
-    -------
-    dict
-        See :func:`placecat.experiment.running.compute`.
-
-    Raises
-    ------
-    PlacecatError
-        A combination that cannot be.
-    """
-    # Here, since they import scikit-learn, which shell completion does without.
-    from placecat.experiment.combination import resolve
-    from placecat.experiment.running import compute
-
-    return compute(resolve(config, settings.load()), workers=workers)
+        if not sweep.tell_one(folder, result, log=bool(config.track)):
+            sys.exit(1)
+    return math.nan if result["accuracy"] is None else result["accuracy"]

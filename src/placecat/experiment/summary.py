@@ -1,7 +1,7 @@
 """What a sweep or an experiment gave, as a table to read."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -10,12 +10,11 @@ import pandas as pd
 
 from placecat import files
 from placecat.experiment import output
-from placecat.experiment.options import ALL, TEST_HOME
+from placecat.experiment.options import TEST_HOME
 from placecat.paths import seed_folder
 
 HOME = "test_home"
 AVERAGE = "average"
-_NO_NUMBER, _FAILED = "-", "failed"
 _MOST_COLUMNS = 12
 
 
@@ -64,7 +63,7 @@ class Ran:
         return max(means) - min(means) if is_random else float("nan")
 
 
-def read(folder: Path, combinations: Sequence[dict[str, str]] | None, swept: Sequence[str]) -> list[Ran]:
+def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
     """Gather the results of a sweep.
 
     Parameters
@@ -72,41 +71,18 @@ def read(folder: Path, combinations: Sequence[dict[str, str]] | None, swept: Seq
     folder
         Of the sweep.
     combinations
-        Values of the swept keys of each experiment; None: as the folders tell.
+        Values of the swept keys, of each experiment.
     """
-    from placecat.experiment.command_line import values_in
-
-    if combinations is None:
-        started = [
-            path for path in folder.iterdir() if path.name.isdigit() and (path / output.OVERRIDES).is_file()
-        ]
-        numbers = sorted(int(path.name) for path in started)
-        own = {number: values_in(folder / str(number)) for number in numbers}
-        by_number = {number: {key: own[number].get(key, "") for key in swept} for number in numbers}
-    else:
-        by_number = dict(enumerate(combinations))
     found = []
-    for number, values in by_number.items():
+    for number, values in enumerate(combinations):
         path = folder / str(number) / output.RESULT
         missing = output.failure(f"it left no result in {path.parent}")
         result = files.read_json(path) if path.is_file() else missing
-        found.append(Ran(number, values, folder / str(number), result))
-    return _with_names_of_homes(found) if HOME in swept else found
+        found.append(Ran(number, dict(values), path.parent, result))
+    return found
 
 
-def _with_names_of_homes(ran: Sequence[Ran]) -> list[Ran]:
-    """The homes by their names, however they were spelled; failed experiments know theirs from others."""
-    names = {
-        one.values[HOME]: "+".join(one.result["settings"][HOME])
-        for one in ran
-        if "settings" in one.result and one.values[HOME] != ALL
-    }
-    return [
-        replace(one, values=one.values | {HOME: names.get(one.values[HOME], one.values[HOME])}) for one in ran
-    ]
-
-
-def as_frame(ran: Sequence[Ran], swept: Sequence[str]) -> pd.DataFrame:
+def as_frame(ran: Sequence[Ran]) -> pd.DataFrame:
     """One row an experiment: number, swept keys, accuracy and spread in percent, and what is amiss."""
     rows = [
         {
@@ -118,131 +94,78 @@ def as_frame(ran: Sequence[Ran], swept: Sequence[str]) -> pd.DataFrame:
         }
         for one in ran
     ]
-    return pd.DataFrame(rows, columns=["number", *swept, "accuracy", "spread", "note"])
+    return pd.DataFrame(rows)
 
 
-def grid(ran: Sequence[Ran], swept: Sequence[str]) -> pd.DataFrame:
+def _accuracies(ran: Sequence[Ran]) -> pd.DataFrame:
+    """Swept keys and accuracy, not rounded; NaN where an experiment gave none."""
+    frame = pd.DataFrame([{**one.values, "accuracy": one.result["accuracy"]} for one in ran])
+    # The same home may be swept in two spellings.
+    return frame.astype({"accuracy": float}).drop_duplicates(list(ran[0].values) or None)
+
+
+def grid(ran: Sequence[Ran]) -> pd.DataFrame:
     """The accuracies as a table over the swept keys, as text.
 
     Columns are the values of the first key whose values are numbers, else of the last one that is not the
     test home; below the test homes is their average, if they were swept.
     """
-    if not swept:
-        return pd.DataFrame({"accuracy": [_cell(one) for one in ran]})
+    swept, frame = list(ran[0].values), _accuracies(ran)
     others = [key for key in swept if key != HOME]
-    across = next((key for key in others if all(_is_number(one.values[key]) for one in ran)), "")
-    across = across or (others[-1] if others else "")
-    if len(swept) == 1 or len({one.values[across] for one in ran}) > _MOST_COLUMNS:
-        across = ""
-    down = [key for key in swept if key != across]
+    if HOME in swept and frame[HOME].nunique() > 1:
+        groups = frame.groupby(others, sort=False) if others else frame.groupby(lambda _: 0)
+        means = groups["accuracy"].mean().reset_index()
+        frame = pd.concat([frame, means.assign(**{HOME: AVERAGE})])[[*swept, "accuracy"]]
+    numbers = [key for key in others if pd.to_numeric(frame[key], errors="coerce").notna().all()]
+    across = (numbers[:1] or others[-1:]) if len(swept) > 1 else []
+    across = [key for key in across if frame[key].nunique() <= _MOST_COLUMNS]
     # The homes last, so that what they are averaged over stands together.
-    down = [key for key in down if key != HOME] + [key for key in down if key == HOME]
-    cells: dict[tuple[str, ...], dict[str, str]] = {}
-    groups: dict[tuple[str, ...], dict[str, list[Ran]]] = {}
-    for one in ran:
-        row = tuple(one.values[key] for key in down)
-        column = one.values[across] if across else "accuracy"
-        cells.setdefault(row, {})[column] = _cell(one)
-        groups.setdefault(row[:-1], {}).setdefault(column, []).append(one)
-    if down[-1:] == [HOME] and len({one.values[HOME] for one in ran}) > 1:
-        ordered: dict[tuple[str, ...], dict[str, str]] = {}
-        for group, columns in groups.items():
-            ordered |= {row: own for row, own in cells.items() if row[:-1] == group}
-            ordered[*group, AVERAGE] = {column: _average(own) for column, own in columns.items()}
-        cells = ordered
-    index = pd.MultiIndex.from_tuples(list(cells), names=down)
-    columns_found = list(dict.fromkeys(column for own in cells.values() for column in own))
-    table = pd.DataFrame([[own.get(name, "") for name in columns_found] for own in cells.values()], index)
-    table.columns = pd.Index(columns_found, name=across or None)
-    return table
-
-
-def _cell(one: Ran) -> str:
-    if one.has_failed:
-        return _FAILED
-    return _NO_NUMBER if one.result["accuracy"] is None else f"{one.result['accuracy']:.2f}"
-
-
-def _average(ran: Sequence[Ran]) -> str:
-    """Mean over the homes that have a number, as in a table."""
-    values = [one.result["accuracy"] for one in ran if one.result["accuracy"] is not None]
-    return f"{np.mean(values):.2f}" if values else _NO_NUMBER
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
+    down = [key for key in others if key not in across] + [key for key in swept if key == HOME]
+    for key in swept:
+        # In the order given.
+        frame[key] = pd.Categorical(frame[key], frame[key].unique())
+    table = frame.set_index([*down, *across]) if swept else frame
+    table = table["accuracy"].unstack(across) if across else table.sort_index()
+    table.columns = pd.Index(list(table.columns), name=across[0] if across else None)
+    return table.map(lambda value: "-" if np.isnan(value) else f"{value:.2f}")
 
 
 def highest(ran: Sequence[Ran]) -> tuple[dict[str, str], float] | None:
     """The settings with the highest accuracy, on average over the test homes if they were swept."""
-    groups: dict[tuple[tuple[str, str], ...], list[float | None]] = {}
-    for one in ran:
-        own = tuple((key, value) for key, value in one.values.items() if key != HOME)
-        groups.setdefault(own, []).append(one.result["accuracy"])
+    frame = _accuracies(ran)
+    others = [key for key in ran[0].values if key != HOME]
     # Settings that gave no number for one of the homes do not compare.
-    means = {own: float(np.mean(found)) for own, found in groups.items() if None not in found}  # type: ignore[arg-type]
-    top = max(means, key=lambda own: means[own], default=None)
-    return None if top is None else (dict(top), means[top])
+    means = [
+        (float(own["accuracy"].mean(skipna=False)), {key: str(own[key].iloc[0]) for key in others})
+        for _, own in (frame.groupby(others, sort=False) if others else [(None, frame)])
+    ]
+    means = [one for one in means if not np.isnan(one[0])]
+    if not means:
+        return None
+    accuracy, settings = max(means, key=lambda one: one[0])
+    return settings, accuracy
 
 
-def text(ran: Sequence[Ran], swept: Sequence[str]) -> str:
+def text(ran: Sequence[Ran]) -> str:
     """The summary of a sweep, to print."""
-    lines = ["Accuracy in percent", "", _plain(grid(ran, swept)), ""]
+    lines = ["Accuracy in percent", "", grid(ran).to_string(), ""]
     top = highest(ran)
     if top is not None and len(ran) > 1:
-        homes = len({one.values[HOME] for one in ran}) if HOME in swept else 1
+        homes = len({one.values.get(HOME) for one in ran})
         over = f", average of {homes} homes" if homes > 1 else ""
-        lines.append(f"Highest: {_label(top[0]) or 'all settings'}: {top[1]:.2f} %{over}")
+        lines.append(f"Highest: {label(top[0]) or 'all settings'}: {top[1]:.2f} %{over}")
     lines += [
-        f"{_label(one.values)}: {output.shown(one.result)}" for one in ran if one.result["accuracy"] is None
+        f"{label(one.values)}: {output.shown(one.result)}" for one in ran if one.result["accuracy"] is None
     ]
     return "\n".join(lines)
 
 
-def _plain(table: pd.DataFrame) -> str:
-    """A table with its index, each name of a row once and each column as wide as it needs."""
-    names = [str(name) for name in table.index.names] if table.index.names[0] is not None else []
-    header = [*names, *map(str, table.columns)]
-    rows: list[list[str]] = []
-    before: tuple[str, ...] = ()
-    for key, own in zip(table.index, table.to_numpy().tolist(), strict=True):
-        labels = tuple(map(str, key if isinstance(key, tuple) else (key,))) if names else ()
-        same = True
-        shown = []
-        for place, label in enumerate(labels):
-            same = same and before[place : place + 1] == (label,) and place < len(labels) - 1
-            shown.append("" if same else label)
-        rows.append([*shown, *map(str, own)])
-        before = labels
-    widths = [max(len(row[place]) for row in [header, *rows]) for place in range(len(header))]
-
-    def line(row: Sequence[str]) -> str:
-        cells = [
-            cell.ljust(width) if place < len(names) else cell.rjust(width)
-            for place, (cell, width) in enumerate(zip(row, widths, strict=True))
-        ]
-        return "  ".join(cells).rstrip()
-
-    across = table.columns.name
-    top = ["  ".join([*(" " * width for width in widths[: len(names)]), str(across)])] if across else []
-    return "\n".join([*top, line(header), "  ".join("-" * width for width in widths), *map(line, rows)])
-
-
-def markdown(ran: Sequence[Ran], swept: Sequence[str]) -> str:
+def markdown(ran: Sequence[Ran]) -> str:
     """The summary of a sweep as Markdown."""
-    table = grid(ran, swept)
-    names = [str(name) for name in table.index.names] if table.index.names[0] is not None else []
-    rows = [[*names, *map(str, table.columns)], ["---"] * (len(names) + len(table.columns))]
-    for key, own in zip(table.index, table.to_numpy().tolist(), strict=True):
-        labels = (key if isinstance(key, tuple) else (key,)) if names else ()
-        rows.append([*map(str, labels), *map(str, own)])
-    lines = ["| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in rows]
+    table = grid(ran)
     across = f" Columns: {table.columns.name}." if table.columns.name else ""
-    return "\n".join([f"Accuracy in percent.{across}", "", *lines])
+    rows = table.reset_index().to_markdown(index=False, disable_numparse=True)
+    return f"Accuracy in percent.{across}\n\n{rows}"
 
 
 def text_of_one(result: dict[str, Any]) -> str:
@@ -265,12 +188,9 @@ def text_of_one(result: dict[str, Any]) -> str:
         lines.append(f"{AVERAGE}: {result['accuracy']:.2f} %")
     table = confusion(result)
     shares = 100 * table / np.maximum(table.sum(axis=1, keepdims=True), 1)
-    frame = pd.DataFrame(
-        [[f"{share:.1f}" for share in row] for row in shares],
-        pd.MultiIndex.from_arrays([result["classes"]], names=["true place"]),
-        columns=pd.Index(result["classes"], name="decided, in percent of the true place's frames"),
-    )
-    return "\n".join([*lines, "", _plain(frame)])
+    frame = pd.DataFrame(shares, index=result["classes"], columns=result["classes"])
+    title = "Decided (columns), in percent of the true place's frames (rows)"
+    return "\n".join([*lines, "", title, "", frame.to_string(float_format="{:.1f}".format)])
 
 
 def confusion(result: dict[str, Any]) -> np.ndarray:
@@ -284,5 +204,6 @@ def confusion(result: dict[str, Any]) -> np.ndarray:
     return np.sum(counts, axis=0)
 
 
-def _label(values: dict[str, str]) -> str:
+def label(values: dict[str, str]) -> str:
+    """Keys and values in a line."""
     return " ".join(f"{key}={value}" for key, value in values.items())

@@ -23,15 +23,13 @@ _KIND = "placecat.kind"
 _FILES = (output.SUMMARY, report.SUMMARY, report.RESULTS)
 
 
-def log_sweep(ran: Sequence[Ran], swept: Sequence[str], folder: Path, dataset: dict[str, str]) -> str:
+def log_sweep(ran: Sequence[Ran], folder: Path) -> str:
     """Log a sweep and its experiments.
 
     Parameters
     ----------
     folder
         Of the sweep, with its summary.
-    dataset
-        ``name`` and ``title`` of the data set.
 
     Returns
     -------
@@ -43,7 +41,8 @@ def log_sweep(ran: Sequence[Ran], swept: Sequence[str], folder: Path, dataset: d
     PlacecatError
         MLflow cannot be written to.
     """
-    uri, client, experiment = _open(dataset)
+    uri, client, experiment, title = _open()
+    swept = list(ran[0].values)
     name = f"{' x '.join(swept) or 'one combination'}: {len(ran)} experiments"
     top = summary.highest(ran)
     metrics: dict[str, float] = {
@@ -51,7 +50,7 @@ def log_sweep(ran: Sequence[Ran], swept: Sequence[str], folder: Path, dataset: d
         "failed": sum(one.has_failed for one in ran),
         "without_number": sum(one.result["accuracy"] is None and not one.has_failed for one in ran),
     }
-    own_params = {store.key(key): _listed(ran, key) for key in swept}
+    own_params = {store.key(key): ", ".join(dict.fromkeys(one.values[key] for one in ran)) for key in swept}
     if top is not None:
         metrics["best"] = top[1]
         own_params |= {store.key("best", key): value for key, value in top[0].items()}
@@ -63,36 +62,39 @@ def log_sweep(ran: Sequence[Ran], swept: Sequence[str], folder: Path, dataset: d
         metrics=metrics,
         tags={_KIND: "sweep"} | _versions(),
         files=[path for name in _FILES if (path := folder / name).is_file()],
-        description=summary.markdown(ran, swept),
+        description=summary.markdown(ran),
     )
     for one in ran:
         _log_one(client, experiment, _label(one), one.result, one.folder, one.values, one.seconds, parent)
     failed = any(one.has_failed for one in ran)
     store.finish_run(client, parent, status="FAILED" if failed else "FINISHED")
-    return f"run {name!r} of the MLflow experiment {_name(dataset)!r} at {uri}"
+    return f"run {name!r} of the MLflow experiment {title!r} at {uri}"
 
 
-def log_one(result: dict[str, Any], folder: Path, dataset: dict[str, str]) -> str:
+def log_one(result: dict[str, Any], folder: Path) -> str:
     """Log a single experiment; parameters and result as for `log_sweep`."""
-    uri, client, experiment = _open(dataset)
+    uri, client, experiment, title = _open()
     own = result["settings"]
     name = f"{own['descriptor']['name']} {own['classifier']['base']['name']} {'+'.join(own['test_home'])}"
     seconds = float(files.read_json(folder / output.SECONDS))
     _log_one(client, experiment, name, result, folder, {}, seconds, None)
-    return f"run {name!r} of the MLflow experiment {_name(dataset)!r} at {uri}"
+    return f"run {name!r} of the MLflow experiment {title!r} at {uri}"
 
 
-def _open(dataset: dict[str, str]) -> tuple[str, Any, str]:
+def _open() -> tuple[str, Any, str, str]:
+    """Address, client, and number and name of the data set's experiment."""
+    params = settings.load()
+    name, title = (str(settings.get(params, f"dataset.{key}")) for key in ("name", "title"))
     uri = store.tracking_uri()
     client = store.connect(uri)
     experiment = store.experiment_id(
         client,
         uri,
-        _name(dataset),
+        f"placecat/{name}",
         artifacts=ARTIFACTS,
-        description=DESCRIPTION.format(title=dataset["title"]),
+        description=DESCRIPTION.format(title=title),
     )
-    return uri, client, experiment
+    return uri, client, experiment, f"placecat/{name}"
 
 
 def _versions() -> dict[str, str]:
@@ -104,16 +106,8 @@ def _versions() -> dict[str, str]:
     return {"data_version": version, store.COMMIT: git_commit()}
 
 
-def _name(dataset: dict[str, str]) -> str:
-    return f"placecat/{dataset['name']}"
-
-
 def _label(one: Ran) -> str:
     return " ".join(one.values.values()) or f"experiment {one.number}"
-
-
-def _listed(ran: Sequence[Ran], key: str) -> str:
-    return ", ".join(dict.fromkeys(one.values.get(key, "") for one in ran))
 
 
 def _log_one(

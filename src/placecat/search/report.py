@@ -8,12 +8,12 @@ from typing import Any
 import yaml
 
 from placecat import files
-from placecat.search.space import Space
+from placecat.search.space import Space, values
 from placecat.search.study import Tried, best
 
 RESULTS = "optimization_results.yaml"
 SUMMARY = "search.md"
-_PROGRAM = "python -m placecat.experiment"
+_PROGRAM = "placecat experiment"
 # What the test has otherwise than the search, or by default.
 _REPLACED = ("search", "judge", "test_home", "track", "data=main")
 
@@ -106,4 +106,4 @@ def _command(one: Tried, common: Sequence[str], home: str) -> str:
 
 def _values(one: Tried) -> dict[str, Any]:
     """Key to value, numbers as numbers."""
-    return {key: yaml.safe_load(value) for key, value in (each.split("=", 1) for each in one.overrides)}
+    return {key: yaml.safe_load(value) for key, value in values(one.overrides).items()}

@@ -1,6 +1,5 @@
 """What a search may choose, read from Hydra's overrides, and where it starts."""
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -20,97 +19,51 @@ _OF_THE_METHOD = ("descriptor", "classifier", "codebook", "clustering")
 
 
 @dataclass(frozen=True)
-class Dimension:
-    """A setting that the search chooses.
-
-    Attributes
-    ----------
-    key
-        The setting, e.g. ``classifier.base.gamma``.
-    written
-        Its override, for messages.
-    starts
-        Its values in the settings to start with.
-    low, high
-        Bounds of an interval or range, included; unused with `choices`.
-    step
-        Of a range; None for an interval.
-    is_log
-        Whether an interval is searched on a logarithmic scale.
-    choices
-        The values as Hydra writes them; empty for an interval or range.
-    """
-
-    key: str
-    written: str
-    starts: tuple[Any, ...]
-    low: float = 0.0
-    high: float = 0.0
-    step: float | None = None
-    is_log: bool = False
-    choices: tuple[str, ...] = ()
-
-    @property
-    def is_whole(self) -> bool:
-        """Whether its values are whole numbers."""
-        return not self.choices and all(isinstance(one, int) for one in (self.low, self.high, self.step or 1))
-
-    def distribution(self) -> "BaseDistribution":
-        """As Optuna knows it."""
-        from optuna.distributions import CategoricalDistribution, FloatDistribution, IntDistribution
-
-        if self.choices:
-            return CategoricalDistribution(self.choices)
-        if self.is_whole:
-            return IntDistribution(int(self.low), int(self.high), log=self.is_log, step=int(self.step or 1))
-        return FloatDistribution(self.low, self.high, log=self.is_log, step=self.step)
-
-    def override(self, value: Any, digits: int) -> str:
-        """The override that sets it to a value that Optuna gave.
-
-        Parameters
-        ----------
-        digits
-            Significant digits of a number from an interval. Those of the starts are kept.
-        """
-        if self.choices or self.is_whole or value in self.starts:
-            return f"{self.key}={value}"
-        rounded = min(max(float(f"{value:.{digits}g}"), self.low), self.high)
-        return f"{self.key}={rounded}"
-
-
-@dataclass(frozen=True)
 class Space:
     """What a search may choose.
 
     Attributes
     ----------
-    dimensions
-        The settings that it chooses.
+    distributions
+        Key to what may be chosen, as Optuna knows it; of a choice the values as Hydra writes them.
     starts
-        Where the settings to start with are from, e.g. ``conf/cue/hog_y.yaml``.
+        Where the settings to start with are from, e.g. ``conf/cue/hog_y.yaml``, to key to value.
     fixed
         Overrides that all its experiments have.
     digits
-        Significant digits of the numbers that it chooses from intervals.
+        Significant digits of the numbers that it chooses from intervals. Those of the starts are kept.
     """
 
-    dimensions: tuple[Dimension, ...]
-    starts: tuple[str, ...]
+    distributions: "dict[str, BaseDistribution]"
+    starts: dict[str, dict[str, Any]]
     fixed: tuple[str, ...]
     digits: int
 
-    def start_values(self) -> list[dict[str, Any]]:
-        """Key to value of each setting to start with, for Optuna."""
-        return [{one.key: one.starts[place] for one in self.dimensions} for place in range(len(self.starts))]
-
-    def distributions(self) -> "dict[str, BaseDistribution]":
-        """Key to what may be chosen, as Optuna knows it."""
-        return {one.key: one.distribution() for one in self.dimensions}
-
-    def overrides(self, values: Mapping[str, Any]) -> tuple[str, ...]:
+    def overrides(self, chosen: Mapping[str, Any]) -> tuple[str, ...]:
         """The overrides for the values that Optuna chose."""
-        return tuple(one.override(values[one.key], self.digits) for one in self.dimensions)
+        return tuple(f"{key}={self._written(key, chosen[key])}" for key in self.distributions)
+
+    def _written(self, key: str, value: Any) -> Any:
+        from optuna.distributions import FloatDistribution
+
+        own = self.distributions[key]
+        if not isinstance(own, FloatDistribution) or value in [one[key] for one in self.starts.values()]:
+            return value
+        return min(max(float(f"{value:.{self.digits}g}"), own.low), own.high)
+
+    def ends(self) -> list[tuple[str, ...]]:
+        """Overrides that bring each setting to each of its ends, the others as in the first start."""
+        first = next(iter(self.starts.values()))
+        found = [first]
+        for key, own in self.distributions.items():
+            limits = getattr(own, "choices", None) or (own.low, own.high)  # type: ignore[attr-defined]
+            found += [first | {key: value} for value in limits]
+        return [self.overrides(chosen) for chosen in found]
+
+
+def values(overrides: Sequence[str]) -> dict[str, str]:
+    """Key to value of overrides."""
+    return dict(one.split("=", 1) for one in overrides)
 
 
 def read(
@@ -142,78 +95,67 @@ def read(
         Nothing is searched; a key is none of the method's; or the space does not hold a start.
     """
     parser = OverridesParser.create()
-    by_key = {
-        one.get_key_element(): one
-        for one in parser.parse_overrides([*(f"{key}={value}" for key, value in spans.items()), *arguments])
-    }
-    searched = [one for one in by_key.values() if one.is_sweep_override()]
+    written = [*(f"{key}={value}" for key, value in spans.items()), *arguments]
+    by_key = {one.get_key_element(): one for one in parser.parse_overrides(written)}
+    searched = {key: one for key, one in by_key.items() if one.is_sweep_override()}
     if not searched:
         raise PlacecatError(
             "nothing is left to search: give a setting several values, e.g. "
             "'classifier.base.gamma=tag(log, interval(0.1, 10))'"
         )
+    for key, one in searched.items():
+        if key.split(".")[0].split("@")[0] not in _OF_THE_METHOD:
+            raise PlacecatError(
+                f"{one.input_line}: a search chooses settings of {', '.join(_OF_THE_METHOD)} only; {key} "
+                "belongs to how they are measured and has one value"
+            )
+    found = starts.find(list(searched), config, params)
+    distributions = {}
+    for key, one in searched.items():
+        distributions[key], chosen = _distribution(
+            one, {name: own[key] for name, own in found.items()}, parser
+        )
+        for name, own in found.items():
+            own[key] = chosen[name]
     fixed = tuple(str(one.input_line) for one in by_key.values() if not one.is_sweep_override())
-    keys = [one.get_key_element() for one in searched]
-    for key, one in zip(keys, searched, strict=True):
-        _need_of_the_method(key, str(one.input_line))
-    found = starts.find(keys, config, params)
-    dimensions = tuple(
-        _dimension(one, {name: values[key] for name, values in found.items()}, parser)
-        for key, one in zip(keys, searched, strict=True)
-    )
-    return Space(dimensions, tuple(found), fixed, digits)
+    return Space(distributions, found, fixed, digits)
 
 
-def _need_of_the_method(key: str, written: str) -> None:
-    if key.split(".")[0].split("@")[0] not in _OF_THE_METHOD:
-        raise PlacecatError(
-            f"{written}: a search chooses settings of {', '.join(_OF_THE_METHOD)} only; {key} belongs to how "
-            "they are measured and has one value"
+def _distribution(
+    override: Override, found: Mapping[str, Any], parser: OverridesParser
+) -> "tuple[BaseDistribution, dict[str, Any]]":
+    """What may be chosen of a setting, and the starts' values of it as Optuna knows them."""
+    from optuna.distributions import CategoricalDistribution, FloatDistribution, IntDistribution
+    from optuna.trial import create_trial
+
+    key, span = override.get_key_element(), override.value()
+    distribution: BaseDistribution
+    as_known: dict[str, Any] = dict(found)
+    if isinstance(span, IntervalSweep | RangeSweep):
+        ends: list[Any] = list(span.range()) if isinstance(span, RangeSweep) else [span.start, span.end]
+        step = span.step if isinstance(span, RangeSweep) else None
+        whole = all(isinstance(one, int) for one in (*ends, step or 1))
+        kind, options = (
+            (IntDistribution, {"step": step or 1}) if whole else (FloatDistribution, {"step": step})
         )
-
-
-def _dimension(override: Override, found: Mapping[str, Any], parser: OverridesParser) -> Dimension:
-    """Read one; `found` is where a start is from to its value of this setting."""
-    key, written = override.get_key_element(), str(override.input_line)
-    values = tuple(found.values())
-    value = override.value()
-    if override.is_interval_sweep():
-        assert isinstance(value, IntervalSweep)
-        low, high = value.start, value.end
-        assert low is not None
-        assert high is not None
-        is_log = "log" in value.tags
-        if not low < high or (is_log and low <= 0):
-            raise PlacecatError(f"{written}: the interval must grow{' and be above 0' if is_log else ''}")
-        whole = isinstance(low, int) and isinstance(high, int)
-        for name, start in found.items():
-            inside = _is_number(start) and low <= start <= high and (not whole or start == int(start))
-            _need_start(inside, written, name, start)
-        return Dimension(key, written, values, low, high, is_log=is_log)
-    if override.is_range_sweep():
-        assert isinstance(value, RangeSweep)
-        steps = list(value.range())
-        if not steps or value.step <= 0:
-            raise PlacecatError(f"{written}: the range must have values and grow")
-        for name, start in found.items():
-            inside = _is_number(start) and any(math.isclose(start, one) for one in steps)
-            _need_start(inside, written, name, start)
-        return Dimension(key, written, values, steps[0], steps[-1], value.step)
-    texts = tuple(dict.fromkeys(override.sweep_string_iterator()))
-    meaning = [parser.parse_override(f"{key}={text}").value() for text in texts]
-    for name, start in found.items():
-        _need_start(start in meaning, written, name, start)
-    chosen = tuple(texts[meaning.index(start)] for start in values)
-    return Dimension(key, written, chosen, choices=texts)
-
-
-def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)
-
-
-def _need_start(holds: bool, written: str, name: str, start: Any) -> None:
-    if not holds:
-        raise PlacecatError(
-            f"{written} does not hold {start}, the value of {name}, which is tried first so that what "
-            "is found is at least as good: widen it"
-        )
+        try:
+            distribution = kind(ends[0], ends[-1], log="log" in span.tags, **options)
+        except (ValueError, IndexError) as error:
+            raise PlacecatError(f"{override.input_line} is no span: {error}") from None
+    else:
+        texts = list(dict.fromkeys(override.sweep_string_iterator()))
+        meaning = [parser.parse_override(f"{key}={text}").value() for text in texts]
+        distribution = CategoricalDistribution(texts)
+        as_known = {
+            name: texts[meaning.index(value)] if value in meaning else None for name, value in found.items()
+        }
+    for name, value in as_known.items():
+        try:
+            # Optuna's check of whether it holds a value.
+            create_trial(params={key: value}, distributions={key: distribution}, value=0.0)
+        except ValueError:
+            raise PlacecatError(
+                f"{override.input_line} does not hold {found[name]}, the value of {name}, which is tried "
+                "first so that what is found is at least as good: widen it"
+            ) from None
+    return distribution, as_known

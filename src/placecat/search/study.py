@@ -74,12 +74,11 @@ def search(
     optuna.logging.set_verbosity(optuna.logging.WARNING)
     sampler = optuna.samplers.TPESampler(seed=seed, n_startup_trials=n_startup_trials)
     study = optuna.create_study(sampler=sampler, direction="maximize")
-    for start in space.start_values():
+    for start in space.starts.values():
         study.enqueue_trial(start)
-    distributions = space.distributions()
     known: dict[tuple[str, ...], Tried] = {}
     for asked in range(0, n_trials, batch_size):
-        batch = [study.ask(distributions) for _ in range(min(batch_size, n_trials - asked))]
+        batch = [study.ask(space.distributions) for _ in range(min(batch_size, n_trials - asked))]
         chosen = [space.overrides(trial.params) for trial in batch]
         new = [one for one in dict.fromkeys(chosen) if one not in known]
         if new:

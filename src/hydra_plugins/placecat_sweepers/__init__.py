@@ -1,0 +1,132 @@
+"""The sweepers, where Hydra looks for them. Hydra imports them always: nothing slow at the top."""
+
+import sys
+from abc import abstractmethod
+from typing import TYPE_CHECKING, Any
+
+from hydra.plugins.sweeper import Sweeper
+from hydra.types import HydraContext, TaskFunction
+from omegaconf import DictConfig
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from hydra.plugins.launcher import Launcher
+
+
+class _Checked(Sweeper):
+    """A sweeper that ends with one message if an experiment is refused, and with status 1 if one failed."""
+
+    def setup(self, *, hydra_context: HydraContext, task_function: TaskFunction, config: DictConfig) -> None:
+        """Take what Hydra gives."""
+        from hydra.core.plugins import Plugins
+
+        self.hydra_context: HydraContext = hydra_context
+        self.config: DictConfig = config
+        self.launcher: Launcher = Plugins.instance().instantiate_launcher(
+            hydra_context=hydra_context, task_function=task_function, config=config
+        )
+
+    def sweep(self, arguments: list[str]) -> None:
+        """Check, run and tell.
+
+        Parameters
+        ----------
+        arguments
+            Overrides of the command line.
+        """
+        from placecat.errors import PlacecatError
+
+        try:
+            is_well = self.run(arguments)
+        except PlacecatError as error:
+            sys.exit(f"placecat: {error}")
+        if not is_well:
+            sys.exit(1)
+
+    @abstractmethod
+    def run(self, arguments: list[str]) -> bool:
+        """Check, run and tell; say whether all went well."""
+
+
+class GridSweeper(_Checked):
+    """Run every combination, as Hydra's own sweeper does, after a check of all."""
+
+    def run(self, arguments: list[str]) -> bool:
+        """Run the combinations."""
+        from placecat.experiment import summary, sweep
+
+        lines, combinations = sweep.grid(arguments, self.hydra_context.config_loader)
+        experiments = sweep.check(self.config, lines, combinations)
+        for own, experiment in zip(combinations, experiments, strict=True):
+            if own.get(summary.HOME, "all") != "all":
+                # By its name, however it was spelled.
+                own[summary.HOME] = "+".join(experiment.homes)
+        folder = sweep.begin(self.config)
+        is_well = False
+        try:
+            self.launcher.launch(lines, initial_job_idx=0)
+        finally:
+            # What was computed is told even if the rest could not be.
+            is_well = sweep.tell(folder, combinations, log=bool(self.config.track))
+        return is_well
+
+
+class OptunaSweeper(_Checked):
+    """Choose each experiment's settings by the accuracies of those before, with Optuna.
+
+    Unlike Hydra's own plugin, which needs Optuna 2, it tries the setting without a search first, and its
+    batches do not depend on the number of workers, which is the launcher's. The parameters are those of
+    conf/hydra/sweeper/optuna.yaml.
+    """
+
+    def __init__(
+        self,
+        n_trials: int,
+        batch_size: int,
+        seed: int,
+        n_startup_trials: int,
+        digits: int,
+        params: DictConfig | None = None,
+    ) -> None:
+        self.numbers = {
+            "n_trials": n_trials,
+            "batch_size": batch_size,
+            "seed": seed,
+            "n_startup_trials": n_startup_trials,
+        }
+        self.digits = digits
+        self.params = {str(key): value for key, value in (params or {}).items()}
+
+    def run(self, arguments: list[str]) -> bool:
+        """Search, and write what was found to the folder of the sweep."""
+        from placecat import settings
+        from placecat.experiment import sweep
+        from placecat.search import report, requirements, space, study
+
+        config = self.config
+        requirements.need_optuna()
+        own = space.read(self.params, arguments, config, settings.load(), digits=self.digits)
+        requirements.check(config)
+        ends = [[*own.fixed, *line] for line in own.ends()]
+        sweep.check(config, ends, [space.values(line) for line in own.ends()])
+        folder = sweep.begin(config)
+        started: list[dict[str, str]] = []
+
+        def launch(lines: "Sequence[tuple[str, ...]]", first: int) -> list[float]:
+            started.extend(space.values(line) for line in lines)
+            returns: Any = self.launcher.launch(
+                [[*own.fixed, *line] for line in lines], initial_job_idx=first
+            )
+            return [float(one.return_value) for one in returns]
+
+        is_well = False
+        try:
+            tried = study.search(own, launch, **self.numbers)
+            choices = config.hydra.runtime.choices
+            base = {key: str(choices[key]) for key in ("descriptor", "classifier", "data") if key in choices}
+            home = config.test_home if isinstance(config.test_home, str) else config.test_home[0]
+            print(f"\n{report.write(folder, tried, own, base, home)}")
+        finally:
+            is_well = sweep.tell(folder, started, log=bool(config.track))
+        return is_well

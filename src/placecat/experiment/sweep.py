@@ -1,0 +1,161 @@
+"""A sweep: every experiment is checked before the first runs; what came out is told and logged."""
+
+import itertools
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from hydra import compose
+from hydra.core.config_loader import ConfigLoader
+from hydra.core.override_parser.overrides_parser import OverridesParser
+from hydra.errors import HydraException
+from omegaconf import DictConfig, OmegaConf
+from omegaconf.errors import OmegaConfBaseException
+
+from placecat import files, settings
+from placecat.errors import PlacecatError
+from placecat.experiment import output, summary
+from placecat.experiment.combination import Experiment, resolve
+
+# As many refused combinations as a message lists for one reason.
+_LISTED = 8
+
+
+def grid(arguments: Sequence[str], loader: ConfigLoader) -> tuple[list[list[str]], list[dict[str, str]]]:
+    """Read every combination of the values in Hydra's overrides.
+
+    Parameters
+    ----------
+    arguments
+        Overrides of the command line.
+    loader
+        Hydra's, for ``glob``.
+
+    Returns
+    -------
+    lines
+        The overrides of each experiment, in Hydra's order.
+    combinations
+        Of each the keys with several values, and its value.
+
+    Raises
+    ------
+    PlacecatError
+        An interval, from which only a search can choose.
+    """
+    overrides = OverridesParser.create(config_loader=loader).parse_overrides(list(arguments))
+    choices: list[list[tuple[str, dict[str, str]]]] = []
+    for one in overrides:
+        if not one.is_sweep_override():
+            choices.append([(str(one.input_line), {})])
+        elif one.is_discrete_sweep():
+            key = one.get_key_element()
+            choices.append([(f"{key}={value}", {key: value}) for value in one.sweep_string_iterator()])
+        else:
+            raise PlacecatError(
+                f"{one.input_line} is an interval, from which only a search can choose: give single values"
+            )
+    lines, combinations = [], []
+    for parts in itertools.product(*choices):
+        lines.append([line for line, _ in parts])
+        combinations.append({key: value for _, own in parts for key, value in own.items()})
+    return lines, combinations
+
+
+def check(
+    config: DictConfig, lines: Sequence[Sequence[str]], combinations: Sequence[dict[str, str]]
+) -> list[Experiment]:
+    """Find out what each combination means.
+
+    Parameters
+    ----------
+    config
+        The sweep, composed with Hydra's own settings.
+    lines
+        The overrides of each experiment.
+    combinations
+        What a message calls it by.
+
+    Raises
+    ------
+    PlacecatError
+        Naming each combination that cannot be, and why.
+    """
+    params, of_hydra = settings.load(), list(config.hydra.overrides.hydra)
+    experiments: list[Experiment] = []
+    refused: dict[str, list[str]] = {}
+    for line, own in zip(lines, combinations, strict=True):
+        try:
+            composed = compose(config.hydra.job.config_name, overrides=[*of_hydra, *line])
+            experiments.append(resolve(OmegaConf.to_container(composed, resolve=True), params))  # type: ignore[arg-type]
+        except (PlacecatError, HydraException, OmegaConfBaseException) as error:
+            refused.setdefault(" ".join(str(error).split()), []).append(summary.label(own))
+    if refused:
+        count = sum(map(len, refused.values()))
+        text = [f"{count} of {len(lines)} combinations are refused, nothing was computed:"]
+        for message, labels in refused.items():
+            text += [f"- {message}", *(f"    {label}" for label in labels[:_LISTED])]
+            if len(labels) > _LISTED:
+                text.append(f"    and {len(labels) - _LISTED} more")
+        raise PlacecatError("\n".join(text))
+    return experiments
+
+
+def begin(config: DictConfig) -> Path:
+    """Make the folder of the sweep, without what an earlier one left there as results."""
+    folder = Path(config.hydra.sweep.dir)
+    folder.mkdir(parents=True, exist_ok=True)
+    for path in [*folder.glob(f"*/{output.RESULT}"), folder / output.SUMMARY]:
+        path.unlink(missing_ok=True)
+    OmegaConf.save(config, folder / "multirun.yaml")
+    return folder
+
+
+def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: bool) -> bool:
+    """Print, write and log what the experiments of a sweep gave.
+
+    Parameters
+    ----------
+    folder
+        Of the sweep.
+    combinations
+        The swept keys and their values, of each experiment that was started.
+    log
+        Whether to log to MLflow, too.
+
+    Returns
+    -------
+    bool
+        Whether all went well.
+    """
+    ran = summary.read(folder, combinations)
+    if not ran:
+        return True
+    files.write_csv(folder / output.SUMMARY, summary.as_frame(ran))
+    print(f"\n{summary.text(ran)}\n\nAll of it: {folder / output.SUMMARY}")
+    is_well = not any(one.has_failed for one in ran)
+    if log:
+        from placecat.experiment import tracking
+
+        is_well &= _log(lambda: tracking.log_sweep(ran, folder))
+    return is_well
+
+
+def tell_one(folder: Path, result: dict[str, object], *, log: bool) -> bool:
+    """Print and log what a single experiment gave; as `tell`."""
+    print(f"\n{summary.text_of_one(result)}\n\nAll of it: {folder / output.RESULT}")
+    if log:
+        from placecat.experiment import tracking
+
+        return _log(lambda: tracking.log_one(result, folder))
+    return True
+
+
+def _log(write: Callable[[], str]) -> bool:
+    """Log; say where, or why it could not be. The results are on disk either way."""
+    try:
+        print(f"Logged: {write()}")
+    except PlacecatError as error:
+        print(f"placecat: nothing logged: {error}; track=false does without", file=sys.stderr)
+        return False
+    return True
