@@ -12,7 +12,7 @@ from placecat import cue_training, files, listing, parallel, paths, settings, st
 from placecat.categorizer import model_file
 from placecat.categorizer.card import make_card
 from placecat.categorizer.system import TrainedCue, TrainedSystem
-from placecat.cues.codebook import Codebook, seed_of
+from placecat.cues.codebook import Codebook, seed_of, settings_of
 from placecat.errors import PlacecatError
 from placecat.evaluation import protocol
 from placecat.fusion import integrate, smoothing
@@ -171,7 +171,7 @@ def _train_cue(
     if cue["codebook"] is None:
         descriptor = cue["descriptor"]
     else:
-        own = settings.get(params, f"codebooks.{cue['codebook']}")
+        own = settings_of(params, cue["codebook"])
         descriptor = own["descriptor"]
         labels = {home: listing.read_labels(home) for home in fold.cue_homes}
         codebook = Codebook.fit(

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from placecat import files, items, listing, parallel, paths, settings, store
-from placecat.cues.codebook import Codebook, seed_of
+from placecat.cues.codebook import Codebook, seed_of, settings_of
 from placecat.evaluation import protocol
 from placecat.stages import run
 
@@ -22,14 +22,15 @@ def main() -> None:
             [codebook, *shared],
             (*labels, *(path for home in homes for path in store.files_of(home, codebook["descriptor"]))),
         )
-        for name, codebook in settings.get(params, "codebooks").items()
+        for name in settings.get(params, "codebooks")
+        for codebook in [settings_of(params, name)]
     }
     items.refresh("codebooks", paths.CODEBOOKS, wanted, lambda name, folder: make(name, folder, params))
 
 
 def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
     """Cluster one kind of descriptor for every training set of its schemes, once for each seed."""
-    codebook = settings.get(params, f"codebooks.{name}")
+    codebook = settings_of(params, name)
     homes = list(settings.get(params, "dataset.homes"))
     labels = {home: listing.read_labels(home) for home in homes}
     selection = protocol.select_training(labels, **settings.get(params, "protocol.cue_frames"))
