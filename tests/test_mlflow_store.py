@@ -7,7 +7,7 @@ import pytest
 from placecat import mlflow_store
 from placecat.errors import PlacecatError
 
-pytestmark = pytest.mark.xdist_group("mlflow")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("mlflow")]
 
 
 @pytest.fixture(autouse=True)

@@ -16,7 +16,7 @@ from placecat.reporting.tables import dataset_of, fill_table, tables_of
 from placecat.reporting.tracking import RowRun, TableRun, flatten, log_tables
 from placecat.reporting.tracking_content import figures_run, table_run
 
-pytestmark = pytest.mark.xdist_group("mlflow")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("mlflow")]
 
 
 @pytest.fixture(scope="module")
