@@ -10,7 +10,8 @@ CLUSTERS = {"hog_y": 5, "hog_y_knn": 8}
 FLAT = PARAMS | {
     "protocol": PARAMS["protocol"] | {"test_homes": ["H1"], "seeds": [0]},
     "codebooks": {
-        "hog_y": PARAMS["codebooks"]["hog_y"] | {"tree": {"name": "flat_kmeans", "max_iter": 5}},
+        "hog_y": PARAMS["codebooks"]["hog_y"]
+        | {"schemes": ["5-5-1"], "tree": {"name": "flat_kmeans", "max_iter": 5}},
     },
     "cues": {
         name: PARAMS["cues"][name]
