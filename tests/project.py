@@ -46,8 +46,6 @@ SMALL = [
             "test=[Home3]",
         )
     ),
-    # Half of the folds. Home1 is in every table, and Home4 has two floors.
-    "protocol.test_homes=[Home1,Home4]",
     "protocol.extra.sequences=[Home1]",
     "toy.training=200",
     "toy.testing=500",
