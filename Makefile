@@ -1,4 +1,4 @@
-# Two commands: `make repro` regenerates every table, `make test` runs every test.
+# Two commands: `make repro` regenerates every table, `make test` runs every test (`make test-quick` most of them).
 # Both first install what they need, pinned, into .venv: the tests also need what renders the homes.
 # `make bench` times each piece beside what one would use instead, which it installs too.
 PYTHON ?= python3
@@ -13,14 +13,20 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.installed
 READY_TEST := $(VENV)/.installed-test
 READY_BENCH := $(VENV)/.installed-bench
+# tests/conftest.py orders the tests.
+WORKERS := -n 2 --dist loadgroup --no-loadscope-reorder
 
-.PHONY: repro test choose bench bench-scale lint ui lock clean
+.PHONY: repro test test-quick choose bench bench-scale lint ui lock clean
 
 repro: $(READY)
 	$(BIN)/placecat repro $(SET)
 
 test: $(READY_TEST) lint
-	$(BIN)/python -m pytest -n 2 --dist loadgroup tests
+	$(BIN)/python -m pytest $(WORKERS) tests
+
+# Without what runs DVC, a server, a browser or the renderer, or takes more than a few seconds.
+test-quick: $(READY_TEST)
+	$(BIN)/python -m pytest $(WORKERS) -m "not slow" tests
 
 bench: $(READY_BENCH)
 	$(BIN)/python -m placecat_bench $(PIECE)

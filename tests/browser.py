@@ -11,7 +11,11 @@ import pytest
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 # Pixels; Chromium makes no narrower window unless it takes a picture.
 _NARROWEST = 500
-needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason="chromium is not installed")
+
+
+def needs_chromium(test):
+    """Mark a test that opens a page."""
+    return pytest.mark.slow(pytest.mark.skipif(CHROMIUM is None, reason="chromium is not installed")(test))
 
 
 def open_page(url, folder, *arguments):

@@ -1,7 +1,11 @@
+import json
+import os
 import sys
 from pathlib import Path
 
+import hypothesis
 import pytest
+from filelock import FileLock
 
 import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
 
@@ -10,9 +14,27 @@ for _folder in (".", "categorizer", "homes", "sequences", "stages", "thesis", "v
     sys.path.insert(0, str(Path(__file__).parent / _folder))
 
 
+# Fixtures that run DVC, a server, a browser or the renderer: what asks for one is slow.
+SLOW = {"clone", "committed", "experiments", "film", "ran", "reproduced", "server"}
+
+# No deadline: how long an example takes says how busy the machine is.
+hypothesis.settings.register_profile("placecat", max_examples=40, deadline=None)
+hypothesis.settings.load_profile("placecat")
+
+
 def pytest_collection_modifyitems(items):
-    """Put the longest group first, so that the other worker does the rest meanwhile."""
-    items.sort(key=lambda item: ("pipeline",) not in [mark.args for mark in item.iter_markers("xdist_group")])
+    """Mark what is slow; the longest group comes first, then the others, and last what waits for it."""
+    for item in items:
+        if SLOW & set(getattr(item, "fixturenames", ())):
+            item.add_marker("slow")
+    items.sort(key=_turn)
+
+
+def _turn(item):
+    groups = {mark.args[0] for mark in item.iter_markers("xdist_group")}
+    if "later" in groups:
+        return 3
+    return 0 if "pipeline" in groups else 1 if groups else 2
 
 
 @pytest.fixture
@@ -28,10 +50,22 @@ def two_workers(monkeypatch):
 
 @pytest.fixture(scope="session")
 def reproduced(tmp_path_factory):
-    """The whole pipeline run once, through DVC, on small drawn homes. Tests that change it copy it."""
+    """The whole pipeline run once for all workers, through DVC, on small drawn homes.
+
+    Gives its folder, the stages that ran and what DVC said. Tests that change the folder copy it.
+    """
     from project import copy_project, repro
 
-    folder = copy_project(tmp_path_factory.mktemp("reproduced"))
-    # One worker starts faster than two where there is little to do.
-    ran, result = repro(folder, PLACECAT_WORKERS="1")
-    return folder, ran, result
+    shared = tmp_path_factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        shared = shared.parent
+    folder, said = shared / "reproduced", shared / "reproduced.json"
+    with FileLock(shared / "reproduced.lock"):
+        if not said.exists():
+            folder.mkdir()
+            copy_project(folder)
+            # One worker starts faster than two where there is little to do.
+            ran, result = repro(folder, PLACECAT_WORKERS="1")
+            said.write_text(json.dumps([ran, result.stdout]))
+    ran, output = json.loads(said.read_text())
+    return folder, ran, output

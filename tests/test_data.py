@@ -12,7 +12,7 @@ from placecat.stages import sequences
 from placecat_homes import render
 from project import ROOT, rendered
 
-pytestmark = pytest.mark.xdist_group("data")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("data")]
 
 SIZES = {"homes": {(1280, 720)}, "university": {(640, 480)}, "apartments": {(640, 480), (1280, 720)}}
 """Frame sizes of each data set, as (width, height)."""

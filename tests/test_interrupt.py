@@ -90,6 +90,7 @@ def running(group):
     )
 
 
+@pytest.mark.slow
 def test_a_run_goes_on_after_ctrl_c_and_ends_in_the_same_bytes(project, tmp_path):
     whole = tmp_path / "whole"
     shutil.copytree(project, whole, symlinks=True)

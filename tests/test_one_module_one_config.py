@@ -9,7 +9,7 @@ import yaml
 from project import HOMES, ROOT, SITES, SMALL, contents, repro, run
 from sketch import draw_homes
 
-pytestmark = pytest.mark.xdist_group("one_cue")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("one_cue")]
 
 HOME_NAMES = ["Home1", "Home2", "Home3", "Home4"]
 HOLISTIC_MODULE = '''"""Brightness: the mean intensity in the cells of a grid."""

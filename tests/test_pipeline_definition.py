@@ -199,16 +199,18 @@ def settings_in_code():
         estimator = type(estimators.build(clustering, path.stem))
         options = {key: value for key, value in clustering.items() if key != "name"}
         yield path.stem, options, estimator, {"seed", "numbers"}
-    for path in sorted((ROOT / "conf/classifier").glob("*.yaml")):
-        override = f"classifier@cues.gist.classifier={path.stem}"
-        composed = yaml.safe_load(compose.compose([override], conf=_light_conf()))
-        classifier = composed["cues"]["gist"]["classifier"]
-        for part in ("base", "scheme"):
-            if part in classifier:
-                estimator = type(estimators.build(classifier[part], part))
-                options = {key: value for key, value in classifier[part].items() if key != "name"}
-                given = {"n_values", "n_jobs", "base", "codebook", "n_clusters", "seed"}
-                yield f"{path.stem}.{part}", options, estimator, given
+    read = {
+        path.relative_to(ROOT / "conf").as_posix(): yaml.safe_load(path.read_text())
+        for folder in ("classifier", "scheme")
+        for path in sorted((ROOT / "conf" / folder).glob("*.yaml"))
+    }
+    for file, content in read.items():
+        options = content.get("base") if file.startswith("classifier/") else content
+        # A file without is a variant of another.
+        if options and "name" in options:
+            estimator = type(estimators.build({"name": options["name"]}, file))
+            settings = {key: value for key, value in options.items() if key not in ("name", "defaults")}
+            yield file, settings, estimator, {"n_values", "n_jobs", "base", "codebook", "n_clusters", "seed"}
     given = {"proba", "sequences", "frame_rate", "n_classes"}
     given |= {f"training_{part}" for part in ("sequences", "frame_rates", "proba", "truth")}
     lists = ("cues", "filtered")

@@ -14,6 +14,7 @@ STAY = 30
 """Frames of each room of a made home."""
 
 
+@pytest.mark.slow
 def test_no_shortcut_tells_the_rooms_of_the_homes():
     table = measure(data_set("homes"))
     assert table.shape == (5 * 6, 6 + 1)

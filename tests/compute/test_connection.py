@@ -21,7 +21,7 @@ HOMES = ("Home1", "Home2", "Home3")
 # As joblib names them.
 TASKS = "batch_of_perform_1_calls"
 
-pytestmark = pytest.mark.xdist_group("cluster")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("cluster")]
 
 
 def parameters():

@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from placecat.evaluation.bootstrap import Interval, paired_bootstrap, stratified_bootstrap, stretch
@@ -14,7 +14,6 @@ def mean_of(units, seed=0, **options):
     )
 
 
-@settings(deadline=None)
 @given(UNITS, st.integers(0, 2**32 - 1))
 def test_interval_brackets_the_mean(units, seed):
     interval = mean_of(units, seed)
@@ -23,7 +22,6 @@ def test_interval_brackets_the_mean(units, seed):
     assert interval.estimate - 1e-9 <= interval.high
 
 
-@settings(deadline=None)
 @given(UNITS, UNITS, st.integers(0, 2**32 - 1))
 def test_swapped_sides_mirror_the_interval(left, right, seed):
     n = min(len(left), len(right))
@@ -33,14 +31,12 @@ def test_swapped_sides_mirror_the_interval(left, right, seed):
     )
 
 
-@settings(deadline=None)
 @given(UNITS, st.floats(-50, 50))
 def test_what_both_sides_share_cancels_and_constant_differences_give_a_point(home, difference):
     interval = mean_of((home + difference) - home).rounded()
     assert interval.low == interval.estimate == interval.high == pytest.approx(difference, abs=0.006)
 
 
-@settings(deadline=None)
 @given(UNITS, st.floats(0.1, 10), st.floats(-20, 20))
 def test_interval_moves_and_scales_with_its_units(units, scale, shift):
     one, other = mean_of(units), mean_of(scale * units + shift)

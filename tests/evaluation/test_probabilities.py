@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from placecat.errors import PlacecatError
@@ -39,7 +39,6 @@ def test_log_loss_agrees_with_scikit_learn(seed):
     assert log_loss(truth, proba, smallest=np.finfo(float).eps) == pytest.approx(reference, rel=1e-12)
 
 
-@settings(deadline=None)
 @given(st.integers(2, 9), st.lists(st.integers(-1, 1), min_size=1).filter(lambda one: max(one) >= 0))
 def test_guessing_has_the_logarithm_of_the_number_of_places(classes, truth):
     proba = np.full((len(truth), classes), 1.0 / classes)
@@ -58,7 +57,6 @@ def test_a_zero_costs_what_the_smallest_probability_costs():
     assert log_loss([0, 0], proba, smallest=1e-4) == 0.0
 
 
-@settings(deadline=None)
 @given(st.integers(0, 1000), st.integers(1, 20))
 def test_unlabelled_frames_and_the_order_of_frames_do_not_count(seed, bins):
     truth, proba = drawn(seed)
@@ -71,7 +69,6 @@ def test_unlabelled_frames_and_the_order_of_frames_do_not_count(seed, bins):
         assert error(truth[own], proba[own], bins) == pytest.approx(error(truth, proba, bins))
 
 
-@settings(deadline=None)
 @given(st.integers(0, 1000))
 def test_frames_said_twice_change_nothing(seed):
     """Places weigh the same, so that the frames of one may be counted twice."""
@@ -83,7 +80,6 @@ def test_frames_said_twice_change_nothing(seed):
     assert error(truth[own], proba[own]) == pytest.approx(error(truth, proba))
 
 
-@settings(deadline=None)
 @given(st.lists(st.integers(-1, 3), max_size=40))
 def test_weights_sum_to_one_place_by_place(truth):
     weights = balanced_weights(truth)
@@ -122,7 +118,6 @@ def test_the_error_agrees_with_a_loop_over_bins(seed):
     assert error(truth, proba, bins) == pytest.approx(total)
 
 
-@settings(deadline=None)
 @given(st.integers(0, 1000), st.integers(1, 30))
 def test_the_error_is_between_that_of_one_bin_and_one(seed, bins):
     truth, proba = drawn(seed)
@@ -131,7 +126,6 @@ def test_the_error_is_between_that_of_one_bin_and_one(seed, bins):
     assert error(truth, proba, 1) - 1e-12 <= error(truth, proba, bins) <= 1
 
 
-@settings(deadline=None)
 @given(st.integers(0, 1000))
 def test_the_width_of_confidences_is_that_of_the_bins(seed):
     """A confidence is within its bin, upper end included."""
@@ -160,7 +154,6 @@ def test_homes_weigh_the_same_in_a_pooled_diagram():
     assert calibration_error(both) == pytest.approx(0.05)
 
 
-@settings(deadline=None)
 @given(st.lists(st.integers(0, 1000), min_size=1, max_size=4))
 def test_a_pooled_error_is_at_most_the_mean(seeds):
     diagrams = [reliability(*drawn(seed), bins=8) for seed in seeds]

@@ -2,7 +2,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from placecat.evaluation.quality import home_quality
@@ -37,7 +37,6 @@ def by_hand(truth, decision, cuts):
     return [(place, own[0], own[-1] + 1) for place, own in stays], counts
 
 
-@settings(deadline=None)
 @given(frames)
 def test_stays_and_their_names_are_those_of_a_loop_over_frames(rows):
     truth, decision, cuts = ([row[k] for row in rows] for k in range(3))
@@ -46,7 +45,6 @@ def test_stays_and_their_names_are_those_of_a_loop_over_frames(rows):
     np.testing.assert_array_equal(stays_by_class(truth, decision, parts_of(cuts), CLASSES), counts)
 
 
-@settings(deadline=None)
 @given(frames)
 def test_stays_cover_the_labelled_frames_once(rows):
     truth, _, cuts = ([row[k] for row in rows] for k in range(3))
@@ -69,7 +67,6 @@ def test_a_stay_is_named_by_most_of_its_frames_and_a_tie_names_nothing(decision,
     assert counts.tolist() == [[1, right], [0, 0], [0, 0]]
 
 
-@settings(deadline=None)
 @given(frames, st.permutations(range(CLASSES)))
 def test_the_order_of_the_classes_does_not_matter(rows, order):
     truth, decision, cuts = ([row[k] for row in rows] for k in range(3))

@@ -80,17 +80,17 @@ def test_bonferroni():
     assert corrected_level(0.95, 14) == pytest.approx(0.9964, abs=5e-5)
 
 
-@pytest.mark.parametrize("comparisons", [2, 5, 14])
+@pytest.mark.parametrize("comparisons", [2, 14])
 def test_a_claim_of_several_true_comparisons_falsely_fails_in_5_percent_at_most(comparisons):
     """Each difference is exactly 0, the worst for "not below 0"; without a correction it is more of 14."""
     rng = np.random.default_rng(comparisons)
-    better, runs, level = Range(0.0, INFINITE), 250, corrected_level(0.95, comparisons)
+    better, runs, level = Range(0.0, INFINITE), 120, corrected_level(0.95, comparisons)
     wrong = {0.95: 0, level: 0}
     for run in range(runs):
         units = rng.normal(size=(comparisons, 6))
         for each in wrong:
             found = [
-                paired_bootstrap(lambda weights, own=own: weights @ own, 6, run, level=each, resamples=1000)
+                paired_bootstrap(lambda weights, own=own: weights @ own, 6, run, level=each, resamples=500)
                 for own in units
             ]
             wrong[each] += combine([judge(one, better) for one in found]) == FAILS

@@ -16,7 +16,7 @@ from placecat.experiment import sweep as sweeping
 from placecat.experiment.running import compute
 
 # One worker for all, so that the sweep runs once.
-pytestmark = pytest.mark.xdist_group("experiment")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("experiment")]
 
 # Half of it fails: a cluster has at least one neighbour, itself.
 SWEPT = ("descriptor=gist", "classifier=knn", "classifier.base.n_neighbors=1,-1", "test_home=h1,H_2")

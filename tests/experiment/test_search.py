@@ -20,7 +20,7 @@ from placecat.learning.scaling import KINDS
 from placecat.search import report, requirements, space, starts, study
 
 pytest.importorskip("optuna")
-pytestmark = pytest.mark.xdist_group("experiment")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("experiment")]
 
 GAMMA, SCALING, CLUSTERS = "classifier.base.gamma", "classifier.scaling", "classifier.clusters"
 PARAMS = {GAMMA: "tag(log, interval(0.02, 20.0))", SCALING: "choice(none, standard)"}

@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
@@ -62,7 +62,6 @@ def test_solves_equation_14():
         np.testing.assert_allclose(state, solved.y[:, -1], rtol=1e-7)
 
 
-@settings(deadline=None)
 @given(taus, st.integers(2, 30), st.integers(0, 100))
 def test_repeated_frames_at_a_higher_rate_change_nothing(tau, times, seed):
     target = distributions(12, seed)
@@ -71,7 +70,6 @@ def test_repeated_frames_at_a_higher_rate_change_nothing(tau, times, seed):
     np.testing.assert_allclose(fast[times - 1 :: times], slow, atol=1e-12)
 
 
-@settings(deadline=None)
 @given(taus, st.floats(0.1, 60.0))
 def test_the_time_constant_is_that_of_a_step(tau, rate):
     """After tau seconds 63 % of a step are done."""

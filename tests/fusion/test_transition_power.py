@@ -28,7 +28,6 @@ matrices = st.builds(
 exponents = st.floats(0.0, 50.0)
 
 
-@settings(deadline=None)
 @given(matrices, exponents)
 def test_rows_stay_distributions_whatever_the_matrix(matrix, exponent):
     power = TransitionPower(matrix)(exponent)
@@ -36,7 +35,6 @@ def test_rows_stay_distributions_whatever_the_matrix(matrix, exponent):
     np.testing.assert_allclose(power.sum(axis=1), 1.0, rtol=1e-12)
 
 
-@settings(deadline=None)
 @given(matrices, exponents, exponents)
 def test_chapman_kolmogorov(matrix, first, second):
     """To go on for x and then for y is to go on for x + y; 1 is the matrix itself and stands apart."""
@@ -46,7 +44,6 @@ def test_chapman_kolmogorov(matrix, first, second):
     np.testing.assert_allclose(power(first) @ power(second), power(first + second), atol=1e-9)
 
 
-@settings(deadline=None)
 @given(matrices)
 def test_one_is_the_matrix_itself_to_the_bit(matrix):
     power = TransitionPower(matrix)
@@ -56,14 +53,12 @@ def test_one_is_the_matrix_itself_to_the_bit(matrix):
     np.testing.assert_allclose(power(0.0), np.eye(len(matrix)), atol=1e-12)
 
 
-@settings(deadline=None)
 @given(st.integers(0, 10_000), st.integers(2, 6), exponents)
 def test_an_embeddable_matrix_has_exact_powers(seed, n, exponent):
     rates = rates_of(np.random.default_rng(seed), n)
     np.testing.assert_allclose(TransitionPower(expm(rates))(exponent), expm(exponent * rates), atol=1e-7)
 
 
-@settings(deadline=None)
 @given(st.integers(0, 10_000), st.integers(2, 6), st.integers(2, 12))
 def test_whole_powers_are_products(seed, n, times):
     matrix = expm(rates_of(np.random.default_rng(seed), n))
@@ -73,7 +68,6 @@ def test_whole_powers_are_products(seed, n, times):
     np.testing.assert_allclose(np.linalg.matrix_power(root, times), matrix, atol=1e-8)
 
 
-@settings(deadline=None)
 @given(st.floats(0.001, 0.49), st.floats(0.001, 0.49), exponents)
 def test_two_places_in_closed_form(a, b, exponent):
     matrix = np.array([[1 - a, a], [b, 1 - b]])

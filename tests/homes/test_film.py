@@ -9,7 +9,7 @@ pytest.importorskip("embreex", reason="rendering needs the optional extra")
 from placecat_homes import render
 from project import ROOT
 
-pytestmark = pytest.mark.xdist_group("film")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("film")]
 
 NAME = "apartments/webcam"
 FRAMES = (0, 90, 180, 270, 360, 450)

@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
@@ -19,7 +19,6 @@ def information(active, y):
     return total
 
 
-@settings(deadline=None)
 @given(
     arrays(np.uint8, (24, 6), elements=st.integers(0, 1)),
     arrays(np.int16, 24, elements=st.integers(0, 2)),

@@ -7,7 +7,7 @@ import pytest
 from placecat.errors import PlacecatError
 from placecat.mlflow_log import store
 
-pytestmark = pytest.mark.xdist_group("mlflow")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("mlflow")]
 
 
 @pytest.fixture(autouse=True)

@@ -17,7 +17,7 @@ from placecat.results.confusion import shares
 from placecat.thesis.decisions import decisions_of
 from placecat.thesis.tables import dataset_of, fill_table, tables_of
 
-pytestmark = pytest.mark.xdist_group("mlflow")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("mlflow")]
 
 
 @pytest.fixture(scope="module")

@@ -3,7 +3,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from placecat.errors import PlacecatError
@@ -61,7 +61,6 @@ def test_a_moved_bound_is_refused(lengths: list[tuple[int, str]], data: st.DataO
         check_segments(segments, len(naive(lengths)), Path("a"), "floor 1/", "line 2")
 
 
-@settings(deadline=None)
 @given(runs)
 def test_csv_in_frames(lengths: list[tuple[int, str]]) -> None:
     rows = [f"{a},{b},{label}" for a, b, label in intervals(lengths)]
@@ -70,7 +69,6 @@ def test_csv_in_frames(lengths: list[tuple[int, str]]) -> None:
     assert lines == [2 + i for i, (length, _) in enumerate(lengths) for _ in range(length)]
 
 
-@settings(deadline=None)
 @given(runs, st.sampled_from([4.9, 5.0, 24000 / 1001, 25.0, 30000 / 1001, 60.0]))
 def test_csv_in_rounded_seconds(lengths: list[tuple[int, str]], fps: float) -> None:
     rows = [f"{(a - 1) / fps:.3f},{b / fps:.3f},{label}" for a, b, label in intervals(lengths)]

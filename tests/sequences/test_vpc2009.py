@@ -4,7 +4,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from helpers_sequences import decoded, write_image
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from placecat.errors import PlacecatError
@@ -86,7 +86,6 @@ def test_homes_in_natural_order(tmp_path: Path) -> None:
     assert vpc2009.list_homes(tmp_path) == ["Home1", "Home2", "Home10"]
 
 
-@settings(deadline=None)
 @given(
     st.lists(
         st.lists(

@@ -6,6 +6,8 @@ from made_features import HOMES, PARAMS, make, run_stages
 
 MARKED = "H2"
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def runs(tmp_path_factory):

@@ -21,6 +21,8 @@ SMALL = PARAMS | {
     }.items()
 }
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def folders(tmp_path_factory):

@@ -1,7 +1,7 @@
 import cv2
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from placecat.vision.grid import cell_means, cell_weights, mean_variance
@@ -42,7 +42,6 @@ def test_mean_variance_layout() -> None:
 
 
 @given(st.integers(4, 64), st.integers(1, 3))
-@settings(deadline=None)
 def test_mean_variance_equals_weighted_loops(side: int, grid: int) -> None:
     rng = np.random.default_rng(side)
     patches = rng.normal(50, 5, (2, 3, side, side)).astype(np.float32)

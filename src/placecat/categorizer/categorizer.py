@@ -74,10 +74,12 @@ class Categorizer:
 
     Examples
     --------
-    >>> categorizer = Categorizer.load("data/model.placecat")  # doctest: +SKIP
-    >>> for frame, seconds in camera:  # doctest: +SKIP
-    ...     decision = categorizer.update(frame, seconds)
-    ...     print(decision.place, decision.confidence)
+    With the model that ``make repro`` leaves, and frames of a camera::
+
+        categorizer = Categorizer.load("data/model.placecat")
+        for frame, seconds in camera:
+            decision = categorizer.update(frame, seconds)
+            print(decision.place, decision.confidence)
     """
 
     def __init__(self, system: TrainedSystem) -> None:

@@ -13,6 +13,7 @@ from placecat import seeds, settings
 from placecat.cues import estimators
 from placecat.cues.descriptors import Descriptors
 from placecat.errors import PlacecatError
+from placecat.learning.flat_kmeans import FlatKMeans
 from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
 
 # What the text that seeds derive from calls each setting of a descriptor, and each value that was renamed.
@@ -63,6 +64,37 @@ def seed_of(
         {FROZEN[key]: RENAMED.get(value, value) for key, value in descriptor.items()}, sort_keys=True
     )
     return seeds.derive("codebook", dataset, content, cells, training_set, int(seed))
+
+
+def settings_of(params: Mapping[str, Any], name: str) -> dict[str, Any]:
+    """Look up the settings of a codebook, with the cluster numbers that its cues ask for where it needs them.
+
+    A hierarchy serves every number up to its ``max_clusters``; flat k-means clusters once for each number.
+
+    Parameters
+    ----------
+    params
+        All settings.
+    name
+        Of a part of ``codebooks``.
+
+    Returns
+    -------
+    dict
+        That part. Its ``tree`` has ``numbers`` if it is flat k-means.
+
+    Raises
+    ------
+    PlacecatError
+        If there is no such codebook.
+    """
+    codebook = dict(settings.get(params, f"codebooks.{name}"))
+    tree = codebook["tree"]
+    if tree["name"] == "flat_kmeans" and "numbers" not in tree:
+        cues = settings.get(params, "cues").values()
+        numbers = {cue["classifier"]["clusters"] for cue in cues if cue["codebook"] == name}
+        codebook["tree"] = {**tree, "numbers": sorted(numbers)}
+    return codebook
 
 
 class Codebook:
@@ -151,5 +183,6 @@ class Codebook:
         for number in range(int(arrays["n_trees"])):
             prefix = f"{number:02d}/"
             own = {name[len(prefix) :]: array for name, array in arrays.items() if name.startswith(prefix)}
-            trees.append(HierarchicalKMeans.from_arrays(own))
+            clustering = FlatKMeans if "numbers" in own else HierarchicalKMeans
+            trees.append(clustering.from_arrays(own))
         return cls(trees, of_sets=bool(arrays["of_sets"]))

@@ -1,6 +1,6 @@
 """Flat k-means: what thesis 4.2 compares hierarchical clustering with."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, Self
 
 import numpy as np
@@ -110,3 +110,26 @@ class FlatKMeans(BaseEstimator):
         """Nearest centre of each of (n, D) points: (n,) int32 in [0, n_clusters)."""
         points = check_array(X, dtype=np.float32, order="C", ensure_min_samples=0, estimator=self)
         return nearest_centers(points, self.centers(n_clusters))[:, 0]
+
+    def to_arrays(self) -> dict[str, NDArray[Any]]:
+        """Return the clusterings as plain arrays, for ``numpy.savez``."""
+        check_is_fitted(self)
+        arrays = {
+            "numbers": np.array(self.numbers, np.int64),
+            "max_iter": np.array(self.max_iter, np.int64),
+            "seed": np.array(self.seed, np.int64),
+            "n_points": np.array(self.n_points_, np.int64),
+            "n_features": np.array(self.n_features_in_, np.int64),
+        }
+        return arrays | {f"centers_{number}": centers for number, centers in self.centers_.items()}
+
+    @classmethod
+    def from_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Self:
+        """Rebuild the clusterings from `to_arrays`' arrays, e.g. from what ``numpy.load`` returns."""
+        numbers = tuple(arrays["numbers"].tolist())
+        model = cls(numbers, int(arrays["max_iter"]), int(arrays["seed"]))
+        model.n_points_, model.n_features_in_ = int(arrays["n_points"]), int(arrays["n_features"])
+        model.centers_ = {
+            number: arrays[f"centers_{number}"] for number in numbers if f"centers_{number}" in arrays
+        }
+        return model

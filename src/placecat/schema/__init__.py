@@ -39,6 +39,7 @@ def _told(content: Mapping[str, Any], error: ValidationError) -> str:
     # Where a value may be of several kinds, the name of the kind is a part of the place.
     place: list[str] = []
     here: Any = content
+    part: Any
     for part in errors[0]["loc"]:
         if isinstance(here, Mapping | list) and _has(here, part):
             place.append(str(part))
@@ -50,8 +51,8 @@ def _told(content: Mapping[str, Any], error: ValidationError) -> str:
         *parents, name = place
         unknown = {str(one["loc"][-1]) for one in errors if one["type"] == kind}
         around: Any = content
-        for part in parents:
-            around = around[int(part)] if isinstance(around, list) else around[part]
+        for parent in parents:
+            around = around[int(parent) if isinstance(around, list) else parent]
         valid = [str(key) for key in around if key not in unknown]
         near = difflib.get_close_matches(name, valid, n=1)
         hint = f"; did you mean {near[0]!r}?" if near else ""

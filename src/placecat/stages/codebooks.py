@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from placecat import files, items, parallel, paths, settings, store
+from placecat.cues.codebook import settings_of
 from placecat.stages import run
 from placecat.training import plan as plans
 from placecat.training.cue import Cue, cluster, read_frames
@@ -22,14 +23,15 @@ def main() -> None:
             [codebook, *shared],
             (*labels, *(path for home in homes for path in store.files_of(home, codebook["descriptor"]))),
         )
-        for name, codebook in settings.get(params, "codebooks").items()
+        for name in settings.get(params, "codebooks")
+        for codebook in [settings_of(params, name)]
     }
     items.refresh("codebooks", paths.CODEBOOKS, wanted, lambda name, folder: make(name, folder, params))
 
 
 def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
     """Cluster one kind of descriptor for every training set of its schemes, once for each seed."""
-    codebook = settings.get(params, f"codebooks.{name}")
+    codebook = settings_of(params, name)
     cue = Cue(codebook["descriptor"], {}, codebook)
     tested = settings.get(params, "protocol.test_homes")
     tasks = {

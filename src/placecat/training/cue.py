@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat import cues, settings, store
-from placecat.cues.codebook import Codebook, seed_of
+from placecat.cues.codebook import Codebook, seed_of, settings_of
 from placecat.cues.descriptors import Descriptors
 from placecat.fusion.temperature import fit_temperature
 from placecat.training.plan import Part, Plan
@@ -41,7 +41,7 @@ class Cue:
         cue = settings.get(params, f"cues.{name}")
         if cue["codebook"] is None:
             return cls(cue["descriptor"], cue["classifier"])
-        codebook = settings.get(params, f"codebooks.{cue['codebook']}")
+        codebook = settings_of(params, cue["codebook"])
         return cls(codebook["descriptor"], cue["classifier"], codebook)
 
 

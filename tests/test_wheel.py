@@ -1,0 +1,64 @@
+"""The wheel, installed in an environment of its own, has all that the package reads and runs."""
+
+import shutil
+import sys
+import sysconfig
+from pathlib import Path
+
+import pytest
+
+from project import ROOT, light_conf, run
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(scope="module")
+def installed(tmp_path_factory):
+    """Python of the environment, and where it keeps packages. Those that placecat needs are ours."""
+    folder = tmp_path_factory.mktemp("wheel")
+    source, own = folder / "source", folder / "own"
+    # Building writes beside the source.
+    shutil.copytree(ROOT / "src", source / "src", ignore=shutil.ignore_patterns("__pycache__", "*.egg-info"))
+    for name in ("pyproject.toml", "README.md"):
+        shutil.copy(ROOT / name, source)
+    pip = (sys.executable, "-m", "pip", "--disable-pip-version-check")
+    run(folder, *pip, "wheel", "-q", "--no-deps", "--no-build-isolation", "-w", ".", "./source")
+    run(folder, sys.executable, "-m", "venv", "--without-pip", "own")
+    (wheel,) = folder.glob("*.whl")
+    run(folder, *pip, "--python", own, "install", "-q", "--no-deps", "--no-index", wheel)
+    python = own / "bin/python"
+    where = "import sysconfig; print(sysconfig.get_path('purelib'))"
+    packages = Path(run(folder, python, "-c", where).stdout.strip())
+    # Behind its own, and without our editable placecat, since a .pth file in there is not read.
+    (packages / "ours.pth").write_text(f"{sysconfig.get_path('purelib')}\n")
+    return python, packages
+
+
+def test_it_holds_every_file_of_the_source(installed):
+    _, packages = installed
+    ignored = ("__pycache__", ".egg-info")
+    files = [
+        path.relative_to(ROOT / "src").as_posix() for path in (ROOT / "src").rglob("*") if path.is_file()
+    ]
+    wanted = [file for file in files if not any(part in file for part in ignored)]
+    assert {Path(file).suffix for file in wanted} > {".py", ".j2", ".css", ".mplstyle", ".yaml"}
+    assert [file for file in wanted if not (packages / file).is_file()] == []
+
+
+@pytest.mark.parametrize(
+    ("command", "says"),
+    [
+        (("placecat", "predict", "--help"), "--labels CSV"),
+        (("python", "-m", "placecat.experiment", "--help"), "descriptor"),
+    ],
+    ids=["predict", "a sweep"],
+)
+def test_its_commands_run(installed, tmp_path, command, says):
+    python, packages = installed
+    light_conf(tmp_path / "conf")
+    program, *arguments = command
+    # `PYTHONPATH`, if there is one, may have the source.
+    result = run(tmp_path, python.with_name(program), *arguments, PYTHONPATH="")
+    assert says in result.stdout
+    where = run(tmp_path, python, "-c", "import placecat; print(placecat.__file__)", PYTHONPATH="").stdout
+    assert Path(where.strip()).is_relative_to(packages)
