@@ -139,5 +139,5 @@ def test_elsewhere_and_without_features_it_says_what_to_do(tmp_path, monkeypatch
         application.main([])
     (tmp_path / "conf").symlink_to(CONF)
     (tmp_path / "params.yaml").write_text((made_project / "params.yaml").read_text())
-    with pytest.raises(PlacecatError, match="make repro"):
+    with pytest.raises(PlacecatError, match="missing: run `dvc repro`"):
         resolved()
