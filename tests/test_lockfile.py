@@ -1,7 +1,19 @@
-import pytest
+import csv
+import hashlib
+import json
+import subprocess
+from pathlib import Path
 
+import pytest
+import yaml
+
+from placecat import repro
 from placecat.errors import PlacecatError
 from placecat.lockfile import data_version
+
+ROOT = Path(__file__).resolve().parents[1]
+KEPT = yaml.safe_load((ROOT / "dvc.lock").read_text())["stages"]
+STAGES = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]
 
 LOCK = """
 schema: '2.0'
@@ -33,3 +45,42 @@ def test_a_stage_that_did_not_run_is_named(tmp_path, monkeypatch):
     (tmp_path / "dvc.lock").write_text(LOCK)
     with pytest.raises(PlacecatError, match="no stage features@home_1"):
         data_version("features@home_1")
+
+
+def test_the_lock_file_has_every_stage_and_no_other():
+    assert set(KEPT) == set(STAGES)
+    for name, stage in STAGES.items():
+        assert {dep["path"] for dep in KEPT[name].get("deps", [])} == set(stage.get("deps", []))
+
+
+def in_git():
+    """Outputs that git keeps."""
+    for name, stage in STAGES.items():
+        for out in stage["outs"]:
+            if isinstance(out, dict) and not next(iter(out.values())).get("cache", True):
+                yield name, next(iter(out))
+
+
+def checksum(folder, files):
+    """DVC's of a file or, of these files, of a folder."""
+    sums = {path: hashlib.md5((ROOT / path).read_bytes()).hexdigest() for path in files}
+    if list(sums) == [folder]:
+        return sums[folder]
+    listed = [{"md5": sums[path], "relpath": path.removeprefix(f"{folder}/")} for path in sorted(sums)]
+    return hashlib.md5(json.dumps(listed).encode()).hexdigest() + ".dir"
+
+
+@pytest.mark.parametrize(("stage", "path"), list(in_git()))
+def test_the_lock_file_has_the_files_that_git_has(stage, path):
+    """Else a run in a fresh clone changes the lock file, though it makes the same files."""
+    listed = subprocess.run(["git", "ls-files", path], cwd=ROOT, capture_output=True, text=True, check=False)
+    if listed.returncode:
+        pytest.skip("this is no git repository")
+    (locked,) = (out for out in KEPT[stage]["outs"] if out["path"] == path)
+    assert locked["md5"] == checksum(path, listed.stdout.splitlines())
+
+
+def test_the_kept_times_are_of_every_stage(monkeypatch):
+    monkeypatch.chdir(ROOT)
+    with Path("reports/times.csv").open() as file:
+        assert {row["stage"] for row in csv.DictReader(file)} >= set(repro.stages())
