@@ -1,4 +1,5 @@
 import dataclasses
+import functools
 
 import numpy as np
 import pytest
@@ -27,9 +28,16 @@ RESULTS = made()
 KEY = ["group", "row", "column"]
 
 
-def fill(name, results=RESULTS, params=PARAMS, **dataset):
-    table = tables_of(params, ROOT)[name]
+def fill(name, results=RESULTS, params=PARAMS, tables=TABLES, **dataset):
+    table = tables[name]
     return fill_table(table, results, PUBLISHED, dataset_of(table, params) | dataset, CONTRADICTIONS)
+
+
+@functools.cache
+def of_homes(count):
+    """What `fill` needs for another number of homes."""
+    params = with_homes(count)
+    return {"results": made(params), "params": params, "tables": tables_of(params, ROOT)}
 
 
 def without(results, lost):
@@ -79,8 +87,7 @@ def test_on_the_data_of_the_thesis_numbers_compare(name):
 @pytest.mark.parametrize("count", [3, 4])
 @pytest.mark.parametrize("name", OF_THESIS)
 def test_with_fewer_homes_every_empty_cell_has_a_reason(name, count):
-    params = with_homes(count)
-    filled = fill(name, made(params), params)
+    filled = fill(name, **of_homes(count))
     empty = filled[filled["measured"].isna()]
     of_lacking_home = (filled["row"] + filled["column"]).str.contains(
         "Home [56]" if count == 4 else "Home [456]"
@@ -92,8 +99,7 @@ def test_with_fewer_homes_every_empty_cell_has_a_reason(name, count):
 
 
 def test_an_average_over_fewer_homes_than_published_says_so():
-    params = with_homes(4)
-    filled = fill("table_12", made(params), params)
+    filled = fill("table_12", **of_homes(4))
     averages = filled[filled["row"] == "Average"]
     assert averages["note"].str.contains("; mean over Home 1 only").all()
     firsts = filled[filled["row"] == "Home 1"]
@@ -102,8 +108,7 @@ def test_an_average_over_fewer_homes_than_published_says_so():
 
 @pytest.mark.parametrize("name", ["table_05", "table_06", "table_24", "addition_rvm"])
 def test_with_more_homes_new_cells_follow_the_published(name):
-    params = with_homes(7)
-    filled = fill(name, made(params), params)
+    filled = fill(name, **of_homes(7))
     extra = filled[(filled["column"] == "Home 7") | (filled["row"] == "Home 7")]
     assert len(extra) > 0
     assert extra["published"].isna().all()
