@@ -210,8 +210,6 @@ class Run:
         ``figures.example`` names them. Left open they are found: the labelled frame, of this home or of all,
         that shows most by the information measure.
         """
-        from placecat.report.figures.choice import home_of
-
         own = self.options("example")
         settings.refuse_unknown(own, ["home", "frame"], "figures.example")
         homes = self.homes if own.get("home") is None else (home_of(self, int(own["home"])),)
@@ -231,11 +229,6 @@ class Run:
             raise PlacecatError("no frame has a label, so there is no example to show: set figures.example")
         return home, best[home][1]
 
-    @property
-    def example_home(self) -> str:
-        """Home that Figures 2 to 7 show."""
-        return self.example[0]
-
     def _frame_table(self, home: str) -> pd.DataFrame:
         self._need(paths.sequences(home) / "frames.csv")
         return listing.read_frames(home)
@@ -251,3 +244,16 @@ class Run:
     def _need(path: Path) -> None:
         if not path.exists():
             raise PlacecatError(f"{path} is missing: run `dvc repro` to make it")
+
+
+def home_of(run: Run, number: int) -> str:
+    """The home of a number from 1 on, as the thesis counts; the last one where there are fewer.
+
+    Raises
+    ------
+    PlacecatError
+        If the number is below 1.
+    """
+    if number < 1:
+        raise PlacecatError(f"homes of figures are counted from 1: there is no home {number}")
+    return run.homes[min(number, len(run.homes)) - 1]

@@ -1,4 +1,4 @@
-"""What the largest clusters of a codebook of salient regions hold: their patches (Figures 12 to 14)."""
+"""Thesis 4.4.4, Figures 12 to 14: what the largest clusters of salient regions hold, by their patches."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,11 +12,10 @@ from numpy.typing import NDArray
 from placecat import seeds, settings
 from placecat.drawing.palette import place_colors, place_title
 from placecat.errors import PlacecatError, SettingError
-from placecat.report.figures.choice import home_of
-from placecat.report.figures.panels import Sheet
+from placecat.report.figures.panels import Sheet, frame_in
 from placecat.report.figures.shares import place_legend, share_bar
 from placecat.report.figures.training import training_regions
-from placecat.report.run import Run
+from placecat.report.run import Run, home_of
 from placecat.vision.regions import radius
 
 SHOWN = 3
@@ -199,11 +198,29 @@ def _sheet(
             row, column = divmod(position, COLUMNS)
             axes = sheet.panel(LEFT + column * step, top + title + row * step, PATCH, PATCH)
             axes.imshow(cv2.cvtColor(cluster.patches[one], cv2.COLOR_BGR2RGB))
-            axes.set_xticks([])
-            axes.set_yticks([])
-            for spine in axes.spines.values():
-                spine.set_visible(True)
-                spine.set_color(colors[cluster.labels[one]])
-                spine.set_linewidth(2.2)
+            frame_in(axes, colors[cluster.labels[one]], 2.2)
         top += title + count * step
     return sheet.figure
+
+
+FIGURES = {
+    "figure_12": (
+        "Salient regions in the largest cluster of the localized HOG descriptor, on the training frames of "
+        "one fold; their edges have the colour of their frame's place. The bar gives the places of all its "
+        "regions in percent. Patches (a) nearest to its centre; the rest at random from the thirds of all its"
+        " patches with (b) most and (c) least contrast, the standard deviation of the grey levels.",
+        lambda run: draw_cluster(run, 1, by_contrast=True),
+    ),
+    "figure_13": (
+        "Salient regions in the second largest cluster of the localized HOG descriptor, on the training "
+        "frames of one fold; their edges have the colour of their frame's place. The bar gives the places of "
+        "all its regions in percent. Patches (a) nearest to its centre and (b) at random.",
+        lambda run: draw_cluster(run, 2, by_contrast=False),
+    ),
+    "figure_14": (
+        "Salient regions in the third largest cluster of the localized HOG descriptor, on the training frames"
+        " of one fold; their edges have the colour of their frame's place. The bar gives the places of all "
+        "its regions in percent. Patches (a) nearest to its centre and (b) at random.",
+        lambda run: draw_cluster(run, 3, by_contrast=False),
+    ),
+}

@@ -4,7 +4,6 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from placecat import settings
 from placecat.drawing import palette
 from placecat.report.figures.panels import Sheet, draw_regions, show_frame, show_map
 from placecat.report.run import Run
@@ -17,12 +16,8 @@ TITLE = (
 WIDTH, GAP, FOOT = 3.5, 0.1, 0.3
 
 
-def draw(run: Run) -> Figure:
+def draw(run: Run, *, regions: int) -> Figure:
     """Draw the figure."""
-    return settings.call(_draw, run, settings=run.options("figure_07"), where="figures.figure_07")
-
-
-def _draw(run: Run, *, regions: int) -> Figure:
     home, index = run.example
     frame, fused = run.frame(home, index), run.saliency(home, index)
     found = run.regions(home, index)[:regions]
@@ -51,3 +46,6 @@ def _draw(run: Run, *, regions: int) -> Figure:
     ]
     sheet.figure.legend(handles, labels, loc="lower center", ncols=len(scales), borderaxespad=0.2)
     return sheet.figure
+
+
+FIGURES = {"figure_07": (TITLE, draw)}

@@ -1,7 +1,7 @@
 """Figure 11: what the hidden Markov model and the delay make of a classifier's output (thesis 3.4)."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -10,14 +10,10 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
-from placecat import settings
 from placecat.drawing import palette
 from placecat.errors import SettingError
-from placecat.report.figures.choice import home_of
 from placecat.report.figures.segment import most_smoothed, stretches
-
-if TYPE_CHECKING:
-    from placecat.report.run import Run
+from placecat.report.run import Run, home_of
 
 TITLE = (
     "The output of the integration, of the hidden Markov model, and of the delay behind it, where the model "
@@ -34,14 +30,10 @@ NAMED = 0.12
 LUMINANCE = np.array([0.299, 0.587, 0.114])
 
 
-def draw(run: "Run") -> Figure:
-    """Three panels below each other; settings in ``figures.figure_11``."""
-    return settings.call(_draw, run, settings=run.options("figure_11"), where="figures.figure_11")
-
-
-def _draw(
-    run: "Run", *, home: int | None, start: int | None, frames: int, classifier: str, hmm: str, delayed: str
+def draw(
+    run: Run, *, home: int | None, start: int | None, frames: int, classifier: str, hmm: str, delayed: str
 ) -> Figure:
+    """Three panels below each other; settings in ``figures.figure_11``."""
     results = {
         "Integration": classifier,
         "Hidden Markov model": hmm,
@@ -55,7 +47,7 @@ def _draw(
 
 
 def choose(
-    run: "Run", classifier: str, hmm: str, *, home: int | None, start: int | None, frames: int
+    run: Run, classifier: str, hmm: str, *, home: int | None, start: int | None, frames: int
 ) -> tuple[str, slice]:
     """The home and the frames that are shown.
 
@@ -183,3 +175,6 @@ def _name(
         "color": "white" if dark else palette.INK,
     }
     axes.text(start + (part.start + part.stop) / 2, 0.5, name, **text)
+
+
+FIGURES = {"figure_11": (TITLE, draw)}

@@ -11,7 +11,7 @@ from placecat import settings
 from placecat.drawing.palette import place_title
 from placecat.errors import PlacecatError
 from placecat.report.figures.panels import Sheet, show_frame
-from placecat.report.figures.shares import place_legend, share_bar
+from placecat.report.figures.shares import place_legend, share_rows
 from placecat.report.run import Run
 
 TITLE = (
@@ -33,12 +33,8 @@ class Failure(NamedTuple):
     certainty: float
 
 
-def draw(run: Run) -> Figure:
+def draw(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
     """Draw the figure; settings in ``figures.figure_18``."""
-    return settings.call(_draw, run, settings=run.options("figure_18"), where="figures.figure_18")
-
-
-def _draw(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
     least = float(settings.get(run.params, f"filters.{filter}.threshold"))
     found = failures(run, list(cues.values()), least)[:SHOWN]
     if not found:
@@ -59,18 +55,11 @@ def _draw(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
         )
         show_frame(sheet.panel(0.06, top, WIDTH, height), run.frame(one.home, one.frame))
         axes = sheet.panel(0.06 + WIDTH + LABELS, top, BARS, height)
-        for line, result in enumerate(cues.values()):
-            proba = run.proba(result, one.home)[one.frame]
-            share_bar(axes, -line, proba, run.classes)
+        probas = {cue: run.proba(result, one.home)[one.frame] for cue, result in cues.items()}
+        share_rows(axes, probas, run.classes)
+        for line, proba in enumerate(probas.values()):
             decision = place_title(run.classes[int(proba.argmax())])
             axes.text(1.03, -line, decision, fontsize=7, ha="left", va="center")
-        axes.set_yticks([-line for line in range(len(cues))], list(cues))
-        axes.set_xlim(0, 1)
-        axes.set_ylim(-len(cues) + 0.5, 0.5)
-        axes.set_xticks([])
-        axes.tick_params(length=0)
-        for spine in axes.spines.values():
-            spine.set_visible(False)
     place_legend(sheet.figure, run.classes, (0.3, 0.14 / sheet.height))
     return sheet.figure
 
@@ -127,3 +116,6 @@ def surety(largest: NDArray[np.float64], labelled: NDArray[np.bool_]) -> NDArray
     """
     shares = [np.searchsorted(np.sort(own[labelled]), own, side="right") / labelled.sum() for own in largest]
     return np.mean(shares, axis=0)
+
+
+FIGURES = {"figure_18": (TITLE, draw)}

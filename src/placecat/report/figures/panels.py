@@ -31,7 +31,7 @@ def show_frame(axes: Axes, frame: NDArray[np.uint8], *, width: int = 960) -> Non
         shown = cv2.resize(shown, (width, round(width * height / full)), interpolation=cv2.INTER_AREA)
     extent = (-0.5, full - 0.5, height - 0.5, -0.5)
     axes.imshow(shown, extent=extent, interpolation="lanczos")
-    _bare(axes)
+    frame_in(axes)
 
 
 def show_map(axes: Axes, plane: NDArray[np.floating], *, frame_size: tuple[int, int] | None = None) -> None:
@@ -51,7 +51,7 @@ def show_map(axes: Axes, plane: NDArray[np.floating], *, frame_size: tuple[int, 
     # A few peaks are many times the rest, which they would leave white.
     darkest = float(np.percentile(plane, DARKEST))
     axes.imshow(plane, cmap=palette.MAP, vmin=0.0, vmax=darkest or float(plane.max()) or 1.0, extent=extent)
-    _bare(axes)
+    frame_in(axes)
 
 
 def draw_regions(
@@ -131,10 +131,8 @@ def weight_text(weight: float) -> str:
     return f"× 1/√{peaks(weight)}" if weight else "× 0"
 
 
-def _bare(axes: Axes) -> None:
+def frame_in(axes: Axes, color: str = "#999999", linewidth: float = 0.5) -> None:
+    """Leave only a line around the axes."""
     axes.set_xticks([])
     axes.set_yticks([])
-    for spine in axes.spines.values():
-        spine.set_visible(True)
-        spine.set_color("#999999")
-        spine.set_linewidth(0.5)
+    axes.spines[:].set(visible=True, color=color, linewidth=linewidth)
