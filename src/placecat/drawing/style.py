@@ -1,6 +1,7 @@
 """The style of every chart and figure, and writing them as PNG."""
 
-from collections.abc import Mapping
+import io
+from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any
@@ -28,3 +29,20 @@ def save(figure: Figure, target: Path) -> None:
     """Write a figure as PNG at the style's resolution; the same figure gives the same bytes."""
     with files.replacing(target) as temporary:
         figure.savefig(temporary, format="png", metadata={"Software": None})
+
+
+def png_of(draw: Callable[..., Figure | None], *arguments: Any) -> bytes | None:
+    """A chart as PNG in the house's style: the same figure gives the same bytes.
+
+    Parameters
+    ----------
+    draw
+        Takes the arguments and gives the figure, or None if there is nothing to show.
+    """
+    with house_style():
+        figure = draw(*arguments)
+        if figure is None:
+            return None
+        target = io.BytesIO()
+        figure.savefig(target, format="png", metadata={"Software": None})
+    return target.getvalue()

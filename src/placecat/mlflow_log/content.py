@@ -12,7 +12,7 @@ from placecat import files
 from placecat.mlflow_log.store import key
 from placecat.mlflow_log.tables import RUN_ID, RowRun, TableRun
 from placecat.report.charts.draw import MatrixDrawer, draw_table
-from placecat.report.markdown import table_markdown
+from placecat.report.formats import table_markdown
 from placecat.report.summary import VERDICTS, readings_of
 from placecat.results.confusion import confusion_rows, pooled_rows
 from placecat.results.measured import Measured, Results, score_rows

@@ -1,8 +1,6 @@
 """What the report says of benchmarks."""
 
-import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import pandas as pd
@@ -10,45 +8,29 @@ import pandas as pd
 # Columns of text.
 TEXT = ("module", "piece", "input", "quantity", "peer", "peer_version", "target", "met", "spent")
 _SECONDS = "seconds"
-_NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e[+-]?\d+)?")
+_NUMBER = r"(\d+(?:\.\d+)?(?:e[+-]?\d+)?)"
 
 
-@dataclass(frozen=True)
-class Ratio:
-    """One comparison with a peer: the median ratio of its pairs, their range, and the target."""
-
-    piece: str
-    input: str
-    ratio: float
-    low: float
-    high: float
-    target: float
-    is_faster: bool
-    is_met: bool
-
-
-def ratios_of(benchmarks: pd.DataFrame) -> list[Ratio]:
+def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
     """Give the rows that have a ratio.
 
     Parameters
     ----------
     benchmarks
-        As :func:`placecat_bench.run.run` writes it, empty cells as NaN.
+        As :func:`placecat_bench.run.run` writes it, empty cells of numbers as NaN.
+
+    Returns
+    -------
+    DataFrame
+        The same columns, ``met`` as a bool and ``target`` as the number in it; and ``is_faster``, whether the
+        target is a least number of times faster, not a largest share of the peer's time.
     """
-    return [
-        Ratio(
-            piece=row["piece"],
-            input=row["input"],
-            ratio=float(row["ratio"]),
-            low=float(row["low"]),
-            high=float(row["high"]),
-            target=float(_NUMBER.findall(row["target"])[0]),
-            is_faster="faster" in row["target"],
-            is_met=row["met"] == "yes",
-        )
-        for row in benchmarks.to_dict("records")
-        if pd.notna(row["ratio"])
-    ]
+    rows = benchmarks[benchmarks["ratio"].notna()]
+    return rows.assign(
+        target=rows["target"].str.extract(_NUMBER, expand=False).astype(float),
+        is_faster=rows["target"].str.contains("faster"),
+        met=rows["met"] == "yes",
+    )
 
 
 def shown_rows(benchmarks: pd.DataFrame) -> list[Mapping[str, Any]]:

@@ -11,11 +11,10 @@ from placecat.report.benchmarks import shown_rows
 from placecat.report.embed import embed
 from placecat.report.grid import (
     Cell,
-    homes_sentence,
     make_cell,
-    make_grid,
     number_text,
     seeds_sentence,
+    shown_table,
 )
 from placecat.report.scale import shown_scale
 from placecat.report.sections import arrange
@@ -30,7 +29,6 @@ from placecat.report.summary import (
 )
 from placecat.templates import environment
 from placecat.thesis.notes import joined
-from placecat.thesis.tables import comparable, in_percent
 
 # CSS pixels a pixel of a figure: 200 pixels an inch are then shown at 125 %.
 _FIGURE_SCALE = 0.6
@@ -254,19 +252,7 @@ def _numbered(table: Table) -> bool:
 
 
 def _shown_table(table: Table) -> dict[str, Any]:
-    settings = table.settings
-    return {
-        "anchor": anchor(settings),
-        "number": settings["number"],
-        "title": settings["title"],
-        "data": table.dataset["title"],
-        "thesis_data": settings["thesis_data"],
-        "comparable": comparable(settings, table.dataset),
-        "grid": make_grid(table.cells),
-        "homes": homes_sentence(table.cells, table.dataset["homes"]),
-        "caption": settings.get("caption", ""),
-        "seeds": seeds_sentence(table.cells) if in_percent(settings) else "",
-    }
+    return {"anchor": anchor(table.settings), **shown_table(table.settings, table.cells, table.dataset)}
 
 
 def _shown_figure(figure: Figure) -> dict[str, Any]:

@@ -1,28 +1,26 @@
 """What the figures may ask of a run: frames, maps, features, codebooks, distributions. Reads when asked."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat import files, listing, paths, settings, store
+from placecat.cues.codebook import Codebook
+from placecat.cues.descriptors import Descriptors
 from placecat.errors import PlacecatError, SettingError
+from placecat.results.collect import read_results
+from placecat.results.measured import Results
+from placecat.results.sources import Source, sources
+from placecat.sequences.base import read_frames
 from placecat.training import protocol
-
-if TYPE_CHECKING:
-    import pandas as pd
-
-    from placecat.cues.codebook import Codebook
-    from placecat.cues.descriptors import Descriptors
-    from placecat.results.measured import Results
-    from placecat.results.sources import Source
-    from placecat.vision.maps import FrameMaps
-    from placecat.vision.saliency import Saliency
+from placecat.vision.attention import compute_maps
+from placecat.vision.discovery import settings_of
+from placecat.vision.maps import FrameMaps
+from placecat.vision.saliency import Saliency, saliency
 
 Frame = NDArray[np.uint8]
 
@@ -62,15 +60,11 @@ class Run:
     @cached_property
     def results(self) -> Results:
         """Everything that was measured."""
-        from placecat.results.collect import read_results
-
         return read_results(self.params)
 
     @cached_property
     def sources(self) -> dict[str, Source]:
         """Name of a result to where its distributions lie."""
-        from placecat.results.sources import sources
-
         return sources(self.params)
 
     def source(self, result: str) -> Source:
@@ -124,10 +118,9 @@ class Run:
         ------
         Index and frame, (H, W, 3) uint8 BGR; each index once, ascending.
         """
-        from placecat.sequences.base import read_frames
-
         rows = sorted({int(index) for index in indices})
-        table = self._frame_table(home)
+        self._need(paths.sequences(home) / "frames.csv")
+        table = listing.read_frames(home)
         if rows and not 0 <= rows[0] <= rows[-1] < len(table):
             raise PlacecatError(f"{home} has the frames 0 to {len(table) - 1}, not {rows[0]} to {rows[-1]}")
         facts = self.home_facts(home)
@@ -147,17 +140,14 @@ class Run:
 
     def maps(self, home: str, index: int) -> FrameMaps:
         """The pyramids and feature maps of one frame."""
-        from placecat.vision.attention import compute_maps
-
         return compute_maps(self.frame(home, index), **settings.get(self.params, "attention"))
 
     def saliency(self, home: str, index: int) -> Saliency:
         """The saliency map of one frame and what it was fused from."""
-        from placecat.vision.discovery import settings_of
-        from placecat.vision.saliency import saliency
-
-        own = settings_of(saliency)
-        options = {name: value for name, value in settings.get(self.params, "regions").items() if name in own}
+        known = settings_of(saliency)
+        options = {
+            name: value for name, value in settings.get(self.params, "regions").items() if name in known
+        }
         return saliency(self.maps(home, index), **options)
 
     def regions(self, home: str, index: int) -> NDArray[np.float32]:
@@ -181,13 +171,11 @@ class Run:
         rows
             Frame indices; None for all.
         """
-        own = settings.get(self.params, f"codebooks.{name}.descriptor")
-        return store.read_descriptors(home, own, None if rows is None else np.asarray(rows, np.int64))
+        descriptor = settings.get(self.params, f"codebooks.{name}.descriptor")
+        return store.read_descriptors(home, descriptor, None if rows is None else np.asarray(rows, np.int64))
 
     def codebook(self, name: str, training_set: str, seed: int = 0) -> Codebook:
         """The clusters of one training set, e.g. ``without-home_1``."""
-        from placecat.cues.codebook import Codebook
-
         path = paths.codebook(name, training_set, seed)
         self._need(path)
         return Codebook.from_arrays(files.read_arrays(path))
@@ -210,11 +198,11 @@ class Run:
         ``figures.example`` names them. Left open they are found: the labelled frame, of this home or of all,
         that shows most by the information measure.
         """
-        own = self.options("example")
-        settings.refuse_unknown(own, ["home", "frame"], "figures.example")
-        homes = self.homes if own.get("home") is None else (home_of(self, int(own["home"])),)
-        if own.get("frame") is not None:
-            home, frame = homes[0], int(own["frame"])
+        asked = self.options("example")
+        settings.refuse_unknown(asked, ["home", "frame"], "figures.example")
+        homes = self.homes if asked.get("home") is None else (home_of(self, int(asked["home"])),)
+        if asked.get("frame") is not None:
+            home, frame = homes[0], int(asked["frame"])
             if not 0 <= frame < len(self.labels(home)):
                 raise SettingError(
                     f"figures.example.frame must be 0 to {len(self.labels(home)) - 1}, not {frame}"
@@ -228,10 +216,6 @@ class Run:
         if best[home][0] < 0:
             raise PlacecatError("no frame has a label, so there is no example to show: set figures.example")
         return home, best[home][1]
-
-    def _frame_table(self, home: str) -> pd.DataFrame:
-        self._need(paths.sequences(home) / "frames.csv")
-        return listing.read_frames(home)
 
     def _feature(self, home: str, name: str) -> NDArray[Any]:
         return self._array(paths.features(home) / f"{name}.npy")

@@ -1,7 +1,7 @@
 """The order of the report: the thesis's sections, with the tables and figures of each."""
 
 from collections.abc import Collection, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 
 @dataclass(frozen=True)
@@ -31,13 +31,7 @@ class Section:
 THESIS = (
     Section("4.2", "Gist", tables=tuple(range(1, 8))),
     Section("4.3", "Holistic Centrist", tables=tuple(range(8, 11))),
-    Section(
-        "4.4",
-        "Salient regions",
-        tables=tuple(range(11, 26)),
-        before=tuple(range(1, 11)),
-        after=(12, 13, 14),
-    ),
+    Section("4.4", "Salient regions", tuple(range(11, 26)), before=tuple(range(1, 11)), after=(12, 13, 14)),
     Section("4.5", "Integration and smoothing", tables=(26,), after=(11, 15, 16, 17, 18)),
     Section("4.6", "Information filter", tables=(27,), after=(19,)),
     Section("4.7", "Tracked regions", tables=(28,)),
@@ -67,21 +61,16 @@ def arrange(tables: Collection[int], figures: Collection[int]) -> tuple[list[Sec
         return tuple(number for number in wanted if number in there)
 
     sections = [
-        Section(
-            one.number,
-            one.title,
-            present(one.tables, tables),
-            present(one.before, figures),
-            present(one.after, figures),
+        replace(
+            one,
+            tables=present(one.tables, tables),
+            before=present(one.before, figures),
+            after=present(one.after, figures),
         )
         for one in THESIS
     ]
     placed_tables = {number for one in sections for number in one.tables}
     placed_figures = {number for one in sections for number in (*one.before, *one.after)}
-    rest = Section(
-        "",
-        "",
-        tuple(sorted(set(tables) - placed_tables)),
-        after=tuple(sorted(set(figures) - placed_figures)),
-    )
+    more_tables, more_figures = sorted(set(tables) - placed_tables), sorted(set(figures) - placed_figures)
+    rest = Section("", "", tuple(more_tables), after=tuple(more_figures))
     return [one for one in sections if one.tables or one.before or one.after], rest

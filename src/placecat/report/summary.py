@@ -1,7 +1,10 @@
 """What the report says first: the best cue, its integration and smoothing, and how the findings fare."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
+import numpy as np
 import pandas as pd
 
 from placecat.report.grid import Cell, make_cell
@@ -56,30 +59,25 @@ def headlines(table: pd.DataFrame) -> list[Headline]:
 
 def _headline(group: str, part: pd.DataFrame) -> Headline:
     cues = part[~part["row"].isin([INTEGRATION, SMOOTHED])]
-    best, measured, spread, seeds = "", None, None, 0
-    if len(some := cues.dropna(subset="measured")):
-        one = some.nlargest(1, "measured").iloc[0]
-        best, measured, spread, seeds = str(one["row"]), one["measured"], one["spread"], one["seeds"]
-    best_published, published = "", None
-    if len(some := cues.dropna(subset="published")):
-        one = some.nlargest(1, "published").iloc[0]
-        best_published, published = str(one["row"]), one["published"]
+    best, best_published = (
+        _first(cues.dropna(subset=column).nlargest(1, column)) for column in ("measured", "published")
+    )
     return Headline(
         group,
-        best,
-        best_published,
-        make_cell(measured, published, spread, seeds),
-        _of_row(part, INTEGRATION),
-        _of_row(part, SMOOTHED),
+        best["row"],
+        best_published["row"],
+        make_cell(best["measured"], best_published["published"], best["spread"], best["seeds"]),
+        *(
+            make_cell(one["measured"], one["published"], one["spread"], one["seeds"])
+            for one in (_first(part[part["row"] == row]) for row in (INTEGRATION, SMOOTHED))
+        ),
     )
 
 
-def _of_row(part: pd.DataFrame, row: str) -> Cell:
-    found = part[part["row"] == row]
-    if found.empty:
-        return Cell()
-    one = found.iloc[0]
-    return make_cell(one["measured"], one["published"], one["spread"], one["seeds"])
+def _first(rows: pd.DataFrame) -> Mapping[str, Any]:
+    """The first row; one without numbers if there is none."""
+    nothing = {"row": "", **dict.fromkeys(("measured", "published", "spread", "seeds"), np.nan)}
+    return next(iter(rows.to_dict("records")), nothing)
 
 
 def readings_of(findings: pd.DataFrame) -> dict[str, str]:

@@ -143,6 +143,11 @@ class Results:
     dropped: dict[str, pd.DataFrame] = field(default_factory=dict)
     quality: Mapping[str, Quality] = field(default_factory=dict)
 
+    @property
+    def numbers(self) -> range:
+        """Numbers of the homes, from 1, as the thesis counts."""
+        return range(1, len(self.homes) + 1)
+
     def of(self, name: str) -> Measured:
         """Look up one result.
 
@@ -157,6 +162,14 @@ class Results:
             near = difflib.get_close_matches(name, self.measured, n=3) or sorted(self.measured)[:5]
             raise PlacecatError(f"there is no result {name!r}: did you mean {' or '.join(near)}?")
         return self.measured[name]
+
+    def find(self, name: str) -> Measured | None:
+        """As `of`; None for a result that there is a reason not to have."""
+        return None if name not in self.measured and self.reasons(name) else self.of(name)
+
+    def reasons(self, name: str) -> list[str]:
+        """Why a result lacks homes, each reason once."""
+        return list(dict.fromkeys(reason for (result, _), reason in self.missing.items() if result == name))
 
     def drops(self, name: str, home: str = "") -> str:
         """What the information filter of a result drops, in all homes or in one; "" for an unfiltered one."""

@@ -4,11 +4,11 @@ from pathlib import Path
 from typing import Any
 
 from placecat import files, listing, paths, settings
+from placecat.drawing.style import png_of
 from placecat.errors import PlacecatError
 from placecat.lockfile import data_version
 from placecat.report.benchmarks import TEXT as BENCHMARK_TEXT
 from placecat.report.charts.growth import growth_chart
-from placecat.report.charts.picture import png_of
 from placecat.report.charts.speed import speed_chart
 from placecat.report.page import Figure, Report, Scale, Speed, Table, Times, page_html
 from placecat.report.scale import TEXT as SCALE_TEXT

@@ -14,12 +14,13 @@ from placecat.thesis.layouts import place_column
 from placecat.thesis.number import (
     AVERAGE,
     Number,
-    has_reasons,
+    best_of,
     home_label,
     in_home,
     mean,
     merged,
     nothing,
+    only_some,
     over_homes,
 )
 
@@ -83,27 +84,20 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
     of_places: dict[str, Number] = {}
     for pair in _pairs(entry, results, where):
         for home, left, right in _in_homes(pair, entry, results):
-            difference = left.minus(right)
-            lines += _three(entry, pair.label, home, left, right, difference)
+            lines += _three(entry, pair.label, home, left, right)
             if home == AVERAGE:
-                differences[pair.label] = difference
+                differences[pair.label] = lines[-1].number
         for place, left, right in _in_places(pair, entry.get("places", []), results):
-            label = joined_label(pair.label, place)
-            of_places[label] = left.minus(right)
-            lines += _three(entry, label, AVERAGE, left, right, of_places[label])
+            label = f"{pair.label}, {place}" if pair.label else place
+            lines += _three(entry, label, AVERAGE, left, right)
+            of_places[label] = lines[-1].number
     summary = entry.get("summary", [])
     for kind in [summary] if isinstance(summary, str) else summary:
         lines.append(_summary(str(kind), of_places or differences, where))
-    if entry.get("error_ratio"):
-        ratio = entry["error_ratio"]
+    if ratio := entry.get("error_ratio"):
         number = _error_ratio(results, ratio["variant"], ratio["baseline"])
         lines.append(Line(ratio["quantity"], "", number))
     return lines
-
-
-def joined_label(label: str, place: str) -> str:
-    """What to call a comparison in one place."""
-    return f"{label}, {place}" if label else place
 
 
 def alone(entry: Mapping[str, Any], results: Results, where: str) -> list[Line]:
@@ -119,24 +113,20 @@ def alone(entry: Mapping[str, Any], results: Results, where: str) -> list[Line]:
     return [Line(entry["quantity"], home, number) for home, number, _ in _in_homes(pair, entry, results)]
 
 
-def _three(
-    entry: Mapping[str, Any], label: str, home: str, left: Number, right: Number, difference: Number
-) -> list[Line]:
+def _three(entry: Mapping[str, Any], label: str, home: str, left: Number, right: Number) -> list[Line]:
+    """Both sides and, last, their difference."""
     prefix = f"{label}: " if label else ""
     return [
         Line(prefix + entry["variant"]["quantity"], home, left),
         Line(prefix + entry["baseline"]["quantity"], home, right),
-        Line(prefix + DIFFERENCE, home, difference),
+        Line(prefix + DIFFERENCE, home, left.minus(right)),
     ]
 
 
 def _pairs(entry: Mapping[str, Any], results: Results, where: str) -> list[Pair]:
     """Label, variant and baseline of each comparison."""
     if "pairs" in entry:
-        return [
-            _chosen(str(label), variant, baseline, results)
-            for label, (variant, baseline) in entry["pairs"].items()
-        ]
+        return [_chosen(str(label), *names, results) for label, names in entry["pairs"].items()]
     variant, baseline = entry["variant"]["result"], entry["baseline"]["result"]
     if not variant.endswith("/"):
         return [_chosen("", variant, baseline, results)]
@@ -171,9 +161,7 @@ def _best(pattern: str, results: Results) -> tuple[str, str]:
     ]
     if not found:
         raise PlacecatError(f"there is no result {pattern!r}")
-    numbers = range(1, len(results.homes) + 1)
-    averages = [over_homes(results, name, numbers).measured for name in found]
-    best = found[int(np.nanargmax(averages))] if np.isfinite(averages).any() else found[0]
+    best = best_of(results, found)
     chosen = [label for part, label in zip(wanted, _labels(best), strict=True) if part == BEST and label]
     return best, f"the best: {', '.join(chosen)}"
 
@@ -191,24 +179,19 @@ def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tu
         left, right = (_whole(results, one, bool(entry.get("plain"))) for one in names)
         return [("", left, right)]
     tried, both = _homes_of(names, results)
-    found = [
-        (home_label(number), in_home(results, pair.variant, number), in_home(results, pair.baseline, number))
-        for number in homes
-    ]
-    left, right = (over_homes(results, one, both or tried) for one in names)
+    found = [(home_label(number), *(in_home(results, one, number) for one in names)) for number in homes]
+    averages = [over_homes(results, one, both or tried) for one in names]
     if both and both != tried:
-        note = f"mean over {', '.join(map(home_label, both))} only"
-        left, right = replace(left, notes=(note,)), replace(right, notes=(note,))
-    found.append((AVERAGE, left, right))
+        averages = [replace(one, notes=(only_some(both, tried),)) for one in averages]
     return [
-        (home, left.noted(pair.variant_note), right.noted(pair.baseline_note)) for home, left, right in found
+        (home, left.noted(pair.variant_note), right.noted(pair.baseline_note))
+        for home, left, right in [*found, (AVERAGE, *averages)]
     ]
 
 
 def _homes_of(names: Sequence[str], results: Results) -> tuple[list[int], list[int]]:
     """Numbers from 1 of the homes in which all of some results were tried, and in which all were measured."""
-    everywhere = range(1, len(results.homes) + 1)
-    tried = [n for n in everywhere if all(_was_tried(results, one, n) for one in names)]
+    tried = [n for n in results.numbers if all(_was_tried(results, one, n) for one in names)]
     return tried, [n for n in tried if all(len(in_home(results, one, n).values) for one in names)]
 
 
@@ -231,7 +214,7 @@ def _in_places(
 def _in_place(results: Results, name: str, numbers: Sequence[int], place: str) -> Number:
     one = results.measured.get(name)
     if one is None or not numbers:
-        return over_homes(results, name, range(1, len(results.homes) + 1))
+        return over_homes(results, name, results.numbers)
     homes = [one.homes.index(results.homes[number - 1]) for number in numbers]
     values = one.by_class()[:, homes, one.classes.index(place)]
     shown = np.isfinite(values).all(axis=0)
@@ -242,10 +225,7 @@ def _in_place(results: Results, name: str, numbers: Sequence[int], place: str) -
 
 def _was_tried(results: Results, name: str, number: int) -> bool:
     """Whether a result is, or has a reason not to be, in the n-th home (from 1)."""
-    if name not in results.measured and not has_reasons(results, name):
-        results.of(name)
-    home = results.homes[number - 1]
-    one = results.measured.get(name)
+    home, one = results.homes[number - 1], results.find(name)
     return (name, home) in results.missing or (one is not None and home in one.homes)
 
 

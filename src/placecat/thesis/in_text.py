@@ -90,12 +90,10 @@ def in_text(
 
 
 def _same_names(entries: Sequence[str], published: Sequence[str]) -> None:
-    for name in entries:
-        if name not in published:
-            raise PlacecatError(f"in_text has an entry {name!r} of which the thesis says nothing")
-    for name in published:
-        if name not in entries:
-            raise PlacecatError(f"the thesis's number {name!r} has no entry in in_text")
+    if more := [name for name in entries if name not in published]:
+        raise PlacecatError(f"in_text has an entry {more[0]!r} of which the thesis says nothing")
+    if more := [name for name in published if name not in entries]:
+        raise PlacecatError(f"the thesis's number {more[0]!r} has no entry in in_text")
 
 
 def _lines(

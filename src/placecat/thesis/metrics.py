@@ -72,17 +72,13 @@ def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -
         Another kind of number, or a result that does not exist.
     """
     refuse_unknown(chosen, [ACCURACY, LOG_LOSS], "metrics")
-    impossible = {name for name, _ in results.missing}
     averages: dict[str, dict[str, float]] = {ACCURACY: {}, LOG_LOSS: {}}
     for kind, columns in chosen.items():
         for column, name in columns.items():
-            try:
-                accuracy = round(float(results.of(name).by_home().mean()), 2)
-            except PlacecatError as error:
-                if name not in impossible:
-                    raise PlacecatError(f"metrics.{kind}.{column}: {error}") from None
+            if (one := _find(results, name, f"metrics.{kind}.{column}")) is None:
                 continue
-            found = {ACCURACY: accuracy} | (results.quality[name].averages() if kind == LOG_LOSS else {})
+            found = {ACCURACY: round(float(one.by_home().mean()), 2)}
+            found |= results.quality[name].averages() if kind == LOG_LOSS else {}
             if kind in found:
                 averages[kind][column] = found[kind]
     return averages[ACCURACY] | {LOG_LOSS: averages[LOG_LOSS]}
@@ -109,18 +105,19 @@ def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[
     """
     kinds = {CONFUSION: decisions, ACCURACY_BY_HOME: accuracies}
     refuse_unknown(plots, list(kinds), "plots")
-    impossible = {name for name, _ in results.missing}
-    found = {}
-    for kind, panels in plots.items():
-        for panel, name in panels.items():
-            try:
-                rows = kinds[kind](results.of(name))
-            except PlacecatError as error:
-                if name not in impossible:
-                    raise PlacecatError(f"plots.{kind}.{panel}: {error}") from None
-                rows = kinds[kind](None)
-            found[f"{kind}/{panel}.csv"] = rows
-    return found
+    return {
+        f"{kind}/{panel}.csv": kinds[kind](_find(results, name, f"plots.{kind}.{panel}"))
+        for kind, panels in plots.items()
+        for panel, name in panels.items()
+    }
+
+
+def _find(results: Results, name: str, where: str) -> Measured | None:
+    """A result; None if these data cannot give it."""
+    try:
+        return results.find(name)
+    except PlacecatError as error:
+        raise PlacecatError(f"{where}: {error}") from None
 
 
 def decisions(measured: Measured | None) -> pd.DataFrame:
@@ -128,13 +125,12 @@ def decisions(measured: Measured | None) -> pd.DataFrame:
 
     DVC's template `confusion` counts the rows itself. They are in the order of the places.
     """
-    columns = ["truth", "decision"]
     if measured is None:
-        return pd.DataFrame(columns=columns)
+        return pd.DataFrame(columns=["truth", "decision"])
     counts = measured.confusion[0].sum(axis=0)
     truth, decision = np.repeat(np.indices(counts.shape).reshape(2, -1), counts.ravel(), axis=1)
     places = np.array(measured.classes)
-    return pd.DataFrame({"truth": places[truth], "decision": places[decision]}, columns=columns)
+    return pd.DataFrame({"truth": places[truth], "decision": places[decision]})
 
 
 def accuracies(measured: Measured | None) -> pd.DataFrame:

@@ -1,6 +1,6 @@
 """What is to be said of a number in a table, by what it is about."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from enum import StrEnum
 from typing import NamedTuple
 
@@ -89,9 +89,6 @@ def with_notes(name: str, cells: pd.DataFrame, rows: pd.DataFrame, key: Iterable
     found: dict[tuple[str, ...], Notes] = {}
     for _, *labels, kind, text in rows[rows["table"] == name][COLUMNS].itertuples(index=False, name=None):
         found[tuple(labels)] = (*found.get(tuple(labels), ()), Note(Kind(kind), text))
-    return cells.assign(notes=_column(cells, list(key), found))
-
-
-def _column(cells: pd.DataFrame, key: list[str], found: Mapping[tuple[str, ...], Notes]) -> pd.Series:
-    labels = cells[key].itertuples(index=False, name=None)
-    return pd.Series([found.get(one, ()) for one in labels], index=cells.index, dtype=object)
+    labels = cells[list(key)].itertuples(index=False, name=None)
+    column = [found.get(one, ()) for one in labels]
+    return cells.assign(notes=pd.Series(column, index=cells.index, dtype=object))

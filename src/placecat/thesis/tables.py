@@ -127,19 +127,9 @@ def fill_table(
         if key in value and np.isnan(value[key]):
             notes.append(Note(Kind.NOT_AVAILABLE, "the published cell is n/a"))
         notes.append(Note(Kind.PUBLISHED, contradictions.get((number, *key), "")))
+        measured = (value.get(key, np.nan), cell.measured, cell.spread, cell.seeds)
         of_cell = without_empty(notes)
-        rows.append(
-            (
-                ADDITION if number is None else number,
-                *key,
-                value.get(key, np.nan),
-                cell.measured,
-                cell.spread,
-                cell.seeds,
-                joined(of_cell),
-                of_cell,
-            )
-        )
+        rows.append((ADDITION if number is None else number, *key, *measured, joined(of_cell), of_cell))
     return pd.DataFrame(rows, columns=[*COLUMNS, "notes"])
 
 
