@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 import made_report
-from placecat.report.benchmarks import TEXT, ratios_of, shown_rows, times
+from placecat.report.benchmarks import TEXT, ratios_of, shown_speed, times
 from placecat_bench.comparison import Comparison, Peer
 
 
@@ -17,7 +17,7 @@ def test_ratios_and_targets_of_comparisons_only():
 
 
 def test_rows_as_a_page_shows_them():
-    rows = shown_rows(made_report.benchmarks())
+    rows = shown_speed(made_report.benchmarks(), {})["rows"]
     assert rows[0] == {
         "piece": "HOG",
         "input": "25 regions",

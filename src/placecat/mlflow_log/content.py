@@ -67,41 +67,24 @@ def table_run(
     title = f"{label(table)}: {table['title']}"
     beside = comparable(table, dataset)
     decisions = decisions_of(table, results)
-    trials = "trial" in table
     quality = _quality(table, results)
-    rows = [
-        _row_run(
-            table,
-            *labels,
-            part,
-            decisions.get(labels, {}),
-            quality.get(labels, {}),
-            drawer if not trials else None,
-        )
-        for key, part in cells.groupby(["group", "row"], sort=False)
-        for labels in [(str(key[0]), str(key[1]))]
-    ]
-    counts = [
-        repr(score_rows("/".join([*labels, column]), one))
-        for labels, of_row in decisions.items()
-        for column, one in of_row.items()
-    ]
+    rows = []
+    for (group, row), part in cells.groupby(["group", "row"], sort=False):
+        labels = (str(group), str(row))
+        measured = (part, decisions.get(labels, {}), quality.get(labels, {}))
+        rows.append(_row_run(table, labels, *measured, None if "trial" in table else drawer))
+    by_cell = {
+        (*labels, column): one for labels, of_row in decisions.items() for column, one in of_row.items()
+    }
+    counts = [repr(score_rows("/".join(labels), one)) for labels, one in by_cell.items()]
 
     def write(folder: Path) -> list[Path]:
         pictures = draw_table(folder, title, cells, decisions, published=beside, chart=in_percent(table))
         matrices = [
             pooled_rows(one).assign(group=group, row=row, column=column)
-            for (group, row), of_row in decisions.items()
-            for column, one in of_row.items()
+            for (group, row, column), one in by_cell.items()
         ]
-        if not matrices:
-            return [*written, *pictures]
-        whole = pd.concat(matrices)
-        first = ["group", "row", "column", "truth"]
-        files.write_csv(
-            folder / "confusion.csv", whole[[*first, *whole.columns.difference(first, sort=False)]]
-        )
-        return [*written, *pictures, folder / "confusion.csv"]
+        return [*written, *pictures, *_write_counts(folder, matrices, ["group", "row", "column", "truth"])]
 
     return TableRun(
         name=table["name"],
@@ -181,29 +164,21 @@ def findings_run(findings: Path, comparisons: Path) -> TableRun:
 
 def _row_run(
     table: Mapping[str, Any],
-    group: str,
-    row: str,
+    labels: tuple[str, str],
     cells: pd.DataFrame,
     decisions: Mapping[str, Measured],
     quality: Mapping[str, float],
     drawer: MatrixDrawer | None,
 ) -> RowRun:
-    name = ", ".join(part for part in (group, row) if part) or table["title"]
-    params = {"table": label(table), "group": group, "row": row}
-    for own in table.get("rows", []):
-        if (own["group"], own["row"]) == (group, row):
-            params["result"] = own["result"]
-    if "result" in table:
-        params["result"] = table["result"]
+    name = ", ".join(filter(None, labels)) or table["title"]
+    results = {(row["group"], row["row"]): row["result"] for row in table.get("rows", [])}
+    result = table.get("result") or results.get(labels, "")
+    params = {"table": label(table), "group": labels[0], "row": labels[1], "result": result}
     measured = cells[np.isfinite(cells["measured"])]
     return RowRun(
         name=name,
         params={key: text for key, text in params.items() if text},
-        metrics={
-            _slug(column): value
-            for column, value in zip(measured["column"], measured["measured"], strict=True)
-        }
-        | dict(quality),
+        metrics=dict(zip(map(_slug, measured["column"]), measured["measured"], strict=True)) | dict(quality),
         files=_writer(name, decisions, drawer),
     )
 
@@ -214,17 +189,27 @@ def _writer(
     def write(folder: Path) -> list[Path]:
         if not decisions:
             return []
+        labels = ["column", "home", "seed", "truth"]
         parts = [confusion_rows(one).assign(column=column) for column, one in decisions.items()]
-        whole = pd.concat(parts)
-        first = ["column", "home", "seed", "truth"][int(list(decisions) == [""]) :]
-        rest = whole.columns.difference([*first, "column"], sort=False)
-        files.write_csv(folder / "confusion.csv", whole[[*first, *rest]])
-        if drawer is None:
-            return [folder / "confusion.csv"]
-        drawer.draw(folder / "confusion.png", name, decisions)
-        return [folder / "confusion.csv", folder / "confusion.png"]
+        if list(decisions) == [""]:
+            labels, parts = labels[1:], [one.drop(columns="column") for one in parts]
+        written = _write_counts(folder, parts, labels)
+        if drawer is not None:
+            drawer.draw(folder / "confusion.png", name, decisions)
+            written.append(folder / "confusion.png")
+        return written
 
     return write
+
+
+def _write_counts(folder: Path, parts: Sequence[pd.DataFrame], labels: list[str]) -> list[Path]:
+    """Write tables of counts as one, the labels first; gives its path, of no tables nothing."""
+    if not parts:
+        return []
+    whole = pd.concat(parts)
+    path = folder / "confusion.csv"
+    files.write_csv(path, whole[[*labels, *whole.columns.difference(labels, sort=False)]])
+    return [path]
 
 
 def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, float]]:

@@ -186,28 +186,17 @@ def _log(
         for number, row in enumerate(run.rows):
             (own := folder / f"row_{number}").mkdir()
             of_rows.append(row.files(own))
-        run_id = store.start_run(
-            client,
-            experiment_id,
-            run.title,
-            params=run.params,
-            metrics=run.metrics,
-            tags={**tags, KIND: run.kind, DIGEST: digest},
-            files=files,
-        )
-        store.set_tags(client, run_id, {store.DESCRIPTION: run.description.replace(RUN_ID, run_id)})
+        of_table = store.Content(params=run.params, metrics=run.metrics, files=files)
+        tags_of_table = {**tags, KIND: run.kind, DIGEST: digest}
+        run_id = store.start_run(client, experiment_id, run.title, tags=tags_of_table, **of_table)
+        store.log(client, run_id, tags={store.DESCRIPTION: run.description.replace(RUN_ID, run_id)})
         # The last is on top.
         for row, paths in reversed(list(zip(run.rows, of_rows, strict=True))):
-            store.log_run(
-                client,
-                experiment_id,
-                row.name,
-                params=row.params,
-                metrics=row.metrics,
-                tags={**tags, KIND: "row"},
-                files=paths,
-                parent=run_id,
+            of_row = store.Content(
+                params=row.params, metrics=row.metrics, tags={**tags, KIND: "row"}, files=paths
             )
+            nested = store.start_run(client, experiment_id, row.name, parent=run_id, **of_row)
+            store.finish_run(client, nested)
         store.finish_run(client, run_id)
     return run_id
 
@@ -218,13 +207,13 @@ def _make_current(client: MlflowClient, experiment_id: str, run_id: str, old: Se
         for one in old:
             _supersede(client, experiment_id, one, run_id)
         for each in [*_nested(client, experiment_id, run_id), run_id]:
-            store.set_tags(client, each, {CURRENT: "true"})
+            store.log(client, each, tags={CURRENT: "true"})
 
 
 def _supersede(client: MlflowClient, experiment_id: str, run_id: str, by: str) -> None:
     # The table's run last, so that this is done again if it is interrupted.
     for each in [*_nested(client, experiment_id, run_id), run_id]:
-        store.set_tags(client, each, {CURRENT: "false", SUPERSEDED_BY: by})
+        store.log(client, each, tags={CURRENT: "false", SUPERSEDED_BY: by})
 
 
 def _delete(client: MlflowClient, experiment_id: str, run_id: str) -> None:

@@ -33,27 +33,39 @@ def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
     )
 
 
-def shown_rows(benchmarks: pd.DataFrame) -> list[Mapping[str, Any]]:
-    """Every row as text for a page: piece, input, ours, peer, theirs, ratio, target and spent; met is a bool.
+def shown_speed(benchmarks: pd.DataFrame, facts: Mapping[str, str]) -> dict[str, Any]:
+    """Everything as text for a page.
 
-    A row of another quantity than seconds has it beside its piece.
+    Parameters
+    ----------
+    benchmarks
+        As :func:`placecat_bench.run.run` writes it, empty cells of text as "".
+    facts
+        ``processor``, ``python`` and ``packages`` that it was measured with.
+
+    Returns
+    -------
+    dict
+        The ``facts``, and in ``rows`` the piece, input, ours, peer, theirs, ratio, target, met (a bool) and
+        spent of each row. A row of another quantity than seconds has it beside its piece.
     """
-    return [
-        {
-            "piece": row["piece"] if row["quantity"] == _SECONDS else f"{row['piece']}: {row['quantity']}",
-            "input": row["input"],
-            "ours": _amount(row["ours"], row["quantity"]),
-            "peer": " ".join(filter(None, (row["peer"], row["peer_version"]))),
-            "theirs": _amount(row["theirs"], row["quantity"]),
-            "ratio": ""
-            if pd.isna(row["ratio"])
-            else f"{times(row['ratio'])} ({times(row['low'])} to {times(row['high'])})",
-            "target": row["target"],
-            "met": row["met"] == "yes",
-            "spent": row["spent"],
-        }
-        for row in benchmarks.to_dict("records")
-    ]
+    return {"facts": facts, "rows": [_shown_row(row) for row in benchmarks.to_dict("records")]}
+
+
+def _shown_row(row: Mapping[Any, Any]) -> dict[str, Any]:
+    return {
+        "piece": row["piece"] if row["quantity"] == _SECONDS else f"{row['piece']}: {row['quantity']}",
+        "input": row["input"],
+        "ours": _amount(row["ours"], row["quantity"]),
+        "peer": " ".join(filter(None, (row["peer"], row["peer_version"]))),
+        "theirs": _amount(row["theirs"], row["quantity"]),
+        "ratio": ""
+        if pd.isna(row["ratio"])
+        else f"{times(row['ratio'])} ({times(row['low'])} to {times(row['high'])})",
+        "target": row["target"],
+        "met": row["met"] == "yes",
+        "spent": row["spent"],
+    }
 
 
 def times(ratio: float) -> str:

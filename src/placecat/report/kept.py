@@ -38,12 +38,10 @@ _Pairs = dict[tuple[str, ...], tuple[_Cell, _Cell]]
 
 @dataclass(frozen=True)
 class TableDifference:
-    """How one table differs.
+    """How one table, e.g. ``table_26``, differs.
 
     Attributes
     ----------
-    name
-        E.g. ``table_26``.
     cells
         Number of cells with a number, now or kept, that were compared.
     differing

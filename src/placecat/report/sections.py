@@ -6,19 +6,7 @@ from dataclasses import dataclass, replace
 
 @dataclass(frozen=True)
 class Section:
-    """A section of the thesis.
-
-    Attributes
-    ----------
-    number
-        E.g. "4.2".
-    title
-        What it is about.
-    tables
-        Numbers of its tables.
-    before, after
-        Numbers of the figures that stand before and after them.
-    """
+    """A section of the thesis, with the numbers of its tables and of the figures before and after them."""
 
     number: str
     title: str

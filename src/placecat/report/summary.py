@@ -20,16 +20,9 @@ WU_FRAMES, WU_FILTERED, WU_SIFT = 41.87, 46.78, 39.8
 
 @dataclass(frozen=True)
 class Headline:
-    """One group of Table 26 in three averages over homes.
+    """One group of Table 26 in averages over homes: the best cue, the integration, and that smoothed.
 
-    Attributes
-    ----------
-    group
-        The group's name, e.g. "5-5-1, all cues".
-    best, best_published
-        Which single cue is the best here and in the thesis, "" where the group has none.
-    cue, integration, smoothed
-        Average of the best cue, of the integration, and of that smoothed.
+    `best` and `best_published` name the best single cue here and in the thesis, "" where the group has none.
     """
 
     group: str

@@ -49,12 +49,14 @@ def bars_of(cells: pd.DataFrame) -> list[Bar]:
     axis = _averaged(cells)
     if axis is None:
         named = cells.assign(
-            section=[_joined(*names) for names in zip(cells["group"], cells["row"], strict=True)],
+            section=[
+                ", ".join(filter(None, names)) for names in zip(cells["group"], cells["row"], strict=True)
+            ],
             label=cells["column"],
         )
     else:
         named = cells.assign(section=cells["group"], label=cells["column" if axis == "row" else "row"])
-    found = []
+    bars = []
     for (section, label), part in named.groupby(["section", "label"], sort=False):
         whole = part if axis is None else part[part[axis] == AVERAGE]
         # The only home has no average.
@@ -62,16 +64,9 @@ def bars_of(cells: pd.DataFrame) -> list[Bar]:
         if len(whole) != 1 or not np.isfinite(whole["measured"].iloc[0]):
             continue
         points = part.drop(whole.index)["measured"].dropna()
-        found.append(
-            Bar(
-                str(section),
-                str(label),
-                float(whole["measured"].iloc[0]),
-                float(whole["published"].iloc[0]),
-                tuple(points),
-            )
-        )
-    return found
+        measured, published = (float(whole[column].iloc[0]) for column in ("measured", "published"))
+        bars.append(Bar(str(section), str(label), measured, published, tuple(points)))
+    return bars
 
 
 def point_name(cells: pd.DataFrame) -> str:
@@ -86,7 +81,3 @@ def _averaged(cells: pd.DataFrame) -> str | None:
         if cells[axis].str.fullmatch(_HOME).any():
             return axis
     return "column" if (cells["column"] == AVERAGE).any() else None
-
-
-def _joined(*names: str) -> str:
-    return ", ".join(name for name in names if name)
