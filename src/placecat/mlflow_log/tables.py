@@ -42,12 +42,10 @@ DESCRIPTION = (
 
 @dataclass(frozen=True)
 class RowRun:
-    """What MLflow is to know of one row.
+    """What MLflow is to know of one row, by a name for people, e.g. "5-5-1, all cues, Gist".
 
     Attributes
     ----------
-    name
-        For people, e.g. "5-5-1, all cues, Gist".
     params, metrics
         What identifies it, and its numbers: ``average``, ``home_1``, ... in percent, and how good its
         probabilities are (:meth:`placecat.results.quality.Quality.averages`).
@@ -63,14 +61,10 @@ class RowRun:
 
 @dataclass(frozen=True)
 class TableRun:
-    """What MLflow is to know of one table.
+    """What MLflow is to know of one table, e.g. "table_26", which has a title for people.
 
     Attributes
     ----------
-    name
-        E.g. "table_26".
-    title
-        For people.
     content
         Everything that the table shows, as text; with `params`, of which `digest` is made.
     params
@@ -79,10 +73,8 @@ class TableRun:
         Name to number, percent unless it says otherwise.
     description
         Markdown for people; `RUN_ID` in it becomes the run's id.
-    rows
-        Nested runs.
-    files
-        As for a row.
+    rows, files
+        Nested runs; the table's files, as those of a row.
     kind
         "table", or "figures" and "findings" for the two runs that are none.
     """

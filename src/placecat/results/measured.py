@@ -212,12 +212,8 @@ def mean_and_spread(values: NDArray[np.float64], *, random: bool) -> tuple[float
 def score_rows(name: str, one: Measured) -> list[tuple[str, str, str, str, str, int]]:
     """Rows of the score file (`SCORE_COLUMNS`) of one result; pairs that never occurred are left out."""
     return [
-        (name, home, seed, true, decided, int(one.confusion[s, h, i, k]))
-        for s, seed in enumerate(one.seeds)
-        for h, home in enumerate(one.homes)
-        for i, true in enumerate(one.classes)
-        for k, decided in enumerate(one.classes)
-        if one.confusion[s, h, i, k]
+        (name, one.homes[h], one.seeds[s], one.classes[i], one.classes[k], int(one.confusion[s, h, i, k]))
+        for s, h, i, k in np.argwhere(one.confusion).tolist()
     ]
 
 
@@ -262,18 +258,11 @@ def _measured(scores: pd.DataFrame, lists: Sequence[tuple[str, ...]]) -> dict[st
     measured = {}
     for name, rows in scores.groupby("result", sort=False):
         seen = set(rows["truth"]) | set(rows["decision"])
-        own = next((one for one in lists if seen <= set(one)), tuple(sorted(seen)))
-        own_homes, seeds = tuple(dict.fromkeys(rows["home"])), tuple(dict.fromkeys(rows["seed"]))
-        confusion = np.zeros((len(seeds), len(own_homes), len(own), len(own)), np.int64)
-        index = [
-            pd.Categorical(rows[column], categories).codes
-            for column, categories in (
-                ("seed", seeds),
-                ("home", own_homes),
-                ("truth", own),
-                ("decision", own),
-            )
-        ]
-        confusion[tuple(index)] = rows["frames"]
-        measured[str(name)] = Measured(own_homes, seeds, own, confusion)
+        places = next((one for one in lists if seen <= set(one)), tuple(sorted(seen)))
+        homes, seeds = tuple(dict.fromkeys(rows["home"])), tuple(dict.fromkeys(rows["seed"]))
+        axes = {"seed": seeds, "home": homes, "truth": places, "decision": places}
+        confusion = np.zeros([len(labels) for labels in axes.values()], np.int64)
+        index = tuple(pd.Categorical(rows[column], labels).codes for column, labels in axes.items())
+        confusion[index] = rows["frames"]
+        measured[str(name)] = Measured(homes, seeds, places, confusion)
     return measured

@@ -11,20 +11,10 @@ from placecat.training import protocol
 
 @dataclass(frozen=True)
 class Source:
-    """The distributions of one result.
+    """The distributions of one result over the places `classes`: an array of a `name` for each home and seed.
 
-    Attributes
-    ----------
-    folder
-        Has a folder for each test home, and in it one for each seed.
-    name
-        Of the array in there.
-    homes
-        Test homes in order, as their folders are called.
-    site
-        Name of the further data set that they are of, or "" for the main one.
-    classes
-        Names of the places in order.
+    The test homes are called as their folders; `site` is the further data set that they are of, "" for the
+    main one.
     """
 
     folder: Path

@@ -21,9 +21,10 @@ from placecat.evaluation.verdict import (
 )
 from placecat.results.measured import Results
 from placecat.thesis.claims import Comparison, Side
+from placecat.thesis.number import AVERAGE
 from placecat.thesis.pairing import Paired, pair
 from placecat.thesis.pooling import Pooled, pool
-from placecat.thesis.published import AVERAGE, Published
+from placecat.thesis.published import Published
 from placecat.thesis.rules import Rules, claimed_range
 
 _WHERE = {
@@ -55,8 +56,8 @@ class Measurement:
         Of the difference (or ratio), rounded to 2 decimals; NaN ends if there is a single unit.
     corrected
         The same at the level that allows for the number of the finding's comparisons.
-    n_units, units
-        Their number, and what they are.
+    units
+        Their number and what they are, for people.
     gains
         Of each home (or all pooled sequences), (results,): left minus right, result by result, mean over
         seeds; empty if the sides have no such pairs.
@@ -71,7 +72,6 @@ class Measurement:
     results: tuple[tuple[str, ...], ...]
     interval: Interval
     corrected: Interval
-    n_units: int
     units: str
     gains: tuple[NDArray[np.float64], ...]
     worse: int
@@ -83,12 +83,7 @@ class Measurement:
 class Judged:
     """One comparison, what the thesis and this run have of it, and the verdict.
 
-    Attributes
-    ----------
-    claimed
-        Where the claim puts the difference; None for ``both_signs``.
-    measurement
-        None if this run does not have all results; the reason says why.
+    The claimed range is None for ``both_signs``, the measurement if this run does not have all results.
     """
 
     comparison: Comparison
@@ -122,15 +117,18 @@ def judge_comparison(
         For settings that are wrong. What was not measured only makes the verdict undecided.
     """
     try:
-        paired = _pair(comparison, rules, results)
-    except NotComputable as error:
-        return _without(comparison, rules, published, str(error))
-    thesis = look_up(comparison, published, paired.sides)
-    claimed = claimed_range(comparison.range, thesis.difference, rules)
-    try:
+        paired = (
+            pool(results, comparison.sides)
+            if comparison.pooled
+            else pair(results, comparison.sides, rules.few_homes)
+        )
         measured = measure(finding, comparison, rules, paired, comparisons)
     except NotComputable as error:
-        return _without(comparison, rules, published, str(error))
+        thesis = look_up(comparison, published)
+        claimed = claimed_range(comparison.range, thesis.difference, rules)
+        return Judged(comparison, thesis, claimed, None, UNDECIDED, str(error))
+    thesis = look_up(comparison, published, paired.sides)
+    claimed = claimed_range(comparison.range, thesis.difference, rules)
     if claimed is None:
         verdict, reason = judge_cases([measured], rules)
     elif too_few := paired.too_few(rules.minimum_units):
@@ -229,25 +227,12 @@ def measure(
         results=tuple(_used(side, own) for side, own in zip(paired.sides, overall, strict=True)),
         interval=interval.rounded(),
         corrected=corrected.rounded(),
-        n_units=paired.n_units,
         units=paired.units,
         gains=tuple(gains.mean(axis=2).T),
         worse=int((gains <= -rules.noticeable).all(axis=2).sum()),
         better=int((gains >= rules.noticeable).all(axis=2).sum()),
         note=paired.note,
     )
-
-
-def _pair(comparison: Comparison, rules: Rules, results: Results) -> Paired | Pooled:
-    if comparison.pooled:
-        return pool(results, comparison.sides)
-    return pair(results, comparison.sides, rules.few_homes)
-
-
-def _without(comparison: Comparison, rules: Rules, published: Published, reason: str) -> Judged:
-    thesis = look_up(comparison, published)
-    claimed = claimed_range(comparison.range, thesis.difference, rules)
-    return Judged(comparison, thesis, claimed, None, UNDECIDED, reason)
 
 
 def _reason(verdict: str, measured: Measurement, claimed: Range, level: float) -> str:

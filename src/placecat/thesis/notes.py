@@ -11,26 +11,17 @@ _KEY = ["group", "row", "column"]
 
 
 class Kind(StrEnum):
-    """What a note is about.
+    """What a note is about."""
 
-    Attributes
-    ----------
-    DATA
-        The data set that the number was measured on; it holds for a whole table.
-    NOT_COMPARABLE
-        The published number is from other data; it holds for a whole table.
-    NOT_AVAILABLE
-        The published cell is an n/a.
-    PUBLISHED
-        The published number of this cell, e.g. one that contradicts the thesis's other numbers.
-    MEASURED
-        The measured number of this cell, or why there is none.
-    """
-
+    # The data set that the number was measured on; it holds for a whole table.
     DATA = "data"
+    # The published number is from other data; it holds for a whole table.
     NOT_COMPARABLE = "not_comparable"
+    # The published cell is an n/a.
     NOT_AVAILABLE = "not_available"
+    # The published number of this cell, e.g. one that contradicts the thesis's other numbers.
     PUBLISHED = "published"
+    # The measured number of this cell, or why there is none.
     MEASURED = "measured"
 
 

@@ -95,7 +95,8 @@ def _nu_of_cues(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
             nu = files.read_json(path).get("nu")
             if nu:
                 scheme, home = path.parts[-4:-2]
-                yield _nu(f"cues/{name}/{scheme}", home, asked, min(nu), max(nu))
+                result = f"cues/{name}/{scheme}"
+                yield {"result": result, "home": home, "asked": asked, "lowest": min(nu), "highest": max(nu)}
 
 
 def _nu_of_trials(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
@@ -109,11 +110,8 @@ def _nu_of_trials(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
         for facts in files.read_table(path, ["trial", "home", "seed"]).to_dict("records"):
             asked = all_asked.get(facts["trial"])
             if asked is not None and pd.notna(facts["nu_lowest"]):
-                yield _nu(facts["trial"], facts["home"], asked, facts["nu_lowest"], facts["nu_highest"])
-
-
-def _nu(result: str, home: str, asked: float, lowest: float, highest: float) -> dict[str, Any]:
-    return {"result": result, "home": home, "asked": asked, "lowest": lowest, "highest": highest}
+                nu = {"lowest": facts["nu_lowest"], "highest": facts["nu_highest"]}
+                yield {"result": facts["trial"], "home": facts["home"], "asked": asked, **nu}
 
 
 def _asked(classifier: Mapping[str, Any]) -> float | None:

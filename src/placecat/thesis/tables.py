@@ -69,8 +69,8 @@ def contradictions_of(notes: pd.DataFrame) -> dict[PublishedKey, str]:
     notes
         Columns table, group, row, column, note, as in data/thesis/contradictions.csv.
     """
-    keys = zip(*(notes[name] for name in ["table", *_KEY]), strict=True)
-    return {(int(number), *labels): note for (number, *labels), note in zip(keys, notes["note"], strict=True)}
+    rows = notes[["table", *_KEY, "note"]].itertuples(index=False, name=None)
+    return {(int(number), group, row, column): note for number, group, row, column, note in rows}
 
 
 def in_percent(table: Mapping[str, Any]) -> bool:

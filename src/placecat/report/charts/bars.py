@@ -12,18 +12,9 @@ _HOME = r"Home \d+"
 
 @dataclass(frozen=True)
 class Bar:
-    """One bar.
+    """One bar: the name of its group, "" for none, its own, and numbers in percent.
 
-    Attributes
-    ----------
-    section, label
-        What stands above the bars of a group, "" for nothing, and beside this one.
-    measured
-        Percent.
-    published
-        Percent, NaN for none.
-    points
-        What `measured` is the average of, in percent, as far as the table has it.
+    `published` is NaN for none; `points` are what `measured` is the average of, as far as the table has it.
     """
 
     section: str

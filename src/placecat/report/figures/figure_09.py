@@ -42,18 +42,10 @@ NUMBER: dict[str, Any] = {
 
 @dataclass(frozen=True)
 class Query:
-    """A frame of the test home.
+    """A frame of the test home, by its index.
 
-    Attributes
-    ----------
-    index
-        Of the frame.
-    x
-        (n, D) descriptors of its regions.
-    clusters
-        (n,) nearest cluster of each.
-    proba
-        (classes,) what they say together.
+    Its regions have the (n, D) descriptors `x` and the (n,) nearest `clusters`; together they say `proba`
+    (classes,).
     """
 
     index: int
