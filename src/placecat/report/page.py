@@ -107,27 +107,22 @@ class Report:
 
 def page_html(report: Report) -> str:
     """Render the page: the same report gives the same text."""
-    tables = {one.settings["number"]: _shown_table(one) for one in report.tables if _numbered(one)}
-    additions = [_shown_table(one) for one in report.tables if not _numbered(one)]
-    figures = {one.number: _shown_figure(one) for one in report.figures if one.number is not None}
-    added_figures = [_shown_figure(one) for one in report.figures if one.number is None]
+    tables = {one.settings["number"]: _shown_table(one) for one in report.tables if one.settings["number"]}
+    additions = [_shown_table(one) for one in report.tables if not one.settings["number"]]
+    figures = {one.number: _shown_figure(one) for one in report.figures if one.number}
+    added_figures = [_shown_figure(one) for one in report.figures if not one.number]
     sections, rest = arrange(tables, figures)
     table_26 = next((one.cells for one in report.tables if one.settings["number"] == 26), None)
     return (
         _environment()
         .get_template("page.html.j2")
         .render(
-            dataset=report.dataset,
-            frames=report.frames,
-            data_version=report.data_version,
+            **{name: getattr(report, name) for name in ("dataset", "frames", "data_version", "times")},
             headlines=[] if table_26 is None else headlines(table_26),
             wu={"frames": WU_FRAMES, "filtered": WU_FILTERED, "sift": WU_SIFT},
             verdicts=count_verdicts(report.findings),
             findings=_records(report.findings),
-            readings=[
-                {"column": column, "name": name.replace("_", " ")}
-                for column, name in readings_of(report.findings).items()
-            ],
+            readings=readings_of(report.findings),
             interval_limit=_interval_limit(report.findings),
             comparisons=_plain(
                 report.comparisons.drop(columns=["left_results", "right_results"], errors="ignore")
@@ -144,7 +139,6 @@ def page_html(report: Report) -> str:
             ),
             legend=legend(),
             settings=_blocks(report.settings),
-            times=report.times,
             speed=_with_chart(report.speed),
             scale=_with_chart(report.scale),
             time_rows=[] if report.times is None else _records(report.times["stages"]),
@@ -179,10 +173,6 @@ def _environment() -> Any:
         "signed": _signed,
     }
     return own
-
-
-def _numbered(table: Table) -> bool:
-    return table.settings["number"] is not None
 
 
 def _shown_table(table: Table) -> dict[str, Any]:

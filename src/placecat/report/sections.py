@@ -30,19 +30,9 @@ THESIS = (
 
 
 def arrange(tables: Collection[int], figures: Collection[int]) -> tuple[list[Section], Section]:
-    """Spread what there is over the sections.
+    """Spread the numbers of what there is over the sections.
 
-    Parameters
-    ----------
-    tables, figures
-        Numbers of what there is.
-
-    Returns
-    -------
-    sections
-        Those of `THESIS` that have something, with only what there is.
-    rest
-        Tables and figures of no section.
+    Gives those of `THESIS` that have something, with only what there is; and what has no section.
     """
 
     def present(wanted: Iterable[int], there: Collection[int]) -> tuple[int, ...]:

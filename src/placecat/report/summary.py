@@ -34,18 +34,7 @@ class Headline:
 
 
 def headlines(table: pd.DataFrame) -> list[Headline]:
-    """Condense Table 26.
-
-    Parameters
-    ----------
-    table
-        Table 26 from :func:`placecat.thesis.tables.fill_table`.
-
-    Returns
-    -------
-    list of Headline
-        One a group, in the table's order.
-    """
+    """Condense Table 26 (:func:`placecat.thesis.tables.fill_table`) to a headline a group, in its order."""
     averages = table[table["column"] == AVERAGE]
     return [_headline(str(group), part) for group, part in averages.groupby("group", sort=False)]
 

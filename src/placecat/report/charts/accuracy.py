@@ -12,19 +12,9 @@ _WIDTH, _LINE, _ROUND = 6.5, 0.19, 0.85
 
 
 def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figure | None:
-    """Draw the averages of a filled table.
+    """Draw the averages of a filled table (see `bars_of`); None if there are none.
 
-    Parameters
-    ----------
-    cells
-        See :func:`placecat.report.charts.bars.bars_of`.
-    published
-        Whether the published numbers were measured on the same data and may stand beside.
-
-    Returns
-    -------
-    Figure or None
-        None if nothing was measured.
+    `published` says whether the published numbers are of the same data and stand beside.
     """
     bars = bars_of(cells)
     if not bars:

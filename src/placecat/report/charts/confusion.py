@@ -16,15 +16,7 @@ _CELL = 0.11
 
 
 class Matrices:
-    """Confusion matrices side by side; used again for the next ones, since drawing axes takes longest.
-
-    Parameters
-    ----------
-    classes
-        Places in order.
-    count
-        Number of matrices.
-    """
+    """Confusion matrices side by side; used again for the next ones, since drawing axes takes longest."""
 
     def __init__(self, classes: Sequence[str], count: int) -> None:
         size = len(classes)
@@ -47,12 +39,9 @@ class Matrices:
         self._title = self.figure.text(0.01, 1 - 0.06 / height, "", va="top", fontsize=8, fontweight="bold")
 
     def fill(self, title: str, matrices: Mapping[str, Measured]) -> Figure:
-        """Show the share of each true place (row) that was decided as each place (column), in percent.
+        """Show percentages of each true place (row) decided as each place (column), over all homes and seeds.
 
-        Parameters
-        ----------
-        matrices
-            Caption to what was measured; counts over all homes and seeds.
+        `matrices` are captions to what was measured.
         """
         self._title.set_text(title)
         parts = zip(matrices.items(), self._images, self._texts, self._titles, strict=True)
@@ -69,15 +58,7 @@ class Matrices:
 def confusion_sheet(title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> Figure | None:
     """Draw all confusion matrices of a table: a line a row, and in it each column or each home.
 
-    Parameters
-    ----------
-    rows
-        From :func:`placecat.thesis.decisions.decisions_of`.
-
-    Returns
-    -------
-    Figure or None
-        None if nothing was measured.
+    `rows` are from :func:`placecat.thesis.decisions.decisions_of`; without any there is no figure.
     """
     lines = {key: _blocks(of_row) for key, of_row in rows.items() if of_row}
     if not lines:

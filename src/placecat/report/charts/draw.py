@@ -53,13 +53,7 @@ class MatrixDrawer:
         self._sheets: dict[tuple[tuple[str, ...], int], Matrices] = {}
 
     def draw(self, target: Path, title: str, matrices: Mapping[str, Measured]) -> None:
-        """Write one PNG.
-
-        Parameters
-        ----------
-        matrices
-            Caption to what was measured, one or more of the same places.
-        """
+        """Write one PNG of matrices of the same places, by their captions."""
         with house_style(_BY_HAND):
             classes: Sequence[str] = next(iter(matrices.values())).classes
             kind = (tuple(classes), len(matrices))

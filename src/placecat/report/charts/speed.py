@@ -14,18 +14,9 @@ _BOUND = 1.25
 
 
 def speed_chart(benchmarks: pd.DataFrame) -> Figure | None:
-    """Draw the median ratio of each comparison, the range of its pairs and its target.
+    """Draw the median ratio of each comparison, the range of its pairs and its target; None without any.
 
-    Parameters
-    ----------
-    benchmarks
-        As :func:`placecat_bench.run.run` writes it.
-
-    Returns
-    -------
-    Figure or None
-        None if nothing was compared. Two panels: how many times faster (more is better),
-        and how many times the peer's time (less is better).
+    Two panels: how many times faster (more is better), and how many times the peer's time (less is better).
     """
     ratios = ratios_of(benchmarks)
     panels = [

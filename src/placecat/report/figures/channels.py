@@ -12,16 +12,9 @@ WIDTH, GAP, ARROW, HEAD = 1.55, 0.14, 0.95, 0.2
 
 
 def draw_channel(run: Run, channel: str, symbol: str, subchannels: Sequence[str]) -> Figure:
-    """Draw the feature maps of one channel's sub-channels, added across scales, and their weighted sum.
+    """Draw the feature maps of one channel's four sub-channels, added across scales, and their weighted sum.
 
-    Parameters
-    ----------
-    channel
-        Of `placecat.vision.saliency.CHANNELS`; it has four sub-channels.
-    symbol
-        Of its conspicuity map, e.g. "C".
-    subchannels
-        What to call them, in their order.
+    The sub-channels are called so in their order, and the conspicuity map by a symbol, e.g. "C".
     """
     home, index = run.example
     fused = run.saliency(home, index)

@@ -97,16 +97,10 @@ def _draw(run: Run, rank: int, by_contrast: bool, *, cue: str, home: int, patche
 def spread(
     order: NDArray[np.integer], home: NDArray[np.int64], frame: NDArray[np.int64], count: int, apart: int
 ) -> list[int]:
-    """Take the first in order, passing over those from nearly the same moment as one taken before.
+    """Take the first in order, `count` at most, passing over those from the same moment as one taken before.
 
-    Parameters
-    ----------
-    order
-        Indices into `home` and `frame`, the preferred first.
-    count
-        How many to take at most.
-    apart
-        Frames of one home that lie less than this from each other count as the same moment.
+    `order` has indices into `home` and `frame`. Frames of one home less than `apart` from each other are of
+    the same moment.
     """
     taken: list[int] = []
     for one in order.tolist():
@@ -119,18 +113,9 @@ def spread(
 
 
 def cut_patch(frame: NDArray[np.uint8], region: NDArray[np.float32]) -> NDArray[np.uint8]:
-    """Cut the square around a salient region from a frame at full size.
+    """Cut the square around a salient region (4,) (x, y, scale, saliency) from a frame (H, W, 3) uint8 BGR.
 
-    Parameters
-    ----------
-    frame
-        (H, W, 3) uint8 BGR; beyond its border the outermost pixels go on.
-    region
-        (4,): x, y, scale, saliency.
-
-    Returns
-    -------
-    (PIXELS, PIXELS, 3) uint8 BGR.
+    Beyond the frame's border its outermost pixels go on; the square is (PIXELS, PIXELS, 3) uint8 BGR.
     """
     x, y, scale = (float(value) for value in region[:3])
     side = max(2, round(2 * float(radius(scale, frame.shape[1]))))

@@ -41,13 +41,7 @@ def draw(run: Run, *, home: int, panels: Mapping[str, str]) -> Figure:
 
 
 def matrix(axes: Axes, confusion: NDArray[np.int64], classes: Sequence[str]) -> None:
-    """Draw one confusion matrix.
-
-    Parameters
-    ----------
-    confusion
-        (classes, classes) counts, rows true; a place without frames has a row of dashes.
-    """
+    """Draw (classes, classes) counts, rows true; a place without frames has a row of dashes."""
     totals = confusion.sum(axis=1, keepdims=True)
     percent = 100.0 * confusion / np.maximum(totals, 1)
     axes.imshow(percent, cmap=palette.AMOUNT, vmin=0.0, vmax=100.0)

@@ -65,19 +65,9 @@ def draw(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
 
 
 def failures(run: Run, results: list[str], least: float = 0.0) -> list[Failure]:
-    """Find for each place the frame that all cues get wrong with the greatest certainty.
+    """Find for each place the frame that all cues get wrong with the greatest certainty, the surest first.
 
-    Parameters
-    ----------
-    results
-        Names of the cues' results.
-    least
-        Information measure from which a frame counts.
-
-    Returns
-    -------
-    list
-        At most one a place, the surest first.
+    A frame counts from an information measure of `least` on; `results` are those of the cues.
     """
     homes = run.source(results[0]).homes
     labels = [run.labels(home) for home in homes]
@@ -101,18 +91,10 @@ def failures(run: Run, results: list[str], least: float = 0.0) -> list[Failure]:
 
 
 def surety(largest: NDArray[np.float64], labelled: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """How sure several cues are of their decisions: some have nearly even distributions always, others never.
+    """(frames,) share of the `labelled` frames on which a cue is at most as sure, the mean over the cues.
 
-    Parameters
-    ----------
-    largest
-        (cues, frames) probability of the decision.
-    labelled
-        (frames,) which frames to compare with.
-
-    Returns
-    -------
-    (frames,) share of the labelled frames on which a cue is at most as sure, the mean over the cues.
+    `largest` are the (cues, frames) probabilities of the decisions. They do not compare themselves: some cues
+    have nearly even distributions always, others never.
     """
     shares = [np.searchsorted(np.sort(own[labelled]), own, side="right") / labelled.sum() for own in largest]
     return np.mean(shares, axis=0)

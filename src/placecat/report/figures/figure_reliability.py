@@ -68,13 +68,7 @@ def draw(run: Run, *, panels: Mapping[str, str]) -> Figure:
 
 
 def diagram_of(run: Run, result: str) -> Reliability:
-    """The diagram of all test homes and seeds of a result, each weighing the same.
-
-    Raises
-    ------
-    PlacecatError
-        If this run has not the result, or no labelled frame of it.
-    """
+    """The diagram of all test homes and seeds of a result, each weighing the same; needs a labelled frame."""
     source = run.source(result)
     bins = settings.get(run.params, "probabilities.bins")
     found = [

@@ -19,15 +19,7 @@ LEGEND_COLUMNS = 5
 def share_bar(
     axes: Axes, y: float, shares: NDArray[np.floating], classes: Sequence[str], *, height: float = 0.7
 ) -> None:
-    """Draw one distribution as a horizontal bar from 0 to 1, with percentages where there is room.
-
-    Parameters
-    ----------
-    y
-        Of its middle.
-    shares
-        (classes,) that sum to 1.
-    """
+    """Draw (classes,) shares of 1 as a horizontal bar around `y`, with percentages where there is room."""
     left = 0.0
     for share, color in zip(shares.tolist(), place_colors(classes).values(), strict=True):
         axes.barh(y, share, height, left, color=color, edgecolor="white", linewidth=0.6)

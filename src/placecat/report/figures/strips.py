@@ -151,12 +151,9 @@ def draw(
 
 
 def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
-    """Draw the line of the true place: thick in the rows, thin between them.
+    """Draw the line of the true place, thick in the rows, thin between them, from (frames,) class indices.
 
-    Parameters
-    ----------
-    truth
-        (frames,) class indices, -1 for unlabelled: the line is in the row `n_classes` there.
+    Where a frame is unlabelled, -1, the line is in the row `n_classes`.
     """
     row = np.where(truth < 0, n_classes, truth)
     parts = stretches(row)
@@ -180,17 +177,7 @@ def greys(proba: NDArray[np.float64]) -> tuple[float, float]:
 
 
 def columns(proba: NDArray[np.float64], limit: int) -> NDArray[np.float64]:
-    """Average neighbouring frames where there are more than `limit`.
-
-    Parameters
-    ----------
-    proba
-        (frames, classes).
-
-    Returns
-    -------
-    (min(frames, limit), classes); a row is the mean of its equal share of the frames.
-    """
+    """Average neighbours of (frames, classes) to (min(frames, limit), classes), means of equal shares."""
     if len(proba) <= limit:
         return proba
     edges = np.arange(limit + 1) * len(proba) // limit
