@@ -49,14 +49,10 @@ def table_run(
     written: Sequence[Path],
     drawer: MatrixDrawer,
 ) -> TableRun:
-    """Gather all of one table.
+    """Gather all of one table, from its configuration and its filled `cells`.
 
     Parameters
     ----------
-    table
-        Its configuration and its ``name``.
-    cells
-        The filled table.
     dataset
         What the table is measured on (:func:`placecat.thesis.tables.dataset_of`).
     settings
@@ -100,13 +96,7 @@ def table_run(
 
 
 def figures_run(folder: Path) -> TableRun:
-    """All figures that the stage `figures` drew, as one run.
-
-    Parameters
-    ----------
-    folder
-        Has figures.json and the PNGs that it names.
-    """
+    """All figures that the stage `figures` drew into a folder, as one run."""
     entries = files.read_json(folder / "figures.json")
     drawn = [folder / Path(entry["file"]).name for entry in entries if entry["file"]]
     lines = [
@@ -128,23 +118,13 @@ def figures_run(folder: Path) -> TableRun:
 
 
 def findings_run(findings: Path, comparisons: Path) -> TableRun:
-    """The ledger of findings as one run: a metric a verdict, and the verdicts of each reading.
-
-    Parameters
-    ----------
-    findings, comparisons
-        The files that the stage `findings` wrote.
-    """
+    """The files of the stage `findings` as one run: a metric a verdict, and the verdicts of each reading."""
     table = files.read_table(findings, ["claim"])
     readings = readings_of(table)
     names = [name.replace("_", " ") for name in readings.values()]
-    lines = [
-        "| " + " | ".join(["No.", "Finding", "Verdict", *names]) + " |",
-        "|---:" + "|---" * (2 + len(names)) + "|",
-    ]
-    for one in table.fillna("").to_dict("records"):
-        cells = [str(one[column]) for column in ("number", "claim", "verdict", *readings)]
-        lines.append("| " + " | ".join(cells) + " |")
+    rows = table.fillna("")[["number", "claim", "verdict", *readings]].astype(str).to_numpy().tolist()
+    head, *lines = (f"| {' | '.join(row)} |" for row in [["No.", "Finding", "Verdict", *names], *rows])
+    lines = [head, "|---:" + "|---" * (2 + len(names)) + "|", *lines]
     metrics = {
         key(name, verdict): float((table[column] == verdict).sum())
         for column, name in ({"verdict": "as_used"} | readings).items()
@@ -171,8 +151,7 @@ def _row_run(
     drawer: MatrixDrawer | None,
 ) -> RowRun:
     name = ", ".join(filter(None, labels)) or table["title"]
-    results = {(row["group"], row["row"]): row["result"] for row in table.get("rows", [])}
-    result = table.get("result") or results.get(labels, "")
+    result = table.get("result") or _results(table).get(labels, "")
     params = {"table": label(table), "group": labels[0], "row": labels[1], "result": result}
     measured = cells[np.isfinite(cells["measured"])]
     return RowRun(
@@ -212,6 +191,11 @@ def _write_counts(folder: Path, parts: Sequence[pd.DataFrame], labels: list[str]
     return [path]
 
 
+def _results(table: Mapping[str, Any]) -> dict[tuple[str, str], str]:
+    """Group and row to the name of the row's result."""
+    return {(row["group"], row["row"]): row["result"] for row in table.get("rows", [])}
+
+
 def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, float]]:
     """How good the probabilities of each row's result are, by group and row; of a table of one result by "".
 
@@ -219,9 +203,7 @@ def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str]
     """
     if not in_percent(table):
         return {}
-    named = {(row["group"], row["row"]): row["result"] for row in table.get("rows", [])}
-    if "result" in table:
-        named[("", "")] = table["result"]
+    named = _results(table) | ({("", ""): table["result"]} if "result" in table else {})
     return {
         labels: results.quality[name].averages() for labels, name in named.items() if name in results.quality
     }
@@ -234,12 +216,8 @@ def _metrics(cells: pd.DataFrame) -> dict[str, float]:
     """
     measured = cells[np.isfinite(cells["measured"])]
     measured = measured.sort_values("column", key=lambda column: column != AVERAGE, kind="stable")
-    return {
-        key(_slug(column) or "accuracy", group, row): float(value)
-        for group, row, column, value in measured[["group", "row", "column", "measured"]].itertuples(
-            index=False, name=None
-        )
-    }
+    rows = measured[["group", "row", "column", "measured"]].itertuples(index=False, name=None)
+    return {key(_slug(column), group, row): float(value) for group, row, column, value in rows}
 
 
 def _slug(column: str) -> str:
@@ -251,10 +229,10 @@ def _description(
     table: Mapping[str, Any], cells: pd.DataFrame, dataset: Mapping[str, Any], beside: bool
 ) -> str:
     if not beside:
-        notes = cells["notes"].map(
-            lambda notes: tuple(note for note in notes if not note.is_about_the_published)
-        )
-        cells = cells.assign(published=np.nan, notes=notes)
+        about_ours = [
+            tuple(one for one in notes if not one.is_about_the_published) for notes in cells["notes"]
+        ]
+        cells = cells.assign(published=np.nan, notes=pd.Series(about_ours, index=cells.index, dtype=object))
     chart, reading = "", _READING.format(metrics="", chart="")
     if in_percent(table):
         point = "home" if table["layout"] != "pooled_by_class" else "place"

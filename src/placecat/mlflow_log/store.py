@@ -35,14 +35,10 @@ def tracking_uri() -> str:
 
 
 def connect(uri: str) -> MlflowClient:
-    """Connect to a tracking server or a database, which is made if there is none.
+    """Connect to a tracking server, e.g. ``http://127.0.0.1:5000``, or a database, made if there is none.
 
-    However many processes do so at once, one makes the database and the others wait.
-
-    Parameters
-    ----------
-    uri
-        E.g. ``sqlite:///mlflow.db`` (relative to this folder) or ``http://127.0.0.1:5000``.
+    A database is e.g. ``sqlite:///mlflow.db`` (relative to this folder). However many processes connect at
+    once, one makes it and the others wait.
 
     Raises
     ------
@@ -138,7 +134,7 @@ def start_run(
     description: str = "",
     **content: Unpack[Content],
 ) -> str:
-    """Start a run; its status is RUNNING until `finish_run`.
+    """Start a run with some :class:`Content`; its status is RUNNING until `finish_run`. Gives its id.
 
     Parameters
     ----------
@@ -146,13 +142,6 @@ def start_run(
         Id of the run to nest this one in.
     description
         Markdown, for people.
-    **content
-        Of :class:`Content`.
-
-    Returns
-    -------
-    str
-        Id of the run.
     """
     tags = dict(content.pop("tags", {}))
     if parent is not None:

@@ -13,12 +13,7 @@ from placecat.results.quality import TEXT_COLUMNS, from_rows
 
 
 def read_results(params: Mapping[str, Any]) -> Results:
-    """Read every result of a run.
-
-    Parameters
-    ----------
-    params
-        All settings; ``dataset`` and ``splits`` name homes and places.
+    """Read every result of a run, whose homes and places all `params` name.
 
     Raises
     ------

@@ -9,13 +9,7 @@ ALL_HOMES = "all"
 
 
 def in_home(one: Measured, home: str) -> Measured:
-    """The part of a result that one home is.
-
-    Parameters
-    ----------
-    home
-        One of ``one.homes``.
-    """
+    """The part of a result that one of its homes is."""
     number = one.homes.index(home)
     return Measured((home,), one.seeds, one.classes, one.confusion[:, number : number + 1])
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -32,12 +33,10 @@ class Measured:
 
     Attributes
     ----------
-    homes
-        Names of the test homes, in the order of the data set.
+    homes, classes
+        Names of the test homes in the order of the data set, and of the places.
     seeds
         Names of the seeds, e.g. ``("seed-0", "seed-1")``; ``("no-seed",)`` where nothing is random.
-    classes
-        Names of the places in order.
     confusion
         (seeds, homes, classes, classes) counts; row a true class, column a decided one.
     """
@@ -77,10 +76,8 @@ class Quality:
 
     Attributes
     ----------
-    homes
-        Names of the test homes, in the order of the data set.
-    seeds
-        Names of the seeds, as for :class:`Measured`.
+    homes, seeds
+        As for :class:`Measured`.
     values
         Name of a number of :class:`placecat.evaluation.quality.HomeQuality` to (seeds, homes) values.
     """
@@ -117,10 +114,8 @@ class Results:
 
     Attributes
     ----------
-    homes
-        Names of the homes of the main data set in order.
-    classes
-        Names of its places in order.
+    homes, classes
+        Names of the homes and of the places of the main data set, in order.
     measured
         Name of the result, e.g. ``cues/gist/5-5-1``, to what was measured.
     missing
@@ -149,16 +144,8 @@ class Results:
         return range(1, len(self.homes) + 1)
 
     def of(self, name: str) -> Measured:
-        """Look up one result.
-
-        Raises
-        ------
-        PlacecatError
-            If there is none of this name; the message has the nearest names.
-        """
+        """Look up one result; of an unknown name PlacecatError tells the nearest ones."""
         if name not in self.measured:
-            import difflib
-
             near = difflib.get_close_matches(name, self.measured, n=3) or sorted(self.measured)[:5]
             raise PlacecatError(f"there is no result {name!r}: did you mean {' or '.join(near)}?")
         return self.measured[name]
@@ -226,21 +213,15 @@ def from_scores(
     stays: pd.DataFrame | None = None,
     dropped: pd.DataFrame | None = None,
 ) -> Results:
-    """Build the results from the rows that `score_rows` gives.
+    """Build the results (see there) from the rows that `score_rows` gives, `stays` with stays for homes.
 
     Parameters
     ----------
     scores, missing
         Columns `SCORE_COLUMNS` and `MISSING_COLUMNS`.
-    homes, classes
-        Of the main data set, in order.
     other_classes
         Lists of places of the other data sets, in order; a result gets the first list that has all its
         places, the main one first.
-    stays
-        As `scores`, with stays for homes.
-    dropped
-        A row a filter and home, see `Results`.
     """
     reasons = {(str(row.result), str(row.home)): str(row.reason) for row in missing.itertuples(index=False)}
     lists = (tuple(classes), *map(tuple, other_classes))

@@ -55,13 +55,10 @@ def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
 def quality_table(found: Mapping[str, Quality]) -> pd.DataFrame:
     """A row a result: the means over its homes and seeds.
 
-    Returns
-    -------
-    DataFrame
-        result; homes, seeds (their numbers; 0 where nothing is random); log_loss (nats), calibration_error,
-        stay_accuracy (percent, the mean over the places of a home and over homes); stays, the number of
-        stays; stay_share, percent of all of them that were named rightly; and the ``spread`` of each, the
-        largest minus the smallest of the seeds, NaN where nothing is random.
+    Columns result; homes, seeds (their numbers; 0 where nothing is random); log_loss (nats),
+    calibration_error, stay_accuracy (percent, the mean over the places of a home and over homes); stays, the
+    number of stays; stay_share, percent of all of them that were named rightly; and the ``spread`` of each,
+    the largest minus the smallest of the seeds, NaN where nothing is random.
     """
     rows = []
     for name, one in found.items():

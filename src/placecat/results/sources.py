@@ -37,19 +37,11 @@ class Source:
 
 
 def sources(params: Mapping[str, Any]) -> dict[str, Source]:
-    """Name every result that has distributions.
+    """Name every result that has distributions, by all settings.
 
-    Parameters
-    ----------
-    params
-        All settings.
-
-    Returns
-    -------
-    dict
-        E.g. ``cues/gist/5-5-1``, ``tempered/gist``, ``integration/das_551_all``, ``hmm/...`` and
-        ``smoothing/...`` (before and after the delay), ``filtered/informative/gist``,
-        ``splits/university/cues/gist``.
+    E.g. ``cues/gist/5-5-1``, ``tempered/gist``, ``integration/das_551_all``, ``hmm/...`` and
+    ``smoothing/...`` (before and after the delay), ``filtered/informative/gist``,
+    ``splits/university/cues/gist``.
     """
     homes = protocol.tested_homes(
         settings.get(params, "dataset.homes"), settings.get(params, "protocol.test_homes")
@@ -87,12 +79,9 @@ def _of_split(split: str, own: Mapping[str, Any]) -> dict[str, Source]:
     found = {}
     for cue in dict.fromkeys(cue for system in own["systems"].values() for cue in system):
         found[f"splits/{split}/cues/{cue}"] = Source(root / "cues" / cue, "test", tests, split, places)
+    arrays = {"integration": "test", "hmm": "hmm", "smoothing": "delayed"}
     for system in own["systems"]:
-        for kind, folder, array in (
-            ("integration", "integration", "test"),
-            ("hmm", "smoothing", "hmm"),
-            ("smoothing", "smoothing", "delayed"),
-        ):
-            name = f"splits/{split}/{kind}/{system}"
-            found[name] = Source(root / folder / system, array, tests, split, places)
+        for kind, array in arrays.items():
+            folder = root / ("smoothing" if kind == "hmm" else kind) / system
+            found[f"splits/{split}/{kind}/{system}"] = Source(folder, array, tests, split, places)
     return found

@@ -101,13 +101,7 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
 
 
 def alone(entry: Mapping[str, Any], results: Results, where: str) -> list[Line]:
-    """One result by itself: ``quantity``, ``result`` and ``homes`` as for :func:`compare`.
-
-    Raises
-    ------
-    PlacecatError
-        As :func:`compare`.
-    """
+    """One result by itself: ``quantity``, ``result`` and ``homes`` as for :func:`compare`."""
     settings.refuse_unknown(entry, ["homes", "quantity", "result"], where)
     pair = Pair("", entry["result"], entry["result"])
     return [Line(entry["quantity"], home, number) for home, number, _ in _in_homes(pair, entry, results)]

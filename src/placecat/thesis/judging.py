@@ -145,12 +145,8 @@ def judge_comparison(
 def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str]:
     """Judge that something can hurt as well as help: the verdict on all cases together, and why.
 
-    A case is a result in a home; :func:`placecat.evaluation.verdict.judge_shares` has the rule.
-
-    Parameters
-    ----------
-    measured
-        Of each comparison that was measured, in homes that no other has.
+    A case is a result in a home, and each comparison has homes of its own;
+    :func:`placecat.evaluation.verdict.judge_shares` has the rule.
     """
     worse, better = sum(one.worse for one in measured), sum(one.better for one in measured)
     gains = [gain for one in measured for gain in one.gains]
@@ -171,14 +167,7 @@ def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str
 
 
 def look_up(comparison: Comparison, published: Published, sides: Sequence[Side] | None = None) -> Thesis:
-    """Find the published numbers of a comparison.
-
-    Parameters
-    ----------
-    sides
-        With only the results that were measured: the number of no other cell stands beside them. None for
-        all.
-    """
+    """Find the published numbers of a comparison, or of `sides` that have only what was measured."""
     sides = comparison.sides if sides is None else sides
     home = comparison.published_home or AVERAGE
     numbers = [_combine(side, _published(side, published, home)[:, None]) for side in sides]
@@ -191,17 +180,9 @@ def look_up(comparison: Comparison, published: Published, sides: Sequence[Side] 
 def measure(
     finding: str, comparison: Comparison, rules: Rules, paired: Paired | Pooled, comparisons: int = 1
 ) -> Measurement:
-    """Measure a comparison, with the interval from a bootstrap over its units.
+    """Measure a comparison, with a bootstrap over its units; NotComputable for a ratio to 0.
 
-    Parameters
-    ----------
-    comparisons
-        As for :func:`judge_comparison`.
-
-    Raises
-    ------
-    NotComputable
-        If a ratio divides by 0.
+    `finding` and `comparisons` are as for :func:`judge_comparison`.
     """
 
     def sides_of(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:

@@ -18,20 +18,11 @@ _NAMELESS = "-"
 
 
 def nested_metrics(tables: Mapping[str, pd.DataFrame]) -> dict[str, Any]:
-    """Nest the measured numbers of filled tables, as `dvc metrics` wants them.
+    """Nest the numbers ``measured`` (NaN for none) of filled tables, by name, as `dvc metrics` wants them.
 
-    Parameters
-    ----------
-    tables
-        Name of a table, e.g. ``table_26``, to its filled form: columns group, row, column (text) and measured
-        (percent, NaN for none).
-
-    Returns
-    -------
-    dict
-        Name to group to row to column to the number as in the table. What has no name anywhere in a table is
-        no level of its own: Table 26 is ``{"5-5-1, all cues": {"Gist": {"Home 1": 31.2}}}``, Table 5
-        ``{"SVM": {"Home 1": 31.2}}``. Cells without a number are left out, and so are tables that have none.
+    Gives name to group to row to column to the number as in the table. What has no name anywhere in a table
+    is no level of its own: Table 26 is ``{"5-5-1, all cues": {"Gist": {"Home 1": 31.2}}}``, Table 5 ``{"SVM":
+    {"Home 1": 31.2}}``. Cells without a number are left out, and so are tables that have none.
     """
     return {name: found for name, table in tables.items() if (found := _nest(table))}
 
@@ -53,18 +44,10 @@ def _nest(table: pd.DataFrame) -> dict[str, Any]:
 def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -> dict[str, Any]:
     """Averages of a few results, a column each in `dvc exp show`.
 
-    Parameters
-    ----------
-    chosen
-        ``accuracy`` and ``log_loss``: name of a column, e.g. ``gist``, to the name of its result, e.g.
-        ``cues/gist/5-5-1``.
-
-    Returns
-    -------
-    dict
-        Name to accuracy in percent, rounded to two decimals, and in ``log_loss`` name to log-loss in nats,
-        rounded to three: means over homes and seeds as in the tables; none for a result that these data
-        cannot give.
+    `chosen` has ``accuracy`` and ``log_loss``: name of a column, e.g. ``gist``, to that of its result, e.g.
+    ``cues/gist/5-5-1``. Gives name to accuracy in percent, rounded to two decimals, and in ``log_loss`` name
+    to log-loss in nats, rounded to three: means over homes and seeds as in the tables; none for a result that
+    these data cannot give.
 
     Raises
     ------
@@ -87,16 +70,9 @@ def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -
 def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[str, pd.DataFrame]:
     """Choose what `dvc plots` draws.
 
-    Parameters
-    ----------
-    plots
-        ``confusion`` and ``accuracy_by_home``: the name of a panel to the name of its result.
-
-    Returns
-    -------
-    dict
-        File below reports/plots, e.g. ``confusion/smoothing.csv``, to its rows; none for a result that these
-        data cannot give.
+    `plots` has ``confusion`` and ``accuracy_by_home``: the name of a panel to that of its result. Gives file
+    below reports/plots, e.g. ``confusion/smoothing.csv``, to its rows; none for a result that these data
+    cannot give.
 
     Raises
     ------

@@ -56,16 +56,9 @@ def without_empty(notes: Iterable[Note]) -> Notes:
 
 
 def to_rows(name: str, cells: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.DataFrame:
-    """Notes of a table as rows (`COLUMNS`), since a cell of a CSV cannot hold them.
+    """Column `notes` of a table as rows (`COLUMNS`), since a cell of a CSV cannot hold them.
 
-    Parameters
-    ----------
-    name
-        Of the table.
-    cells
-        Has a column `notes` and those of `key`.
-    key
-        Three columns that say which cell a row is.
+    The three columns `key` say which cell a row is.
     """
     rows = [
         (name, *labels, note.kind.value, note.text)

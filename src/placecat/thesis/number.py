@@ -87,13 +87,7 @@ def home_label(number: int) -> str:
 
 
 def in_home(results: Results, name: str, number: int) -> Number:
-    """Accuracy of a result in the n-th home (from 1) of the main data set, in percent.
-
-    Raises
-    ------
-    PlacecatError
-        If there is no result of this name, nor a reason why.
-    """
+    """Accuracy of a result in the n-th home (from 1) of the main data set, in percent; see `Results.find`."""
     if number > len(results.homes):
         return nothing(f"the data set has only {len(results.homes)} homes")
     home = results.homes[number - 1]

@@ -64,12 +64,8 @@ class Published:
     def of_trial(self, result: str, home: str = AVERAGE) -> float:
         """The published number of a result that is a cell of a table, NaN for any other result.
 
-        Parameters
-        ----------
-        result
-            E.g. ``trials/table_12/HOG + y-Pos||196``; the empty label is the axis of homes.
-        home
-            Whose number, as published; a table of a single home has only that one.
+        E.g. ``trials/table_12/HOG + y-Pos||196``; the empty label is the axis of homes. It is the number of
+        that home, as published; a table of a single home has only that one.
         """
         match = _TRIAL.fullmatch(result)
         if match is None:

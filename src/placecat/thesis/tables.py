@@ -25,14 +25,7 @@ def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[
     """Every table of a run by name, e.g. ``table_12``: those of the thesis by number, then additions.
 
     Each is its definition (:mod:`placecat.thesis.definitions`) and its ``name``. Studies without a layout are
-    no tables (:mod:`in_text`).
-
-    Parameters
-    ----------
-    params
-        All settings.
-    root
-        The project's folder.
+    no tables (:mod:`in_text`). `params` are all settings, `root` is the project's folder.
     """
     found = definitions.tables(params, root)
     for study in definitions.studies(params, root).values():
@@ -62,13 +55,7 @@ def label(table: Mapping[str, Any]) -> str:
 
 
 def contradictions_of(notes: pd.DataFrame) -> dict[PublishedKey, str]:
-    """Notes on published cells that contradict the thesis's own numbers, by cell; the numbers stay.
-
-    Parameters
-    ----------
-    notes
-        Columns table, group, row, column, note, as in data/thesis/contradictions.csv.
-    """
+    """Rows of data/thesis/contradictions.csv by cell: what contradicts the thesis's own numbers."""
     rows = notes[["table", *_KEY, "note"]].itertuples(index=False, name=None)
     return {(int(number), group, row, column): note for number, group, row, column, note in rows}
 
