@@ -1,5 +1,7 @@
 """A bar chart of a table's averages."""
 
+from typing import Any
+
 import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
@@ -34,7 +36,7 @@ def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figur
     placed = list(zip(bars, places, strict=True))
     points = [(value, place) for bar, place in placed for value in bar.points]
     if points:
-        style = {"color": POINT, "markersize": 6, "markeredgewidth": 0.8}
+        style: dict[str, Any] = {"color": POINT, "markersize": 6, "markeredgewidth": 0.8}
         axes.plot(*zip(*points, strict=True), "|", label=f"one {point_name(cells)}", **style)
     other = [(bar.published, place) for bar, place in placed if published and np.isfinite(bar.published)]
     if other:
@@ -42,7 +44,7 @@ def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figur
     shown = [*(bar.measured for bar in bars), *(value for value, _ in [*points, *other])]
     axes.set_yticks(places, [bar.label for bar in bars])
     axes.tick_params(axis="y", length=0)
-    text = {"transform": axes.get_yaxis_transform(), "va": "center", "fontsize": 7}
+    text: dict[str, Any] = {"transform": axes.get_yaxis_transform(), "va": "center", "fontsize": 7}
     for bar, place in placed:
         axes.text(1.02, place, f"{bar.measured:.2f}", **text)
     clear = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}

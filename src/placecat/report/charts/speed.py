@@ -1,5 +1,7 @@
 """Ratios of benchmarks beside their targets."""
 
+from typing import Any
+
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
@@ -45,7 +47,7 @@ def _panel(axes: Axes, rows: pd.DataFrame) -> None:
         axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
     colors = np.where(rows["met"], MET, MISSED).tolist()
     axes.barh(places, ratio, height=0.66, color=colors, alpha=0.75)
-    style = {"fmt": "none", "ecolor": TARGET, "elinewidth": 0.8, "capsize": 2}
+    style: dict[str, Any] = {"fmt": "none", "ecolor": TARGET, "elinewidth": 0.8, "capsize": 2}
     axes.errorbar(ratio, places, xerr=[ratio - low, high - ratio], label="pairs", **style)
     axes.plot(target, places, "|", color=TARGET, markersize=12, mew=1.8, label="target")
     at = axes.get_yaxis_transform()

@@ -160,7 +160,11 @@ def _draw_plane(
     for number, (center, counts) in enumerate(zip(centers, model.frequencies_, strict=True)):
         start = 90.0
         for column, share in zip(model.classes_, counts / max(counts.sum(), 1), strict=True):
-            style = {"facecolor": place[classes[int(column)]], "edgecolor": "white", "linewidth": 0.4}
+            style: dict[str, Any] = {
+                "facecolor": place[classes[int(column)]],
+                "edgecolor": "white",
+                "linewidth": 0.4,
+            }
             axes.add_patch(Wedge(center, size, start - 360 * share, start, zorder=3, **style))
             start -= 360 * share
         rings = [(1.08, "white", 3.2), (1.08, colors[number], 1.8)]
