@@ -15,13 +15,7 @@ _STYLE = Path(__file__).with_name("placecat.mplstyle")
 
 
 def house_style(changes: Mapping[str, Any] | None = None) -> AbstractContextManager[None]:
-    """Draw in the style of `placecat.mplstyle`, whatever the user's own settings of matplotlib are.
-
-    Parameters
-    ----------
-    changes
-        Settings of matplotlib that differ from the style's.
-    """
+    """Draw in the style of `placecat.mplstyle` with `changes`, whatever the user's own settings are."""
     return style.context([_STYLE, dict(changes or {})], after_reset=True)
 
 
@@ -32,13 +26,7 @@ def save(figure: Figure, target: Path) -> None:
 
 
 def png_of(draw: Callable[..., Figure | None], *arguments: Any) -> bytes | None:
-    """A chart as PNG in the house's style: the same figure gives the same bytes.
-
-    Parameters
-    ----------
-    draw
-        Takes the arguments and gives the figure, or None if there is nothing to show.
-    """
+    """The figure that `draw` gives as PNG in the house's style, with the same bytes for the same figure."""
     with house_style():
         figure = draw(*arguments)
         if figure is None:

@@ -101,19 +101,7 @@ class Grid:
 
 
 def make_grid(table: pd.DataFrame) -> Grid:
-    """Arrange the long form of a table.
-
-    Parameters
-    ----------
-    table
-        From :func:`placecat.thesis.tables.fill_table`: columns group, row, column, published, measured,
-        spread, seeds, notes.
-
-    Returns
-    -------
-    Grid
-        Cells that the long form lacks are empty.
-    """
+    """Arrange a filled table (:func:`placecat.thesis.tables.fill_table`); cells that it lacks are empty."""
     columns = _ordered(table["column"])
     footnotes: Counter[str] = Counter()
     cells = {
@@ -179,15 +167,7 @@ def number_text(value: float | None) -> str:
 
 
 def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
-    """Say which home is "Home 1", for those that name a row or a column; "" for none.
-
-    Parameters
-    ----------
-    table
-        Columns row and column.
-    homes
-        Names of the data set's homes in order.
-    """
+    """Say which of a data set's homes is "Home 1", for those that name a row or a column; "" for none."""
     named = {*table["row"], *table["column"]}
     pairs = [(home_label(number), home) for number, home in enumerate(homes, start=1)]
     pairs = [(label, home) for label, home in pairs if label in named]
@@ -200,11 +180,8 @@ def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
 def seeds_sentence(table: pd.DataFrame) -> str:
     """Say how many seeds the numbers are the mean of and how far those lie apart; "" where nothing is random.
 
-    Parameters
-    ----------
-    table
-        Columns measured, spread (points) and seeds, and for the place of the largest spread those of
-        group, row, column that it has.
+    The table has the columns measured, spread (points) and seeds; of group, row and column those that it has
+    say where the largest spread is.
     """
     random = table[(table["seeds"] > 1) & table["spread"].notna() & table["measured"].notna()]
     if random.empty:

@@ -91,15 +91,10 @@ class Comparison:
         return worst if worst is not None and worst.largest else None
 
     def grade(self, tolerance: float) -> Grade:
-        """Judge the differences.
+        """Judge the differences by the points by which a number may differ.
 
         A number that appeared or disappeared is beyond any tolerance. A verdict is not, since it may turn
         when a number moves a little.
-
-        Parameters
-        ----------
-        tolerance
-            Points by which a number may differ.
         """
         if not self.cells:
             return Grade.NOT_COMPARED

@@ -32,19 +32,12 @@ class Run:
 
     What a run does not have raises PlacecatError, e.g. a result that was not asked for.
 
-    Parameters
-    ----------
-    params
-        The composed settings.
-
     Attributes
     ----------
     params
-        As given.
-    homes
-        Names of the homes of the main data set in order.
-    classes
-        Names of its places in order.
+        The composed settings.
+    homes, classes
+        Names of the homes and of the places of the main data set, in order.
     """
 
     def __init__(self, params: Mapping[str, Any]) -> None:
@@ -75,13 +68,7 @@ class Run:
         return self.sources[result]
 
     def proba(self, result: str, home: str, seed: str | None = None) -> NDArray[np.float64]:
-        """(frames, classes) distributions of one result on one of its test homes.
-
-        Parameters
-        ----------
-        seed
-            E.g. "seed-0"; None for the first that the result has.
-        """
+        """(frames, classes) distributions of a result on a test home, with "seed-0", say, or the first."""
         source = self.source(result)
         if home not in source.homes:
             raise PlacecatError(f"{result} has no test home {home!r}, only {', '.join(source.homes)}")
@@ -162,15 +149,7 @@ class Run:
     def descriptors(
         self, home: str, name: str, rows: Sequence[int] | NDArray[np.int64] | None = None
     ) -> Descriptors:
-        """Descriptors of a home as one codebook clusters them.
-
-        Parameters
-        ----------
-        name
-            Of the codebook, e.g. ``hog_y``: its settings say which descriptor.
-        rows
-            Frame indices; None for all.
-        """
+        """Descriptors of a home's frames, all if None, as a codebook, e.g. ``hog_y``, clusters them."""
         descriptor = settings.get(self.params, f"codebooks.{name}.descriptor")
         return store.read_descriptors(home, descriptor, None if rows is None else np.asarray(rows, np.int64))
 

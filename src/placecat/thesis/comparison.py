@@ -147,15 +147,15 @@ def _best(pattern: str, results: Results) -> tuple[str, str]:
     if BEST not in wanted:
         return pattern, ""
     table = pattern.removesuffix("|".join(wanted))
-    found = [
+    trials = [
         name
         for name in _known(results)
         if name.startswith(table)
         and all(part in (BEST, label) for part, label in zip(wanted, _labels(name), strict=True))
     ]
-    if not found:
+    if not trials:
         raise PlacecatError(f"there is no result {pattern!r}")
-    best = best_of(results, found)
+    best = best_of(results, trials)
     chosen = [label for part, label in zip(wanted, _labels(best), strict=True) if part == BEST and label]
     return best, f"the best: {', '.join(chosen)}"
 
@@ -173,13 +173,13 @@ def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tu
         left, right = (_whole(results, one, bool(entry.get("plain"))) for one in names)
         return [("", left, right)]
     tried, both = _homes_of(names, results)
-    found = [(home_label(number), *(in_home(results, one, number) for one in names)) for number in homes]
+    in_each = [(home_label(number), *(in_home(results, one, number) for one in names)) for number in homes]
     averages = [over_homes(results, one, both or tried) for one in names]
     if both and both != tried:
         averages = [replace(one, notes=(only_some(both, tried),)) for one in averages]
     return [
         (home, left.noted(pair.variant_note), right.noted(pair.baseline_note))
-        for home, left, right in [*found, (AVERAGE, *averages)]
+        for home, left, right in [*in_each, (AVERAGE, *averages)]
     ]
 
 
@@ -196,13 +196,10 @@ def _in_places(
     names = (pair.variant, pair.baseline)
     _, both = _homes_of(names, results)
     for place in results.classes if places == "all" else places:
-        title = place_column(place)
-        if place not in results.classes:
-            reason = nothing("the data set has no such place")
-            yield title, reason, reason
-            continue
-        left, right = (_in_place(results, one, both, place) for one in names)
-        yield title, left, right
+        left = right = nothing("the data set has no such place")
+        if place in results.classes:
+            left, right = (_in_place(results, one, both, place) for one in names)
+        yield place_column(place), left, right
 
 
 def _in_place(results: Results, name: str, numbers: Sequence[int], place: str) -> Number:
@@ -234,22 +231,17 @@ def _whole(results: Results, name: str, plain: bool) -> Number:
 
 def _summary(kind: str, differences: Mapping[str, Number], where: str) -> Line:
     """One number for all differences."""
-    kinds: dict[str, Callable[[Mapping[str, Number]], Number]] = {
-        "mean": lambda found: mean(list(found.values())),
-        "lowest": lambda found: _extreme(found, min),
-        "highest": lambda found: _extreme(found, max),
-    }
-    if kind not in kinds:
-        raise PlacecatError(f"{where}.summary {kind!r} does not exist: use one of {', '.join(kinds)}")
-    return Line(f"{DIFFERENCE}, {kind}", AVERAGE, kinds[kind](differences))
-
-
-def _extreme(differences: Mapping[str, Number], which: Callable[..., str]) -> Number:
-    there = {label: one for label, one in differences.items() if len(one.values)}
-    if not there:
-        return mean(list(differences.values()))
-    label = which(there, key=lambda one: float(there[one].values.mean()))
-    return replace(there[label], notes=merged([[f"that of {label}"], there[label].notes]))
+    extremes: dict[str, Callable[..., str]] = {"lowest": min, "highest": max}
+    if kind not in ("mean", *extremes):
+        raise PlacecatError(
+            f"{where}.summary {kind!r} does not exist: use one of mean, {', '.join(extremes)}"
+        )
+    number = mean(list(differences.values()))
+    measured = {label: one for label, one in differences.items() if len(one.values)}
+    if kind != "mean" and measured:
+        label = extremes[kind](measured, key=lambda one: float(measured[one].values.mean()))
+        number = replace(measured[label], notes=merged([[f"that of {label}"], measured[label].notes]))
+    return Line(f"{DIFFERENCE}, {kind}", AVERAGE, number)
 
 
 def _error_ratio(results: Results, variant: str, baseline: str) -> Number:

@@ -84,12 +84,7 @@ class Paired:
 
 
 def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
-    """Bring sides together.
-
-    Parameters
-    ----------
-    few_homes
-        With so many homes or fewer, a home with one seed is a unit, if anything is random.
+    """Bring sides together; with `few_homes` or fewer a home with one seed is a unit, if anything is random.
 
     Raises
     ------

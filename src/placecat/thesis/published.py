@@ -57,8 +57,8 @@ class Published:
         else:
             settings.refuse_unknown(reference, ["table", *_AXES], "a published cell")
             found = self.tables[self.tables["table"] == int(reference["table"])]
-            for axis in _AXES:
-                found = found[found[axis] == str(reference.get(axis, ""))]
+            labels = [str(reference.get(axis, "")) for axis in _AXES]
+            found = found[(found[list(_AXES)] == labels).all(axis=1)]
         return self._only(found, reference)
 
     def of_trial(self, result: str, home: str = AVERAGE) -> float:

@@ -53,14 +53,13 @@ def _value(one: Mapping[str, Any], table: pd.DataFrame, where: str) -> Number:
         raise PlacecatError(f"{where}.values.pick {pick!r} does not exist: use one of {', '.join(PICKS)}")
     if table.empty:
         return nothing("not recorded")
-    found = table
-    for column, value in {**one.get("where", {}), one["column"]: None}.items():
-        if column not in table:
-            raise PlacecatError(
-                f"{where}: the record has no column {column!r} (it has: {', '.join(map(str, table))})"
-            )
-        found = found if value is None else found[found[column] == value]
-    values = found[one["column"]].dropna().to_numpy(float)
+    wanted = one.get("where", {})
+    if unknown := [column for column in (*wanted, one["column"]) if column not in table]:
+        has = ", ".join(map(str, table))
+        raise PlacecatError(f"{where}: the record has no column {unknown[0]!r} (it has: {has})")
+    for column, value in wanted.items():
+        table = table[table[column] == value]
+    values = table[one["column"]].dropna().to_numpy(float)
     if not len(values):
         return nothing("not recorded")
     if pick is None and len(values) > 1:

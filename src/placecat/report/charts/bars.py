@@ -25,17 +25,9 @@ class Bar:
 
 
 def bars_of(cells: pd.DataFrame) -> list[Bar]:
-    """A table's averages: over homes, else over places; without either, every cell is a bar.
+    """A filled table's averages: over homes, else over places; without either, every cell is a bar.
 
-    Parameters
-    ----------
-    cells
-        A filled table: columns group, row, column (text), published and measured (percent).
-
-    Returns
-    -------
-    list
-        In the table's order; what was not measured has no bar.
+    They are in the table's order; what was not measured has no bar.
     """
     axis = _averaged(cells)
     if axis is None:

@@ -24,14 +24,7 @@ def draw_table(
 ) -> list[Path]:
     """Write ``chart.png`` and ``confusion.png`` of a table; gives the paths of what there is to show.
 
-    Parameters
-    ----------
-    cells, published
-        See :func:`placecat.report.charts.accuracy.accuracy_chart`.
-    rows
-        See :func:`placecat.report.charts.confusion.confusion_sheet`.
-    chart
-        False for a table whose numbers are no percentages: ``chart.png`` is left out.
+    See `accuracy_chart` and `confusion_sheet`. A table whose numbers are no percentages has no `chart`.
     """
     written = []
     with house_style():

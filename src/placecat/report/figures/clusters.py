@@ -57,15 +57,10 @@ class Cluster:
 
 
 def draw_cluster(run: Run, rank: int, *, by_contrast: bool) -> Figure:
-    """Draw patches of one cluster; settings in ``figures.clusters``.
+    """Draw patches of one cluster, of rank 1 (the largest) to `SHOWN`; settings in ``figures.clusters``.
 
-    Parameters
-    ----------
-    rank
-        1 for the largest cluster, up to `SHOWN`.
-    by_contrast
-        Show the third of its patches that has most contrast apart from the third that has least, each by a
-        random sample; otherwise a random sample of all.
+    `by_contrast` shows the third of its patches that has most contrast apart from the third that has least,
+    each by a random sample; otherwise there is a random sample of all.
     """
     return settings.call(
         _draw, run, rank, by_contrast, settings=run.options("clusters"), where="figures.clusters"

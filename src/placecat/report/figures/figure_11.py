@@ -80,16 +80,9 @@ def figure(
     home: str,
     start: int,
 ) -> Figure:
-    """Draw the panels.
+    """Draw panels: titles to (frames, classes) distributions, and (frames,) true classes, -1 for unlabelled.
 
-    Parameters
-    ----------
-    outputs
-        Title of a panel to (frames, classes) distributions.
-    truth
-        (frames,) class indices, -1 for unlabelled.
-    home, start
-        Where the frames are from, and the first one's index.
+    The frames are those of a home from `start` on.
     """
     colors = list(palette.place_colors(classes).values())
     decided = [proba.argmax(axis=1) for proba in outputs.values()]
