@@ -75,7 +75,7 @@ def _times() -> dict[str, Any] | None:
     by_stage, facts = files.read_csv(paths.KEPT_TIMES), files.read_json(paths.KEPT_TIMES_FACTS)
     if by_stage.empty:
         return None
-    return {"stages": by_stage, **facts}
+    return facts | {"stages": by_stage}
 
 
 def _speed() -> dict[str, Any] | None:
