@@ -88,7 +88,7 @@ def table_run(
         content="\n".join([cells[COLUMNS].to_csv(index=False), *counts, repr(sorted(quality.items()))]),
         params=settings,
         metrics=_metrics(cells)
-        | {key(measure, *labels): value for labels, own in quality.items() for measure, value in own.items()},
+        | {key(measure, *labels): value for labels, row in quality.items() for measure, value in row.items()},
         description=_description(table, cells, dataset, beside),
         rows=rows,
         files=write,

@@ -176,8 +176,8 @@ def _log(
         files = run.files(folder)
         of_rows = []
         for number, row in enumerate(run.rows):
-            (own := folder / f"row_{number}").mkdir()
-            of_rows.append(row.files(own))
+            (of_row := folder / f"row_{number}").mkdir()
+            of_rows.append(row.files(of_row))
         of_table = store.Content(params=run.params, metrics=run.metrics, files=files)
         tags_of_table = {**tags, KIND: run.kind, DIGEST: digest}
         run_id = store.start_run(client, experiment_id, run.title, tags=tags_of_table, **of_table)

@@ -163,8 +163,8 @@ def duration(seconds: float) -> str:
 
 
 def _environment() -> Any:
-    own = environment("placecat.report").overlay()
-    own.filters = own.filters | {
+    page_templates = environment("placecat.report").overlay()
+    page_templates.filters = page_templates.filters | {
         "at": _at,
         "breakable": _breakable,
         "duration": duration,
@@ -172,7 +172,7 @@ def _environment() -> Any:
         "shade": shade,
         "signed": _signed,
     }
-    return own
+    return page_templates
 
 
 def _shown_table(table: Table) -> dict[str, Any]:

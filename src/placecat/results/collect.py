@@ -20,7 +20,7 @@ def read_results(params: Mapping[str, Any]) -> Results:
     PlacecatError
         If the stage `scores` has not run.
     """
-    others = [own["dataset"]["classes"] for own in settings.get(params, "splits").values()]
+    others = [split["dataset"]["classes"] for split in settings.get(params, "splits").values()]
     results = from_scores(
         _read("scores"),
         _read("missing"),

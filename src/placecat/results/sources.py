@@ -68,20 +68,20 @@ def sources(params: Mapping[str, Any]) -> dict[str, Source]:
     for name in [*systems, *smoothing["cues"], *smoothing["filtered"]]:
         add(f"hmm/{name}", paths.SMOOTHING / name, "hmm")
         add(f"smoothing/{name}", paths.SMOOTHING / name, "delayed")
-    for split, own in settings.get(params, "splits").items():
-        found |= _of_split(split, own)
+    for name, split in settings.get(params, "splits").items():
+        found |= _of_split(name, split)
     return found
 
 
-def _of_split(split: str, own: Mapping[str, Any]) -> dict[str, Source]:
-    tests, places = tuple(own["test"]), tuple(own["dataset"]["classes"])
-    root = paths.SPLITS / split
+def _of_split(name: str, split: Mapping[str, Any]) -> dict[str, Source]:
+    tests, places = tuple(split["test"]), tuple(split["dataset"]["classes"])
+    root = paths.SPLITS / name
     found = {}
-    for cue in dict.fromkeys(cue for system in own["systems"].values() for cue in system):
-        found[f"splits/{split}/cues/{cue}"] = Source(root / "cues" / cue, "test", tests, split, places)
+    for cue in dict.fromkeys(cue for system in split["systems"].values() for cue in system):
+        found[f"splits/{name}/cues/{cue}"] = Source(root / "cues" / cue, "test", tests, name, places)
     arrays = {"integration": "test", "hmm": "hmm", "smoothing": "delayed"}
-    for system in own["systems"]:
+    for system in split["systems"]:
         for kind, array in arrays.items():
             folder = root / ("smoothing" if kind == "hmm" else kind) / system
-            found[f"splits/{split}/{kind}/{system}"] = Source(folder, array, tests, split, places)
+            found[f"splits/{name}/{kind}/{system}"] = Source(folder, array, tests, name, places)
     return found

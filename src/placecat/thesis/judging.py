@@ -186,7 +186,7 @@ def measure(
     """
 
     def sides_of(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
-        return [_combine(side, own) for side, own in zip(paired.sides, values, strict=True)]
+        return [_combine(side, of_side) for side, of_side in zip(paired.sides, values, strict=True)]
 
     overall = paired.overall()
     numbers = sides_of(overall)
@@ -205,7 +205,7 @@ def measure(
     gains = _gains(paired)
     return Measurement(
         numbers=tuple(float(one[0]) for one in numbers),
-        results=tuple(_used(side, own) for side, own in zip(paired.sides, overall, strict=True)),
+        results=tuple(_used(side, of_side) for side, of_side in zip(paired.sides, overall, strict=True)),
         interval=interval.rounded(),
         corrected=corrected.rounded(),
         units=paired.units,

@@ -122,8 +122,8 @@ def cut_patch(frame: NDArray[np.uint8], region: NDArray[np.float32]) -> NDArray[
 # Three figures share one pass over the videos.
 @lru_cache(maxsize=1)
 def _largest(run: Run, cue: str, test_home: str) -> list[Cluster]:
-    own = settings.get(run.params, f"cues.{cue}")
-    name, number = own["codebook"], own["classifier"].get("clusters")
+    chosen = settings.get(run.params, f"cues.{cue}")
+    name, number = chosen["codebook"], chosen["classifier"].get("clusters")
     if name is None or number is None:
         raise SettingError(f"figures.clusters.cue {cue!r} has no codebook: use one on salient regions")
     train = training_regions(run, name, test_home)

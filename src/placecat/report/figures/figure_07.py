@@ -27,13 +27,13 @@ def draw(run: Run, *, regions: int) -> Figure:
     left, right = sheet.panel(0.06, 0.06, WIDTH, height), sheet.panel(0.06 + WIDTH + GAP, 0.06, WIDTH, height)
     scales = run.params["attention"]["scales"]
     colors = dict(zip(scales, palette.steps(len(scales)), strict=True))
-    own = [colors[int(scale)] for scale in found[:, 2]]
+    of_regions = [colors[int(scale)] for scale in found[:, 2]]
     show_map(left, fused.saliency, frame_size=(columns, rows))
     left.scatter(
-        found[:, 0], found[:, 1], s=14, c=own, marker="o", edgecolors="white", linewidths=0.7, zorder=3
+        found[:, 0], found[:, 1], s=14, c=of_regions, marker="o", edgecolors="white", linewidths=0.7, zorder=3
     )
     show_frame(right, frame)
-    draw_regions(right, found, columns, own, linewidth=1.2)
+    draw_regions(right, found, columns, of_regions, linewidth=1.2)
     for axes in (left, right):
         axes.set_xlim(-0.5, columns - 0.5)
         axes.set_ylim(rows - 0.5, -0.5)

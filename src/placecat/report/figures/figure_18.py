@@ -74,8 +74,8 @@ def failures(run: Run, results: list[str], least: float = 0.0) -> list[Failure]:
     probas = [np.stack([run.proba(result, home) for result in results]) for home in homes]
     pooled = np.concatenate(labels)
     proba = np.concatenate(probas, axis=1)
-    home_of_row = np.repeat(np.arange(len(homes)), [len(own) for own in labels])
-    index_of_row = np.concatenate([np.arange(len(own)) for own in labels])
+    home_of_row = np.repeat(np.arange(len(homes)), [len(of_home) for of_home in labels])
+    index_of_row = np.concatenate([np.arange(len(of_home)) for of_home in labels])
     shown = np.concatenate([run.information(home) for home in homes]) >= least
     wrong = (proba.argmax(axis=2) != pooled).all(axis=0) & shown
     certainty = surety(proba.max(axis=2), pooled >= 0)
@@ -96,7 +96,10 @@ def surety(largest: NDArray[np.float64], labelled: NDArray[np.bool_]) -> NDArray
     `largest` are the (cues, frames) probabilities of the decisions. They do not compare themselves: some cues
     have nearly even distributions always, others never.
     """
-    shares = [np.searchsorted(np.sort(own[labelled]), own, side="right") / labelled.sum() for own in largest]
+    shares = [
+        np.searchsorted(np.sort(of_cue[labelled]), of_cue, side="right") / labelled.sum()
+        for of_cue in largest
+    ]
     return np.mean(shares, axis=0)
 
 
