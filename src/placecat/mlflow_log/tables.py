@@ -178,16 +178,15 @@ def _log(
         for number, row in enumerate(run.rows):
             (of_row := folder / f"row_{number}").mkdir()
             of_rows.append(row.files(of_row))
-        of_table = store.Content(params=run.params, metrics=run.metrics, files=files)
-        tags_of_table = {**tags, KIND: run.kind, DIGEST: digest}
-        run_id = store.start_run(client, experiment_id, run.title, tags=tags_of_table, **of_table)
+        shown = store.Content(params=run.params, metrics=run.metrics, files=files)
+        shown["tags"] = {**tags, KIND: run.kind, DIGEST: digest}
+        run_id = store.start_run(client, experiment_id, run.title, **shown)
         store.log(client, run_id, tags={store.DESCRIPTION: run.description.replace(RUN_ID, run_id)})
         # The last is on top.
         for row, paths in reversed(list(zip(run.rows, of_rows, strict=True))):
-            of_row = store.Content(
-                params=row.params, metrics=row.metrics, tags={**tags, KIND: "row"}, files=paths
-            )
-            nested = store.start_run(client, experiment_id, row.name, parent=run_id, **of_row)
+            shown = store.Content(params=row.params, metrics=row.metrics, files=paths)
+            shown["tags"] = {**tags, KIND: "row"}
+            nested = store.start_run(client, experiment_id, row.name, parent=run_id, **shown)
             store.finish_run(client, nested)
         store.finish_run(client, run_id)
     return run_id

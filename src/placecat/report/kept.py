@@ -171,7 +171,7 @@ def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
     # Both have two decimals, their difference in floating point has more.
     distance = (new - old).abs().round(2).dropna()
     largest = float(distance.max()) if len(distance) else 0.0
-    where = ", ".join(filter(None, distance.index[distance.argmax()])) if largest else ""
+    where = ", ".join(filter(None, distance.index[int(distance.argmax())])) if largest else ""
     return TableDifference(
         name,
         cells=int((is_new | is_old).sum()),

@@ -56,9 +56,12 @@ def _headline(group: str, part: pd.DataFrame) -> Headline:
     )
 
 
-def _first(rows: pd.DataFrame) -> Mapping[str, Any]:
+def _first(rows: pd.DataFrame) -> Mapping[Any, Any]:
     """The first row; one without numbers if there is none."""
-    nothing = {"row": "", **dict.fromkeys(("measured", "published", "spread", "seeds"), np.nan)}
+    nothing: dict[Any, Any] = {
+        "row": "",
+        **dict.fromkeys(("measured", "published", "spread", "seeds"), np.nan),
+    }
     return next(iter(rows.to_dict("records")), nothing)
 
 

@@ -16,8 +16,8 @@ def in_home(one: Measured, home: str) -> Measured:
 
 def confusion_rows(one: Measured) -> pd.DataFrame:
     """Counts as a table: home, seed, truth, then a column for each place that was decided."""
-    axes = {"home": one.homes, "seed": one.seeds, "truth": one.classes}
-    labels = pd.MultiIndex.from_product(axes.values(), names=axes)
+    axes = [one.homes, one.seeds, one.classes]
+    labels = pd.MultiIndex.from_product(axes, names=["home", "seed", "truth"])
     counts = one.confusion.swapaxes(0, 1).reshape(-1, len(one.classes))
     return pd.DataFrame(counts, labels, list(one.classes)).reset_index()
 

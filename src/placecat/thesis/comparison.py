@@ -120,7 +120,8 @@ def _three(entry: Mapping[str, Any], label: str, home: str, left: Number, right:
 def _pairs(entry: Mapping[str, Any], results: Results, where: str) -> list[Pair]:
     """Label, variant and baseline of each comparison."""
     if "pairs" in entry:
-        return [_chosen(str(label), *names, results) for label, names in entry["pairs"].items()]
+        pairs = entry["pairs"].items()
+        return [_chosen(str(label), variant, baseline, results) for label, (variant, baseline) in pairs]
     variant, baseline = entry["variant"]["result"], entry["baseline"]["result"]
     if not variant.endswith("/"):
         return [_chosen("", variant, baseline, results)]
@@ -173,13 +174,16 @@ def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tu
         left, right = (_whole(results, one, bool(entry.get("plain"))) for one in names)
         return [("", left, right)]
     tried, both = _homes_of(names, results)
-    in_each = [(home_label(number), *(in_home(results, one, number) for one in names)) for number in homes]
+    in_each = [
+        (home_label(number), in_home(results, pair.variant, number), in_home(results, pair.baseline, number))
+        for number in homes
+    ]
     averages = [over_homes(results, one, both or tried) for one in names]
     if both and both != tried:
         averages = [replace(one, notes=(only_some(both, tried),)) for one in averages]
     return [
         (home, left.noted(pair.variant_note), right.noted(pair.baseline_note))
-        for home, left, right in [*in_each, (AVERAGE, *averages)]
+        for home, left, right in [*in_each, (AVERAGE, averages[0], averages[1])]
     ]
 
 

@@ -70,9 +70,8 @@ def to_rows(name: str, cells: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.Dat
 
 def with_notes(name: str, cells: pd.DataFrame, rows: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.DataFrame:
     """A table with its column `notes` again, from what :func:`to_rows` gave; `rows` may be of many tables."""
-    found: dict[tuple[str, ...], Notes] = {}
+    by_cell: dict[tuple[str, ...], Notes] = {}
     for _, *labels, kind, text in rows[rows["table"] == name][COLUMNS].itertuples(index=False, name=None):
-        found[tuple(labels)] = (*found.get(tuple(labels), ()), Note(Kind(kind), text))
-    labels = cells[list(key)].itertuples(index=False, name=None)
-    column = [found.get(one, ()) for one in labels]
+        by_cell[tuple(labels)] = (*by_cell.get(tuple(labels), ()), Note(Kind(kind), text))
+    column = [by_cell.get(one, ()) for one in cells[list(key)].itertuples(index=False, name=None)]
     return cells.assign(notes=pd.Series(column, index=cells.index, dtype=object))

@@ -86,7 +86,7 @@ def draw(
         inward = (middle - (x, y)) / max(float(np.hypot(*(middle - (x, y)))), 1.0)
         apart = float(radius(scale, picture.shape[1])) + LABEL_GAP * picture.shape[1]
         at = np.array((x, y)) + inward * apart
-        view.text(*at, str(number), ha="center", va="center", **NUMBER)
+        view.text(at[0], at[1], str(number), ha="center", va="center", **NUMBER)
     view.set_xlim(-0.5, picture.shape[1] - 0.5)
     view.set_ylim(picture.shape[0] - 0.5, -0.5)
     truth = place_title(run.classes[run.labels(test)[query.index]])
@@ -152,8 +152,8 @@ def _draw_plane(
     tree = model.codebook
     assert tree is not None
     colors = colormaps["tab20"](np.arange(model.n_clusters) % 20)
-    at_dots = pca.transform(dots)
-    axes.scatter(*at_dots.T, s=5, c=colors[tree.assign(dots, model.n_clusters)], alpha=0.55, linewidths=0)
+    at_dots, assigned = pca.transform(dots), tree.assign(dots, model.n_clusters)
+    axes.scatter(at_dots[:, 0], at_dots[:, 1], s=5, c=colors[assigned], alpha=0.55, linewidths=0)
     centers = pca.transform(model.centers_)
     place = place_colors(classes)
     size = PIE / PLANE * float(np.ptp(at_dots[:, 0]))
@@ -176,7 +176,9 @@ def _draw_plane(
             )
     for number, (at, cluster) in enumerate(zip(pca.transform(query.x), query.clusters, strict=True), 1):
         axes.plot(*zip(at, centers[cluster], strict=True), color=INK, linewidth=1.1, zorder=2.5)
-        axes.scatter(*at, s=52, marker="D", color="black", edgecolors="white", linewidths=0.9, zorder=5)
+        axes.scatter(
+            at[0], at[1], s=52, marker="D", color="black", edgecolors="white", linewidths=0.9, zorder=5
+        )
         axes.annotate(str(number), at, (7, 5), textcoords="offset points", zorder=6, **NUMBER)
     axes.set_aspect("equal", adjustable="datalim")
     axes.margins(0.02)
