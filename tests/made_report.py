@@ -7,7 +7,9 @@ import cv2
 import numpy as np
 import pandas as pd
 
-from placecat.report.page import Figure, Report, Scale, Speed, Table, Times
+from placecat.report.benchmarks import shown_speed
+from placecat.report.page import Figure, Report, Table
+from placecat.report.scale import shown_scale
 from placecat.thesis.notes import Kind, Note, joined
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -189,7 +191,7 @@ def benchmarks():
 
 def speed():
     facts = {"processor": "A processor <fast>", "python": "3.11.7", "packages": "numpy 2.3.5"}
-    return Speed(benchmarks(), facts, png())
+    return shown_speed(benchmarks(), facts) | {"chart": png()}
 
 
 def scale_measured():
@@ -223,7 +225,8 @@ def scale():
         "largest": {"seconds": 63.0, "peak_gib": 4.0, "peak_stage": "trials@gist", "met": True},
         "full_run": {"hours": 12.34},
     }
-    return Scale(scale_measured(), pd.DataFrame(rows, columns=columns), facts, png())
+    growth = pd.DataFrame(rows, columns=columns)
+    return shown_scale(scale_measured(), growth, facts) | {"chart": png()}
 
 
 def report(*, tables=range(1, 32), figures=range(1, 21)):
@@ -234,12 +237,12 @@ def report(*, tables=range(1, 32), figures=range(1, 21)):
     ]
     drawn += [Figure(20, "The probability.", None, "this run has no university")] * (20 in figures)
     drawn += [Figure(None, "How sure.", png(), name="figure_how_sure")] * bool(figures)
-    times = Times(
-        pd.DataFrame({"stage": ["sequences", "features"], "runs": [1, 6], "seconds": [3.25, 63.0]}),
-        "made-up homes",
-        2,
-        243.4,
-    )
+    times = {
+        "stages": pd.DataFrame({"stage": ["sequences", "features"], "runs": [1, 6], "seconds": [3.25, 63.0]}),
+        "data": "made-up homes",
+        "cores": 2,
+        "total": 243.4,
+    }
     return Report(
         dataset=DATASET,
         frames={home: dict.fromkeys(CLASSES, 100) | {"unlabelled": 20} for home in HOMES},

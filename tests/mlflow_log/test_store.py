@@ -34,7 +34,7 @@ def test_a_run_with_more_than_one_batch(folder):
     (folder / "one.txt").write_text("1")
     parent = store.start_run(client, experiment(client), "parent")
     assert client.get_run(parent).info.status == "RUNNING"
-    child = store.log_run(
+    child = store.start_run(
         client,
         experiment(client),
         "child",
@@ -45,6 +45,7 @@ def test_a_run_with_more_than_one_batch(folder):
         parent=parent,
         description="Read *me*.",
     )
+    store.finish_run(client, child)
     store.finish_run(client, parent, metrics={"last": 2.0}, status="FAILED")
     run = client.get_run(child)
     assert run.info.status == "FINISHED"
@@ -61,7 +62,8 @@ def _log_one(number, start, failures):
     try:
         start.wait()
         client = store.connect(uri())
-        store.log_run(client, experiment(client), f"run {number}", metrics={"number": number})
+        run = store.start_run(client, experiment(client), f"run {number}", metrics={"number": number})
+        store.finish_run(client, run)
     except BaseException:
         failures.put(traceback.format_exc())
 

@@ -2,14 +2,14 @@ import numpy as np
 import pytest
 
 import made_report
-from placecat.report.benchmarks import TEXT, ratios_of, shown_rows, times
+from placecat.report.benchmarks import TEXT, ratios_of, shown_speed, times
 from placecat_bench.comparison import Comparison, Peer
 
 
 def test_ratios_and_targets_of_comparisons_only():
     ratios = ratios_of(made_report.benchmarks())
-    assert [one.piece for one in ratios] == ["HOG", "A tree", "A frame"]
-    assert [(one.ratio, one.target, one.is_faster, one.is_met) for one in ratios] == [
+    assert list(ratios["piece"]) == ["HOG", "A tree", "A frame"]
+    assert [(one.ratio, one.target, one.is_faster, one.met) for one in ratios.itertuples()] == [
         (1.7, 2.0, True, False),
         (500.0, 500.0, True, True),
         (5.3, 7.0, False, True),
@@ -17,7 +17,7 @@ def test_ratios_and_targets_of_comparisons_only():
 
 
 def test_rows_as_a_page_shows_them():
-    rows = shown_rows(made_report.benchmarks())
+    rows = shown_speed(made_report.benchmarks(), {})["rows"]
     assert rows[0] == {
         "piece": "HOG",
         "input": "25 regions",
@@ -39,7 +39,7 @@ def test_the_words_of_a_target_are_those_that_benchmarks_write():
     table = made_report.benchmarks()[:1]
     for targets, expected in (({"faster": 2.5}, (2.5, True)), ({"at_most": 4.5}, (4.5, False))):
         written = Comparison("", "", peer, nothing, nothing, **targets).target
-        (one,) = ratios_of(table.assign(target=written))
+        (one,) = ratios_of(table.assign(target=written)).itertuples()
         assert (one.target, one.is_faster) == expected
 
 

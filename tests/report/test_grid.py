@@ -88,9 +88,9 @@ def test_an_addition_has_nothing_published():
 def test_numbers_have_two_decimals_or_are_none():
     assert number_text(3) == "3.00"
     assert number_text(float("nan")) == number_text(None) == ""
-    assert make_cell(None, 3.0).difference is None
+    assert make_cell(np.nan, 3.0, np.nan, 0).difference is None
     assert make_cell(2.5, 3.0, float("nan"), 0).difference == -0.5
-    assert make_cell(2.5, None, 1.25, 2).spread == 1.25
+    assert make_cell(2.5, np.nan, 1.25, 2).spread == 1.25
 
 
 def test_the_sentence_on_seeds_names_the_widest_cell():

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from made_report import DATASET, addition, cells, settings
-from placecat.report.latex import latex_text, table_latex
+from placecat.report.formats import _LATEX, table_latex
 
 ESCAPED = {
     r"\textbackslash{}": "\\",
@@ -32,7 +32,7 @@ def without_escapes(text):
 
 @given(st.text(st.characters(codec="ascii", exclude_characters="\n")))
 def test_escaping_can_be_undone_and_leaves_no_special_character(text):
-    escaped = latex_text(text)
+    escaped = text.translate(_LATEX)
     assert unescape(escaped) == text
     bare = without_escapes(escaped)
     assert not re.search(r"[&%$#_~^|<>]", bare)

@@ -36,7 +36,7 @@ def test_what_the_data_lack_is_left_out_with_its_reason(project, tmp_path):
     assert [entry["name"] for entry in entries] == figures.names()
     assert [entry["file"] for entry in entries] == ["figure_02.png", None, "figure_19.png", None]
     assert "was not computed" in entries[1]["reason"] and entries[0]["reason"] is None
-    assert entries[2]["title"] == figures.load("figure_19").TITLE
+    assert entries[2]["title"] == figures.caption("figure_19")
     written = {path.name for path in (tmp_path / "reports/figures").iterdir()}
     assert written == {"figure_02.png", "figure_19.png", "figures.json"}
 

@@ -91,7 +91,9 @@ def test_it_reads_everything_and_writes_the_page(folder):
 def test_a_kept_record_of_times_is_shown(folder):
     times = pd.DataFrame({"stage": ["sequences", "toy"], "runs": [1, 2], "seconds": [61.04, 2.0]})
     files.write_csv(paths.KEPT_TIMES, times)
-    files.write_json(paths.KEPT_TIMES_FACTS, {"data": "rendered homes", "cores": 2, "total": 150.0})
+    files.write_json(
+        paths.KEPT_TIMES_FACTS, {"data": "rendered homes", "stages": 2, "cores": 2, "total": 150.0}
+    )
     report.main()
     assert "2 min 30 s on 2 cores, on rendered homes" in page()
     assert '<tr><th scope="row">sequences</th><td>1</td><td>61.0</td></tr>' in page()

@@ -28,18 +28,7 @@ AMOUNT = "Greys"
 
 
 def place_colors(classes: Sequence[str]) -> dict[str, str]:
-    """Colour of each place.
-
-    Parameters
-    ----------
-    classes
-        Names of the places in order.
-
-    Returns
-    -------
-    dict
-        Place to "#rrggbb"; a place that has no colour of its own takes the next free one, by its order.
-    """
+    """Place to "#rrggbb"; a place that has no colour of its own takes the next free one, by its order."""
     unknown = [place for place in classes if place not in PLACES]
     spare = {place: OTHERS[number % len(OTHERS)] for number, place in enumerate(unknown)}
     return {place: PLACES.get(place) or spare[place] for place in classes}

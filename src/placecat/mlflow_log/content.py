@@ -12,7 +12,7 @@ from placecat import files
 from placecat.mlflow_log.store import key
 from placecat.mlflow_log.tables import RUN_ID, RowRun, TableRun
 from placecat.report.charts.draw import MatrixDrawer, draw_table
-from placecat.report.markdown import table_markdown
+from placecat.report.formats import table_markdown
 from placecat.report.summary import VERDICTS, readings_of
 from placecat.results.confusion import confusion_rows, pooled_rows
 from placecat.results.measured import Measured, Results, score_rows
@@ -49,14 +49,10 @@ def table_run(
     written: Sequence[Path],
     drawer: MatrixDrawer,
 ) -> TableRun:
-    """Gather all of one table.
+    """Gather all of one table, from its configuration and its filled `cells`.
 
     Parameters
     ----------
-    table
-        Its configuration and its ``name``.
-    cells
-        The filled table.
     dataset
         What the table is measured on (:func:`placecat.thesis.tables.dataset_of`).
     settings
@@ -67,41 +63,24 @@ def table_run(
     title = f"{label(table)}: {table['title']}"
     beside = comparable(table, dataset)
     decisions = decisions_of(table, results)
-    trials = "trial" in table
     quality = _quality(table, results)
-    rows = [
-        _row_run(
-            table,
-            *labels,
-            part,
-            decisions.get(labels, {}),
-            quality.get(labels, {}),
-            drawer if not trials else None,
-        )
-        for key, part in cells.groupby(["group", "row"], sort=False)
-        for labels in [(str(key[0]), str(key[1]))]
-    ]
-    counts = [
-        repr(score_rows("/".join([*labels, column]), one))
-        for labels, of_row in decisions.items()
-        for column, one in of_row.items()
-    ]
+    rows = []
+    for (group, row), part in cells.groupby(["group", "row"], sort=False):
+        labels = (str(group), str(row))
+        measured = (part, decisions.get(labels, {}), quality.get(labels, {}))
+        rows.append(_row_run(table, labels, *measured, None if "trial" in table else drawer))
+    by_cell = {
+        (*labels, column): one for labels, of_row in decisions.items() for column, one in of_row.items()
+    }
+    counts = [repr(score_rows("/".join(labels), one)) for labels, one in by_cell.items()]
 
     def write(folder: Path) -> list[Path]:
         pictures = draw_table(folder, title, cells, decisions, published=beside, chart=in_percent(table))
         matrices = [
             pooled_rows(one).assign(group=group, row=row, column=column)
-            for (group, row), of_row in decisions.items()
-            for column, one in of_row.items()
+            for (group, row, column), one in by_cell.items()
         ]
-        if not matrices:
-            return [*written, *pictures]
-        whole = pd.concat(matrices)
-        first = ["group", "row", "column", "truth"]
-        files.write_csv(
-            folder / "confusion.csv", whole[[*first, *whole.columns.difference(first, sort=False)]]
-        )
-        return [*written, *pictures, folder / "confusion.csv"]
+        return [*written, *pictures, *_write_counts(folder, matrices, ["group", "row", "column", "truth"])]
 
     return TableRun(
         name=table["name"],
@@ -109,7 +88,7 @@ def table_run(
         content="\n".join([cells[COLUMNS].to_csv(index=False), *counts, repr(sorted(quality.items()))]),
         params=settings,
         metrics=_metrics(cells)
-        | {key(measure, *labels): value for labels, own in quality.items() for measure, value in own.items()},
+        | {key(measure, *labels): value for labels, row in quality.items() for measure, value in row.items()},
         description=_description(table, cells, dataset, beside),
         rows=rows,
         files=write,
@@ -117,13 +96,7 @@ def table_run(
 
 
 def figures_run(folder: Path) -> TableRun:
-    """All figures that the stage `figures` drew, as one run.
-
-    Parameters
-    ----------
-    folder
-        Has figures.json and the PNGs that it names.
-    """
+    """All figures that the stage `figures` drew into a folder, as one run."""
     entries = files.read_json(folder / "figures.json")
     drawn = [folder / Path(entry["file"]).name for entry in entries if entry["file"]]
     lines = [
@@ -145,23 +118,13 @@ def figures_run(folder: Path) -> TableRun:
 
 
 def findings_run(findings: Path, comparisons: Path) -> TableRun:
-    """The ledger of findings as one run: a metric a verdict, and the verdicts of each reading.
-
-    Parameters
-    ----------
-    findings, comparisons
-        The files that the stage `findings` wrote.
-    """
+    """The files of the stage `findings` as one run: a metric a verdict, and the verdicts of each reading."""
     table = files.read_table(findings, ["claim"])
     readings = readings_of(table)
     names = [name.replace("_", " ") for name in readings.values()]
-    lines = [
-        "| " + " | ".join(["No.", "Finding", "Verdict", *names]) + " |",
-        "|---:" + "|---" * (2 + len(names)) + "|",
-    ]
-    for one in table.fillna("").to_dict("records"):
-        cells = [str(one[column]) for column in ("number", "claim", "verdict", *readings)]
-        lines.append("| " + " | ".join(cells) + " |")
+    rows = table.fillna("")[["number", "claim", "verdict", *readings]].astype(str).to_numpy().tolist()
+    head, *lines = (f"| {' | '.join(row)} |" for row in [["No.", "Finding", "Verdict", *names], *rows])
+    lines = [head, "|---:" + "|---" * (2 + len(names)) + "|", *lines]
     metrics = {
         key(name, verdict): float((table[column] == verdict).sum())
         for column, name in ({"verdict": "as_used"} | readings).items()
@@ -181,29 +144,20 @@ def findings_run(findings: Path, comparisons: Path) -> TableRun:
 
 def _row_run(
     table: Mapping[str, Any],
-    group: str,
-    row: str,
+    labels: tuple[str, str],
     cells: pd.DataFrame,
     decisions: Mapping[str, Measured],
     quality: Mapping[str, float],
     drawer: MatrixDrawer | None,
 ) -> RowRun:
-    name = ", ".join(part for part in (group, row) if part) or table["title"]
-    params = {"table": label(table), "group": group, "row": row}
-    for own in table.get("rows", []):
-        if (own["group"], own["row"]) == (group, row):
-            params["result"] = own["result"]
-    if "result" in table:
-        params["result"] = table["result"]
+    name = ", ".join(filter(None, labels)) or table["title"]
+    result = table.get("result") or _results(table).get(labels, "")
+    params = {"table": label(table), "group": labels[0], "row": labels[1], "result": result}
     measured = cells[np.isfinite(cells["measured"])]
     return RowRun(
         name=name,
         params={key: text for key, text in params.items() if text},
-        metrics={
-            _slug(column): value
-            for column, value in zip(measured["column"], measured["measured"], strict=True)
-        }
-        | dict(quality),
+        metrics=dict(zip(map(_slug, measured["column"]), measured["measured"], strict=True)) | dict(quality),
         files=_writer(name, decisions, drawer),
     )
 
@@ -214,17 +168,32 @@ def _writer(
     def write(folder: Path) -> list[Path]:
         if not decisions:
             return []
+        labels = ["column", "home", "seed", "truth"]
         parts = [confusion_rows(one).assign(column=column) for column, one in decisions.items()]
-        whole = pd.concat(parts)
-        first = ["column", "home", "seed", "truth"][int(list(decisions) == [""]) :]
-        rest = whole.columns.difference([*first, "column"], sort=False)
-        files.write_csv(folder / "confusion.csv", whole[[*first, *rest]])
-        if drawer is None:
-            return [folder / "confusion.csv"]
-        drawer.draw(folder / "confusion.png", name, decisions)
-        return [folder / "confusion.csv", folder / "confusion.png"]
+        if list(decisions) == [""]:
+            labels, parts = labels[1:], [one.drop(columns="column") for one in parts]
+        written = _write_counts(folder, parts, labels)
+        if drawer is not None:
+            drawer.draw(folder / "confusion.png", name, decisions)
+            written.append(folder / "confusion.png")
+        return written
 
     return write
+
+
+def _write_counts(folder: Path, parts: Sequence[pd.DataFrame], labels: list[str]) -> list[Path]:
+    """Write tables of counts as one, the labels first; gives its path, of no tables nothing."""
+    if not parts:
+        return []
+    whole = pd.concat(parts)
+    path = folder / "confusion.csv"
+    files.write_csv(path, whole[[*labels, *whole.columns.difference(labels, sort=False)]])
+    return [path]
+
+
+def _results(table: Mapping[str, Any]) -> dict[tuple[str, str], str]:
+    """Group and row to the name of the row's result."""
+    return {(row["group"], row["row"]): row["result"] for row in table.get("rows", [])}
 
 
 def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, float]]:
@@ -234,9 +203,7 @@ def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str]
     """
     if not in_percent(table):
         return {}
-    named = {(row["group"], row["row"]): row["result"] for row in table.get("rows", [])}
-    if "result" in table:
-        named[("", "")] = table["result"]
+    named = _results(table) | ({("", ""): table["result"]} if "result" in table else {})
     return {
         labels: results.quality[name].averages() for labels, name in named.items() if name in results.quality
     }
@@ -249,12 +216,8 @@ def _metrics(cells: pd.DataFrame) -> dict[str, float]:
     """
     measured = cells[np.isfinite(cells["measured"])]
     measured = measured.sort_values("column", key=lambda column: column != AVERAGE, kind="stable")
-    return {
-        key(_slug(column) or "accuracy", group, row): float(value)
-        for group, row, column, value in measured[["group", "row", "column", "measured"]].itertuples(
-            index=False, name=None
-        )
-    }
+    rows = measured[["group", "row", "column", "measured"]].itertuples(index=False, name=None)
+    return {key(_slug(column), group, row): float(value) for group, row, column, value in rows}
 
 
 def _slug(column: str) -> str:
@@ -266,10 +229,10 @@ def _description(
     table: Mapping[str, Any], cells: pd.DataFrame, dataset: Mapping[str, Any], beside: bool
 ) -> str:
     if not beside:
-        notes = cells["notes"].map(
-            lambda notes: tuple(note for note in notes if not note.is_about_the_published)
-        )
-        cells = cells.assign(published=np.nan, notes=notes)
+        about_ours = [
+            tuple(one for one in notes if not one.is_about_the_published) for notes in cells["notes"]
+        ]
+        cells = cells.assign(published=np.nan, notes=pd.Series(about_ours, index=cells.index, dtype=object))
     chart, reading = "", _READING.format(metrics="", chart="")
     if in_percent(table):
         point = "home" if table["layout"] != "pooled_by_class" else "place"

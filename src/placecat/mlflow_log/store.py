@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypedDict, Unpack
 
 from placecat.errors import PlacecatError
 
@@ -28,8 +28,6 @@ _EXPERIMENT_KIND = {"mlflow.experimentKind": "custom_model_development"}
 _MOST_METRICS, _MOST_PARAMS, _MOST_TAGS = 800, 100, 100
 _LONGEST_PARAM = 6000
 
-Files = Mapping[str, Sequence[Path]] | Sequence[Path]
-
 
 def tracking_uri() -> str:
     """The tracking server in the environment variable MLFLOW_TRACKING_URI, or mlflow.db in this folder."""
@@ -37,14 +35,10 @@ def tracking_uri() -> str:
 
 
 def connect(uri: str) -> MlflowClient:
-    """Connect to a tracking server or a database, which is made if there is none.
+    """Connect to a tracking server, e.g. ``http://127.0.0.1:5000``, or a database, made if there is none.
 
-    However many processes do so at once, one makes the database and the others wait.
-
-    Parameters
-    ----------
-    uri
-        E.g. ``sqlite:///mlflow.db`` (relative to this folder) or ``http://127.0.0.1:5000``.
+    A database is e.g. ``sqlite:///mlflow.db`` (relative to this folder). However many processes connect at
+    once, one makes it and the others wait.
 
     Raises
     ------
@@ -110,102 +104,63 @@ def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path,
     return str(found.experiment_id)
 
 
-def start_run(
-    client: MlflowClient,
-    experiment_id: str,
-    name: str,
-    *,
-    params: Mapping[str, str] | None = None,
-    metrics: Mapping[str, float] | None = None,
-    tags: Mapping[str, str] | None = None,
-    files: Files = (),
-    parent: str | None = None,
-    description: str = "",
-) -> str:
-    """Start a run; its status is RUNNING until `finish_run`.
+class Content(TypedDict, total=False):
+    """What a run holds; all of it may be left out.
 
-    Parameters
+    Attributes
     ----------
     params
         Values of more than 6000 characters are cut, as MLflow takes no longer ones.
     metrics
         One value each.
+    tags
+        Name to value.
     files
         Paths, or a folder within the run to the paths that go there.
+    """
+
+    params: Mapping[str, str]
+    metrics: Mapping[str, float]
+    tags: Mapping[str, str]
+    files: Mapping[str, Sequence[Path]] | Sequence[Path]
+
+
+def start_run(
+    client: MlflowClient,
+    experiment_id: str,
+    name: str,
+    *,
+    parent: str | None = None,
+    description: str = "",
+    **content: Unpack[Content],
+) -> str:
+    """Start a run with some :class:`Content`; its status is RUNNING until `finish_run`. Gives its id.
+
+    Parameters
+    ----------
     parent
         Id of the run to nest this one in.
     description
         Markdown, for people.
-
-    Returns
-    -------
-    str
-        Id of the run.
     """
-    tags = dict(tags or {})
+    tags = dict(content.pop("tags", {}))
     if parent is not None:
         tags[PARENT] = parent
     if description:
         tags[DESCRIPTION] = description
     with writing(client):
         run_id = str(client.create_run(experiment_id, run_name=name, tags=tags).info.run_id)
-    _log(client, run_id, params or {}, metrics or {}, {}, files)
+    log(client, run_id, **content)
     return run_id
 
 
 def finish_run(
-    client: MlflowClient,
-    run_id: str,
-    *,
-    params: Mapping[str, str] | None = None,
-    metrics: Mapping[str, float] | None = None,
-    tags: Mapping[str, str] | None = None,
-    files: Files = (),
-    status: str = "FINISHED",
+    client: MlflowClient, run_id: str, *, status: str = "FINISHED", **content: Unpack[Content]
 ) -> None:
-    """Log more to a run, then end it.
-
-    Parameters
-    ----------
-    status
-        FINISHED, FAILED or KILLED.
-    """
-    _log(client, run_id, params or {}, metrics or {}, tags or {}, files)
+    """Log more (:class:`Content`) to a run, then end it with the status FINISHED, FAILED or KILLED."""
+    log(client, run_id, **content)
     with writing(client):
         client.set_terminated(run_id, status)
-
-
-def log_run(
-    client: MlflowClient,
-    experiment_id: str,
-    name: str,
-    *,
-    params: Mapping[str, str] | None = None,
-    metrics: Mapping[str, float] | None = None,
-    tags: Mapping[str, str] | None = None,
-    files: Files = (),
-    parent: str | None = None,
-    description: str = "",
-) -> str:
-    """Log a whole run: `start_run` and `finish_run`, whose parameters these are; gives its id."""
-    run_id = start_run(
-        client,
-        experiment_id,
-        name,
-        params=params,
-        metrics=metrics,
-        tags=tags,
-        files=files,
-        parent=parent,
-        description=description,
-    )
-    finish_run(client, run_id)
-    return run_id
-
-
-def set_tags(client: MlflowClient, run_id: str, tags: Mapping[str, str]) -> None:
-    """Set tags of a run."""
-    _log(client, run_id, {}, {}, tags, ())
 
 
 def key(*parts: str) -> str:
@@ -229,27 +184,20 @@ def writing(client: MlflowClient) -> Iterator[None]:
         yield
 
 
-def _log(
-    client: MlflowClient,
-    run_id: str,
-    params: Mapping[str, str],
-    metrics: Mapping[str, float],
-    tags: Mapping[str, str],
-    files: Files,
-) -> None:
+def log(client: MlflowClient, run_id: str, **content: Unpack[Content]) -> None:
+    """Log more (:class:`Content`) to a run."""
     from mlflow.entities import Metric, Param, RunTag
     from mlflow.utils.time import get_current_time_millis
 
     now = get_current_time_millis()
-    all_metrics = [Metric(name, float(value), now, 0) for name, value in metrics.items()]
-    all_params = [Param(name, str(value)[:_LONGEST_PARAM]) for name, value in params.items()]
-    all_tags = [RunTag(name, value) for name, value in tags.items()]
+    metrics = [Metric(name, float(value), now, 0) for name, value in content.get("metrics", {}).items()]
+    params = [Param(name, str(value)[:_LONGEST_PARAM]) for name, value in content.get("params", {}).items()]
+    tags = [RunTag(name, value) for name, value in content.get("tags", {}).items()]
     with writing(client):
-        while all_metrics or all_params or all_tags:
-            client.log_batch(
-                run_id, all_metrics[:_MOST_METRICS], all_params[:_MOST_PARAMS], all_tags[:_MOST_TAGS]
-            )
-            del all_metrics[:_MOST_METRICS], all_params[:_MOST_PARAMS], all_tags[:_MOST_TAGS]
+        while metrics or params or tags:
+            client.log_batch(run_id, metrics[:_MOST_METRICS], params[:_MOST_PARAMS], tags[:_MOST_TAGS])
+            del metrics[:_MOST_METRICS], params[:_MOST_PARAMS], tags[:_MOST_TAGS]
+    files = content.get("files", ())
     folders = files if isinstance(files, Mapping) else {"": files}
     with _told_plainly(client.tracking_uri):
         for folder, paths in folders.items():

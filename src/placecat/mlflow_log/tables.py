@@ -42,12 +42,10 @@ DESCRIPTION = (
 
 @dataclass(frozen=True)
 class RowRun:
-    """What MLflow is to know of one row.
+    """What MLflow is to know of one row, by a name for people, e.g. "5-5-1, all cues, Gist".
 
     Attributes
     ----------
-    name
-        For people, e.g. "5-5-1, all cues, Gist".
     params, metrics
         What identifies it, and its numbers: ``average``, ``home_1``, ... in percent, and how good its
         probabilities are (:meth:`placecat.results.quality.Quality.averages`).
@@ -63,14 +61,10 @@ class RowRun:
 
 @dataclass(frozen=True)
 class TableRun:
-    """What MLflow is to know of one table.
+    """What MLflow is to know of one table, e.g. "table_26", which has a title for people.
 
     Attributes
     ----------
-    name
-        E.g. "table_26".
-    title
-        For people.
     content
         Everything that the table shows, as text; with `params`, of which `digest` is made.
     params
@@ -79,10 +73,8 @@ class TableRun:
         Name to number, percent unless it says otherwise.
     description
         Markdown for people; `RUN_ID` in it becomes the run's id.
-    rows
-        Nested runs.
-    files
-        As for a row.
+    rows, files
+        Nested runs; the table's files, as those of a row.
     kind
         "table", or "figures" and "findings" for the two runs that are none.
     """
@@ -184,30 +176,18 @@ def _log(
         files = run.files(folder)
         of_rows = []
         for number, row in enumerate(run.rows):
-            (own := folder / f"row_{number}").mkdir()
-            of_rows.append(row.files(own))
-        run_id = store.start_run(
-            client,
-            experiment_id,
-            run.title,
-            params=run.params,
-            metrics=run.metrics,
-            tags={**tags, KIND: run.kind, DIGEST: digest},
-            files=files,
-        )
-        store.set_tags(client, run_id, {store.DESCRIPTION: run.description.replace(RUN_ID, run_id)})
+            (of_row := folder / f"row_{number}").mkdir()
+            of_rows.append(row.files(of_row))
+        shown = store.Content(params=run.params, metrics=run.metrics, files=files)
+        shown["tags"] = {**tags, KIND: run.kind, DIGEST: digest}
+        run_id = store.start_run(client, experiment_id, run.title, **shown)
+        store.log(client, run_id, tags={store.DESCRIPTION: run.description.replace(RUN_ID, run_id)})
         # The last is on top.
         for row, paths in reversed(list(zip(run.rows, of_rows, strict=True))):
-            store.log_run(
-                client,
-                experiment_id,
-                row.name,
-                params=row.params,
-                metrics=row.metrics,
-                tags={**tags, KIND: "row"},
-                files=paths,
-                parent=run_id,
-            )
+            shown = store.Content(params=row.params, metrics=row.metrics, files=paths)
+            shown["tags"] = {**tags, KIND: "row"}
+            nested = store.start_run(client, experiment_id, row.name, parent=run_id, **shown)
+            store.finish_run(client, nested)
         store.finish_run(client, run_id)
     return run_id
 
@@ -218,13 +198,13 @@ def _make_current(client: MlflowClient, experiment_id: str, run_id: str, old: Se
         for one in old:
             _supersede(client, experiment_id, one, run_id)
         for each in [*_nested(client, experiment_id, run_id), run_id]:
-            store.set_tags(client, each, {CURRENT: "true"})
+            store.log(client, each, tags={CURRENT: "true"})
 
 
 def _supersede(client: MlflowClient, experiment_id: str, run_id: str, by: str) -> None:
     # The table's run last, so that this is done again if it is interrupted.
     for each in [*_nested(client, experiment_id, run_id), run_id]:
-        store.set_tags(client, each, {CURRENT: "false", SUPERSEDED_BY: by})
+        store.log(client, each, tags={CURRENT: "false", SUPERSEDED_BY: by})
 
 
 def _delete(client: MlflowClient, experiment_id: str, run_id: str) -> None:

@@ -1,8 +1,6 @@
 """What the report says of benchmarks."""
 
-import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import pandas as pd
@@ -10,68 +8,64 @@ import pandas as pd
 # Columns of text.
 TEXT = ("module", "piece", "input", "quantity", "peer", "peer_version", "target", "met", "spent")
 _SECONDS = "seconds"
-_NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e[+-]?\d+)?")
+_NUMBER = r"(\d+(?:\.\d+)?(?:e[+-]?\d+)?)"
 
 
-@dataclass(frozen=True)
-class Ratio:
-    """One comparison with a peer: the median ratio of its pairs, their range, and the target."""
-
-    piece: str
-    input: str
-    ratio: float
-    low: float
-    high: float
-    target: float
-    is_faster: bool
-    is_met: bool
-
-
-def ratios_of(benchmarks: pd.DataFrame) -> list[Ratio]:
+def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
     """Give the rows that have a ratio.
 
     Parameters
     ----------
     benchmarks
-        As :func:`placecat_bench.run.run` writes it, empty cells as NaN.
+        As :func:`placecat_bench.run.run` writes it, empty cells of numbers as NaN.
+
+    Returns
+    -------
+    DataFrame
+        The same columns, ``met`` as a bool and ``target`` as the number in it; and ``is_faster``, whether the
+        target is a least number of times faster, not a largest share of the peer's time.
     """
-    return [
-        Ratio(
-            piece=row["piece"],
-            input=row["input"],
-            ratio=float(row["ratio"]),
-            low=float(row["low"]),
-            high=float(row["high"]),
-            target=float(_NUMBER.findall(row["target"])[0]),
-            is_faster="faster" in row["target"],
-            is_met=row["met"] == "yes",
-        )
-        for row in benchmarks.to_dict("records")
-        if pd.notna(row["ratio"])
-    ]
+    rows = benchmarks[benchmarks["ratio"].notna()]
+    return rows.assign(
+        target=rows["target"].str.extract(_NUMBER, expand=False).astype(float),
+        is_faster=rows["target"].str.contains("faster"),
+        met=rows["met"] == "yes",
+    )
 
 
-def shown_rows(benchmarks: pd.DataFrame) -> list[Mapping[str, Any]]:
-    """Every row as text for a page: piece, input, ours, peer, theirs, ratio, target and spent; met is a bool.
+def shown_speed(benchmarks: pd.DataFrame, facts: Mapping[str, str]) -> dict[str, Any]:
+    """Everything as text for a page.
 
-    A row of another quantity than seconds has it beside its piece.
+    Parameters
+    ----------
+    benchmarks
+        As :func:`placecat_bench.run.run` writes it, empty cells of text as "".
+    facts
+        ``processor``, ``python`` and ``packages`` that it was measured with.
+
+    Returns
+    -------
+    dict
+        The ``facts``, and in ``rows`` the piece, input, ours, peer, theirs, ratio, target, met (a bool) and
+        spent of each row. A row of another quantity than seconds has it beside its piece.
     """
-    return [
-        {
-            "piece": row["piece"] if row["quantity"] == _SECONDS else f"{row['piece']}: {row['quantity']}",
-            "input": row["input"],
-            "ours": _amount(row["ours"], row["quantity"]),
-            "peer": " ".join(filter(None, (row["peer"], row["peer_version"]))),
-            "theirs": _amount(row["theirs"], row["quantity"]),
-            "ratio": ""
-            if pd.isna(row["ratio"])
-            else f"{times(row['ratio'])} ({times(row['low'])} to {times(row['high'])})",
-            "target": row["target"],
-            "met": row["met"] == "yes",
-            "spent": row["spent"],
-        }
-        for row in benchmarks.to_dict("records")
-    ]
+    return {"facts": facts, "rows": [_shown_row(row) for row in benchmarks.to_dict("records")]}
+
+
+def _shown_row(row: Mapping[Any, Any]) -> dict[str, Any]:
+    return {
+        "piece": row["piece"] if row["quantity"] == _SECONDS else f"{row['piece']}: {row['quantity']}",
+        "input": row["input"],
+        "ours": _amount(row["ours"], row["quantity"]),
+        "peer": " ".join(filter(None, (row["peer"], row["peer_version"]))),
+        "theirs": _amount(row["theirs"], row["quantity"]),
+        "ratio": ""
+        if pd.isna(row["ratio"])
+        else f"{times(row['ratio'])} ({times(row['low'])} to {times(row['high'])})",
+        "target": row["target"],
+        "met": row["met"] == "yes",
+        "spent": row["spent"],
+    }
 
 
 def times(ratio: float) -> str:

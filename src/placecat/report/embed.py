@@ -20,14 +20,7 @@ class Picture:
 
 
 def embed(png: bytes, quality: int = QUALITY) -> Picture:
-    """Turn a PNG into a data URI, as WebP where that is shorter.
-
-    Parameters
-    ----------
-    png
-        Content of the file.
-    quality
-        Of WebP, 1 to 100.
+    """Turn a PNG into a data URI, as WebP of a quality of 1 to 100 where that is shorter.
 
     Raises
     ------

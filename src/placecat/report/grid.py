@@ -1,5 +1,6 @@
 """A filled table as a grid for people: rows and columns in order, numbers as text, notes as footnotes."""
 
+from collections import Counter
 from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -8,6 +9,7 @@ import pandas as pd
 
 from placecat.thesis.notes import Kind, Notes
 from placecat.thesis.number import AVERAGE, home_label
+from placecat.thesis.tables import comparable, in_percent
 
 NOT_AVAILABLE = "n/a"
 
@@ -99,21 +101,9 @@ class Grid:
 
 
 def make_grid(table: pd.DataFrame) -> Grid:
-    """Arrange the long form of a table.
-
-    Parameters
-    ----------
-    table
-        From :func:`placecat.thesis.tables.fill_table`: columns group, row, column, published, measured,
-        spread, seeds, notes.
-
-    Returns
-    -------
-    Grid
-        Cells that the long form lacks are empty.
-    """
+    """Arrange a filled table (:func:`placecat.thesis.tables.fill_table`); cells that it lacks are empty."""
     columns = _ordered(table["column"])
-    footnotes = _Footnotes()
+    footnotes: Counter[str] = Counter()
     cells = {
         (record["group"], record["row"], record["column"]): _cell(record, footnotes)
         for record in table.to_dict("records")
@@ -125,25 +115,49 @@ def make_grid(table: pd.DataFrame) -> Grid:
             for name in _ordered(part["row"])
         ]
         groups.append(Group(str(group), tuple(rows)))
-    return Grid(tuple(columns), tuple(groups), footnotes.all())
+    marked = enumerate(footnotes.items())
+    return Grid(
+        tuple(columns),
+        tuple(groups),
+        tuple(Footnote(_letters(number), text, cells) for number, (text, cells) in marked),
+    )
 
 
-def make_cell(
-    measured: float | None,
-    published: float | None,
-    spread: float | None = None,
-    seeds: float = 0,
-) -> Cell:
-    """A cell of two percentages, each None or NaN for none; `spread` likewise, in points."""
-    difference = None
-    if measured is not None and published is not None and pd.notna(measured - published):
-        difference = round(float(measured - published), 2) + 0.0
+def shown_table(
+    settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]
+) -> dict[str, Any]:
+    """What a template shows of one filled table: its grid, its title and sentences about its numbers.
+
+    Parameters
+    ----------
+    settings
+        The table's configuration (``name``; ``number``, None for what is no table of the thesis; ``title``,
+        ``thesis_data``; ``caption``, if the numbers are no percentages).
+    table
+        From :func:`placecat.thesis.tables.fill_table`.
+    dataset
+        Its ``title``, ``homes`` and ``thesis_data``.
+    """
+    return {
+        **{key: settings[key] for key in ("name", "number", "title", "thesis_data")},
+        "caption": settings.get("caption", ""),
+        "data": dataset["title"],
+        "comparable": comparable(settings, dataset),
+        "grid": make_grid(table),
+        "homes": homes_sentence(table, dataset["homes"]),
+        "seeds": seeds_sentence(table) if in_percent(settings) else "",
+    }
+
+
+def make_cell(measured: float, published: float, spread: float, seeds: float) -> Cell:
+    """A cell of two percentages and the `spread` in points, each NaN for none."""
+    difference = round(float(measured - published), 2) + 0.0
     return Cell(
         measured=number_text(measured),
         published=number_text(published),
-        difference=difference,
-        spread=float(spread) if spread is not None and pd.notna(spread) else None,
-        seeds=int(seeds) if pd.notna(seeds) else 0,
+        difference=None if pd.isna(difference) else difference,
+        spread=None if pd.isna(spread) else float(spread),
+        seeds=0 if pd.isna(seeds) else int(seeds),
     )
 
 
@@ -153,15 +167,7 @@ def number_text(value: float | None) -> str:
 
 
 def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
-    """Say which home is "Home 1", for those that name a row or a column; "" for none.
-
-    Parameters
-    ----------
-    table
-        Columns row and column.
-    homes
-        Names of the data set's homes in order.
-    """
+    """Say which of a data set's homes is "Home 1", for those that name a row or a column; "" for none."""
     named = {*table["row"], *table["column"]}
     pairs = [(home_label(number), home) for number, home in enumerate(homes, start=1)]
     pairs = [(label, home) for label, home in pairs if label in named]
@@ -174,11 +180,8 @@ def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
 def seeds_sentence(table: pd.DataFrame) -> str:
     """Say how many seeds the numbers are the mean of and how far those lie apart; "" where nothing is random.
 
-    Parameters
-    ----------
-    table
-        Columns measured, spread (points) and seeds, and for the place of the largest spread those of
-        group, row, column that it has.
+    The table has the columns measured, spread (points) and seeds; of group, row and column those that it has
+    say where the largest spread is.
     """
     random = table[(table["seeds"] > 1) & table["spread"].notna() & table["measured"].notna()]
     if random.empty:
@@ -200,25 +203,12 @@ def _ordered(names: Iterable[str]) -> Sequence[str]:
     return [name for name in found if name != AVERAGE] + [name for name in found if name == AVERAGE]
 
 
-class _Footnotes:
-    """Gives each text a letter, in order of appearance."""
-
-    def __init__(self) -> None:
-        self._cells: dict[str, int] = {}
-
-    def mark(self, texts: Iterable[str]) -> str:
-        """Letters of some texts, e.g. "a,c"."""
-        for text in (texts := list(texts)):
-            self._cells[text] = self._cells.get(text, 0) + 1
-        order = list(self._cells)
-        return ",".join(_letters(order.index(text)) for text in texts)
-
-    def all(self) -> tuple[Footnote, ...]:
-        """Every footnote."""
-        return tuple(
-            Footnote(_letters(number), text, cells)
-            for number, (text, cells) in enumerate(self._cells.items())
-        )
+def _mark(notes: Notes, kind: Kind, footnotes: Counter[str]) -> str:
+    """Letters of the notes of one kind, e.g. "a,c", after counting them in `footnotes`."""
+    texts = [note.text for note in notes if note.kind is kind]
+    footnotes.update(texts)
+    order = list(footnotes)
+    return ",".join(_letters(order.index(text)) for text in texts)
 
 
 def _letters(number: int) -> str:
@@ -227,12 +217,12 @@ def _letters(number: int) -> str:
     return (_letters(rest - 1) if rest else "") + chr(ord("a") + last)
 
 
-def _cell(record: Mapping[Hashable, Any], footnotes: _Footnotes) -> Cell:
+def _cell(record: Mapping[Hashable, Any], footnotes: Counter[str]) -> Cell:
     notes: Notes = record["notes"]
     cell = make_cell(record["measured"], record["published"], record["spread"], record["seeds"])
     return replace(
         cell,
         published=NOT_AVAILABLE if any(note.kind is Kind.NOT_AVAILABLE for note in notes) else cell.published,
-        mark=footnotes.mark(note.text for note in notes if note.kind is Kind.MEASURED),
-        published_mark=footnotes.mark(note.text for note in notes if note.kind is Kind.PUBLISHED),
+        mark=_mark(notes, Kind.MEASURED, footnotes),
+        published_mark=_mark(notes, Kind.PUBLISHED, footnotes),
     )

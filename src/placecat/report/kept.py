@@ -4,7 +4,6 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
-from typing import NamedTuple
 
 import pandas as pd
 
@@ -22,28 +21,12 @@ class Grade(Enum):
     NOT_COMPARED = "not compared"
 
 
-class _Cell(NamedTuple):
-    """A cell's number and its spread over seeds, NaN for none, and its data set; "" without a number."""
-
-    measured: float
-    spread: float
-    data: str
-
-
-_EMPTY = _Cell(float("nan"), float("nan"), "")
-_Cells = Mapping[tuple[str, ...], _Cell]
-# A cell now, and kept.
-_Pairs = dict[tuple[str, ...], tuple[_Cell, _Cell]]
-
-
 @dataclass(frozen=True)
 class TableDifference:
-    """How one table differs.
+    """How one table, e.g. ``table_26``, differs.
 
     Attributes
     ----------
-    name
-        E.g. ``table_26``.
     cells
         Number of cells with a number, now or kept, that were compared.
     differing
@@ -80,19 +63,10 @@ class Turned:
 
 @dataclass(frozen=True)
 class Comparison:
-    """How all tables and verdicts of a run differ from kept ones.
+    """How all tables, in the order of their names, and all verdicts of a run differ from kept ones.
 
-    Attributes
-    ----------
-    tables
-        By name.
-    data
-        Data sets that kept cells and these were measured on, if they are not the same; such cells were not
-        compared.
-    findings
-        Number of findings compared.
-    turned
-        Those whose verdict differs.
+    `data` are the data sets of kept cells and of these, if not the same; such cells were not compared. Of so
+    many `findings`, those in `turned` have another verdict.
     """
 
     tables: tuple[TableDifference, ...]
@@ -117,15 +91,10 @@ class Comparison:
         return worst if worst is not None and worst.largest else None
 
     def grade(self, tolerance: float) -> Grade:
-        """Judge the differences.
+        """Judge the differences by the points by which a number may differ.
 
         A number that appeared or disappeared is beyond any tolerance. A verdict is not, since it may turn
         when a number moves a little.
-
-        Parameters
-        ----------
-        tolerance
-            Points by which a number may differ.
         """
         if not self.cells:
             return Grade.NOT_COMPARED
@@ -154,18 +123,16 @@ def compare(
     findings_now, findings_kept
         A row a finding, with the columns number and verdict; None for no findings.
     """
-    names = sorted(now.keys() | kept.keys())
-    pairs = {name: _pairs(_cells(now.get(name)), _cells(kept.get(name))) for name in names}
-    apart = (
-        (old.data, new.data)
-        for cells in pairs.values()
-        for new, old in cells.values()
-        if new.data and old.data and new.data != old.data
-    )
-    data = next(apart, None)
+    pairs = {
+        name: _pairs(_cells(now.get(name)), _cells(kept.get(name)))
+        for name in sorted(now.keys() | kept.keys())
+    }
+    on = pd.concat([pairs[name][["data_now", "data_kept"]] for name in pairs]) if pairs else pd.DataFrame()
+    apart = [(old, new) for new, old in on.itertuples(index=False) if new and old and new != old]
+    data = apart[0] if apart else None
     if data is not None:
         pairs = {
-            name: {key: (new, old) for key, (new, old) in cells.items() if new.data and new.data == old.data}
+            name: cells[(cells["data_now"] == cells["data_kept"]) & (cells["data_now"] != "")]
             for name, cells in pairs.items()
         }
     tables = tuple(_compare_table(name, cells) for name, cells in pairs.items())
@@ -174,45 +141,46 @@ def compare(
     return Comparison(tables, data, *_compare_verdicts(findings_now, findings_kept))
 
 
-def _cells(table: pd.DataFrame | None) -> dict[tuple[str, ...], _Cell]:
+def _cells(table: pd.DataFrame | None) -> pd.DataFrame:
+    """Numbers, spreads (NaN for none) and data sets ("" without a number) of cells, by their labels."""
     if table is None:
-        return {}
+        table = pd.DataFrame(columns=["measured", "data"])
     labels = table[[column for column in table.columns if column not in _SAID]].fillna("").astype(str)
-    numbers = table.reindex(columns=["measured", "spread"]).apply(pd.to_numeric, errors="coerce")
-    titles = table["data"].where(numbers["measured"].notna(), "")
-    return {
-        key: _Cell(measured, spread, title)
-        for key, (measured, spread), title in zip(
-            labels.itertuples(index=False, name=None),
-            numbers.itertuples(index=False, name=None),
-            titles,
-            strict=True,
-        )
-    }
+    cells = table.reindex(columns=["measured", "spread"]).apply(pd.to_numeric, errors="coerce")
+    cells["data"] = table["data"].where(cells["measured"].notna(), "")
+    cells.index = pd.Index(list(labels.itertuples(index=False, name=None)), dtype=object, tupleize_cols=False)
+    return cells[~cells.index.duplicated(keep="last")]
 
 
-def _pairs(now: _Cells, kept: _Cells) -> _Pairs:
-    return {key: (now.get(key, _EMPTY), kept.get(key, _EMPTY)) for key in dict.fromkeys([*now, *kept])}
+def _pairs(now: pd.DataFrame, kept: pd.DataFrame) -> pd.DataFrame:
+    """Cells of both, in order, with what they have now and had."""
+    labels = now.index.append(kept.index.difference(now.index, sort=False))
+    sides = (now.reindex(labels).add_suffix("_now"), kept.reindex(labels).add_suffix("_kept"))
+    both = pd.concat(sides, axis=1)
+    return both.fillna({"data_now": "", "data_kept": ""})
 
 
-def _compare_table(name: str, pairs: _Pairs) -> TableDifference:
-    cells = differing = appeared = disappeared = 0
-    largest, where = 0.0, ""
-    for key, (new, old) in pairs.items():
-        is_new, is_old = not pd.isna(new.measured), not pd.isna(old.measured)
-        cells += is_new or is_old
-        appeared += is_new and not is_old
-        disappeared += is_old and not is_new
-        differing += not (_same(new.measured, old.measured) and _same(new.spread, old.spread))
-        # Both have two decimals, their difference in floating point has more.
-        distance = round(abs(new.measured - old.measured), 2) if is_new and is_old else 0.0
-        if distance > largest:
-            largest, where = distance, ", ".join(filter(None, key))
-    return TableDifference(name, cells, differing, largest, where, appeared, disappeared)
-
-
-def _same(one: float, other: float) -> bool:
-    return one == other or (pd.isna(one) and pd.isna(other))
+def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
+    new, old = cells["measured_now"], cells["measured_kept"]
+    is_new, is_old = new.notna(), old.notna()
+    same = [
+        (cells[f"{kind}_now"] == cells[f"{kind}_kept"])
+        | (cells[f"{kind}_now"].isna() & cells[f"{kind}_kept"].isna())
+        for kind in ("measured", "spread")
+    ]
+    # Both have two decimals, their difference in floating point has more.
+    distance = (new - old).abs().round(2).dropna()
+    largest = float(distance.max()) if len(distance) else 0.0
+    where = ", ".join(filter(None, distance.index[int(distance.argmax())])) if largest else ""
+    return TableDifference(
+        name,
+        cells=int((is_new | is_old).sum()),
+        differing=int((~(same[0] & same[1])).sum()),
+        largest=largest,
+        where=where,
+        appeared=int((is_new & ~is_old).sum()),
+        disappeared=int((is_old & ~is_new).sum()),
+    )
 
 
 def _compare_verdicts(now: pd.DataFrame, kept: pd.DataFrame) -> tuple[int, tuple[Turned, ...]]:

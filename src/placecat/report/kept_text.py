@@ -9,23 +9,10 @@ _TABLES, _VERDICTS, _SETTINGS = 10, 10, 3
 
 
 def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Sequence[str] = ()) -> list[str]:
-    """Say in words how a run differs.
+    """Say in lines of words how a run differs, with a tolerance in points.
 
-    Parameters
-    ----------
-    comparison
-        From :func:`placecat.report.kept.compare`.
-    tolerance
-        In points.
-    kept
-        Where the kept tables are from, e.g. "git HEAD".
-    settings
-        Names of settings that are not the kept ones.
-
-    Returns
-    -------
-    list of str
-        Lines.
+    `kept` is where the kept tables are from, e.g. "git HEAD"; `settings` are names of those that are not the
+    kept ones.
     """
     grade = comparison.grade(tolerance)
     lines = []

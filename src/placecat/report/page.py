@@ -7,17 +7,14 @@ from typing import Any
 import pandas as pd
 from markupsafe import Markup, escape
 
-from placecat.report.benchmarks import shown_rows
 from placecat.report.embed import embed
 from placecat.report.grid import (
     Cell,
-    homes_sentence,
     make_cell,
-    make_grid,
     number_text,
     seeds_sentence,
+    shown_table,
 )
-from placecat.report.scale import shown_scale
 from placecat.report.sections import arrange
 from placecat.report.shading import legend, shade
 from placecat.report.summary import (
@@ -30,7 +27,6 @@ from placecat.report.summary import (
 )
 from placecat.templates import environment
 from placecat.thesis.notes import joined
-from placecat.thesis.tables import comparable, in_percent
 
 # CSS pixels a pixel of a figure: 200 pixels an inch are then shown at 125 %.
 _FIGURE_SCALE = 0.6
@@ -47,20 +43,9 @@ class Table:
 
 @dataclass(frozen=True)
 class Figure:
-    """One figure.
+    """One figure: its number in the thesis, None for an added one; its caption; its name, e.g. "figure_02".
 
-    Attributes
-    ----------
-    number
-        In the thesis; None for an added one.
-    title
-        Its caption.
-    png
-        None if it was not drawn.
-    reason
-        Why it was not drawn, "" if it was.
-    name
-        E.g. "figure_reliability"; where an added one stands on the page comes from it.
+    What was not drawn has no `png`, but a reason why.
     """
 
     number: int | None
@@ -68,65 +53,6 @@ class Figure:
     png: bytes | None
     reason: str = ""
     name: str = ""
-
-
-@dataclass(frozen=True)
-class Times:
-    """A kept record of how long a run took.
-
-    Attributes
-    ----------
-    stages
-        Columns stage, runs (of a stage with several items, such as homes) and seconds.
-    data
-        What it ran on, for people.
-    cores
-        Of the machine.
-    total
-        Seconds of the whole run.
-    """
-
-    stages: pd.DataFrame
-    data: str
-    cores: int
-    total: float
-
-
-@dataclass(frozen=True)
-class Speed:
-    """A kept record of benchmarks.
-
-    Attributes
-    ----------
-    benchmarks
-        As :func:`placecat_bench.run.run` writes it, empty cells of text as "".
-    facts
-        ``processor``, ``python`` and ``packages`` that it was measured with.
-    chart
-        A PNG, None if there is nothing to draw.
-    """
-
-    benchmarks: pd.DataFrame
-    facts: Mapping[str, str]
-    chart: bytes | None
-
-
-@dataclass(frozen=True)
-class Scale:
-    """A kept record of the stages at the size of the real home database.
-
-    Attributes
-    ----------
-    measured, growth, facts
-        As for :func:`placecat.report.scale.shown_scale`.
-    chart
-        A PNG, None if there is nothing to draw.
-    """
-
-    measured: pd.DataFrame
-    growth: pd.DataFrame
-    facts: Mapping[str, Any]
-    chart: bytes | None
 
 
 @dataclass(frozen=True)
@@ -155,8 +81,14 @@ class Report:
         From there too; shown without the names of the results.
     settings
         Content of params.yaml.
-    times, speed, scale
-        None if there is no record.
+    times
+        A kept record of how long a run took, None if there is none: ``stages``, a table of stage, runs (of a
+        stage with several items, such as homes) and seconds; ``data``, what it ran on, for people; ``cores``
+        of the machine; and ``total``, the seconds of the whole run.
+    speed, scale
+        Kept records from :func:`placecat.report.benchmarks.shown_speed` and
+        :func:`placecat.report.scale.shown_scale`, None if there are none; each with ``chart``, a PNG, None if
+        there is nothing to draw.
     """
 
     dataset: Mapping[str, Any]
@@ -168,34 +100,29 @@ class Report:
     findings: pd.DataFrame
     comparisons: pd.DataFrame
     settings: str
-    times: Times | None = None
-    speed: Speed | None = None
-    scale: Scale | None = None
+    times: Mapping[str, Any] | None = None
+    speed: Mapping[str, Any] | None = None
+    scale: Mapping[str, Any] | None = None
 
 
 def page_html(report: Report) -> str:
     """Render the page: the same report gives the same text."""
-    tables = {one.settings["number"]: _shown_table(one) for one in report.tables if _numbered(one)}
-    additions = [_shown_table(one) for one in report.tables if not _numbered(one)]
-    figures = {one.number: _shown_figure(one) for one in report.figures if one.number is not None}
-    added_figures = [_shown_figure(one) for one in report.figures if one.number is None]
+    tables = {one.settings["number"]: _shown_table(one) for one in report.tables if one.settings["number"]}
+    additions = [_shown_table(one) for one in report.tables if not one.settings["number"]]
+    figures = {one.number: _shown_figure(one) for one in report.figures if one.number}
+    added_figures = [_shown_figure(one) for one in report.figures if not one.number]
     sections, rest = arrange(tables, figures)
     table_26 = next((one.cells for one in report.tables if one.settings["number"] == 26), None)
     return (
         _environment()
         .get_template("page.html.j2")
         .render(
-            dataset=report.dataset,
-            frames=report.frames,
-            data_version=report.data_version,
+            **{name: getattr(report, name) for name in ("dataset", "frames", "data_version", "times")},
             headlines=[] if table_26 is None else headlines(table_26),
             wu={"frames": WU_FRAMES, "filtered": WU_FILTERED, "sift": WU_SIFT},
             verdicts=count_verdicts(report.findings),
             findings=_records(report.findings),
-            readings=[
-                {"column": column, "name": name.replace("_", " ")}
-                for column, name in readings_of(report.findings).items()
-            ],
+            readings=readings_of(report.findings),
             interval_limit=_interval_limit(report.findings),
             comparisons=_plain(
                 report.comparisons.drop(columns=["left_results", "right_results"], errors="ignore")
@@ -212,10 +139,9 @@ def page_html(report: Report) -> str:
             ),
             legend=legend(),
             settings=_blocks(report.settings),
-            times=report.times,
-            speed=None if report.speed is None else _shown_speed(report.speed),
-            scale=None if report.scale is None else _shown_scale(report.scale),
-            time_rows=[] if report.times is None else _records(report.times.stages),
+            speed=_with_chart(report.speed),
+            scale=_with_chart(report.scale),
+            time_rows=[] if report.times is None else _records(report.times["stages"]),
         )
     )
 
@@ -237,8 +163,8 @@ def duration(seconds: float) -> str:
 
 
 def _environment() -> Any:
-    own = environment("placecat.report").overlay()
-    own.filters = own.filters | {
+    page_templates = environment("placecat.report").overlay()
+    page_templates.filters = page_templates.filters | {
         "at": _at,
         "breakable": _breakable,
         "duration": duration,
@@ -246,62 +172,36 @@ def _environment() -> Any:
         "shade": shade,
         "signed": _signed,
     }
-    return own
-
-
-def _numbered(table: Table) -> bool:
-    return table.settings["number"] is not None
+    return page_templates
 
 
 def _shown_table(table: Table) -> dict[str, Any]:
-    settings = table.settings
-    return {
-        "anchor": anchor(settings),
-        "number": settings["number"],
-        "title": settings["title"],
-        "data": table.dataset["title"],
-        "thesis_data": settings["thesis_data"],
-        "comparable": comparable(settings, table.dataset),
-        "grid": make_grid(table.cells),
-        "homes": homes_sentence(table.cells, table.dataset["homes"]),
-        "caption": settings.get("caption", ""),
-        "seeds": seeds_sentence(table.cells) if in_percent(settings) else "",
-    }
+    return {"anchor": anchor(table.settings), **shown_table(table.settings, table.cells, table.dataset)}
 
 
 def _shown_figure(figure: Figure) -> dict[str, Any]:
-    shown: dict[str, Any] = {
-        "anchor": f"addition-{figure.name}".replace("_", "-")
-        if figure.number is None
-        else f"figure-{figure.number}",
-        "label": "Addition" if figure.number is None else f"Figure {figure.number}",
+    added = figure.number is None
+    return {
+        "anchor": f"addition-{figure.name}".replace("_", "-") if added else f"figure-{figure.number}",
+        "label": "Addition" if added else f"Figure {figure.number}",
         "name": figure.name.removeprefix("figure_").replace("_", " "),
         "title": figure.title,
         "reason": figure.reason,
-        "source": None,
+        **({"source": None} if figure.png is None else _shown_picture(figure.png)),
     }
-    if figure.png is not None:
-        shown |= _shown_picture(figure.png)
-    return shown
 
 
 def _shown_picture(png: bytes) -> dict[str, Any]:
     picture = embed(png)
-    return {
-        "source": picture.source,
-        "width": round(picture.width * _FIGURE_SCALE),
-        "height": round(picture.height * _FIGURE_SCALE),
-    }
+    width, height = (round(pixels * _FIGURE_SCALE) for pixels in (picture.width, picture.height))
+    return {"source": picture.source, "width": width, "height": height}
 
 
-def _shown_speed(speed: Speed) -> dict[str, Any]:
-    chart = None if speed.chart is None else _shown_picture(speed.chart)
-    return {"chart": chart, "facts": speed.facts, "rows": shown_rows(speed.benchmarks)}
-
-
-def _shown_scale(scale: Scale) -> dict[str, Any]:
-    chart = None if scale.chart is None else _shown_picture(scale.chart)
-    return {"chart": chart} | shown_scale(scale.measured, scale.growth, scale.facts)
+def _with_chart(record: Mapping[str, Any] | None) -> dict[str, Any] | None:
+    """A record with its chart ready to be shown."""
+    if record is None:
+        return None
+    return {**record, "chart": None if record["chart"] is None else _shown_picture(record["chart"])}
 
 
 def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:

@@ -1,28 +1,26 @@
 """What the figures may ask of a run: frames, maps, features, codebooks, distributions. Reads when asked."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat import files, listing, paths, settings, store
+from placecat.cues.codebook import Codebook
+from placecat.cues.descriptors import Descriptors
 from placecat.errors import PlacecatError, SettingError
+from placecat.results.collect import read_results
+from placecat.results.measured import Results
+from placecat.results.sources import Source, sources
+from placecat.sequences.base import read_frames
 from placecat.training import protocol
-
-if TYPE_CHECKING:
-    import pandas as pd
-
-    from placecat.cues.codebook import Codebook
-    from placecat.cues.descriptors import Descriptors
-    from placecat.results.measured import Results
-    from placecat.results.sources import Source
-    from placecat.vision.maps import FrameMaps
-    from placecat.vision.saliency import Saliency
+from placecat.vision.attention import compute_maps
+from placecat.vision.discovery import settings_of
+from placecat.vision.maps import FrameMaps
+from placecat.vision.saliency import Saliency, saliency
 
 Frame = NDArray[np.uint8]
 
@@ -34,19 +32,12 @@ class Run:
 
     What a run does not have raises PlacecatError, e.g. a result that was not asked for.
 
-    Parameters
-    ----------
-    params
-        The composed settings.
-
     Attributes
     ----------
     params
-        As given.
-    homes
-        Names of the homes of the main data set in order.
-    classes
-        Names of its places in order.
+        The composed settings.
+    homes, classes
+        Names of the homes and of the places of the main data set, in order.
     """
 
     def __init__(self, params: Mapping[str, Any]) -> None:
@@ -62,15 +53,11 @@ class Run:
     @cached_property
     def results(self) -> Results:
         """Everything that was measured."""
-        from placecat.results.collect import read_results
-
         return read_results(self.params)
 
     @cached_property
     def sources(self) -> dict[str, Source]:
         """Name of a result to where its distributions lie."""
-        from placecat.results.sources import sources
-
         return sources(self.params)
 
     def source(self, result: str) -> Source:
@@ -81,13 +68,7 @@ class Run:
         return self.sources[result]
 
     def proba(self, result: str, home: str, seed: str | None = None) -> NDArray[np.float64]:
-        """(frames, classes) distributions of one result on one of its test homes.
-
-        Parameters
-        ----------
-        seed
-            E.g. "seed-0"; None for the first that the result has.
-        """
+        """(frames, classes) distributions of a result on a test home, with "seed-0", say, or the first."""
         source = self.source(result)
         if home not in source.homes:
             raise PlacecatError(f"{result} has no test home {home!r}, only {', '.join(source.homes)}")
@@ -124,10 +105,9 @@ class Run:
         ------
         Index and frame, (H, W, 3) uint8 BGR; each index once, ascending.
         """
-        from placecat.sequences.base import read_frames
-
         rows = sorted({int(index) for index in indices})
-        table = self._frame_table(home)
+        self._need(paths.sequences(home) / "frames.csv")
+        table = listing.read_frames(home)
         if rows and not 0 <= rows[0] <= rows[-1] < len(table):
             raise PlacecatError(f"{home} has the frames 0 to {len(table) - 1}, not {rows[0]} to {rows[-1]}")
         facts = self.home_facts(home)
@@ -147,17 +127,14 @@ class Run:
 
     def maps(self, home: str, index: int) -> FrameMaps:
         """The pyramids and feature maps of one frame."""
-        from placecat.vision.attention import compute_maps
-
         return compute_maps(self.frame(home, index), **settings.get(self.params, "attention"))
 
     def saliency(self, home: str, index: int) -> Saliency:
         """The saliency map of one frame and what it was fused from."""
-        from placecat.vision.discovery import settings_of
-        from placecat.vision.saliency import saliency
-
-        own = settings_of(saliency)
-        options = {name: value for name, value in settings.get(self.params, "regions").items() if name in own}
+        known = settings_of(saliency)
+        options = {
+            name: value for name, value in settings.get(self.params, "regions").items() if name in known
+        }
         return saliency(self.maps(home, index), **options)
 
     def regions(self, home: str, index: int) -> NDArray[np.float32]:
@@ -172,22 +149,12 @@ class Run:
     def descriptors(
         self, home: str, name: str, rows: Sequence[int] | NDArray[np.int64] | None = None
     ) -> Descriptors:
-        """Descriptors of a home as one codebook clusters them.
-
-        Parameters
-        ----------
-        name
-            Of the codebook, e.g. ``hog_y``: its settings say which descriptor.
-        rows
-            Frame indices; None for all.
-        """
-        own = settings.get(self.params, f"codebooks.{name}.descriptor")
-        return store.read_descriptors(home, own, None if rows is None else np.asarray(rows, np.int64))
+        """Descriptors of a home's frames, all if None, as a codebook, e.g. ``hog_y``, clusters them."""
+        descriptor = settings.get(self.params, f"codebooks.{name}.descriptor")
+        return store.read_descriptors(home, descriptor, None if rows is None else np.asarray(rows, np.int64))
 
     def codebook(self, name: str, training_set: str, seed: int = 0) -> Codebook:
         """The clusters of one training set, e.g. ``without-home_1``."""
-        from placecat.cues.codebook import Codebook
-
         path = paths.codebook(name, training_set, seed)
         self._need(path)
         return Codebook.from_arrays(files.read_arrays(path))
@@ -210,13 +177,11 @@ class Run:
         ``figures.example`` names them. Left open they are found: the labelled frame, of this home or of all,
         that shows most by the information measure.
         """
-        from placecat.report.figures.choice import home_of
-
-        own = self.options("example")
-        settings.refuse_unknown(own, ["home", "frame"], "figures.example")
-        homes = self.homes if own.get("home") is None else (home_of(self, int(own["home"])),)
-        if own.get("frame") is not None:
-            home, frame = homes[0], int(own["frame"])
+        asked = self.options("example")
+        settings.refuse_unknown(asked, ["home", "frame"], "figures.example")
+        homes = self.homes if asked.get("home") is None else (home_of(self, int(asked["home"])),)
+        if asked.get("frame") is not None:
+            home, frame = homes[0], int(asked["frame"])
             if not 0 <= frame < len(self.labels(home)):
                 raise SettingError(
                     f"figures.example.frame must be 0 to {len(self.labels(home)) - 1}, not {frame}"
@@ -231,15 +196,6 @@ class Run:
             raise PlacecatError("no frame has a label, so there is no example to show: set figures.example")
         return home, best[home][1]
 
-    @property
-    def example_home(self) -> str:
-        """Home that Figures 2 to 7 show."""
-        return self.example[0]
-
-    def _frame_table(self, home: str) -> pd.DataFrame:
-        self._need(paths.sequences(home) / "frames.csv")
-        return listing.read_frames(home)
-
     def _feature(self, home: str, name: str) -> NDArray[Any]:
         return self._array(paths.features(home) / f"{name}.npy")
 
@@ -251,3 +207,16 @@ class Run:
     def _need(path: Path) -> None:
         if not path.exists():
             raise PlacecatError(f"{path} is missing: run `dvc repro` to make it")
+
+
+def home_of(run: Run, number: int) -> str:
+    """The home of a number from 1 on, as the thesis counts; the last one where there are fewer.
+
+    Raises
+    ------
+    PlacecatError
+        If the number is below 1.
+    """
+    if number < 1:
+        raise PlacecatError(f"homes of figures are counted from 1: there is no home {number}")
+    return run.homes[min(number, len(run.homes)) - 1]

@@ -11,17 +11,10 @@ ALL = "all"
 
 
 def seconds_by_size(measured: pd.DataFrame) -> pd.DataFrame:
-    """Sum the items of each stage.
+    """Sum the items of each stage of reports/scale.csv.
 
-    Parameters
-    ----------
-    measured
-        reports/scale.csv: frames, stage, item, seconds, cpu_seconds, peak_gib and others.
-
-    Returns
-    -------
-    DataFrame
-        Index stage, in the order they ran, and ``all``; a column of CPU seconds for each number of frames.
+    The index is the stage, in the order they ran, and ``all``; a column has CPU seconds for a number of
+    frames.
     """
     table = measured.pivot_table("cpu_seconds", "stage", "frames", aggfunc="sum", sort=False)
     table = table.reindex(columns=sorted(table.columns))
@@ -30,18 +23,10 @@ def seconds_by_size(measured: pd.DataFrame) -> pd.DataFrame:
 
 
 def shown_scale(measured: pd.DataFrame, growth: pd.DataFrame, facts: Mapping[str, Any]) -> dict[str, Any]:
-    """Everything as text for a page.
+    """Everything in reports/scale.csv, scale_growth.csv and scale.json as text for a page.
 
-    Parameters
-    ----------
-    measured, growth, facts
-        Content of reports/scale.csv, scale_growth.csv and scale.json.
-
-    Returns
-    -------
-    dict
-        ``sizes`` (numbers of frames), ``rows`` (stage; CPU seconds by size; wall seconds, peak and exponent
-        of the largest size) and the facts of the machine, the largest size and a full run.
+    ``sizes`` are numbers of frames; ``rows`` have the stage, CPU seconds by size, and wall seconds, peak and
+    exponent of the largest size; there are facts of the machine, the largest size and a full run as well.
     """
     by_size = seconds_by_size(measured)
     of_stage = growth[growth["item"] == ""].set_index("stage")

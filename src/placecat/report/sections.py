@@ -1,24 +1,12 @@
 """The order of the report: the thesis's sections, with the tables and figures of each."""
 
 from collections.abc import Collection, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 
 @dataclass(frozen=True)
 class Section:
-    """A section of the thesis.
-
-    Attributes
-    ----------
-    number
-        E.g. "4.2".
-    title
-        What it is about.
-    tables
-        Numbers of its tables.
-    before, after
-        Numbers of the figures that stand before and after them.
-    """
+    """A section of the thesis, with the numbers of its tables and of the figures before and after them."""
 
     number: str
     title: str
@@ -31,13 +19,7 @@ class Section:
 THESIS = (
     Section("4.2", "Gist", tables=tuple(range(1, 8))),
     Section("4.3", "Holistic Centrist", tables=tuple(range(8, 11))),
-    Section(
-        "4.4",
-        "Salient regions",
-        tables=tuple(range(11, 26)),
-        before=tuple(range(1, 11)),
-        after=(12, 13, 14),
-    ),
+    Section("4.4", "Salient regions", tuple(range(11, 26)), before=tuple(range(1, 11)), after=(12, 13, 14)),
     Section("4.5", "Integration and smoothing", tables=(26,), after=(11, 15, 16, 17, 18)),
     Section("4.6", "Information filter", tables=(27,), after=(19,)),
     Section("4.7", "Tracked regions", tables=(28,)),
@@ -48,40 +30,25 @@ THESIS = (
 
 
 def arrange(tables: Collection[int], figures: Collection[int]) -> tuple[list[Section], Section]:
-    """Spread what there is over the sections.
+    """Spread the numbers of what there is over the sections.
 
-    Parameters
-    ----------
-    tables, figures
-        Numbers of what there is.
-
-    Returns
-    -------
-    sections
-        Those of `THESIS` that have something, with only what there is.
-    rest
-        Tables and figures of no section.
+    Gives those of `THESIS` that have something, with only what there is; and what has no section.
     """
 
     def present(wanted: Iterable[int], there: Collection[int]) -> tuple[int, ...]:
         return tuple(number for number in wanted if number in there)
 
     sections = [
-        Section(
-            one.number,
-            one.title,
-            present(one.tables, tables),
-            present(one.before, figures),
-            present(one.after, figures),
+        replace(
+            one,
+            tables=present(one.tables, tables),
+            before=present(one.before, figures),
+            after=present(one.after, figures),
         )
         for one in THESIS
     ]
     placed_tables = {number for one in sections for number in one.tables}
     placed_figures = {number for one in sections for number in (*one.before, *one.after)}
-    rest = Section(
-        "",
-        "",
-        tuple(sorted(set(tables) - placed_tables)),
-        after=tuple(sorted(set(figures) - placed_figures)),
-    )
+    more_tables, more_figures = sorted(set(tables) - placed_tables), sorted(set(figures) - placed_figures)
+    rest = Section("", "", tuple(more_tables), after=tuple(more_figures))
     return [one for one in sections if one.tables or one.before or one.after], rest

@@ -7,18 +7,10 @@ STEPS = (2.0, 5.0, 10.0, 20.0)
 
 
 def shade(difference: float | None) -> str:
-    """Name of a cell's shade.
+    """Name of a cell's shade by measured minus published in points, None for no comparison.
 
-    Parameters
-    ----------
-    difference
-        Measured minus published in points; None for no comparison.
-
-    Returns
-    -------
-    str
-        "above-1" to "above-4" or "below-1" to "below-4", the larger the difference the higher; "" for a small
-        difference or none.
+    "above-1" to "above-4" or "below-1" to "below-4", the larger the difference the higher; "" for a small
+    difference or none.
     """
     if difference is None:
         return ""

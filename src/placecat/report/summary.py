@@ -1,7 +1,10 @@
 """What the report says first: the best cue, its integration and smoothing, and how the findings fare."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
+import numpy as np
 import pandas as pd
 
 from placecat.report.grid import Cell, make_cell
@@ -17,16 +20,9 @@ WU_FRAMES, WU_FILTERED, WU_SIFT = 41.87, 46.78, 39.8
 
 @dataclass(frozen=True)
 class Headline:
-    """One group of Table 26 in three averages over homes.
+    """One group of Table 26 in averages over homes: the best cue, the integration, and that smoothed.
 
-    Attributes
-    ----------
-    group
-        The group's name, e.g. "5-5-1, all cues".
-    best, best_published
-        Which single cue is the best here and in the thesis, "" where the group has none.
-    cue, integration, smoothed
-        Average of the best cue, of the integration, and of that smoothed.
+    `best` and `best_published` name the best single cue here and in the thesis, "" where the group has none.
     """
 
     group: str
@@ -38,48 +34,35 @@ class Headline:
 
 
 def headlines(table: pd.DataFrame) -> list[Headline]:
-    """Condense Table 26.
-
-    Parameters
-    ----------
-    table
-        Table 26 from :func:`placecat.thesis.tables.fill_table`.
-
-    Returns
-    -------
-    list of Headline
-        One a group, in the table's order.
-    """
+    """Condense Table 26 (:func:`placecat.thesis.tables.fill_table`) to a headline a group, in its order."""
     averages = table[table["column"] == AVERAGE]
     return [_headline(str(group), part) for group, part in averages.groupby("group", sort=False)]
 
 
 def _headline(group: str, part: pd.DataFrame) -> Headline:
     cues = part[~part["row"].isin([INTEGRATION, SMOOTHED])]
-    best, measured, spread, seeds = "", None, None, 0
-    if len(some := cues.dropna(subset="measured")):
-        one = some.nlargest(1, "measured").iloc[0]
-        best, measured, spread, seeds = str(one["row"]), one["measured"], one["spread"], one["seeds"]
-    best_published, published = "", None
-    if len(some := cues.dropna(subset="published")):
-        one = some.nlargest(1, "published").iloc[0]
-        best_published, published = str(one["row"]), one["published"]
+    best, best_published = (
+        _first(cues.dropna(subset=column).nlargest(1, column)) for column in ("measured", "published")
+    )
     return Headline(
         group,
-        best,
-        best_published,
-        make_cell(measured, published, spread, seeds),
-        _of_row(part, INTEGRATION),
-        _of_row(part, SMOOTHED),
+        best["row"],
+        best_published["row"],
+        make_cell(best["measured"], best_published["published"], best["spread"], best["seeds"]),
+        *(
+            make_cell(one["measured"], one["published"], one["spread"], one["seeds"])
+            for one in (_first(part[part["row"] == row]) for row in (INTEGRATION, SMOOTHED))
+        ),
     )
 
 
-def _of_row(part: pd.DataFrame, row: str) -> Cell:
-    found = part[part["row"] == row]
-    if found.empty:
-        return Cell()
-    one = found.iloc[0]
-    return make_cell(one["measured"], one["published"], one["spread"], one["seeds"])
+def _first(rows: pd.DataFrame) -> Mapping[Any, Any]:
+    """The first row; one without numbers if there is none."""
+    nothing: dict[Any, Any] = {
+        "row": "",
+        **dict.fromkeys(("measured", "published", "spread", "seeds"), np.nan),
+    }
+    return next(iter(rows.to_dict("records")), nothing)
 
 
 def readings_of(findings: pd.DataFrame) -> dict[str, str]:

@@ -13,19 +13,14 @@ from placecat.results.quality import TEXT_COLUMNS, from_rows
 
 
 def read_results(params: Mapping[str, Any]) -> Results:
-    """Read every result of a run.
-
-    Parameters
-    ----------
-    params
-        All settings; ``dataset`` and ``splits`` name homes and places.
+    """Read every result of a run, whose homes and places all `params` name.
 
     Raises
     ------
     PlacecatError
         If the stage `scores` has not run.
     """
-    others = [own["dataset"]["classes"] for own in settings.get(params, "splits").values()]
+    others = [split["dataset"]["classes"] for split in settings.get(params, "splits").values()]
     results = from_scores(
         _read("scores"),
         _read("missing"),

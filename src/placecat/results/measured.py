@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -32,12 +33,10 @@ class Measured:
 
     Attributes
     ----------
-    homes
-        Names of the test homes, in the order of the data set.
+    homes, classes
+        Names of the test homes in the order of the data set, and of the places.
     seeds
         Names of the seeds, e.g. ``("seed-0", "seed-1")``; ``("no-seed",)`` where nothing is random.
-    classes
-        Names of the places in order.
     confusion
         (seeds, homes, classes, classes) counts; row a true class, column a decided one.
     """
@@ -77,10 +76,8 @@ class Quality:
 
     Attributes
     ----------
-    homes
-        Names of the test homes, in the order of the data set.
-    seeds
-        Names of the seeds, as for :class:`Measured`.
+    homes, seeds
+        As for :class:`Measured`.
     values
         Name of a number of :class:`placecat.evaluation.quality.HomeQuality` to (seeds, homes) values.
     """
@@ -117,10 +114,8 @@ class Results:
 
     Attributes
     ----------
-    homes
-        Names of the homes of the main data set in order.
-    classes
-        Names of its places in order.
+    homes, classes
+        Names of the homes and of the places of the main data set, in order.
     measured
         Name of the result, e.g. ``cues/gist/5-5-1``, to what was measured.
     missing
@@ -143,20 +138,25 @@ class Results:
     dropped: dict[str, pd.DataFrame] = field(default_factory=dict)
     quality: Mapping[str, Quality] = field(default_factory=dict)
 
+    @property
+    def numbers(self) -> range:
+        """Numbers of the homes, from 1, as the thesis counts."""
+        return range(1, len(self.homes) + 1)
+
     def of(self, name: str) -> Measured:
-        """Look up one result.
-
-        Raises
-        ------
-        PlacecatError
-            If there is none of this name; the message has the nearest names.
-        """
+        """Look up one result; of an unknown name PlacecatError tells the nearest ones."""
         if name not in self.measured:
-            import difflib
-
             near = difflib.get_close_matches(name, self.measured, n=3) or sorted(self.measured)[:5]
             raise PlacecatError(f"there is no result {name!r}: did you mean {' or '.join(near)}?")
         return self.measured[name]
+
+    def find(self, name: str) -> Measured | None:
+        """As `of`; None for a result that there is a reason not to have."""
+        return None if name not in self.measured and self.reasons(name) else self.of(name)
+
+    def reasons(self, name: str) -> list[str]:
+        """Why a result lacks homes, each reason once."""
+        return list(dict.fromkeys(reason for (result, _), reason in self.missing.items() if result == name))
 
     def drops(self, name: str, home: str = "") -> str:
         """What the information filter of a result drops, in all homes or in one; "" for an unfiltered one."""
@@ -199,12 +199,8 @@ def mean_and_spread(values: NDArray[np.float64], *, random: bool) -> tuple[float
 def score_rows(name: str, one: Measured) -> list[tuple[str, str, str, str, str, int]]:
     """Rows of the score file (`SCORE_COLUMNS`) of one result; pairs that never occurred are left out."""
     return [
-        (name, home, seed, true, decided, int(one.confusion[s, h, i, k]))
-        for s, seed in enumerate(one.seeds)
-        for h, home in enumerate(one.homes)
-        for i, true in enumerate(one.classes)
-        for k, decided in enumerate(one.classes)
-        if one.confusion[s, h, i, k]
+        (name, one.homes[h], one.seeds[s], one.classes[i], one.classes[k], int(one.confusion[s, h, i, k]))
+        for s, h, i, k in np.argwhere(one.confusion).tolist()
     ]
 
 
@@ -217,21 +213,15 @@ def from_scores(
     stays: pd.DataFrame | None = None,
     dropped: pd.DataFrame | None = None,
 ) -> Results:
-    """Build the results from the rows that `score_rows` gives.
+    """Build the results (see there) from the rows that `score_rows` gives, `stays` with stays for homes.
 
     Parameters
     ----------
     scores, missing
         Columns `SCORE_COLUMNS` and `MISSING_COLUMNS`.
-    homes, classes
-        Of the main data set, in order.
     other_classes
         Lists of places of the other data sets, in order; a result gets the first list that has all its
         places, the main one first.
-    stays
-        As `scores`, with stays for homes.
-    dropped
-        A row a filter and home, see `Results`.
     """
     reasons = {(str(row.result), str(row.home)): str(row.reason) for row in missing.itertuples(index=False)}
     lists = (tuple(classes), *map(tuple, other_classes))
@@ -249,18 +239,11 @@ def _measured(scores: pd.DataFrame, lists: Sequence[tuple[str, ...]]) -> dict[st
     measured = {}
     for name, rows in scores.groupby("result", sort=False):
         seen = set(rows["truth"]) | set(rows["decision"])
-        own = next((one for one in lists if seen <= set(one)), tuple(sorted(seen)))
-        own_homes, seeds = tuple(dict.fromkeys(rows["home"])), tuple(dict.fromkeys(rows["seed"]))
-        confusion = np.zeros((len(seeds), len(own_homes), len(own), len(own)), np.int64)
-        index = [
-            pd.Categorical(rows[column], categories).codes
-            for column, categories in (
-                ("seed", seeds),
-                ("home", own_homes),
-                ("truth", own),
-                ("decision", own),
-            )
-        ]
-        confusion[tuple(index)] = rows["frames"]
-        measured[str(name)] = Measured(own_homes, seeds, own, confusion)
+        places = next((one for one in lists if seen <= set(one)), tuple(sorted(seen)))
+        homes, seeds = tuple(dict.fromkeys(rows["home"])), tuple(dict.fromkeys(rows["seed"]))
+        axes = {"seed": seeds, "home": homes, "truth": places, "decision": places}
+        confusion = np.zeros([len(labels) for labels in axes.values()], np.int64)
+        index = tuple(pd.Categorical(rows[column], labels).codes for column, labels in axes.items())
+        confusion[index] = rows["frames"]
+        measured[str(name)] = Measured(homes, seeds, places, confusion)
     return measured

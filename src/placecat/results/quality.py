@@ -29,20 +29,13 @@ def gather(homes: Sequence[str], seeds: Sequence[str], measured: Sequence[Sequen
 
 def quality_rows(name: str, one: Quality) -> list[tuple[str | float, ...]]:
     """Rows of the file of all results (`QUALITY_COLUMNS`)."""
-    return [
-        (
-            name,
-            home,
-            seed,
-            *(_written(field, float(one.values[field][s, h])) for field in HomeQuality._fields),
-        )
-        for s, seed in enumerate(one.seeds)
-        for h, home in enumerate(one.homes)
-    ]
-
-
-def _written(field: str, value: float) -> float:
-    return int(value) if field in _COUNTS else round(value, _DECIMALS)
+    rows = []
+    for s, seed in enumerate(one.seeds):
+        for h, home in enumerate(one.homes):
+            values = {field: float(one.values[field][s, h]) for field in HomeQuality._fields}
+            written = (int(v) if field in _COUNTS else round(v, _DECIMALS) for field, v in values.items())
+            rows.append((name, home, seed, *written))
+    return rows
 
 
 def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
@@ -62,13 +55,10 @@ def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
 def quality_table(found: Mapping[str, Quality]) -> pd.DataFrame:
     """A row a result: the means over its homes and seeds.
 
-    Returns
-    -------
-    DataFrame
-        result; homes, seeds (their numbers; 0 where nothing is random); log_loss (nats), calibration_error,
-        stay_accuracy (percent, the mean over the places of a home and over homes); stays, the number of
-        stays; stay_share, percent of all of them that were named rightly; and the ``spread`` of each, the
-        largest minus the smallest of the seeds, NaN where nothing is random.
+    Columns result; homes, seeds (their numbers; 0 where nothing is random); log_loss (nats),
+    calibration_error, stay_accuracy (percent, the mean over the places of a home and over homes); stays, the
+    number of stays; stay_share, percent of all of them that were named rightly; and the ``spread`` of each,
+    the largest minus the smallest of the seeds, NaN where nothing is random.
     """
     rows = []
     for name, one in found.items():

@@ -11,20 +11,10 @@ from placecat.training import protocol
 
 @dataclass(frozen=True)
 class Source:
-    """The distributions of one result.
+    """The distributions of one result over the places `classes`: an array of a `name` for each home and seed.
 
-    Attributes
-    ----------
-    folder
-        Has a folder for each test home, and in it one for each seed.
-    name
-        Of the array in there.
-    homes
-        Test homes in order, as their folders are called.
-    site
-        Name of the further data set that they are of, or "" for the main one.
-    classes
-        Names of the places in order.
+    The test homes are called as their folders; `site` is the further data set that they are of, "" for the
+    main one.
     """
 
     folder: Path
@@ -47,19 +37,11 @@ class Source:
 
 
 def sources(params: Mapping[str, Any]) -> dict[str, Source]:
-    """Name every result that has distributions.
+    """Name every result that has distributions, by all settings.
 
-    Parameters
-    ----------
-    params
-        All settings.
-
-    Returns
-    -------
-    dict
-        E.g. ``cues/gist/5-5-1``, ``tempered/gist``, ``integration/das_551_all``, ``hmm/...`` and
-        ``smoothing/...`` (before and after the delay), ``filtered/informative/gist``,
-        ``splits/university/cues/gist``.
+    E.g. ``cues/gist/5-5-1``, ``tempered/gist``, ``integration/das_551_all``, ``hmm/...`` and
+    ``smoothing/...`` (before and after the delay), ``filtered/informative/gist``,
+    ``splits/university/cues/gist``.
     """
     homes = protocol.tested_homes(
         settings.get(params, "dataset.homes"), settings.get(params, "protocol.test_homes")
@@ -86,23 +68,20 @@ def sources(params: Mapping[str, Any]) -> dict[str, Source]:
     for name in [*systems, *smoothing["cues"], *smoothing["filtered"]]:
         add(f"hmm/{name}", paths.SMOOTHING / name, "hmm")
         add(f"smoothing/{name}", paths.SMOOTHING / name, "delayed")
-    for split, own in settings.get(params, "splits").items():
-        found |= _of_split(split, own)
+    for name, split in settings.get(params, "splits").items():
+        found |= _of_split(name, split)
     return found
 
 
-def _of_split(split: str, own: Mapping[str, Any]) -> dict[str, Source]:
-    tests, places = tuple(own["test"]), tuple(own["dataset"]["classes"])
-    root = paths.SPLITS / split
+def _of_split(name: str, split: Mapping[str, Any]) -> dict[str, Source]:
+    tests, places = tuple(split["test"]), tuple(split["dataset"]["classes"])
+    root = paths.SPLITS / name
     found = {}
-    for cue in dict.fromkeys(cue for system in own["systems"].values() for cue in system):
-        found[f"splits/{split}/cues/{cue}"] = Source(root / "cues" / cue, "test", tests, split, places)
-    for system in own["systems"]:
-        for kind, folder, array in (
-            ("integration", "integration", "test"),
-            ("hmm", "smoothing", "hmm"),
-            ("smoothing", "smoothing", "delayed"),
-        ):
-            name = f"splits/{split}/{kind}/{system}"
-            found[name] = Source(root / folder / system, array, tests, split, places)
+    for cue in dict.fromkeys(cue for system in split["systems"].values() for cue in system):
+        found[f"splits/{name}/cues/{cue}"] = Source(root / "cues" / cue, "test", tests, name, places)
+    arrays = {"integration": "test", "hmm": "hmm", "smoothing": "delayed"}
+    for system in split["systems"]:
+        for kind, array in arrays.items():
+            folder = root / ("smoothing" if kind == "hmm" else kind) / system
+            found[f"splits/{name}/{kind}/{system}"] = Source(folder, array, tests, name, places)
     return found

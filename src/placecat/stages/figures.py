@@ -34,7 +34,7 @@ def main() -> None:
                     "name": name,
                     "number": figures.number(name),
                     "file": file,
-                    "title": figures.load(name).TITLE,
+                    "title": figures.caption(name),
                     "reason": reason,
                 }
             )

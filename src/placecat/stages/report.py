@@ -4,14 +4,16 @@ from pathlib import Path
 from typing import Any
 
 from placecat import files, listing, paths, settings
+from placecat.drawing.style import png_of
 from placecat.errors import PlacecatError
 from placecat.lockfile import data_version
 from placecat.report.benchmarks import TEXT as BENCHMARK_TEXT
+from placecat.report.benchmarks import shown_speed
 from placecat.report.charts.growth import growth_chart
-from placecat.report.charts.picture import png_of
 from placecat.report.charts.speed import speed_chart
-from placecat.report.page import Figure, Report, Scale, Speed, Table, Times, page_html
+from placecat.report.page import Figure, Report, Table, page_html
 from placecat.report.scale import TEXT as SCALE_TEXT
+from placecat.report.scale import shown_scale
 from placecat.stages import run
 from placecat.thesis import in_text, notes
 from placecat.thesis.tables import dataset_of, folder_of, tables_of
@@ -66,32 +68,33 @@ def _figure(entry: dict[str, Any]) -> Figure:
     return Figure(entry["number"], entry["title"], png, entry["reason"] or "", entry["name"])
 
 
-def _times() -> Times | None:
+def _times() -> dict[str, Any] | None:
     """The kept record of times, None if there is none or it is empty."""
     if not (paths.KEPT_TIMES.is_file() and paths.KEPT_TIMES_FACTS.is_file()):
         return None
     by_stage, facts = files.read_csv(paths.KEPT_TIMES), files.read_json(paths.KEPT_TIMES_FACTS)
     if by_stage.empty:
         return None
-    return Times(by_stage, facts["data"], facts["cores"], facts["total"])
+    return facts | {"stages": by_stage}
 
 
-def _speed() -> Speed | None:
+def _speed() -> dict[str, Any] | None:
     """The kept benchmarks, None if there are none."""
     facts = paths.BENCHMARKS.with_suffix(".json")
     if not (paths.BENCHMARKS.is_file() and facts.is_file()):
         return None
     benchmarks = files.read_table(paths.BENCHMARKS, BENCHMARK_TEXT)
-    return Speed(benchmarks, files.read_json(facts), png_of(speed_chart, benchmarks))
+    return shown_speed(benchmarks, files.read_json(facts)) | {"chart": png_of(speed_chart, benchmarks)}
 
 
-def _scale() -> Scale | None:
+def _scale() -> dict[str, Any] | None:
     """The kept run at the scale of the real home database, None if there is none."""
     kept = (paths.SCALE_STAGES, paths.SCALE_GROWTH, paths.SCALE_FACTS)
     if not all(path.is_file() for path in kept):
         return None
     measured, growth = (files.read_table(path, SCALE_TEXT) for path in kept[:2])
-    return Scale(measured, growth, files.read_json(paths.SCALE_FACTS), png_of(growth_chart, measured))
+    shown = shown_scale(measured, growth, files.read_json(paths.SCALE_FACTS))
+    return shown | {"chart": png_of(growth_chart, measured)}
 
 
 if __name__ == "__main__":

@@ -5,8 +5,7 @@ from typing import Any
 import pandas as pd
 
 from placecat import files, paths, settings
-from placecat.report.latex import table_latex
-from placecat.report.markdown import table_markdown
+from placecat.report.formats import table_latex, table_markdown
 from placecat.results.collect import read_results
 from placecat.results.measured import Results
 from placecat.results.quality import quality_table

@@ -101,20 +101,12 @@ class Comparison:
 
 @dataclass(frozen=True)
 class Finding:
-    """One sentence of the thesis.
+    """One sentence of the thesis, its claim; all its comparisons have to hold.
 
     Attributes
     ----------
     name
         Of its file, e.g. ``finding_04``.
-    number
-        In the list of findings.
-    section
-        Of the thesis.
-    claim
-        The sentence.
-    comparisons
-        What has to hold for it.
     readings
         Other ways to read the thesis: a name, e.g. ``as_printed``, to the parts of results' names that stand
         for others then.
@@ -133,15 +125,11 @@ class Finding:
     def read_as(self, reading: str) -> "Finding":
         """The same claim on the results of another reading."""
         parts = self.readings[reading]
-        comparisons = tuple(
-            replace(
-                one,
-                left=one.left.renamed(parts),
-                right=None if one.right is None else one.right.renamed(parts),
-            )
-            for one in self.comparisons
-        )
-        return replace(self, comparisons=comparisons)
+        comparisons = []
+        for one in self.comparisons:
+            left, *right = (side.renamed(parts) for side in one.sides)
+            comparisons.append(replace(one, left=left, right=right[0] if right else None))
+        return replace(self, comparisons=tuple(comparisons))
 
 
 def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
@@ -166,19 +154,12 @@ def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
     if len({one.range[0] == BOTH_SIGNS for one in comparisons}) > 1:
         raise PlacecatError(f"{name} has {BOTH_SIGNS} beside other ranges: it is judged over all comparisons")
     readings = {str(reading): dict(parts) for reading, parts in config.get("readings", {}).items()}
-    named = {
-        part
-        for one in comparisons
-        for side in one.sides
-        for result in side.results
-        for part in result.split("/")
-    }
+    compared = "/".join(result for one in comparisons for side in one.sides for result in side.results)
     for reading, parts in readings.items():
-        for part in parts:
-            if part not in named:
-                raise PlacecatError(
-                    f"{name} reads {part!r} in another way ({reading}), but compares no such result"
-                )
+        if unknown := [part for part in parts if part not in compared.split("/")]:
+            raise PlacecatError(
+                f"{name} reads {unknown[0]!r} in another way ({reading}), but compares no such result"
+            )
     return Finding(
         name,
         int(config["number"]),
@@ -196,13 +177,10 @@ def _comparison(config: Mapping[str, Any], where: str) -> Comparison:
     left = _side(options.pop("left"), where)
     right = _side(options.pop("right"), where) if "right" in options else None
     kind = options.pop("range")
-    if isinstance(kind, Mapping):
-        if len(kind) != 1:
-            raise PlacecatError(f"a range of {where} has {len(kind)} kinds, one is needed")
-        ((name, number),) = kind.items()
-        kind = (name, float(number))
-    else:
-        kind = (kind, None)
+    if isinstance(kind, Mapping) and len(kind) != 1:
+        raise PlacecatError(f"a range of {where} has {len(kind)} kinds, one is needed")
+    ((name, number),) = kind.items() if isinstance(kind, Mapping) else [(kind, None)]
+    kind = (name, None if number is None else float(number))
     comparison = Comparison(left, right, kind, **options)
     if comparison.compare not in COMPARE:
         raise PlacecatError(f"{where} compares by {comparison.compare!r}; choose {' or '.join(COMPARE)}")
@@ -210,10 +188,8 @@ def _comparison(config: Mapping[str, Any], where: str) -> Comparison:
         raise PlacecatError(f"{where} needs either a right side or the range {ABOVE!r}")
     if right is None and comparison.compare == "ratio":
         raise PlacecatError(f"a ratio of {where} has no right side")
-    if side_error := next((one for one in comparison.sides if one.plain and (one.place or one.error)), None):
-        raise PlacecatError(
-            f"{side_error.label!r} of {where} cannot be both plain and of one place or an error"
-        )
+    if wrong := [side.label for side in comparison.sides if side.plain and (side.place or side.error)]:
+        raise PlacecatError(f"{wrong[0]!r} of {where} cannot be both plain and of one place or an error")
     if kind[0] == BOTH_SIGNS and right and len(left.results) != len(right.results):
         raise PlacecatError(f"{BOTH_SIGNS} of {where} needs as many results on the right as on the left")
     return comparison
@@ -227,9 +203,8 @@ def _side(config: Mapping[str, Any], where: str) -> Side:
     published = options.pop("published", None)
     if published is not None:
         published = tuple(published) if isinstance(published, Sequence) else (published,)
-    side: Side = settings.call(
-        Side, settings=options | {"results": tuple(results)}, where=f"a side of {where}"
-    )
+    options["results"] = tuple(results)
+    side: Side = settings.call(Side, settings=options, where=f"a side of {where}")
     if side.combine not in COMBINE:
         raise PlacecatError(f"{where} combines by {side.combine!r}; choose one of {', '.join(COMBINE)}")
     if published is not None and side.combine != "mean" and len(published) != len(results):
@@ -249,6 +224,5 @@ def _substitute(value: Any, replacements: Mapping[str, Any]) -> Any:
 
 def _check(config: Mapping[str, Any], needed: list[str], optional: list[str], where: str) -> None:
     settings.refuse_unknown(config, [*needed, *optional], where)
-    for name in needed:
-        if name not in config:
-            raise PlacecatError(f"{where} has no setting {name!r}, which is needed")
+    if missing := [name for name in needed if name not in config]:
+        raise PlacecatError(f"{where} has no setting {missing[0]!r}, which is needed")

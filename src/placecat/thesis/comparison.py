@@ -14,12 +14,13 @@ from placecat.thesis.layouts import place_column
 from placecat.thesis.number import (
     AVERAGE,
     Number,
-    has_reasons,
+    best_of,
     home_label,
     in_home,
     mean,
     merged,
     nothing,
+    only_some,
     over_homes,
 )
 
@@ -83,60 +84,44 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
     of_places: dict[str, Number] = {}
     for pair in _pairs(entry, results, where):
         for home, left, right in _in_homes(pair, entry, results):
-            difference = left.minus(right)
-            lines += _three(entry, pair.label, home, left, right, difference)
+            lines += _three(entry, pair.label, home, left, right)
             if home == AVERAGE:
-                differences[pair.label] = difference
+                differences[pair.label] = lines[-1].number
         for place, left, right in _in_places(pair, entry.get("places", []), results):
-            label = joined_label(pair.label, place)
-            of_places[label] = left.minus(right)
-            lines += _three(entry, label, AVERAGE, left, right, of_places[label])
+            label = f"{pair.label}, {place}" if pair.label else place
+            lines += _three(entry, label, AVERAGE, left, right)
+            of_places[label] = lines[-1].number
     summary = entry.get("summary", [])
     for kind in [summary] if isinstance(summary, str) else summary:
         lines.append(_summary(str(kind), of_places or differences, where))
-    if entry.get("error_ratio"):
-        ratio = entry["error_ratio"]
+    if ratio := entry.get("error_ratio"):
         number = _error_ratio(results, ratio["variant"], ratio["baseline"])
         lines.append(Line(ratio["quantity"], "", number))
     return lines
 
 
-def joined_label(label: str, place: str) -> str:
-    """What to call a comparison in one place."""
-    return f"{label}, {place}" if label else place
-
-
 def alone(entry: Mapping[str, Any], results: Results, where: str) -> list[Line]:
-    """One result by itself: ``quantity``, ``result`` and ``homes`` as for :func:`compare`.
-
-    Raises
-    ------
-    PlacecatError
-        As :func:`compare`.
-    """
+    """One result by itself: ``quantity``, ``result`` and ``homes`` as for :func:`compare`."""
     settings.refuse_unknown(entry, ["homes", "quantity", "result"], where)
     pair = Pair("", entry["result"], entry["result"])
     return [Line(entry["quantity"], home, number) for home, number, _ in _in_homes(pair, entry, results)]
 
 
-def _three(
-    entry: Mapping[str, Any], label: str, home: str, left: Number, right: Number, difference: Number
-) -> list[Line]:
+def _three(entry: Mapping[str, Any], label: str, home: str, left: Number, right: Number) -> list[Line]:
+    """Both sides and, last, their difference."""
     prefix = f"{label}: " if label else ""
     return [
         Line(prefix + entry["variant"]["quantity"], home, left),
         Line(prefix + entry["baseline"]["quantity"], home, right),
-        Line(prefix + DIFFERENCE, home, difference),
+        Line(prefix + DIFFERENCE, home, left.minus(right)),
     ]
 
 
 def _pairs(entry: Mapping[str, Any], results: Results, where: str) -> list[Pair]:
     """Label, variant and baseline of each comparison."""
     if "pairs" in entry:
-        return [
-            _chosen(str(label), variant, baseline, results)
-            for label, (variant, baseline) in entry["pairs"].items()
-        ]
+        pairs = entry["pairs"].items()
+        return [_chosen(str(label), variant, baseline, results) for label, (variant, baseline) in pairs]
     variant, baseline = entry["variant"]["result"], entry["baseline"]["result"]
     if not variant.endswith("/"):
         return [_chosen("", variant, baseline, results)]
@@ -163,17 +148,15 @@ def _best(pattern: str, results: Results) -> tuple[str, str]:
     if BEST not in wanted:
         return pattern, ""
     table = pattern.removesuffix("|".join(wanted))
-    found = [
+    trials = [
         name
         for name in _known(results)
         if name.startswith(table)
         and all(part in (BEST, label) for part, label in zip(wanted, _labels(name), strict=True))
     ]
-    if not found:
+    if not trials:
         raise PlacecatError(f"there is no result {pattern!r}")
-    numbers = range(1, len(results.homes) + 1)
-    averages = [over_homes(results, name, numbers).measured for name in found]
-    best = found[int(np.nanargmax(averages))] if np.isfinite(averages).any() else found[0]
+    best = best_of(results, trials)
     chosen = [label for part, label in zip(wanted, _labels(best), strict=True) if part == BEST and label]
     return best, f"the best: {', '.join(chosen)}"
 
@@ -191,24 +174,22 @@ def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tu
         left, right = (_whole(results, one, bool(entry.get("plain"))) for one in names)
         return [("", left, right)]
     tried, both = _homes_of(names, results)
-    found = [
+    in_each = [
         (home_label(number), in_home(results, pair.variant, number), in_home(results, pair.baseline, number))
         for number in homes
     ]
-    left, right = (over_homes(results, one, both or tried) for one in names)
+    averages = [over_homes(results, one, both or tried) for one in names]
     if both and both != tried:
-        note = f"mean over {', '.join(map(home_label, both))} only"
-        left, right = replace(left, notes=(note,)), replace(right, notes=(note,))
-    found.append((AVERAGE, left, right))
+        averages = [replace(one, notes=(only_some(both, tried),)) for one in averages]
     return [
-        (home, left.noted(pair.variant_note), right.noted(pair.baseline_note)) for home, left, right in found
+        (home, left.noted(pair.variant_note), right.noted(pair.baseline_note))
+        for home, left, right in [*in_each, (AVERAGE, averages[0], averages[1])]
     ]
 
 
 def _homes_of(names: Sequence[str], results: Results) -> tuple[list[int], list[int]]:
     """Numbers from 1 of the homes in which all of some results were tried, and in which all were measured."""
-    everywhere = range(1, len(results.homes) + 1)
-    tried = [n for n in everywhere if all(_was_tried(results, one, n) for one in names)]
+    tried = [n for n in results.numbers if all(_was_tried(results, one, n) for one in names)]
     return tried, [n for n in tried if all(len(in_home(results, one, n).values) for one in names)]
 
 
@@ -219,19 +200,16 @@ def _in_places(
     names = (pair.variant, pair.baseline)
     _, both = _homes_of(names, results)
     for place in results.classes if places == "all" else places:
-        title = place_column(place)
-        if place not in results.classes:
-            reason = nothing("the data set has no such place")
-            yield title, reason, reason
-            continue
-        left, right = (_in_place(results, one, both, place) for one in names)
-        yield title, left, right
+        left = right = nothing("the data set has no such place")
+        if place in results.classes:
+            left, right = (_in_place(results, one, both, place) for one in names)
+        yield place_column(place), left, right
 
 
 def _in_place(results: Results, name: str, numbers: Sequence[int], place: str) -> Number:
     one = results.measured.get(name)
     if one is None or not numbers:
-        return over_homes(results, name, range(1, len(results.homes) + 1))
+        return over_homes(results, name, results.numbers)
     homes = [one.homes.index(results.homes[number - 1]) for number in numbers]
     values = one.by_class()[:, homes, one.classes.index(place)]
     shown = np.isfinite(values).all(axis=0)
@@ -242,10 +220,7 @@ def _in_place(results: Results, name: str, numbers: Sequence[int], place: str) -
 
 def _was_tried(results: Results, name: str, number: int) -> bool:
     """Whether a result is, or has a reason not to be, in the n-th home (from 1)."""
-    if name not in results.measured and not has_reasons(results, name):
-        results.of(name)
-    home = results.homes[number - 1]
-    one = results.measured.get(name)
+    home, one = results.homes[number - 1], results.find(name)
     return (name, home) in results.missing or (one is not None and home in one.homes)
 
 
@@ -260,22 +235,17 @@ def _whole(results: Results, name: str, plain: bool) -> Number:
 
 def _summary(kind: str, differences: Mapping[str, Number], where: str) -> Line:
     """One number for all differences."""
-    kinds: dict[str, Callable[[Mapping[str, Number]], Number]] = {
-        "mean": lambda found: mean(list(found.values())),
-        "lowest": lambda found: _extreme(found, min),
-        "highest": lambda found: _extreme(found, max),
-    }
-    if kind not in kinds:
-        raise PlacecatError(f"{where}.summary {kind!r} does not exist: use one of {', '.join(kinds)}")
-    return Line(f"{DIFFERENCE}, {kind}", AVERAGE, kinds[kind](differences))
-
-
-def _extreme(differences: Mapping[str, Number], which: Callable[..., str]) -> Number:
-    there = {label: one for label, one in differences.items() if len(one.values)}
-    if not there:
-        return mean(list(differences.values()))
-    label = which(there, key=lambda one: float(there[one].values.mean()))
-    return replace(there[label], notes=merged([[f"that of {label}"], there[label].notes]))
+    extremes: dict[str, Callable[..., str]] = {"lowest": min, "highest": max}
+    if kind not in ("mean", *extremes):
+        raise PlacecatError(
+            f"{where}.summary {kind!r} does not exist: use one of mean, {', '.join(extremes)}"
+        )
+    number = mean(list(differences.values()))
+    measured = {label: one for label, one in differences.items() if len(one.values)}
+    if kind != "mean" and measured:
+        label = extremes[kind](measured, key=lambda one: float(measured[one].values.mean()))
+        number = replace(measured[label], notes=merged([[f"that of {label}"], measured[label].notes]))
+    return Line(f"{DIFFERENCE}, {kind}", AVERAGE, number)
 
 
 def _error_ratio(results: Results, variant: str, baseline: str) -> Number:

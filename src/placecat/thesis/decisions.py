@@ -11,18 +11,10 @@ from placecat.thesis.number import AVERAGE, home_label
 
 
 def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, Measured]]:
-    """Find the results that each row of a table is computed from.
+    """Find the results that each row of a table (:func:`placecat.thesis.tables.tables_of`) is computed from.
 
-    Parameters
-    ----------
-    table
-        Its configuration and its ``name`` (:func:`placecat.thesis.tables.tables_of`).
-
-    Returns
-    -------
-    dict
-        Group and row to the results by column; a row that is one result in several homes has it under "".
-        Where a row is a home, the result is that of the home alone. What these data cannot give is left out.
+    Gives group and row to the results by column; a row that is one result in several homes has it under "".
+    Where a row is a home, the result is that of the home alone. What these data cannot give is left out.
     """
     if "trial" in table:
         return _of_trials(table, results)

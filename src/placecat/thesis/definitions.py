@@ -23,20 +23,11 @@ _OF_TRIALS = ("trial", "homes", "axes")
 
 
 def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, Any]]:
-    """Read the tables that show results of the pipeline, e.g. ``table_26``.
+    """Read the tables that show results of the pipeline, by name, e.g. ``table_26``, in order.
 
-    Parameters
-    ----------
-    params
-        All settings.
-    root
-        The project's folder.
-
-    Returns
-    -------
-    dict
-        By name, in the order of the names: ``number`` (None for an addition), ``title``, ``thesis_data``,
-        ``layout`` and what the layout needs. A table that `needs` a setting is there if the setting is.
+    Each has ``number`` (None for an addition), ``title``, ``thesis_data``, ``layout`` and what the layout
+    needs. A table that `needs` a setting of all `params` is there if the setting is. `root` is the project's
+    folder.
 
     Raises
     ------
@@ -60,23 +51,10 @@ def optional(root: Path = Path()) -> list[str]:
 
 
 def studies(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, dict[str, Any]]]:
-    """Read the tables whose cells are trials of their own: a folder a study, a file a table.
+    """Read the tables whose cells are trials of their own, a folder a study, as :func:`tables`.
 
-    Parameters
-    ----------
-    params, root
-        As for :func:`tables`.
-
-    Returns
-    -------
-    dict
-        Study to name to table, each with ``trial``, ``homes`` and ``axes``
-        (:func:`placecat.evaluation.trials.expand`).
-
-    Raises
-    ------
-    PlacecatError
-        As :func:`tables`.
+    Gives study to name to table, each with ``trial``, ``homes`` and ``axes``
+    (:func:`placecat.evaluation.trials.expand`).
     """
     found = _read(sorted((root / paths.TABLE_DEFINITIONS).glob("*/*.yaml")), params, root)
     by_study: dict[str, dict[str, dict[str, Any]]] = {}
@@ -87,24 +65,12 @@ def studies(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[st
 
 
 def findings(root: Path = Path()) -> dict[str, dict[str, Any]]:
-    """Read the claims of the thesis, by name: see `placecat.thesis.claims.read_finding`.
-
-    Raises
-    ------
-    PlacecatError
-        A file that is no YAML.
-    """
+    """Read the claims of the thesis, by name; :func:`placecat.thesis.claims.read_finding` checks them."""
     return {path.stem: _yaml(path) for path in sorted((root / paths.FINDING_DEFINITIONS).glob("*.yaml"))}
 
 
 def in_text(root: Path = Path()) -> dict[str, dict[str, Any]]:
-    """Read the numbers in the thesis's text, by name: see `placecat.thesis.in_text.in_text`.
-
-    Raises
-    ------
-    PlacecatError
-        A file that is no YAML.
-    """
+    """Read the numbers in the thesis's text, by name; :func:`placecat.thesis.in_text.in_text` checks them."""
     return _yaml(root / paths.IN_TEXT_DEFINITIONS)
 
 

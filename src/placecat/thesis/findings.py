@@ -55,27 +55,21 @@ def ledger(
     readings = list(dict.fromkeys(reading for finding in read for reading in finding.readings))
     rows, details = [], []
     for finding in read:
-        judged = _judge(finding, rules, results, published)
-        row = _finding_row(finding, judged, rules)
-        reason = "; ".join(
-            [row.pop("reason"), *filter(None, (results.drops(f"filtered/{one}") for one in finding.filters))]
-        )
-        for reading in readings:
-            row[f"verdict_{reading}"] = ""
-        details += [_comparison_row(finding, "", one) for one in judged]
-        for reading in finding.readings:
-            again = _judge(finding.read_as(reading), rules, results, published)
-            row[f"verdict_{reading}"] = _finding_row(finding, again, rules)["verdict"]
-            details += [_comparison_row(finding, reading, one) for one in again]
-        rows.append(row | {"reason": reason})
+        by_reading = {}
+        for reading in ("", *finding.readings):
+            comparisons = (finding.read_as(reading) if reading else finding).comparisons
+            judged = [
+                judge_comparison(finding.name, one, rules, results, published, len(comparisons))
+                for one in comparisons
+            ]
+            details += [_comparison_row(finding, reading, one) for one in judged]
+            by_reading[reading] = _finding_row(finding, judged, rules)
+        row = by_reading.pop("")
+        drops = filter(None, (results.drops(f"filtered/{one}") for one in finding.filters))
+        reason = "; ".join([row.pop("reason"), *drops])
+        verdicts = {f"verdict_{name}": by_reading.get(name, {}).get("verdict", "") for name in readings}
+        rows.append(row | verdicts | {"reason": reason})
     return pd.DataFrame(rows), pd.DataFrame(details)
-
-
-def _judge(finding: Finding, rules: Rules, results: Results, published: Published) -> list[Judged]:
-    count = len(finding.comparisons)
-    return [
-        judge_comparison(finding.name, one, rules, results, published, count) for one in finding.comparisons
-    ]
 
 
 def _finding_row(finding: Finding, judged: Sequence[Judged], rules: Rules) -> dict[str, Any]:

@@ -72,30 +72,28 @@ def in_text(
     """
     sections = dict(zip(published["name"], published["section"], strict=True))
     _same_names(list(entries), list(sections))
-    columns = [published[name] for name in ("name", "quantity", "home", "value", "quote", "note")]
+    columns = published[["name", "quantity", "home", "value", "quote", "note"]]
     said = {
         (name, quantity, home): _Said(float(value), quote, note)
-        for name, quantity, home, value, quote, note in zip(*columns, strict=True)
+        for name, quantity, home, value, quote, note in columns.itertuples(index=False, name=None)
     }
     rows = []
     for name, entry in entries.items():
-        known = [(quantity, home) for own, quantity, home in said if own == name]
-        own_dataset = splits[entry["split"]] if "split" in entry else dataset
+        known = [(quantity, home) for of_entry, quantity, home in said if of_entry == name]
+        measured_on = splits[entry["split"]] if "split" in entry else dataset
         for quantity, home, number in _lines(name, entry, results, records, known):
             words = said.get((name, quantity, home), _Said())
-            notes = _notes(entry, number, words, own_dataset)
+            notes = _notes(entry, number, words, measured_on)
             measured = (number.measured, number.spread, number.seeds, joined(notes), notes)
             rows.append((name, str(sections[name]), quantity, home, words.value, *measured))
     return pd.DataFrame(rows, columns=[*COLUMNS, "notes"])
 
 
 def _same_names(entries: Sequence[str], published: Sequence[str]) -> None:
-    for name in entries:
-        if name not in published:
-            raise PlacecatError(f"in_text has an entry {name!r} of which the thesis says nothing")
-    for name in published:
-        if name not in entries:
-            raise PlacecatError(f"the thesis's number {name!r} has no entry in in_text")
+    if more := [name for name in entries if name not in published]:
+        raise PlacecatError(f"in_text has an entry {more[0]!r} of which the thesis says nothing")
+    if more := [name for name in published if name not in entries]:
+        raise PlacecatError(f"the thesis's number {more[0]!r} has no entry in in_text")
 
 
 def _lines(
@@ -106,13 +104,13 @@ def _lines(
     known: Sequence[tuple[str, str]],
 ) -> list[Line]:
     where = f"in_text.{name}"
-    own = {key: value for key, value in entry.items() if key not in _OF_THE_DATA}
+    rest = {key: value for key, value in entry.items() if key not in _OF_THE_DATA}
     if "reference" in entry:
         settings.refuse_unknown(entry, ["reference"], where)
         return [Line(quantity, home, nothing(str(entry["reference"]))) for quantity, home in known]
     if "record" in entry:
-        return read_off(own, records, where)
-    return (alone if "result" in entry else compare)(own, results, where)
+        return read_off(rest, records, where)
+    return (alone if "result" in entry else compare)(rest, results, where)
 
 
 def _notes(entry: Mapping[str, Any], number: Number, words: _Said, dataset: Mapping[str, Any]) -> Notes:

@@ -21,9 +21,10 @@ from placecat.evaluation.verdict import (
 )
 from placecat.results.measured import Results
 from placecat.thesis.claims import Comparison, Side
+from placecat.thesis.number import AVERAGE
 from placecat.thesis.pairing import Paired, pair
 from placecat.thesis.pooling import Pooled, pool
-from placecat.thesis.published import AVERAGE, Published
+from placecat.thesis.published import Published
 from placecat.thesis.rules import Rules, claimed_range
 
 _WHERE = {
@@ -55,8 +56,8 @@ class Measurement:
         Of the difference (or ratio), rounded to 2 decimals; NaN ends if there is a single unit.
     corrected
         The same at the level that allows for the number of the finding's comparisons.
-    n_units, units
-        Their number, and what they are.
+    units
+        Their number and what they are, for people.
     gains
         Of each home (or all pooled sequences), (results,): left minus right, result by result, mean over
         seeds; empty if the sides have no such pairs.
@@ -71,7 +72,6 @@ class Measurement:
     results: tuple[tuple[str, ...], ...]
     interval: Interval
     corrected: Interval
-    n_units: int
     units: str
     gains: tuple[NDArray[np.float64], ...]
     worse: int
@@ -83,12 +83,7 @@ class Measurement:
 class Judged:
     """One comparison, what the thesis and this run have of it, and the verdict.
 
-    Attributes
-    ----------
-    claimed
-        Where the claim puts the difference; None for ``both_signs``.
-    measurement
-        None if this run does not have all results; the reason says why.
+    The claimed range is None for ``both_signs``, the measurement if this run does not have all results.
     """
 
     comparison: Comparison
@@ -122,15 +117,18 @@ def judge_comparison(
         For settings that are wrong. What was not measured only makes the verdict undecided.
     """
     try:
-        paired = _pair(comparison, rules, results)
-    except NotComputable as error:
-        return _without(comparison, rules, published, str(error))
-    thesis = look_up(comparison, published, paired.sides)
-    claimed = claimed_range(comparison.range, thesis.difference, rules)
-    try:
+        paired = (
+            pool(results, comparison.sides)
+            if comparison.pooled
+            else pair(results, comparison.sides, rules.few_homes)
+        )
         measured = measure(finding, comparison, rules, paired, comparisons)
     except NotComputable as error:
-        return _without(comparison, rules, published, str(error))
+        thesis = look_up(comparison, published)
+        claimed = claimed_range(comparison.range, thesis.difference, rules)
+        return Judged(comparison, thesis, claimed, None, UNDECIDED, str(error))
+    thesis = look_up(comparison, published, paired.sides)
+    claimed = claimed_range(comparison.range, thesis.difference, rules)
     if claimed is None:
         verdict, reason = judge_cases([measured], rules)
     elif too_few := paired.too_few(rules.minimum_units):
@@ -147,12 +145,8 @@ def judge_comparison(
 def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str]:
     """Judge that something can hurt as well as help: the verdict on all cases together, and why.
 
-    A case is a result in a home; :func:`placecat.evaluation.verdict.judge_shares` has the rule.
-
-    Parameters
-    ----------
-    measured
-        Of each comparison that was measured, in homes that no other has.
+    A case is a result in a home, and each comparison has homes of its own;
+    :func:`placecat.evaluation.verdict.judge_shares` has the rule.
     """
     worse, better = sum(one.worse for one in measured), sum(one.better for one in measured)
     gains = [gain for one in measured for gain in one.gains]
@@ -173,14 +167,7 @@ def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str
 
 
 def look_up(comparison: Comparison, published: Published, sides: Sequence[Side] | None = None) -> Thesis:
-    """Find the published numbers of a comparison.
-
-    Parameters
-    ----------
-    sides
-        With only the results that were measured: the number of no other cell stands beside them. None for
-        all.
-    """
+    """Find the published numbers of a comparison, or of `sides` that have only what was measured."""
     sides = comparison.sides if sides is None else sides
     home = comparison.published_home or AVERAGE
     numbers = [_combine(side, _published(side, published, home)[:, None]) for side in sides]
@@ -193,21 +180,13 @@ def look_up(comparison: Comparison, published: Published, sides: Sequence[Side] 
 def measure(
     finding: str, comparison: Comparison, rules: Rules, paired: Paired | Pooled, comparisons: int = 1
 ) -> Measurement:
-    """Measure a comparison, with the interval from a bootstrap over its units.
+    """Measure a comparison, with a bootstrap over its units; NotComputable for a ratio to 0.
 
-    Parameters
-    ----------
-    comparisons
-        As for :func:`judge_comparison`.
-
-    Raises
-    ------
-    NotComputable
-        If a ratio divides by 0.
+    `finding` and `comparisons` are as for :func:`judge_comparison`.
     """
 
     def sides_of(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
-        return [_combine(side, own) for side, own in zip(paired.sides, values, strict=True)]
+        return [_combine(side, of_side) for side, of_side in zip(paired.sides, values, strict=True)]
 
     overall = paired.overall()
     numbers = sides_of(overall)
@@ -226,28 +205,15 @@ def measure(
     gains = _gains(paired)
     return Measurement(
         numbers=tuple(float(one[0]) for one in numbers),
-        results=tuple(_used(side, own) for side, own in zip(paired.sides, overall, strict=True)),
+        results=tuple(_used(side, of_side) for side, of_side in zip(paired.sides, overall, strict=True)),
         interval=interval.rounded(),
         corrected=corrected.rounded(),
-        n_units=paired.n_units,
         units=paired.units,
         gains=tuple(gains.mean(axis=2).T),
         worse=int((gains <= -rules.noticeable).all(axis=2).sum()),
         better=int((gains >= rules.noticeable).all(axis=2).sum()),
         note=paired.note,
     )
-
-
-def _pair(comparison: Comparison, rules: Rules, results: Results) -> Paired | Pooled:
-    if comparison.pooled:
-        return pool(results, comparison.sides)
-    return pair(results, comparison.sides, rules.few_homes)
-
-
-def _without(comparison: Comparison, rules: Rules, published: Published, reason: str) -> Judged:
-    thesis = look_up(comparison, published)
-    claimed = claimed_range(comparison.range, thesis.difference, rules)
-    return Judged(comparison, thesis, claimed, None, UNDECIDED, reason)
 
 
 def _reason(verdict: str, measured: Measurement, claimed: Range, level: float) -> str:

@@ -18,20 +18,11 @@ _NAMELESS = "-"
 
 
 def nested_metrics(tables: Mapping[str, pd.DataFrame]) -> dict[str, Any]:
-    """Nest the measured numbers of filled tables, as `dvc metrics` wants them.
+    """Nest the numbers ``measured`` (NaN for none) of filled tables, by name, as `dvc metrics` wants them.
 
-    Parameters
-    ----------
-    tables
-        Name of a table, e.g. ``table_26``, to its filled form: columns group, row, column (text) and measured
-        (percent, NaN for none).
-
-    Returns
-    -------
-    dict
-        Name to group to row to column to the number as in the table. What has no name anywhere in a table is
-        no level of its own: Table 26 is ``{"5-5-1, all cues": {"Gist": {"Home 1": 31.2}}}``, Table 5
-        ``{"SVM": {"Home 1": 31.2}}``. Cells without a number are left out, and so are tables that have none.
+    Gives name to group to row to column to the number as in the table. What has no name anywhere in a table
+    is no level of its own: Table 26 is ``{"5-5-1, all cues": {"Gist": {"Home 1": 31.2}}}``, Table 5 ``{"SVM":
+    {"Home 1": 31.2}}``. Cells without a number are left out, and so are tables that have none.
     """
     return {name: found for name, table in tables.items() if (found := _nest(table))}
 
@@ -53,18 +44,10 @@ def _nest(table: pd.DataFrame) -> dict[str, Any]:
 def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -> dict[str, Any]:
     """Averages of a few results, a column each in `dvc exp show`.
 
-    Parameters
-    ----------
-    chosen
-        ``accuracy`` and ``log_loss``: name of a column, e.g. ``gist``, to the name of its result, e.g.
-        ``cues/gist/5-5-1``.
-
-    Returns
-    -------
-    dict
-        Name to accuracy in percent, rounded to two decimals, and in ``log_loss`` name to log-loss in nats,
-        rounded to three: means over homes and seeds as in the tables; none for a result that these data
-        cannot give.
+    `chosen` has ``accuracy`` and ``log_loss``: name of a column, e.g. ``gist``, to that of its result, e.g.
+    ``cues/gist/5-5-1``. Gives name to accuracy in percent, rounded to two decimals, and in ``log_loss`` name
+    to log-loss in nats, rounded to three: means over homes and seeds as in the tables; none for a result that
+    these data cannot give.
 
     Raises
     ------
@@ -72,17 +55,13 @@ def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -
         Another kind of number, or a result that does not exist.
     """
     refuse_unknown(chosen, [ACCURACY, LOG_LOSS], "metrics")
-    impossible = {name for name, _ in results.missing}
     averages: dict[str, dict[str, float]] = {ACCURACY: {}, LOG_LOSS: {}}
     for kind, columns in chosen.items():
         for column, name in columns.items():
-            try:
-                accuracy = round(float(results.of(name).by_home().mean()), 2)
-            except PlacecatError as error:
-                if name not in impossible:
-                    raise PlacecatError(f"metrics.{kind}.{column}: {error}") from None
+            if (one := _find(results, name, f"metrics.{kind}.{column}")) is None:
                 continue
-            found = {ACCURACY: accuracy} | (results.quality[name].averages() if kind == LOG_LOSS else {})
+            found = {ACCURACY: round(float(one.by_home().mean()), 2)}
+            found |= results.quality[name].averages() if kind == LOG_LOSS else {}
             if kind in found:
                 averages[kind][column] = found[kind]
     return averages[ACCURACY] | {LOG_LOSS: averages[LOG_LOSS]}
@@ -91,16 +70,9 @@ def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -
 def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[str, pd.DataFrame]:
     """Choose what `dvc plots` draws.
 
-    Parameters
-    ----------
-    plots
-        ``confusion`` and ``accuracy_by_home``: the name of a panel to the name of its result.
-
-    Returns
-    -------
-    dict
-        File below reports/plots, e.g. ``confusion/smoothing.csv``, to its rows; none for a result that these
-        data cannot give.
+    `plots` has ``confusion`` and ``accuracy_by_home``: the name of a panel to that of its result. Gives file
+    below reports/plots, e.g. ``confusion/smoothing.csv``, to its rows; none for a result that these data
+    cannot give.
 
     Raises
     ------
@@ -109,18 +81,19 @@ def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[
     """
     kinds = {CONFUSION: decisions, ACCURACY_BY_HOME: accuracies}
     refuse_unknown(plots, list(kinds), "plots")
-    impossible = {name for name, _ in results.missing}
-    found = {}
-    for kind, panels in plots.items():
-        for panel, name in panels.items():
-            try:
-                rows = kinds[kind](results.of(name))
-            except PlacecatError as error:
-                if name not in impossible:
-                    raise PlacecatError(f"plots.{kind}.{panel}: {error}") from None
-                rows = kinds[kind](None)
-            found[f"{kind}/{panel}.csv"] = rows
-    return found
+    return {
+        f"{kind}/{panel}.csv": kinds[kind](_find(results, name, f"plots.{kind}.{panel}"))
+        for kind, panels in plots.items()
+        for panel, name in panels.items()
+    }
+
+
+def _find(results: Results, name: str, where: str) -> Measured | None:
+    """A result; None if these data cannot give it."""
+    try:
+        return results.find(name)
+    except PlacecatError as error:
+        raise PlacecatError(f"{where}: {error}") from None
 
 
 def decisions(measured: Measured | None) -> pd.DataFrame:
@@ -128,13 +101,12 @@ def decisions(measured: Measured | None) -> pd.DataFrame:
 
     DVC's template `confusion` counts the rows itself. They are in the order of the places.
     """
-    columns = ["truth", "decision"]
     if measured is None:
-        return pd.DataFrame(columns=columns)
+        return pd.DataFrame(columns=["truth", "decision"])
     counts = measured.confusion[0].sum(axis=0)
     truth, decision = np.repeat(np.indices(counts.shape).reshape(2, -1), counts.ravel(), axis=1)
     places = np.array(measured.classes)
-    return pd.DataFrame({"truth": places[truth], "decision": places[decision]}, columns=columns)
+    return pd.DataFrame({"truth": places[truth], "decision": places[decision]})
 
 
 def accuracies(measured: Measured | None) -> pd.DataFrame:

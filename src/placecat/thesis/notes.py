@@ -1,6 +1,6 @@
 """What is to be said of a number in a table, by what it is about."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from enum import StrEnum
 from typing import NamedTuple
 
@@ -11,26 +11,17 @@ _KEY = ["group", "row", "column"]
 
 
 class Kind(StrEnum):
-    """What a note is about.
+    """What a note is about."""
 
-    Attributes
-    ----------
-    DATA
-        The data set that the number was measured on; it holds for a whole table.
-    NOT_COMPARABLE
-        The published number is from other data; it holds for a whole table.
-    NOT_AVAILABLE
-        The published cell is an n/a.
-    PUBLISHED
-        The published number of this cell, e.g. one that contradicts the thesis's other numbers.
-    MEASURED
-        The measured number of this cell, or why there is none.
-    """
-
+    # The data set that the number was measured on; it holds for a whole table.
     DATA = "data"
+    # The published number is from other data; it holds for a whole table.
     NOT_COMPARABLE = "not_comparable"
+    # The published cell is an n/a.
     NOT_AVAILABLE = "not_available"
+    # The published number of this cell, e.g. one that contradicts the thesis's other numbers.
     PUBLISHED = "published"
+    # The measured number of this cell, or why there is none.
     MEASURED = "measured"
 
 
@@ -65,16 +56,9 @@ def without_empty(notes: Iterable[Note]) -> Notes:
 
 
 def to_rows(name: str, cells: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.DataFrame:
-    """Notes of a table as rows (`COLUMNS`), since a cell of a CSV cannot hold them.
+    """Column `notes` of a table as rows (`COLUMNS`), since a cell of a CSV cannot hold them.
 
-    Parameters
-    ----------
-    name
-        Of the table.
-    cells
-        Has a column `notes` and those of `key`.
-    key
-        Three columns that say which cell a row is.
+    The three columns `key` say which cell a row is.
     """
     rows = [
         (name, *labels, note.kind.value, note.text)
@@ -86,12 +70,8 @@ def to_rows(name: str, cells: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.Dat
 
 def with_notes(name: str, cells: pd.DataFrame, rows: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.DataFrame:
     """A table with its column `notes` again, from what :func:`to_rows` gave; `rows` may be of many tables."""
-    found: dict[tuple[str, ...], Notes] = {}
+    by_cell: dict[tuple[str, ...], Notes] = {}
     for _, *labels, kind, text in rows[rows["table"] == name][COLUMNS].itertuples(index=False, name=None):
-        found[tuple(labels)] = (*found.get(tuple(labels), ()), Note(Kind(kind), text))
-    return cells.assign(notes=_column(cells, list(key), found))
-
-
-def _column(cells: pd.DataFrame, key: list[str], found: Mapping[tuple[str, ...], Notes]) -> pd.Series:
-    labels = cells[key].itertuples(index=False, name=None)
-    return pd.Series([found.get(one, ()) for one in labels], index=cells.index, dtype=object)
+        by_cell[tuple(labels)] = (*by_cell.get(tuple(labels), ()), Note(Kind(kind), text))
+    column = [by_cell.get(one, ()) for one in cells[list(key)].itertuples(index=False, name=None)]
+    return cells.assign(notes=pd.Series(column, index=cells.index, dtype=object))

@@ -87,19 +87,11 @@ def home_label(number: int) -> str:
 
 
 def in_home(results: Results, name: str, number: int) -> Number:
-    """Accuracy of a result in the n-th home (from 1) of the main data set, in percent.
-
-    Raises
-    ------
-    PlacecatError
-        If there is no result of this name, nor a reason why.
-    """
+    """Accuracy of a result in the n-th home (from 1) of the main data set, in percent; see `Results.find`."""
     if number > len(results.homes):
         return nothing(f"the data set has only {len(results.homes)} homes")
     home = results.homes[number - 1]
-    if name not in results.measured and not has_reasons(results, name):
-        results.of(name)
-    one = results.measured.get(name)
+    one = results.find(name)
     if one is None or home not in one.homes:
         return nothing(results.missing.get((name, home), f"nothing was measured in {home}"))
     return Number(one.by_home()[:, one.homes.index(home)], one.is_random)
@@ -112,8 +104,18 @@ def over_homes(results: Results, name: str, numbers: Sequence[int]) -> Number:
     """
     parts = [in_home(results, name, number) for number in numbers]
     there = [number for number, part in zip(numbers, parts, strict=True) if len(part.values)]
-    note = "" if len(there) == len(parts) else f"mean over {', '.join(map(home_label, there))} only"
-    return mean(parts).noted(note)
+    return mean(parts).noted(only_some(there, numbers))
+
+
+def only_some(there: Sequence[int], numbers: Sequence[int]) -> str:
+    """The note on a mean over some of the homes, given by their numbers (from 1); "" if it is over all."""
+    return "" if len(there) == len(numbers) else f"mean over {', '.join(map(home_label, there))} only"
+
+
+def best_of(results: Results, names: Sequence[str]) -> str:
+    """The result with the largest average over homes; the first one of equals, and if none was measured."""
+    averages = [over_homes(results, name, results.numbers).measured for name in names]
+    return names[int(np.nanargmax(averages))] if np.isfinite(averages).any() else names[0]
 
 
 def in_homes(results: Results, name: str, numbers: Sequence[int]) -> list[tuple[str, Number]]:
@@ -122,8 +124,3 @@ def in_homes(results: Results, name: str, numbers: Sequence[int]) -> list[tuple[
     if len(numbers) > 1:
         found.append((AVERAGE, over_homes(results, name, numbers)))
     return found
-
-
-def has_reasons(results: Results, name: str) -> bool:
-    """Whether there is a reason why a result lacks a home."""
-    return any(result == name for result, _ in results.missing)

@@ -84,12 +84,7 @@ class Paired:
 
 
 def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
-    """Bring sides together.
-
-    Parameters
-    ----------
-    few_homes
-        With so many homes or fewer, a home with one seed is a unit, if anything is random.
+    """Bring sides together; with `few_homes` or fewer a home with one seed is a unit, if anything is random.
 
     Raises
     ------
@@ -149,8 +144,7 @@ def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
 def look_up(results: Results, name: str) -> Measured:
     """Find a result; NotComputable with the reasons why it was not measured."""
     if name not in results.measured:
-        reasons = {reason for (result, _), reason in results.missing.items() if result == name}
-        if reasons:
+        if reasons := results.reasons(name):
             raise NotComputable(f"{name}: {', '.join(sorted(reasons))}")
         raise NotComputable(f"this run has no result {name}")
     return results.measured[name]

@@ -9,22 +9,17 @@ import pandas as pd
 
 from placecat import settings
 from placecat.errors import PlacecatError
+from placecat.thesis.number import AVERAGE
 
-AVERAGE = "Average"
 _AXES = ("group", "row", "column")
 _TRIAL = re.compile(r"trials/table_(\d+)/(.*)\|(.*)\|(.*)")
 
 
 @dataclass(frozen=True)
 class Published:
-    """All numbers of the thesis.
+    """All numbers of the thesis: `tables` has the columns table (int), group, row, column (text) and value.
 
-    Attributes
-    ----------
-    tables
-        Columns table (int), group, row, column (text) and value; NaN is an n/a.
-    text
-        Numbers outside the tables: columns name, section, quantity, home (text) and value.
+    NaN is an n/a. `text`, numbers outside the tables, has name, section, quantity, home (text) and value.
     """
 
     tables: pd.DataFrame
@@ -57,25 +52,20 @@ class Published:
         if "text" in reference:
             settings.refuse_unknown(reference, ["text", "quantity", "home"], "a number in the text")
             found = self.text[self.text["name"] == reference["text"]]
-            for column in ("quantity", "home"):
-                if column in reference:
-                    found = found[found[column] == reference[column]]
+            for column in {"quantity", "home"} & reference.keys():
+                found = found[found[column] == reference[column]]
         else:
             settings.refuse_unknown(reference, ["table", *_AXES], "a published cell")
             found = self.tables[self.tables["table"] == int(reference["table"])]
-            for axis in _AXES:
-                found = found[found[axis] == str(reference.get(axis, ""))]
+            labels = [str(reference.get(axis, "")) for axis in _AXES]
+            found = found[(found[list(_AXES)] == labels).all(axis=1)]
         return self._only(found, reference)
 
     def of_trial(self, result: str, home: str = AVERAGE) -> float:
         """The published number of a result that is a cell of a table, NaN for any other result.
 
-        Parameters
-        ----------
-        result
-            E.g. ``trials/table_12/HOG + y-Pos||196``; the empty label is the axis of homes.
-        home
-            Whose number, as published; a table of a single home has only that one.
+        E.g. ``trials/table_12/HOG + y-Pos||196``; the empty label is the axis of homes. It is the number of
+        that home, as published; a table of a single home has only that one.
         """
         match = _TRIAL.fullmatch(result)
         if match is None:

@@ -53,14 +53,13 @@ def _value(one: Mapping[str, Any], table: pd.DataFrame, where: str) -> Number:
         raise PlacecatError(f"{where}.values.pick {pick!r} does not exist: use one of {', '.join(PICKS)}")
     if table.empty:
         return nothing("not recorded")
-    found = table
-    for column, value in {**one.get("where", {}), one["column"]: None}.items():
-        if column not in table:
-            raise PlacecatError(
-                f"{where}: the record has no column {column!r} (it has: {', '.join(map(str, table))})"
-            )
-        found = found if value is None else found[found[column] == value]
-    values = found[one["column"]].dropna().to_numpy(float)
+    wanted = one.get("where", {})
+    if unknown := [column for column in (*wanted, one["column"]) if column not in table]:
+        has = ", ".join(map(str, table))
+        raise PlacecatError(f"{where}: the record has no column {unknown[0]!r} (it has: {has})")
+    for column, value in wanted.items():
+        table = table[table[column] == value]
+    values = table[one["column"]].dropna().to_numpy(float)
     if not len(values):
         return nothing("not recorded")
     if pick is None and len(values) > 1:
@@ -95,7 +94,8 @@ def _nu_of_cues(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
             nu = files.read_json(path).get("nu")
             if nu:
                 scheme, home = path.parts[-4:-2]
-                yield _nu(f"cues/{name}/{scheme}", home, asked, min(nu), max(nu))
+                result = f"cues/{name}/{scheme}"
+                yield {"result": result, "home": home, "asked": asked, "lowest": min(nu), "highest": max(nu)}
 
 
 def _nu_of_trials(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
@@ -109,11 +109,8 @@ def _nu_of_trials(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
         for facts in files.read_table(path, ["trial", "home", "seed"]).to_dict("records"):
             asked = all_asked.get(facts["trial"])
             if asked is not None and pd.notna(facts["nu_lowest"]):
-                yield _nu(facts["trial"], facts["home"], asked, facts["nu_lowest"], facts["nu_highest"])
-
-
-def _nu(result: str, home: str, asked: float, lowest: float, highest: float) -> dict[str, Any]:
-    return {"result": result, "home": home, "asked": asked, "lowest": lowest, "highest": highest}
+                nu = {"lowest": facts["nu_lowest"], "highest": facts["nu_highest"]}
+                yield {"result": facts["trial"], "home": facts["home"], "asked": asked, **nu}
 
 
 def _asked(classifier: Mapping[str, Any]) -> float | None:

@@ -8,8 +8,6 @@ from placecat.errors import PlacecatError
 from placecat.evaluation.verdict import Range
 from placecat.thesis.claims import ABOVE, BOTH_SIGNS
 
-_INFINITE = float("inf")
-
 
 @dataclass(frozen=True)
 class Rules:
@@ -66,16 +64,16 @@ def claimed_range(kind: tuple[str, float | None], published_difference: float, r
     """
     name, number = kind
     known = {
-        "better": Range(0.0, _INFINITE),
-        "worse": Range(-_INFINITE, 0.0),
+        "better": Range(0.0, np.inf),
+        "worse": Range(-np.inf, 0.0),
         "little": Range(-rules.margin, rules.margin),
-        "no_better": Range(-_INFINITE, rules.margin),
+        "no_better": Range(-np.inf, rules.margin),
         BOTH_SIGNS: None,
     }
     if name in ("within", ABOVE):
         if number is None:
             raise PlacecatError(f"range {name!r} needs a number")
-        return Range(-number, number) if name == "within" else Range(0.0, _INFINITE)
+        return Range(-number, number) if name == "within" else Range(0.0, np.inf)
     if number is not None:
         raise PlacecatError(f"range {name!r} takes no number")
     if name == "about":

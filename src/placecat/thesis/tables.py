@@ -25,14 +25,7 @@ def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[
     """Every table of a run by name, e.g. ``table_12``: those of the thesis by number, then additions.
 
     Each is its definition (:mod:`placecat.thesis.definitions`) and its ``name``. Studies without a layout are
-    no tables (:mod:`in_text`).
-
-    Parameters
-    ----------
-    params
-        All settings.
-    root
-        The project's folder.
+    no tables (:mod:`in_text`). `params` are all settings, `root` is the project's folder.
     """
     found = definitions.tables(params, root)
     for study in definitions.studies(params, root).values():
@@ -62,15 +55,9 @@ def label(table: Mapping[str, Any]) -> str:
 
 
 def contradictions_of(notes: pd.DataFrame) -> dict[PublishedKey, str]:
-    """Notes on published cells that contradict the thesis's own numbers, by cell; the numbers stay.
-
-    Parameters
-    ----------
-    notes
-        Columns table, group, row, column, note, as in data/thesis/contradictions.csv.
-    """
-    keys = zip(*(notes[name] for name in ["table", *_KEY]), strict=True)
-    return {(int(number), *labels): note for (number, *labels), note in zip(keys, notes["note"], strict=True)}
+    """Rows of data/thesis/contradictions.csv by cell: what contradicts the thesis's own numbers."""
+    rows = notes[["table", *_KEY, "note"]].itertuples(index=False, name=None)
+    return {(int(number), group, row, column): note for number, group, row, column, note in rows}
 
 
 def in_percent(table: Mapping[str, Any]) -> bool:
@@ -127,19 +114,9 @@ def fill_table(
         if key in value and np.isnan(value[key]):
             notes.append(Note(Kind.NOT_AVAILABLE, "the published cell is n/a"))
         notes.append(Note(Kind.PUBLISHED, contradictions.get((number, *key), "")))
+        measured = (value.get(key, np.nan), cell.measured, cell.spread, cell.seeds)
         of_cell = without_empty(notes)
-        rows.append(
-            (
-                ADDITION if number is None else number,
-                *key,
-                value.get(key, np.nan),
-                cell.measured,
-                cell.spread,
-                cell.seeds,
-                joined(of_cell),
-                of_cell,
-            )
-        )
+        rows.append((ADDITION if number is None else number, *key, *measured, joined(of_cell), of_cell))
     return pd.DataFrame(rows, columns=[*COLUMNS, "notes"])
 
 

@@ -2,7 +2,7 @@ import cv2
 import numpy as np
 
 import made_report
-from placecat.report.charts.picture import png_of
+from placecat.drawing.style import png_of
 from placecat.report.charts.speed import MISSED, speed_chart
 
 

@@ -16,14 +16,10 @@ from placecat.report import figures
 from placecat.report.figures import (
     figure_11,
     figure_15,
-    figure_16,
-    figure_17,
-    figure_20,
-    figure_reliability,
     strips,
 )
-from placecat.report.figures.choice import home_of
 from placecat.report.figures.segment import changes, most_smoothed, stretches
+from placecat.report.run import home_of
 from placecat.results.measured import Measured, Quality, Results
 from placecat.results.sources import Source
 
@@ -117,7 +113,7 @@ def titles(figure):
 
 @pytest.mark.parametrize("number", [11, 15, 16, 17, 20, "reliability"])
 def test_a_figure_is_drawn_and_its_bytes_repeat(number, tmp_path):
-    assert figures.load(f"figure_{number}").TITLE.endswith(".")
+    assert figures.caption(f"figure_{number}").endswith(".")
     first, second = tmp_path / "first.png", tmp_path / "second.png"
     for target in (first, second):
         figures.render(f"figure_{number}", Run(), target)
@@ -127,7 +123,7 @@ def test_a_figure_is_drawn_and_its_bytes_repeat(number, tmp_path):
 
 @pytest.mark.parametrize("number", [11, 15, 16, 17, 20, "reliability"])
 def test_no_text_is_smaller_than_seven_points(number):
-    figure = figures.load(f"figure_{number}").draw(Run())
+    figure = figures.draw(f"figure_{number}", Run())
     written = figure.findobj(lambda artist: hasattr(artist, "get_fontsize") and artist.get_text())
     assert written and min(text.get_fontsize() for text in written) >= 7
 
@@ -135,15 +131,15 @@ def test_no_text_is_smaller_than_seven_points(number):
 @pytest.mark.parametrize("number", [11, 15, 16, 17, 20, "reliability"])
 def test_an_unknown_setting_of_a_figure_is_refused(number):
     with pytest.raises(PlacecatError, match=rf"figures\.figure_{number} has no setting 'hose'"):
-        figures.load(f"figure_{number}").draw(Run(**{f"figure_{number}": {"hose": 3}}))
+        figures.draw(f"figure_{number}", Run(**{f"figure_{number}": {"hose": 3}}))
 
 
 @pytest.mark.parametrize(("homes", "expected"), [(HOMES, "barn"), (HOMES[:2], "house"), (HOMES[:1], "flat")])
 def test_figures_show_home_3_or_the_last_where_there_are_fewer(homes, expected):
     run = Run(homes)
     assert home_of(run, 3) == expected
-    assert figure_16.draw(run).axes[4].get_xlabel() == f"frame of {expected}"
-    assert figure_15.draw(run).axes[0].get_ylabel() == f"true place of {expected}"
+    assert figures.draw("figure_16", run).axes[4].get_xlabel() == f"frame of {expected}"
+    assert figures.draw("figure_15", run).axes[0].get_ylabel() == f"true place of {expected}"
     with pytest.raises(PlacecatError, match="there is no home 0"):
         home_of(run, 0)
 
@@ -179,7 +175,7 @@ def test_the_true_place_is_a_blue_line_through_its_row_and_unlabelled_frames_hav
 
 
 def test_without_unlabelled_frames_there_is_no_row_for_them():
-    figure = figure_17.draw(Run(figure_17={"home": 4}))
+    figure = figures.draw("figure_17", Run(figure_17={"home": 4}))
     assert [label.get_text() for label in figure.axes[0].get_yticklabels()] == list(CLASSES)
 
 
@@ -202,7 +198,7 @@ def test_columns_average_neighbouring_frames(frames, limit):
 
 
 def test_figure_16_has_a_strip_a_cue_and_says_where_the_film_is_cut():
-    figure = figure_16.draw(Run())
+    figure = figures.draw("figure_16", Run())
     assert titles(figure) == [
         "(a) HOG on salient regions",
         "(b) SIFT on salient regions",
@@ -214,22 +210,22 @@ def test_figure_16_has_a_strip_a_cue_and_says_where_the_film_is_cut():
     # Ten of the thirty frames of the sauna are taken for the bedroom.
     assert figure.axes[0].get_title(loc="right") == "accuracy 88.9 %"
     with pytest.raises(PlacecatError, match="there are no distributions of 'nothing'"):
-        figure_16.draw(Run(figure_16={"panels": {"Nothing": "nothing"}}))
+        figures.draw("figure_16", Run(figure_16={"panels": {"Nothing": "nothing"}}))
 
 
 def test_figure_20_has_every_test_sequence_beside_each_other():
-    figure = figure_20.draw(Run())
+    figure = figures.draw("figure_20", Run())
     assert [axes.get_xlabel() for axes in figure.axes if axes.get_xlabel()] == [
         "frame of south",
         "frame of north",
     ]
     assert titles(figure) == ["(a) After the integration of HOG, Gist and Centrist", "(b) After smoothing"]
     with pytest.raises(PlacecatError, match="names no result"):
-        figure_20.draw(Run(figure_20={"panels": {}}))
+        figures.draw("figure_20", Run(figure_20={"panels": {}}))
 
 
 def test_a_reliability_diagram_has_its_bins_where_they_belong_and_the_numbers_of_the_table():
-    figure = figure_reliability.draw(Run())
+    figure = figures.draw("figure_reliability", Run())
     above = [axes for axes in figure.axes if axes.get_title(loc="left")]
     assert [axes.get_title(loc="left").split("\n")[0] for axes in above] == [
         "(a) Gist",
@@ -253,17 +249,17 @@ def test_a_reliability_diagram_has_its_bins_where_they_belong_and_the_numbers_of
 
 def test_reliability_diagrams_need_results_and_labels():
     with pytest.raises(PlacecatError, match="panels names no result"):
-        figure_reliability.draw(Run(figure_reliability={"panels": {}}))
+        figures.draw("figure_reliability", Run(figure_reliability={"panels": {}}))
     with pytest.raises(PlacecatError, match="there are no distributions of 'nothing'"):
-        figure_reliability.draw(Run(figure_reliability={"panels": {"Nothing": "nothing"}}))
+        figures.draw("figure_reliability", Run(figure_reliability={"panels": {"Nothing": "nothing"}}))
     run = Run()
     run.labels = lambda home: np.full(FRAMES, -1)
     with pytest.raises(PlacecatError, match="no frame that cues/gist/5-5-1 was tested on has a label"):
-        figure_reliability.draw(run)
+        figures.draw("figure_reliability", run)
 
 
 def test_figure_15_has_percentages_of_the_true_place_and_counts_of_the_first_seed():
-    figure = figure_15.draw(Run())
+    figure = figures.draw("figure_15", Run())
     before, after = figure.axes
     assert before.get_title(loc="left") == "(a) After integration, accuracy 88.9 %"
     assert after.get_title(loc="left") == "(b) After smoothing, accuracy 100.0 %"
@@ -283,7 +279,7 @@ def test_the_segment_with_the_most_removed_jumps_is_found():
     home, window = figure_11.choose(run, own["classifier"], own["hmm"], home=None, start=None, frames=LENGTH)
     assert home == PLANTED[0]
     assert abs(window.start - PLANTED[1]) <= 1 and window.stop - window.start == LENGTH
-    figure = figure_11.draw(run)
+    figure = figures.draw("figure_11", run)
     assert titles(figure) == [
         "(a) Integration",
         "(b) Hidden Markov model",
@@ -294,11 +290,11 @@ def test_the_segment_with_the_most_removed_jumps_is_found():
 
 
 def test_the_segment_may_be_named():
-    figure = figure_11.draw(Run(figure_11={"home": 1, "start": 62}))
+    figure = figures.draw("figure_11", Run(figure_11={"home": 1, "start": 62}))
     assert figure.axes[-1].get_xlabel() == "frame of flat"
     assert figure.axes[-1].get_xlim() == (62, 82)
     with pytest.raises(PlacecatError, match="start must be in 0 to 88"):
-        figure_11.draw(Run(figure_11={"home": 1, "start": 89}))
+        figures.draw("figure_11", Run(figure_11={"home": 1, "start": 89}))
 
 
 def test_jumps_count_between_labelled_frames_of_one_sequence_only():

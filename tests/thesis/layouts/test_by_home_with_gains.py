@@ -19,8 +19,8 @@ FUSED = [[30, 20, 50, 20, 30, 30], [32, 22, 52, 22, 32, 32]]
 def gains(table=TABLE, **named):
     named = {"gist": measured(GIST), "hog": measured(HOG), "fused": measured(FUSED)} | named
     made = results(**named)
-    filled = by_home_with_gains.cells(table, made)
-    rows = by_home.cells(table, made)
+    filled = by_home_with_gains(table, made)
+    rows = by_home(table, made)
     np.testing.assert_equal(filled[: len(rows)], rows)
     return {cell.column: cell for cell in filled[len(rows) :]}
 
@@ -51,7 +51,7 @@ def test_a_home_without_a_number_has_a_reason_and_no_gain():
     made = results({("gist", "home_2"): "too few frames"}, hog=measured(HOG), fused=measured(FUSED))
     homes = [f"home_{number}" for number in (1, 3, 4, 5, 6)]
     made.measured["gist"] = measured([40, 30, 30, 30, 30], homes)
-    found = {cell.column: cell for cell in by_home_with_gains.cells(TABLE, made) if cell.row == "Gain"}
+    found = {cell.column: cell for cell in by_home_with_gains(TABLE, made) if cell.row == "Gain"}
     assert np.isnan(found["Home 2"].measured)
     assert found["Home 2"].notes == ("too few frames",)
     assert found["Home 1"].measured == -9.0
@@ -60,14 +60,14 @@ def test_a_home_without_a_number_has_a_reason_and_no_gain():
 def test_without_any_number_there_are_reasons():
     lost = {(name, f"home_{number}"): "too few frames" for name in ("gist", "hog") for number in range(1, 7)}
     made = results(lost, fused=measured(FUSED))
-    found = [cell for cell in by_home_with_gains.cells(TABLE, made) if cell.row == "Gain"]
+    found = [cell for cell in by_home_with_gains(TABLE, made) if cell.row == "Gain"]
     assert {cell.notes for cell in found} == {("too few frames",)}
 
 
 def test_groups_stay_together():
     rows = [*ROWS, {"group": "other", "row": "Last", "result": "gist"}]
     made = results(gist=measured(GIST), hog=measured(HOG), fused=measured(FUSED))
-    found = by_home_with_gains.cells(TABLE | {"rows": rows}, made)
+    found = by_home_with_gains(TABLE | {"rows": rows}, made)
     assert list(dict.fromkeys((cell.group, cell.row) for cell in found))[-2:] == [
         ("g", "Gain"),
         ("other", "Last"),

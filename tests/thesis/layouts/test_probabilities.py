@@ -18,7 +18,7 @@ def rows(*results):
 
 
 def test_every_row_has_the_means_over_homes_of_each_seed():
-    found = probabilities.cells(TABLE, RESULTS)
+    found = probabilities(TABLE, RESULTS)
     assert len(found) == 3 * len(TABLE["rows"])
     names = {(row["group"], row["row"]): row["result"] for row in TABLE["rows"]}
     columns = {"Log loss": "log_loss", "Calibration error": "calibration_error"}
@@ -38,7 +38,7 @@ def test_fewer_homes_than_there_are_are_named():
     name = "cues/gist/5-5-1"
     one = RESULTS.quality[name]
     part = Quality(one.homes[1:3], one.seeds, {key: value[:, 1:3] for key, value in one.values.items()})
-    found = probabilities.cells(rows(name), replace(RESULTS, quality={name: part}))
+    found = probabilities(rows(name), replace(RESULTS, quality={name: part}))
     assert {cell.notes for cell in found} == {("mean over Home 2, Home 3 only",)}
     assert found[0].measured == pytest.approx(one.values["log_loss"][:, 1:3].mean(), abs=0.0051)
 
@@ -47,10 +47,10 @@ def test_what_has_no_number_has_a_reason_and_what_does_not_exist_is_refused():
     name = "cues/gist/5-5-1"
     one = RESULTS.quality[name]
     empty = Quality(one.homes, one.seeds, {key: value * np.nan for key, value in one.values.items()})
-    found = probabilities.cells(rows(name), replace(RESULTS, quality={name: empty}))
+    found = probabilities(rows(name), replace(RESULTS, quality={name: empty}))
     assert {cell.notes for cell in found} == {("no tested frame has a label",)}
     lost = replace(RESULTS, quality={}, missing={("cues/new", "home_1"): "too few frames"})
-    first = probabilities.cells(rows("cues/new"), lost)[0]
+    first = probabilities(rows("cues/new"), lost)[0]
     assert np.isnan(first.measured) and first.notes == ("too few frames",)
     with pytest.raises(PlacecatError, match="there is no result 'cues/gits/5-5-1': did you mean"):
-        probabilities.cells(rows("cues/gits/5-5-1"), RESULTS)
+        probabilities(rows("cues/gits/5-5-1"), RESULTS)

@@ -12,18 +12,9 @@ _HOME = r"Home \d+"
 
 @dataclass(frozen=True)
 class Bar:
-    """One bar.
+    """One bar: the name of its group, "" for none, its own, and numbers in percent.
 
-    Attributes
-    ----------
-    section, label
-        What stands above the bars of a group, "" for nothing, and beside this one.
-    measured
-        Percent.
-    published
-        Percent, NaN for none.
-    points
-        What `measured` is the average of, in percent, as far as the table has it.
+    `published` is NaN for none; `points` are what `measured` is the average of, as far as the table has it.
     """
 
     section: str
@@ -34,27 +25,21 @@ class Bar:
 
 
 def bars_of(cells: pd.DataFrame) -> list[Bar]:
-    """A table's averages: over homes, else over places; without either, every cell is a bar.
+    """A filled table's averages: over homes, else over places; without either, every cell is a bar.
 
-    Parameters
-    ----------
-    cells
-        A filled table: columns group, row, column (text), published and measured (percent).
-
-    Returns
-    -------
-    list
-        In the table's order; what was not measured has no bar.
+    They are in the table's order; what was not measured has no bar.
     """
     axis = _averaged(cells)
     if axis is None:
         named = cells.assign(
-            section=[_joined(*names) for names in zip(cells["group"], cells["row"], strict=True)],
+            section=[
+                ", ".join(filter(None, names)) for names in zip(cells["group"], cells["row"], strict=True)
+            ],
             label=cells["column"],
         )
     else:
         named = cells.assign(section=cells["group"], label=cells["column" if axis == "row" else "row"])
-    found = []
+    bars = []
     for (section, label), part in named.groupby(["section", "label"], sort=False):
         whole = part if axis is None else part[part[axis] == AVERAGE]
         # The only home has no average.
@@ -62,16 +47,9 @@ def bars_of(cells: pd.DataFrame) -> list[Bar]:
         if len(whole) != 1 or not np.isfinite(whole["measured"].iloc[0]):
             continue
         points = part.drop(whole.index)["measured"].dropna()
-        found.append(
-            Bar(
-                str(section),
-                str(label),
-                float(whole["measured"].iloc[0]),
-                float(whole["published"].iloc[0]),
-                tuple(points),
-            )
-        )
-    return found
+        measured, published = (float(whole[column].iloc[0]) for column in ("measured", "published"))
+        bars.append(Bar(str(section), str(label), measured, published, tuple(points)))
+    return bars
 
 
 def point_name(cells: pd.DataFrame) -> str:
@@ -86,7 +64,3 @@ def _averaged(cells: pd.DataFrame) -> str | None:
         if cells[axis].str.fullmatch(_HOME).any():
             return axis
     return "column" if (cells["column"] == AVERAGE).any() else None
-
-
-def _joined(*names: str) -> str:
-    return ", ".join(name for name in names if name)

@@ -1,9 +1,9 @@
 """Charts of confusion matrices: one with its numbers, or those of a whole table at a glance."""
 
 from collections.abc import Mapping, Sequence
-from itertools import chain
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from placecat.drawing.palette import place_title
@@ -16,15 +16,7 @@ _CELL = 0.11
 
 
 class Matrices:
-    """Confusion matrices side by side; used again for the next ones, since drawing axes takes longest.
-
-    Parameters
-    ----------
-    classes
-        Places in order.
-    count
-        Number of matrices.
-    """
+    """Confusion matrices side by side; used again for the next ones, since drawing axes takes longest."""
 
     def __init__(self, classes: Sequence[str], count: int) -> None:
         size = len(classes)
@@ -34,36 +26,22 @@ class Matrices:
         self._images, self._texts, self._titles = [], [], []
         names = [place_title(place) for place in classes]
         for number in range(count):
-            axes = self.figure.add_axes(
-                (
-                    (left + number * (cell * size + 0.25)) / width,
-                    0.8 / height,
-                    cell * size / width,
-                    cell * size / height,
-                )
-            )
+            axes = _panel(self.figure, left + number * (cell * size + 0.25), 0.8, cell * size, cell * size)
             image = axes.imshow(np.zeros((size, size)), cmap=_MAP, vmin=0, vmax=100, interpolation="nearest")
             axes.set_xticks(range(size), names, rotation=45, ha="right", rotation_mode="anchor")
             axes.set_yticks(range(size), names if number == 0 else [""] * size)
             axes.tick_params(length=0)
             axes.spines[:].set_visible(False)
             self._images.append(image)
-            self._texts.append(
-                [
-                    [axes.text(k, i, "", ha="center", va="center", fontsize=7) for k in range(size)]
-                    for i in range(size)
-                ]
-            )
+            places = np.ndindex(size, size)
+            self._texts.append([axes.text(k, i, "", ha="center", va="center", fontsize=7) for i, k in places])
             self._titles.append(axes.set_title(""))
         self._title = self.figure.text(0.01, 1 - 0.06 / height, "", va="top", fontsize=8, fontweight="bold")
 
     def fill(self, title: str, matrices: Mapping[str, Measured]) -> Figure:
-        """Show the share of each true place (row) that was decided as each place (column), in percent.
+        """Show percentages of each true place (row) decided as each place (column), over all homes and seeds.
 
-        Parameters
-        ----------
-        matrices
-            Caption to what was measured; counts over all homes and seeds.
+        `matrices` are captions to what was measured.
         """
         self._title.set_text(title)
         parts = zip(matrices.items(), self._images, self._texts, self._titles, strict=True)
@@ -71,7 +49,7 @@ class Matrices:
             values = shares(pooled_counts(one))
             image.set_data(values)
             heading.set_text(caption)
-            for text, value in zip(chain.from_iterable(texts), values.ravel(), strict=True):
+            for text, value in zip(texts, values.ravel(), strict=True):
                 text.set_text("" if np.isnan(value) else f"{value:.0f}")
                 text.set_color("white" if value > 55 else "#222222")
         return self.figure
@@ -80,15 +58,7 @@ class Matrices:
 def confusion_sheet(title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> Figure | None:
     """Draw all confusion matrices of a table: a line a row, and in it each column or each home.
 
-    Parameters
-    ----------
-    rows
-        From :func:`placecat.thesis.decisions.decisions_of`.
-
-    Returns
-    -------
-    Figure or None
-        None if nothing was measured.
+    `rows` are from :func:`placecat.thesis.decisions.decisions_of`; without any there is no figure.
     """
     lines = {key: _blocks(of_row) for key, of_row in rows.items() if of_row}
     if not lines:
@@ -109,7 +79,7 @@ def confusion_sheet(title: str, rows: Mapping[tuple[str, str], Mapping[str, Meas
     # The title may need the room.
     full = (max(left + width + right, 5.2), above + height + below)
     figure = Figure(figsize=full)
-    axes = figure.add_axes((left / full[0], below / full[1], width / full[0], height / full[1]))
+    axes = _panel(figure, left, below, width, height)
     image = axes.imshow(canvas, cmap=_MAP, vmin=0, vmax=100, interpolation="nearest")
     axes.set_yticks(np.arange(len(lines)) * step + (size - 1) / 2, labels)
     axes.set_xticks(np.arange(len(columns)) * step + (size - 1) / 2, columns)
@@ -117,21 +87,18 @@ def confusion_sheet(title: str, rows: Mapping[tuple[str, str], Mapping[str, Meas
     axes.xaxis.tick_top()
     axes.spines[:].set_visible(False)
     bar_height = min(height, 1.4)
-    bar = figure.colorbar(
-        image,
-        cax=figure.add_axes(
-            (
-                (left + width + 0.12) / full[0],
-                (below + height - bar_height) / full[1],
-                0.1 / full[0],
-                bar_height / full[1],
-            )
-        ),
-    )
+    scale = _panel(figure, left + width + 0.12, below + height - bar_height, 0.1, bar_height)
+    bar = figure.colorbar(image, cax=scale)
     bar.set_label("percent of the true place")
     bar.outline.set_visible(False)
     figure.text(0.1 / full[0], 1 - 0.08 / full[1], title, va="top", fontsize=9)
     return figure
+
+
+def _panel(figure: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
+    """Axes at a place in inches from the lower left corner."""
+    across, up = figure.get_size_inches()
+    return figure.add_axes((left / across, bottom / up, width / across, height / up))
 
 
 def _blocks(of_row: Mapping[str, Measured]) -> dict[str, np.ndarray]:

@@ -24,14 +24,7 @@ def draw_table(
 ) -> list[Path]:
     """Write ``chart.png`` and ``confusion.png`` of a table; gives the paths of what there is to show.
 
-    Parameters
-    ----------
-    cells, published
-        See :func:`placecat.report.charts.accuracy.accuracy_chart`.
-    rows
-        See :func:`placecat.report.charts.confusion.confusion_sheet`.
-    chart
-        False for a table whose numbers are no percentages: ``chart.png`` is left out.
+    See `accuracy_chart` and `confusion_sheet`. A table whose numbers are no percentages has no `chart`.
     """
     written = []
     with house_style():
@@ -53,13 +46,7 @@ class MatrixDrawer:
         self._sheets: dict[tuple[tuple[str, ...], int], Matrices] = {}
 
     def draw(self, target: Path, title: str, matrices: Mapping[str, Measured]) -> None:
-        """Write one PNG.
-
-        Parameters
-        ----------
-        matrices
-            Caption to what was measured, one or more of the same places.
-        """
+        """Write one PNG of matrices of the same places, by their captions."""
         with house_style(_BY_HAND):
             classes: Sequence[str] = next(iter(matrices.values())).classes
             kind = (tuple(classes), len(matrices))

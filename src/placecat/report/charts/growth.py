@@ -11,17 +11,9 @@ _LEAST = 10.0
 
 
 def growth_chart(measured: pd.DataFrame) -> Figure | None:
-    """Draw the CPU seconds of each stage over the number of frames, both logarithmic.
+    """Draw the CPU seconds of each stage over the number of frames, both logarithmic; None without two sizes.
 
-    Parameters
-    ----------
-    measured
-        As for :func:`placecat.report.scale.seconds_by_size`.
-
-    Returns
-    -------
-    Figure or None
-        None if there are not two sizes.
+    `measured` is as for :func:`placecat.report.scale.seconds_by_size`.
     """
     by_size = seconds_by_size(measured)
     if by_size.shape[1] < 2:

@@ -1,10 +1,13 @@
 """Ratios of benchmarks beside their targets."""
 
+from typing import Any
+
+import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from placecat.report.benchmarks import Ratio, ratios_of, times
+from placecat.report.benchmarks import ratios_of, times
 
 MET, MISSED, TARGET = "#0072b2", "#d55e00", "#222222"
 # Inches: a line of the chart, and what stands above and below the lines of a panel.
@@ -13,25 +16,16 @@ _BOUND = 1.25
 
 
 def speed_chart(benchmarks: pd.DataFrame) -> Figure | None:
-    """Draw the median ratio of each comparison, the range of its pairs and its target.
+    """Draw the median ratio of each comparison, the range of its pairs and its target; None without any.
 
-    Parameters
-    ----------
-    benchmarks
-        As :func:`placecat_bench.run.run` writes it.
-
-    Returns
-    -------
-    Figure or None
-        None if nothing was compared. Two panels: how many times faster (more is better),
-        and how many times the peer's time (less is better).
+    Two panels: how many times faster (more is better), and how many times the peer's time (less is better).
     """
     ratios = ratios_of(benchmarks)
     panels = [
-        ("times faster than the alternative", [one for one in ratios if one.is_faster]),
-        ("times the time of the alternative", [one for one in ratios if not one.is_faster]),
+        ("times faster than the alternative", ratios[ratios["is_faster"]]),
+        ("times the time of the alternative", ratios[~ratios["is_faster"]]),
     ]
-    panels = [(label, rows) for label, rows in panels if rows]
+    panels = [(label, rows) for label, rows in panels if len(rows)]
     if not panels:
         return None
     heights = [_ROUND + _LINE * len(rows) for _, rows in panels]
@@ -45,34 +39,23 @@ def speed_chart(benchmarks: pd.DataFrame) -> Figure | None:
     return figure
 
 
-def _panel(axes: Axes, rows: list[Ratio]) -> None:
-    places = range(len(rows))
-    medians = [one.ratio for one in rows]
-    colors = [MET if one.is_met else MISSED for one in rows]
-    is_faster = rows[0].is_faster
+def _panel(axes: Axes, rows: pd.DataFrame) -> None:
+    places, is_faster = range(len(rows)), bool(rows["is_faster"].iloc[0])
+    ratio, low, high, target = (rows[name].to_numpy(float) for name in ("ratio", "low", "high", "target"))
     if is_faster:
         axes.set_xscale("log")
         axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
-    axes.barh(places, medians, height=0.66, color=colors, alpha=0.75)
-    below = [one.ratio - one.low for one in rows]
-    above = [one.high - one.ratio for one in rows]
-    axes.errorbar(
-        medians,
-        places,
-        xerr=[below, above],
-        fmt="none",
-        ecolor=TARGET,
-        elinewidth=0.8,
-        capsize=2,
-        label="pairs",
-    )
-    axes.plot([one.target for one in rows], places, "|", color=TARGET, markersize=12, mew=1.8, label="target")
-    for place, one in zip(places, rows, strict=True):
-        axes.text(
-            1.01, place, f"{times(one.ratio)}x", transform=axes.get_yaxis_transform(), va="center", fontsize=7
-        )
-    axes.set_yticks(places, [", ".join(filter(None, (one.piece, one.input))) for one in rows])
+    colors = np.where(rows["met"], MET, MISSED).tolist()
+    axes.barh(places, ratio, height=0.66, color=colors, alpha=0.75)
+    style: dict[str, Any] = {"fmt": "none", "ecolor": TARGET, "elinewidth": 0.8, "capsize": 2}
+    axes.errorbar(ratio, places, xerr=[ratio - low, high - ratio], label="pairs", **style)
+    axes.plot(target, places, "|", color=TARGET, markersize=12, mew=1.8, label="target")
+    at = axes.get_yaxis_transform()
+    for place, one in zip(places, ratio, strict=True):
+        axes.text(1.01, place, f"{times(one)}x", transform=at, va="center", fontsize=7)
+    names = zip(rows["piece"], rows["input"], strict=True)
+    axes.set_yticks(places, [", ".join(filter(None, name)) for name in names])
     axes.tick_params(axis="y", length=0)
     axes.set_ylim(len(rows) - 0.4, -0.6)
-    values = [value for one in rows for value in (one.low, one.high, one.target)]
-    axes.set_xlim(min(1.0, min(values) / _BOUND) if is_faster else 0.0, max(values) * _BOUND)
+    values = np.concatenate([low, high, target])
+    axes.set_xlim(min(1.0, values.min() / _BOUND) if is_faster else 0.0, values.max() * _BOUND)

@@ -1,4 +1,4 @@
-"""What the largest clusters of a codebook of salient regions hold: their patches (Figures 12 to 14)."""
+"""Thesis 4.4.4, Figures 12 to 14: what the largest clusters of salient regions hold, by their patches."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,11 +12,10 @@ from numpy.typing import NDArray
 from placecat import seeds, settings
 from placecat.drawing.palette import place_colors, place_title
 from placecat.errors import PlacecatError, SettingError
-from placecat.report.figures.choice import home_of
-from placecat.report.figures.panels import Sheet
+from placecat.report.figures.panels import Sheet, frame_in
 from placecat.report.figures.shares import place_legend, share_bar
 from placecat.report.figures.training import training_regions
-from placecat.report.run import Run
+from placecat.report.run import Run, home_of
 from placecat.vision.regions import radius
 
 SHOWN = 3
@@ -58,15 +57,10 @@ class Cluster:
 
 
 def draw_cluster(run: Run, rank: int, *, by_contrast: bool) -> Figure:
-    """Draw patches of one cluster; settings in ``figures.clusters``.
+    """Draw patches of one cluster, of rank 1 (the largest) to `SHOWN`; settings in ``figures.clusters``.
 
-    Parameters
-    ----------
-    rank
-        1 for the largest cluster, up to `SHOWN`.
-    by_contrast
-        Show the third of its patches that has most contrast apart from the third that has least, each by a
-        random sample; otherwise a random sample of all.
+    `by_contrast` shows the third of its patches that has most contrast apart from the third that has least,
+    each by a random sample; otherwise there is a random sample of all.
     """
     return settings.call(
         _draw, run, rank, by_contrast, settings=run.options("clusters"), where="figures.clusters"
@@ -98,16 +92,10 @@ def _draw(run: Run, rank: int, by_contrast: bool, *, cue: str, home: int, patche
 def spread(
     order: NDArray[np.integer], home: NDArray[np.int64], frame: NDArray[np.int64], count: int, apart: int
 ) -> list[int]:
-    """Take the first in order, passing over those from nearly the same moment as one taken before.
+    """Take the first in order, `count` at most, passing over those from the same moment as one taken before.
 
-    Parameters
-    ----------
-    order
-        Indices into `home` and `frame`, the preferred first.
-    count
-        How many to take at most.
-    apart
-        Frames of one home that lie less than this from each other count as the same moment.
+    `order` has indices into `home` and `frame`. Frames of one home less than `apart` from each other are of
+    the same moment.
     """
     taken: list[int] = []
     for one in order.tolist():
@@ -120,18 +108,9 @@ def spread(
 
 
 def cut_patch(frame: NDArray[np.uint8], region: NDArray[np.float32]) -> NDArray[np.uint8]:
-    """Cut the square around a salient region from a frame at full size.
+    """Cut the square around a salient region (4,) (x, y, scale, saliency) from a frame (H, W, 3) uint8 BGR.
 
-    Parameters
-    ----------
-    frame
-        (H, W, 3) uint8 BGR; beyond its border the outermost pixels go on.
-    region
-        (4,): x, y, scale, saliency.
-
-    Returns
-    -------
-    (PIXELS, PIXELS, 3) uint8 BGR.
+    Beyond the frame's border its outermost pixels go on; the square is (PIXELS, PIXELS, 3) uint8 BGR.
     """
     x, y, scale = (float(value) for value in region[:3])
     side = max(2, round(2 * float(radius(scale, frame.shape[1]))))
@@ -143,8 +122,8 @@ def cut_patch(frame: NDArray[np.uint8], region: NDArray[np.float32]) -> NDArray[
 # Three figures share one pass over the videos.
 @lru_cache(maxsize=1)
 def _largest(run: Run, cue: str, test_home: str) -> list[Cluster]:
-    own = settings.get(run.params, f"cues.{cue}")
-    name, number = own["codebook"], own["classifier"].get("clusters")
+    chosen = settings.get(run.params, f"cues.{cue}")
+    name, number = chosen["codebook"], chosen["classifier"].get("clusters")
     if name is None or number is None:
         raise SettingError(f"figures.clusters.cue {cue!r} has no codebook: use one on salient regions")
     train = training_regions(run, name, test_home)
@@ -199,11 +178,29 @@ def _sheet(
             row, column = divmod(position, COLUMNS)
             axes = sheet.panel(LEFT + column * step, top + title + row * step, PATCH, PATCH)
             axes.imshow(cv2.cvtColor(cluster.patches[one], cv2.COLOR_BGR2RGB))
-            axes.set_xticks([])
-            axes.set_yticks([])
-            for spine in axes.spines.values():
-                spine.set_visible(True)
-                spine.set_color(colors[cluster.labels[one]])
-                spine.set_linewidth(2.2)
+            frame_in(axes, colors[cluster.labels[one]], 2.2)
         top += title + count * step
     return sheet.figure
+
+
+FIGURES = {
+    "figure_12": (
+        "Salient regions in the largest cluster of the localized HOG descriptor, on the training frames of "
+        "one fold; their edges have the colour of their frame's place. The bar gives the places of all its "
+        "regions in percent. Patches (a) nearest to its centre; the rest at random from the thirds of all its"
+        " patches with (b) most and (c) least contrast, the standard deviation of the grey levels.",
+        lambda run: draw_cluster(run, 1, by_contrast=True),
+    ),
+    "figure_13": (
+        "Salient regions in the second largest cluster of the localized HOG descriptor, on the training "
+        "frames of one fold; their edges have the colour of their frame's place. The bar gives the places of "
+        "all its regions in percent. Patches (a) nearest to its centre and (b) at random.",
+        lambda run: draw_cluster(run, 2, by_contrast=False),
+    ),
+    "figure_14": (
+        "Salient regions in the third largest cluster of the localized HOG descriptor, on the training frames"
+        " of one fold; their edges have the colour of their frame's place. The bar gives the places of all "
+        "its regions in percent. Patches (a) nearest to its centre and (b) at random.",
+        lambda run: draw_cluster(run, 3, by_contrast=False),
+    ),
+}

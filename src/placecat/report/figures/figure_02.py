@@ -19,3 +19,6 @@ def draw(run: Run) -> Figure:
     show_frame(axes, run.frame(home, index))
     axes.set_xlabel(f"{place_title(home)}, frame {index + 1}: {named}")
     return figure
+
+
+FIGURES = {"figure_02": (TITLE, draw)}

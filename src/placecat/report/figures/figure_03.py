@@ -57,3 +57,6 @@ def draw(run: Run) -> Figure:
     show_map(sheet.panel(last, middle - large / 2, LARGE, large), fused.conspicuity["intensity"])
     sheet.text(last + LARGE / 2, middle - large / 2 - 0.09, "conspicuity map I")
     return sheet.figure
+
+
+FIGURES = {"figure_03": (TITLE, draw)}

@@ -46,3 +46,6 @@ def draw(run: Run) -> Figure:
     sheet.text(width / 2, bottom - 0.09, "S saliency map")
     sheet.text(width / 2, bottom + large + 0.09, f"0 to {fused.saliency.max():.2f}")
     return sheet.figure
+
+
+FIGURES = {"figure_06": (TITLE, draw)}

@@ -4,7 +4,6 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from placecat import settings
 from placecat.drawing import palette
 from placecat.report.figures.panels import Sheet, draw_regions, show_frame, show_map
 from placecat.report.run import Run
@@ -17,12 +16,8 @@ TITLE = (
 WIDTH, GAP, FOOT = 3.5, 0.1, 0.3
 
 
-def draw(run: Run) -> Figure:
+def draw(run: Run, *, regions: int) -> Figure:
     """Draw the figure."""
-    return settings.call(_draw, run, settings=run.options("figure_07"), where="figures.figure_07")
-
-
-def _draw(run: Run, *, regions: int) -> Figure:
     home, index = run.example
     frame, fused = run.frame(home, index), run.saliency(home, index)
     found = run.regions(home, index)[:regions]
@@ -32,13 +27,13 @@ def _draw(run: Run, *, regions: int) -> Figure:
     left, right = sheet.panel(0.06, 0.06, WIDTH, height), sheet.panel(0.06 + WIDTH + GAP, 0.06, WIDTH, height)
     scales = run.params["attention"]["scales"]
     colors = dict(zip(scales, palette.steps(len(scales)), strict=True))
-    own = [colors[int(scale)] for scale in found[:, 2]]
+    of_regions = [colors[int(scale)] for scale in found[:, 2]]
     show_map(left, fused.saliency, frame_size=(columns, rows))
     left.scatter(
-        found[:, 0], found[:, 1], s=14, c=own, marker="o", edgecolors="white", linewidths=0.7, zorder=3
+        found[:, 0], found[:, 1], s=14, c=of_regions, marker="o", edgecolors="white", linewidths=0.7, zorder=3
     )
     show_frame(right, frame)
-    draw_regions(right, found, columns, own, linewidth=1.2)
+    draw_regions(right, found, columns, of_regions, linewidth=1.2)
     for axes in (left, right):
         axes.set_xlim(-0.5, columns - 0.5)
         axes.set_ylim(rows - 0.5, -0.5)
@@ -51,3 +46,6 @@ def _draw(run: Run, *, regions: int) -> Figure:
     ]
     sheet.figure.legend(handles, labels, loc="lower center", ncols=len(scales), borderaxespad=0.2)
     return sheet.figure
+
+
+FIGURES = {"figure_07": (TITLE, draw)}

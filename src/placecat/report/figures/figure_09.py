@@ -12,16 +12,15 @@ from matplotlib.patches import Circle, Wedge
 from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
-from placecat import seeds, settings
+from placecat import seeds
 from placecat.drawing.palette import INK, place_colors, place_title
 from placecat.errors import PlacecatError, SettingError
 from placecat.learning.knn import ModifiedKNN
 from placecat.learning.nearest import nearest_centers
-from placecat.report.figures.choice import home_of
 from placecat.report.figures.panels import Sheet, draw_regions, show_frame
-from placecat.report.figures.shares import place_legend, share_bar
+from placecat.report.figures.shares import place_legend, share_rows
 from placecat.report.figures.training import TrainingRegions, training_regions
-from placecat.report.run import Run
+from placecat.report.run import Run, home_of
 from placecat.vision.regions import radius
 
 TITLE = (
@@ -33,22 +32,20 @@ TITLE = (
 )
 PLANE, RIGHT, GAP, PIE, ROW = 4.1, 2.75, 0.25, 0.13, 0.27
 LABEL_GAP = 0.025
+# How a region's number is written.
+NUMBER: dict[str, Any] = {
+    "fontsize": 8,
+    "fontweight": "bold",
+    "bbox": {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.6},
+}
 
 
 @dataclass(frozen=True)
 class Query:
-    """A frame of the test home.
+    """A frame of the test home, by its index.
 
-    Attributes
-    ----------
-    index
-        Of the frame.
-    x
-        (n, D) descriptors of its regions.
-    clusters
-        (n,) nearest cluster of each.
-    proba
-        (classes,) what they say together.
+    Its regions have the (n, D) descriptors `x` and the (n,) nearest `clusters`; together they say `proba`
+    (classes,).
     """
 
     index: int
@@ -57,14 +54,10 @@ class Query:
     proba: NDArray[np.float64]
 
 
-def draw(run: Run) -> Figure:
-    """Draw the figure; settings in ``figures.figure_09``."""
-    return settings.call(_draw, run, settings=run.options("figure_09"), where="figures.figure_09")
-
-
-def _draw(
+def draw(
     run: Run, *, codebook: str, clusters: int, home: int, frame: int | None, regions: int, points: int
 ) -> Figure:
+    """Draw the figure; settings in ``figures.figure_09``."""
     test = home_of(run, home)
     train = training_regions(run, codebook, test)
     tree = run.codebook(codebook, run.fold(test).training_set).trees[0]
@@ -93,9 +86,7 @@ def _draw(
         inward = (middle - (x, y)) / max(float(np.hypot(*(middle - (x, y)))), 1.0)
         apart = float(radius(scale, picture.shape[1])) + LABEL_GAP * picture.shape[1]
         at = np.array((x, y)) + inward * apart
-        view.text(
-            at[0], at[1], str(number), ha="center", va="center", fontsize=8, fontweight="bold", bbox=_label()
-        )
+        view.text(at[0], at[1], str(number), ha="center", va="center", **NUMBER)
     view.set_xlim(-0.5, picture.shape[1] - 0.5)
     view.set_ylim(picture.shape[0] - 0.5, -0.5)
     truth = place_title(run.classes[run.labels(test)[query.index]])
@@ -161,34 +152,20 @@ def _draw_plane(
     tree = model.codebook
     assert tree is not None
     colors = colormaps["tab20"](np.arange(model.n_clusters) % 20)
-    at_dots = pca.transform(dots)
-    axes.scatter(
-        at_dots[:, 0],
-        at_dots[:, 1],
-        s=5,
-        c=colors[tree.assign(dots, model.n_clusters)],
-        alpha=0.55,
-        linewidths=0,
-    )
+    at_dots, assigned = pca.transform(dots), tree.assign(dots, model.n_clusters)
+    axes.scatter(at_dots[:, 0], at_dots[:, 1], s=5, c=colors[assigned], alpha=0.55, linewidths=0)
     centers = pca.transform(model.centers_)
     place = place_colors(classes)
     size = PIE / PLANE * float(np.ptp(at_dots[:, 0]))
     for number, (center, counts) in enumerate(zip(centers, model.frequencies_, strict=True)):
         start = 90.0
         for column, share in zip(model.classes_, counts / max(counts.sum(), 1), strict=True):
-            color = place[classes[int(column)]]
-            axes.add_patch(
-                Wedge(
-                    center,
-                    size,
-                    start - 360 * share,
-                    start,
-                    facecolor=color,
-                    edgecolor="white",
-                    linewidth=0.4,
-                    zorder=3,
-                )
-            )
+            style: dict[str, Any] = {
+                "facecolor": place[classes[int(column)]],
+                "edgecolor": "white",
+                "linewidth": 0.4,
+            }
+            axes.add_patch(Wedge(center, size, start - 360 * share, start, zorder=3, **style))
             start -= 360 * share
         rings = [(1.08, "white", 3.2), (1.08, colors[number], 1.8)]
         if number in query.clusters:
@@ -202,16 +179,7 @@ def _draw_plane(
         axes.scatter(
             at[0], at[1], s=52, marker="D", color="black", edgecolors="white", linewidths=0.9, zorder=5
         )
-        axes.annotate(
-            str(number),
-            at,
-            (7, 5),
-            textcoords="offset points",
-            fontsize=8,
-            fontweight="bold",
-            zorder=6,
-            bbox=_label(),
-        )
+        axes.annotate(str(number), at, (7, 5), textcoords="offset points", zorder=6, **NUMBER)
     axes.set_aspect("equal", adjustable="datalim")
     axes.margins(0.02)
     axes.set_axis_off()
@@ -219,24 +187,18 @@ def _draw_plane(
 
 def _draw_product(axes: Axes, model: ModifiedKNN, query: Query, classes: Sequence[str]) -> None:
     counts = model.frequencies_ + model.smoothing
-    rows = [(f"× region {number}", counts[cluster]) for number, cluster in enumerate(query.clusters, 1)]
-    rows += [("÷ all regions", counts.sum(axis=0)), ("= the frame", query.proba)]
-    rows[0] = (rows[0][0].removeprefix("× "), rows[0][1])
-    for row, (_, values) in enumerate(rows):
-        # A place without training frames has no part in any of them.
-        shares = np.zeros(len(classes))
-        shares[model.classes_] = values / values.sum()
-        share_bar(axes, -row, shares, classes, height=0.72)
-    axes.set_yticks([-row for row in range(len(rows))], [name for name, _ in rows])
+    rows = {
+        f"{'× ' if number > 1 else ''}region {number}": counts[cluster]
+        for number, cluster in enumerate(query.clusters, 1)
+    }
+    rows |= {"÷ all regions": counts.sum(axis=0), "= the frame": query.proba}
+    # A place without training frames has no part in any of them.
+    shares = {name: np.zeros(len(classes)) for name in rows}
+    for name, values in rows.items():
+        shares[name][model.classes_] = values / values.sum()
+    share_rows(axes, shares, classes, height=0.72)
     axes.get_yticklabels()[-1].set_fontweight("bold")
     axes.axhline(-len(rows) + 1.5, color=INK, linewidth=0.6)
-    axes.tick_params(length=0)
-    axes.set_xticks([])
-    axes.set_xlim(0, 1)
-    axes.set_ylim(-len(rows) + 0.5, 0.5)
-    for spine in axes.spines.values():
-        spine.set_visible(False)
 
 
-def _label() -> dict[str, object]:
-    return {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.6}
+FIGURES = {"figure_09": (TITLE, draw)}

@@ -1,7 +1,6 @@
 """Figure 11: what the hidden Markov model and the delay make of a classifier's output (thesis 3.4)."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -10,14 +9,10 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
-from placecat import settings
 from placecat.drawing import palette
 from placecat.errors import SettingError
-from placecat.report.figures.choice import home_of
 from placecat.report.figures.segment import most_smoothed, stretches
-
-if TYPE_CHECKING:
-    from placecat.report.run import Run
+from placecat.report.run import Run, home_of
 
 TITLE = (
     "The output of the integration, of the hidden Markov model, and of the delay behind it, where the model "
@@ -34,28 +29,21 @@ NAMED = 0.12
 LUMINANCE = np.array([0.299, 0.587, 0.114])
 
 
-def draw(run: "Run") -> Figure:
-    """Three panels below each other; settings in ``figures.figure_11``."""
-    return settings.call(_draw, run, settings=run.options("figure_11"), where="figures.figure_11")
-
-
-def _draw(
-    run: "Run", *, home: int | None, start: int | None, frames: int, classifier: str, hmm: str, delayed: str
+def draw(
+    run: Run, *, home: int | None, start: int | None, frames: int, classifier: str, hmm: str, delayed: str
 ) -> Figure:
-    results = {
-        "Integration": classifier,
-        "Hidden Markov model": hmm,
-        "Hidden Markov model with delay": delayed,
-    }
+    """Three panels below each other; settings in ``figures.figure_11``."""
     if frames < 2:
         raise SettingError(f"figures.figure_11.frames must be 2 or more, not {frames}")
     chosen, window = choose(run, classifier, hmm, home=home, start=start, frames=frames)
-    outputs = {title: run.proba(result, chosen)[window] for title, result in results.items()}
+    titles = ("Integration", "Hidden Markov model", "Hidden Markov model with delay")
+    results = zip(titles, (classifier, hmm, delayed), strict=True)
+    outputs = {title: run.proba(result, chosen)[window] for title, result in results}
     return figure(outputs, run.labels(chosen)[window], run.source(classifier).classes, chosen, window.start)
 
 
 def choose(
-    run: "Run", classifier: str, hmm: str, *, home: int | None, start: int | None, frames: int
+    run: Run, classifier: str, hmm: str, *, home: int | None, start: int | None, frames: int
 ) -> tuple[str, slice]:
     """The home and the frames that are shown.
 
@@ -77,16 +65,10 @@ def choose(
         if not 0 <= start < length - 1:
             raise SettingError(f"figures.figure_11.start must be in 0 to {length - 2}, not {start}")
         return homes[0], slice(start, min(start + frames, length))
-    found = [
-        most_smoothed(
-            run.proba(classifier, one),
-            run.proba(hmm, one),
-            run.labels(one),
-            run.sequence_slices(one),
-            frames=frames,
-        )
-        for one in homes
-    ]
+    found = []
+    for one in homes:
+        before, after = (run.proba(result, one) for result in (classifier, hmm))
+        found.append(most_smoothed(before, after, run.labels(one), run.sequence_slices(one), frames=frames))
     best = int(np.argmax([removed for removed, _ in found]))
     return homes[best], found[best][1]
 
@@ -98,16 +80,9 @@ def figure(
     home: str,
     start: int,
 ) -> Figure:
-    """Draw the panels.
+    """Draw panels: titles to (frames, classes) distributions, and (frames,) true classes, -1 for unlabelled.
 
-    Parameters
-    ----------
-    outputs
-        Title of a panel to (frames, classes) distributions.
-    truth
-        (frames,) class indices, -1 for unlabelled.
-    home, start
-        Where the frames are from, and the first one's index.
+    The frames are those of a home from `start` on.
     """
     colors = list(palette.place_colors(classes).values())
     decided = [proba.argmax(axis=1) for proba in outputs.values()]
@@ -175,11 +150,9 @@ def _name(
         return
     place = truth[part.start]
     name, color = ("no label", "white") if place < 0 else (palette.place_title(classes[place]), colors[place])
-    dark = np.dot(to_rgb(color), LUMINANCE) < 0.5
-    text: dict[str, Any] = {
-        "ha": "center",
-        "va": "center_baseline",
-        "fontsize": 7,
-        "color": "white" if dark else palette.INK,
-    }
-    axes.text(start + (part.start + part.stop) / 2, 0.5, name, **text)
+    ink = "white" if np.dot(to_rgb(color), LUMINANCE) < 0.5 else palette.INK
+    middle = start + (part.start + part.stop) / 2
+    axes.text(middle, 0.5, name, ha="center", va="center_baseline", fontsize=7, color=ink)
+
+
+FIGURES = {"figure_11": (TITLE, draw)}

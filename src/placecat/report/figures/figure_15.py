@@ -1,21 +1,17 @@
 """Figure 15: which places are taken for which, after integration and after smoothing (thesis 4.5)."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from placecat import settings
 from placecat.drawing import palette
-from placecat.errors import PlacecatError, SettingError
+from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import home_accuracy
-from placecat.report.figures.choice import home_of
-
-if TYPE_CHECKING:
-    from placecat.report.run import Run
+from placecat.report.run import Run, home_of
 
 TITLE = (
     "The confusion matrices after integration and after smoothing for a home, first seed: percent of the "
@@ -27,14 +23,8 @@ WIDTH = 6.5
 DARK = 55.0
 
 
-def draw(run: "Run") -> Figure:
+def draw(run: Run, *, home: int, panels: Mapping[str, str]) -> Figure:
     """One matrix a panel; settings in ``figures.figure_15``."""
-    return settings.call(_draw, run, settings=run.options("figure_15"), where="figures.figure_15")
-
-
-def _draw(run: "Run", *, home: int, panels: Mapping[str, str]) -> Figure:
-    if not panels:
-        raise SettingError("figures.figure_15.panels names no result")
     chosen = home_of(run, home)
     drawn = Figure(figsize=(WIDTH, WIDTH / len(panels) + 0.3))
     grid = drawn.subplots(1, len(panels), squeeze=False, sharey=True)[0]
@@ -42,22 +32,16 @@ def _draw(run: "Run", *, home: int, panels: Mapping[str, str]) -> Figure:
         measured = run.results.of(result)
         if chosen not in measured.homes:
             raise PlacecatError(f"{result} was not measured on {chosen}")
-        matrix(axes, measured.confusion[0, measured.homes.index(chosen)], measured.classes)
-        accuracy = home_accuracy(measured.confusion[0, measured.homes.index(chosen)])
+        confusion = measured.confusion[0, measured.homes.index(chosen)]
+        matrix(axes, confusion, measured.classes)
         letter = f"({chr(ord('a') + number)}) " if len(panels) > 1 else ""
-        axes.set_title(f"{letter}{title}, accuracy {accuracy:.1f} %", loc="left")
+        axes.set_title(f"{letter}{title}, accuracy {home_accuracy(confusion):.1f} %", loc="left")
     grid[0].set_ylabel(f"true place of {palette.place_title(chosen)}")
     return drawn
 
 
 def matrix(axes: Axes, confusion: NDArray[np.int64], classes: Sequence[str]) -> None:
-    """Draw one confusion matrix.
-
-    Parameters
-    ----------
-    confusion
-        (classes, classes) counts, rows true; a place without frames has a row of dashes.
-    """
+    """Draw (classes, classes) counts, rows true; a place without frames has a row of dashes."""
     totals = confusion.sum(axis=1, keepdims=True)
     percent = 100.0 * confusion / np.maximum(totals, 1)
     axes.imshow(percent, cmap=palette.AMOUNT, vmin=0.0, vmax=100.0)
@@ -74,5 +58,7 @@ def matrix(axes: Axes, confusion: NDArray[np.int64], classes: Sequence[str]) -> 
     axes.set_yticks(range(len(names)), names)
     axes.tick_params(length=0)
     axes.set_xlabel("decided place")
-    for spine in axes.spines.values():
-        spine.set_visible(True)
+    axes.spines[:].set_visible(True)
+
+
+FIGURES = {"figure_15": (TITLE, draw)}

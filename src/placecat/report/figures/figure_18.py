@@ -11,7 +11,7 @@ from placecat import settings
 from placecat.drawing.palette import place_title
 from placecat.errors import PlacecatError
 from placecat.report.figures.panels import Sheet, show_frame
-from placecat.report.figures.shares import place_legend, share_bar
+from placecat.report.figures.shares import place_legend, share_rows
 from placecat.report.run import Run
 
 TITLE = (
@@ -33,12 +33,8 @@ class Failure(NamedTuple):
     certainty: float
 
 
-def draw(run: Run) -> Figure:
+def draw(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
     """Draw the figure; settings in ``figures.figure_18``."""
-    return settings.call(_draw, run, settings=run.options("figure_18"), where="figures.figure_18")
-
-
-def _draw(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
     least = float(settings.get(run.params, f"filters.{filter}.threshold"))
     found = failures(run, list(cues.values()), least)[:SHOWN]
     if not found:
@@ -59,44 +55,27 @@ def _draw(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
         )
         show_frame(sheet.panel(0.06, top, WIDTH, height), run.frame(one.home, one.frame))
         axes = sheet.panel(0.06 + WIDTH + LABELS, top, BARS, height)
-        for line, result in enumerate(cues.values()):
-            proba = run.proba(result, one.home)[one.frame]
-            share_bar(axes, -line, proba, run.classes)
+        probas = {cue: run.proba(result, one.home)[one.frame] for cue, result in cues.items()}
+        share_rows(axes, probas, run.classes)
+        for line, proba in enumerate(probas.values()):
             decision = place_title(run.classes[int(proba.argmax())])
             axes.text(1.03, -line, decision, fontsize=7, ha="left", va="center")
-        axes.set_yticks([-line for line in range(len(cues))], list(cues))
-        axes.set_xlim(0, 1)
-        axes.set_ylim(-len(cues) + 0.5, 0.5)
-        axes.set_xticks([])
-        axes.tick_params(length=0)
-        for spine in axes.spines.values():
-            spine.set_visible(False)
     place_legend(sheet.figure, run.classes, (0.3, 0.14 / sheet.height))
     return sheet.figure
 
 
 def failures(run: Run, results: list[str], least: float = 0.0) -> list[Failure]:
-    """Find for each place the frame that all cues get wrong with the greatest certainty.
+    """Find for each place the frame that all cues get wrong with the greatest certainty, the surest first.
 
-    Parameters
-    ----------
-    results
-        Names of the cues' results.
-    least
-        Information measure from which a frame counts.
-
-    Returns
-    -------
-    list
-        At most one a place, the surest first.
+    A frame counts from an information measure of `least` on; `results` are those of the cues.
     """
     homes = run.source(results[0]).homes
     labels = [run.labels(home) for home in homes]
     probas = [np.stack([run.proba(result, home) for result in results]) for home in homes]
     pooled = np.concatenate(labels)
     proba = np.concatenate(probas, axis=1)
-    home_of_row = np.repeat(np.arange(len(homes)), [len(own) for own in labels])
-    index_of_row = np.concatenate([np.arange(len(own)) for own in labels])
+    home_of_row = np.repeat(np.arange(len(homes)), [len(of_home) for of_home in labels])
+    index_of_row = np.concatenate([np.arange(len(of_home)) for of_home in labels])
     shown = np.concatenate([run.information(home) for home in homes]) >= least
     wrong = (proba.argmax(axis=2) != pooled).all(axis=0) & shown
     certainty = surety(proba.max(axis=2), pooled >= 0)
@@ -112,18 +91,16 @@ def failures(run: Run, results: list[str], least: float = 0.0) -> list[Failure]:
 
 
 def surety(largest: NDArray[np.float64], labelled: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """How sure several cues are of their decisions: some have nearly even distributions always, others never.
+    """(frames,) share of the `labelled` frames on which a cue is at most as sure, the mean over the cues.
 
-    Parameters
-    ----------
-    largest
-        (cues, frames) probability of the decision.
-    labelled
-        (frames,) which frames to compare with.
-
-    Returns
-    -------
-    (frames,) share of the labelled frames on which a cue is at most as sure, the mean over the cues.
+    `largest` are the (cues, frames) probabilities of the decisions. They do not compare themselves: some cues
+    have nearly even distributions always, others never.
     """
-    shares = [np.searchsorted(np.sort(own[labelled]), own, side="right") / labelled.sum() for own in largest]
+    shares = [
+        np.searchsorted(np.sort(of_cue[labelled]), of_cue, side="right") / labelled.sum()
+        for of_cue in largest
+    ]
     return np.mean(shares, axis=0)
+
+
+FIGURES = {"figure_18": (TITLE, draw)}

@@ -15,12 +15,8 @@ TITLE = (
 WIDTH, GAP = 3.2, 0.15
 
 
-def draw(run: Run) -> Figure:
+def draw(run: Run, *, filter: str) -> Figure:
     """Draw the figure; settings in ``figures.figure_19``."""
-    return settings.call(_draw, run, settings=run.options("figure_19"), where="figures.figure_19")
-
-
-def _draw(run: Run, *, filter: str) -> Figure:
     threshold = float(settings.get(run.params, f"filters.{filter}.threshold"))
     rejected = [
         (float(value), home, index)
@@ -42,3 +38,6 @@ def _draw(run: Run, *, filter: str) -> Figure:
         measure = f"information measure {value:.5f}, threshold {threshold:.5f}"
         sheet.text(left + WIDTH / 2, height + 0.27, f"{where}\n{measure}", linespacing=1.3)
     return sheet.figure
+
+
+FIGURES = {"figure_19": (TITLE, draw)}

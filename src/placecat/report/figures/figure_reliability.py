@@ -1,7 +1,6 @@
 """Reliability diagrams, an added figure: are decisions right as often as their probabilities say?"""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -10,11 +9,9 @@ from matplotlib.lines import Line2D
 
 from placecat import settings
 from placecat.drawing import palette
-from placecat.errors import PlacecatError, SettingError
+from placecat.errors import PlacecatError
 from placecat.evaluation.probabilities import Reliability, pooled, reliability
-
-if TYPE_CHECKING:
-    from placecat.report.run import Run
+from placecat.report.run import Run
 
 TITLE = (
     "Reliability diagrams: frames sorted into bins by the probability of their decided place. A point is a "
@@ -35,15 +32,8 @@ LEAST = 0.005
 LARGEST, SMALLEST = 150.0, 5.0
 
 
-def draw(run: "Run") -> Figure:
+def draw(run: Run, *, panels: Mapping[str, str]) -> Figure:
     """One diagram a result; settings in ``figures.figure_reliability``."""
-    own = run.options("figure_reliability")
-    return settings.call(_draw, run, settings=own, where="figures.figure_reliability")
-
-
-def _draw(run: "Run", *, panels: Mapping[str, str]) -> Figure:
-    if not panels:
-        raise SettingError("figures.figure_reliability.panels names no result")
     rows = -(-len(panels) // COLUMNS)
     drawn = Figure(figsize=(WIDTH, rows * ROW + LEGEND))
     heights = [4.0, 1.0] * rows
@@ -77,14 +67,8 @@ def _draw(run: "Run", *, panels: Mapping[str, str]) -> Figure:
     return drawn
 
 
-def diagram_of(run: "Run", result: str) -> Reliability:
-    """The diagram of all test homes and seeds of a result, each weighing the same.
-
-    Raises
-    ------
-    PlacecatError
-        If this run has not the result, or no labelled frame of it.
-    """
+def diagram_of(run: Run, result: str) -> Reliability:
+    """The diagram of all test homes and seeds of a result, each weighing the same; needs a labelled frame."""
     source = run.source(result)
     bins = settings.get(run.params, "probabilities.bins")
     found = [
@@ -99,7 +83,7 @@ def diagram_of(run: "Run", result: str) -> Reliability:
     return pooled(there)
 
 
-def numbers(run: "Run", result: str) -> str:
+def numbers(run: Run, result: str) -> str:
     """Log-loss and calibration error as in the added table."""
     averages = run.results.quality[result].averages()
     return f"log loss {averages['log_loss']:.2f}, error {averages['calibration_error']:.1f} %"
@@ -124,3 +108,6 @@ def bars(axes: Axes, diagram: Reliability) -> None:
     count = len(diagram.weight)
     axes.bar((np.arange(count) + 0.5) / count, 100.0 * diagram.weight, 0.9 / count, color=palette.MUTED)
     axes.set_yticks([0, round(100.0 * float(diagram.weight.max()))])
+
+
+FIGURES = {"figure_reliability": (TITLE, draw)}

@@ -16,14 +16,9 @@ DARKEST = 99.5
 
 
 def show_frame(axes: Axes, frame: NDArray[np.uint8], *, width: int = 960) -> None:
-    """Show a frame without axes; the data coordinates are the frame's pixels.
+    """Show a frame, (H, W, 3) uint8 BGR, without axes; the data coordinates are the frame's pixels.
 
-    Parameters
-    ----------
-    frame
-        (H, W, 3) uint8 BGR.
-    width
-        Of the picture kept in the figure, in pixels; a smaller frame stays as it is.
+    The figure keeps a picture of at most `width` pixels.
     """
     height, full = frame.shape[:2]
     shown = cv2.cvtColor(frame, cv2.COLOR_BGR2RGB)
@@ -31,42 +26,28 @@ def show_frame(axes: Axes, frame: NDArray[np.uint8], *, width: int = 960) -> Non
         shown = cv2.resize(shown, (width, round(width * height / full)), interpolation=cv2.INTER_AREA)
     extent = (-0.5, full - 0.5, height - 0.5, -0.5)
     axes.imshow(shown, extent=extent, interpolation="lanczos")
-    _bare(axes)
+    frame_in(axes)
 
 
 def show_map(axes: Axes, plane: NDArray[np.floating], *, frame_size: tuple[int, int] | None = None) -> None:
-    """Show a map, strong responses dark; the darkest are those from the `DARKEST` percentile on.
+    """Show a map (h, w) >= 0, strong responses dark; the darkest are those from the `DARKEST` percentile on.
 
-    Parameters
-    ----------
-    plane
-        (h, w), >= 0.
-    frame_size
-        (width, height) of the frame that the data coordinates are to be pixels of; None for the map's own.
+    The data coordinates are pixels of the frame of that size (width, height), or None, the map's own.
     """
-    height, width = plane.shape
+    width, height = frame_size or plane.shape[::-1]
     extent = (-0.5, width - 0.5, height - 0.5, -0.5)
-    if frame_size is not None:
-        extent = (-0.5, frame_size[0] - 0.5, frame_size[1] - 0.5, -0.5)
     # A few peaks are many times the rest, which they would leave white.
     darkest = float(np.percentile(plane, DARKEST))
     axes.imshow(plane, cmap=palette.MAP, vmin=0.0, vmax=darkest or float(plane.max()) or 1.0, extent=extent)
-    _bare(axes)
+    frame_in(axes)
 
 
 def draw_regions(
     axes: Axes, regions: NDArray[np.float32], width: int, colors: list[str], *, linewidth: float = 1.0
 ) -> None:
-    """Draw the circles of salient regions (thesis 3.1.1.3) over a frame.
+    """Draw circles around salient regions (n, 4) (x, y, scale, saliency; thesis 3.1.1.3), a colour each.
 
-    Parameters
-    ----------
-    regions
-        (n, 4): x, y, scale, saliency.
-    width
-        Of the frame in pixels.
-    colors
-        One a region.
+    The frame that they lie on has `width` pixels.
     """
     for (x, y, scale, _), color in zip(regions.tolist(), colors, strict=True):
         size = float(radius(scale, width))
@@ -76,13 +57,7 @@ def draw_regions(
 
 
 class Sheet:
-    """A figure whose panels are placed by hand, in inches from the upper left corner.
-
-    Parameters
-    ----------
-    width, height
-        Of the figure in inches.
-    """
+    """A figure of `width` and `height` inches; its panels are placed by hand, from the upper left corner."""
 
     def __init__(self, width: float, height: float) -> None:
         self.width, self.height = width, height
@@ -131,10 +106,8 @@ def weight_text(weight: float) -> str:
     return f"× 1/√{peaks(weight)}" if weight else "× 0"
 
 
-def _bare(axes: Axes) -> None:
+def frame_in(axes: Axes, color: str = "#999999", linewidth: float = 0.5) -> None:
+    """Leave only a line around the axes."""
     axes.set_xticks([])
     axes.set_yticks([])
-    for spine in axes.spines.values():
-        spine.set_visible(True)
-        spine.set_color("#999999")
-        spine.set_linewidth(0.5)
+    axes.spines[:].set(visible=True, color=color, linewidth=linewidth)

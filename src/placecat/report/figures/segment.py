@@ -17,6 +17,7 @@ def most_smoothed(
     """Find the window in which smoothing removes most changes of the decision.
 
     Changes count between two labelled frames without a cut between them. Of equal windows the first is taken.
+    Gives the number of changes before minus those after, and the window.
 
     Parameters
     ----------
@@ -24,17 +25,8 @@ def most_smoothed(
         (n, classes) distributions of the same frames; a decision is the most probable place.
     truth
         (n,) class indices, -1 for unlabelled.
-    sequences
-        Stretches of frames without a cut; a window lies in one of them.
-    frames
-        Length of the window; a shorter sequence is a window as it is.
-
-    Returns
-    -------
-    removed
-        Changes in `before` minus changes in `after`; -1 * n or more.
-    window
-        The frames.
+    sequences, frames
+        Stretches without a cut, in one of which a window of so many frames lies; a shorter one is a window.
     """
     removed = changes(before, truth) - changes(after, truth)
     best: tuple[int, slice] | None = None

@@ -1,6 +1,6 @@
 """Distributions over places as bars cut into shares (Figures 9, 12 to 14)."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -19,15 +19,7 @@ LEGEND_COLUMNS = 5
 def share_bar(
     axes: Axes, y: float, shares: NDArray[np.floating], classes: Sequence[str], *, height: float = 0.7
 ) -> None:
-    """Draw one distribution as a horizontal bar from 0 to 1, with percentages where there is room.
-
-    Parameters
-    ----------
-    y
-        Of its middle.
-    shares
-        (classes,) that sum to 1.
-    """
+    """Draw (classes,) shares of 1 as a horizontal bar around `y`, with percentages where there is room."""
     left = 0.0
     for share, color in zip(shares.tolist(), place_colors(classes).values(), strict=True):
         axes.barh(y, share, height, left, color=color, edgecolor="white", linewidth=0.6)
@@ -37,6 +29,20 @@ def share_bar(
                 left + share / 2, y, f"{100 * share:.0f}", color=ink, fontsize=7, ha="center", va="center"
             )
         left += share
+
+
+def share_rows(
+    axes: Axes, rows: Mapping[str, NDArray[np.floating]], classes: Sequence[str], *, height: float = 0.7
+) -> None:
+    """Draw a distribution (classes,) a row, with its name on the left; the first is at 0, the next at -1."""
+    for row, shares in enumerate(rows.values()):
+        share_bar(axes, -row, shares, classes, height=height)
+    axes.set_yticks([-row for row in range(len(rows))], list(rows))
+    axes.set_xlim(0, 1)
+    axes.set_ylim(-len(rows) + 0.5, 0.5)
+    axes.set_xticks([])
+    axes.tick_params(length=0)
+    axes.spines[:].set_visible(False)
 
 
 def place_legend(figure: Figure, classes: Sequence[str], at: tuple[float, float]) -> None:

@@ -1,7 +1,9 @@
-"""Strips of probabilities: frames rightwards, places downwards, the darker the more probable."""
+"""Thesis 4.5 and 4.9, Figures 16, 17 and 20: strips of probabilities, the darker the more probable a place.
+
+Frames run rightwards, places downwards.
+"""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib import patheffects
@@ -16,11 +18,8 @@ from numpy.typing import NDArray
 from placecat.drawing import palette
 from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
-from placecat.report.figures.choice import home_of
 from placecat.report.figures.segment import stretches
-
-if TYPE_CHECKING:
-    from placecat.report.run import Run
+from placecat.report.run import Run, home_of
 
 # As many as a strip has pixels; more frames than that are averaged.
 MAX_COLUMNS = 1000
@@ -34,12 +33,17 @@ BELOW = 0.6
 DASHES = (0, (3, 2))
 
 
-def of_home(run: "Run", *, home: int, panels: Mapping[str, str]) -> Figure:
+def of_home(run: Run, *, home: int, panels: Mapping[str, str]) -> Figure:
     """The strips of one home, given by its number from 1; see :func:`figure`."""
     return figure(run, [home_of(run, home)], panels)
 
 
-def figure(run: "Run", homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
+def of_tests(run: Run, *, panels: Mapping[str, str]) -> Figure:
+    """The strips of all test homes of the first result; see :func:`figure`."""
+    return figure(run, run.source(next(iter(panels.values()))).homes, panels)
+
+
+def figure(run: Run, homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
     """Strips below each other, each with its homes beside each other; the greys span what a strip has.
 
     Parameters
@@ -52,10 +56,8 @@ def figure(run: "Run", homes: Sequence[str], panels: Mapping[str, str]) -> Figur
     Raises
     ------
     PlacecatError
-        If there is no panel, or this run has not one of the results.
+        If this run has not one of the results.
     """
-    if not panels:
-        raise PlacecatError("there is no strip to draw: name results in the figure's panels")
     listed = {home: run.source(next(iter(panels.values()))).listed(home) for home in homes}
     truths = {home: run.labels(listed[home]) for home in homes}
     cuts = {home: [part.start for part in run.sequence_slices(listed[home])[1:]] for home in homes}
@@ -149,12 +151,9 @@ def draw(
 
 
 def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
-    """Draw the line of the true place: thick in the rows, thin between them.
+    """Draw the line of the true place, thick in the rows, thin between them, from (frames,) class indices.
 
-    Parameters
-    ----------
-    truth
-        (frames,) class indices, -1 for unlabelled: the line is in the row `n_classes` there.
+    Where a frame is unlabelled, -1, the line is in the row `n_classes`.
     """
     row = np.where(truth < 0, n_classes, truth)
     parts = stretches(row)
@@ -178,18 +177,29 @@ def greys(proba: NDArray[np.float64]) -> tuple[float, float]:
 
 
 def columns(proba: NDArray[np.float64], limit: int) -> NDArray[np.float64]:
-    """Average neighbouring frames where there are more than `limit`.
-
-    Parameters
-    ----------
-    proba
-        (frames, classes).
-
-    Returns
-    -------
-    (min(frames, limit), classes); a row is the mean of its equal share of the frames.
-    """
+    """Average neighbours of (frames, classes) to (min(frames, limit), classes), means of equal shares."""
     if len(proba) <= limit:
         return proba
     edges = np.arange(limit + 1) * len(proba) // limit
     return np.add.reduceat(proba, edges[:-1]) / np.diff(edges)[:, None]
+
+
+FIGURES = {
+    "figure_16": (
+        "The probability distributions of each classifier on each frame of a home, first seed: the darker, "
+        "the more probable the place, in the greys at the right. The blue line is the true place.",
+        of_home,
+    ),
+    "figure_17": (
+        "The probability distributions after integration and after smoothing on each frame of a home, "
+        "first seed: the darker, the more probable the place, in the greys at the right. The blue line is "
+        "the true place.",
+        of_home,
+    ),
+    "figure_20": (
+        "The probability distributions after integration and after smoothing on each frame of the "
+        "university's test sequences, first seed: the darker, the more probable the place, in the greys at "
+        "the right. The blue line is the true place. The thesis shows the COLD database.",
+        of_tests,
+    ),
+}

@@ -37,15 +37,7 @@ class TrainingRegions:
 
 
 def training_regions(run: Run, codebook: str, test_home: str) -> TrainingRegions:
-    """Read what the codebook of one fold of 5-5-1 was made of.
-
-    Parameters
-    ----------
-    codebook
-        Its name, e.g. ``hog_y``.
-    test_home
-        The home that the fold leaves out.
-    """
+    """Read what a codebook, e.g. ``hog_y``, was made of in the fold of 5-5-1 without the test home."""
     homes = run.fold(test_home).cue_homes
     parts = []
     for position, home in enumerate(homes):

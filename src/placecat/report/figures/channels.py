@@ -1,4 +1,4 @@
-"""The layout that Figures 4 and 5 share: the sub-channels of one channel around its conspicuity map."""
+"""Thesis 3.1.1.1, Figures 4 and 5: the channels of colour and orientation, around their conspicuity maps."""
 
 from collections.abc import Sequence
 
@@ -6,21 +6,15 @@ from matplotlib.figure import Figure
 
 from placecat.report.figures.panels import Sheet, show_map, weight_text
 from placecat.report.run import Run
+from placecat.vision.orientation import ANGLES
 
 WIDTH, GAP, ARROW, HEAD = 1.55, 0.14, 0.95, 0.2
 
 
 def draw_channel(run: Run, channel: str, symbol: str, subchannels: Sequence[str]) -> Figure:
-    """Draw the feature maps of one channel's sub-channels, added across scales, and their weighted sum.
+    """Draw the feature maps of one channel's four sub-channels, added across scales, and their weighted sum.
 
-    Parameters
-    ----------
-    channel
-        Of `placecat.vision.saliency.CHANNELS`; it has four sub-channels.
-    symbol
-        Of its conspicuity map, e.g. "C".
-    subchannels
-        What to call them, in their order.
+    The sub-channels are called so in their order, and the conspicuity map by a symbol, e.g. "C".
     """
     home, index = run.example
     fused = run.saliency(home, index)
@@ -48,3 +42,20 @@ def draw_channel(run: Run, channel: str, symbol: str, subchannels: Sequence[str]
     show_map(sheet.panel(middle, centre - height / 2, WIDTH, height), fused.conspicuity[channel])
     sheet.text(middle + WIDTH / 2, centre - height / 2 - 0.09, f"conspicuity map {symbol}")
     return sheet.figure
+
+
+FIGURES = {
+    "figure_04": (
+        "The colour channel on the example frame: the feature maps C' of red, green, blue and yellow, added "
+        "across scales and neighbourhoods, and the conspicuity map C, which adds these with the weights 1/√m."
+        " Dark is strong; the half percent strongest of every map is black.",
+        lambda run: draw_channel(run, "color", "C", ("red", "green", "blue", "yellow")),
+    ),
+    "figure_05": (
+        "The orientation channel on the example frame: the feature maps O' at 0°, 45°, 90° and 135° (the "
+        "direction that the Gabor filter's wave runs in: 0° answers to vertical edges), added across scales, "
+        "and the conspicuity map O, which adds these with the weights 1/√m. Dark is strong; the half percent "
+        "strongest of every map is black.",
+        lambda run: draw_channel(run, "orientation", "O", [f"{angle:.0f}°" for angle in ANGLES]),
+    ),
+}

@@ -1,0 +1,60 @@
+"""A filled table as Markdown and as LaTeX: what was measured first, the published numbers below."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import pandas as pd
+
+from placecat.report.grid import shown_table
+from placecat.templates import environment
+
+# Characters that would end a cell or begin markup.
+_MARKDOWN = str.maketrans({"\n": " ", **{character: f"\\{character}" for character in "\\|*`<"}})
+_LATEX = str.maketrans(
+    {
+        "\n": " ",
+        "\\": r"\textbackslash{}",
+        **{character: f"\\{character}" for character in "&%$#_{}"},
+        "~": r"\textasciitilde{}",
+        "^": r"\textasciicircum{}",
+        # After the end of a row it would begin an optional argument.
+        "[": "{[}",
+        "<": r"\textless{}",
+        ">": r"\textgreater{}",
+        "|": r"\textbar{}",
+        '"': r"\textquotedbl{}",
+        "–": "--",
+        "−": "$-$",
+        "×": r"$\times$",
+        "γ": r"$\gamma$",
+        "ν": r"$\nu$",
+    }
+)
+
+
+def table_markdown(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]) -> str:
+    """Write one filled table as Markdown; parameters as for :func:`placecat.report.grid.shown_table`."""
+    escaping = environment("placecat.report").overlay(finalize=lambda value: _escaped(value, _MARKDOWN))
+    return escaping.get_template("table.md.j2").render(**shown_table(settings, table, dataset))
+
+
+def table_latex(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]) -> str:
+    """Write one filled table as a LaTeX ``table`` environment, which needs ``\\usepackage{booktabs}``.
+
+    Under each row of measured numbers stand the published ones in italics, as standard errors stand under
+    coefficients; footnotes give the reasons of empty cells. Parameters as for
+    :func:`placecat.report.grid.shown_table`.
+    """
+    # Delimiters that do not clash with LaTeX's braces.
+    escaping = environment("placecat.report").overlay(
+        variable_start_string="<<",
+        variable_end_string=">>",
+        comment_start_string="<#",
+        comment_end_string="#>",
+        finalize=lambda value: _escaped(value, _LATEX),
+    )
+    return escaping.get_template("table.tex.j2").render(**shown_table(settings, table, dataset))
+
+
+def _escaped(value: Any, special: Mapping[int, str]) -> Any:
+    return value.translate(special) if isinstance(value, str) else value
