@@ -20,25 +20,10 @@ def workers() -> int:
 
 
 def in_parallel(
-    function: Callable[..., Any],
-    tasks: Sequence[tuple[Any, ...]],
-    description: str,
-    *,
-    n_jobs: int | None = None,
-    locally: bool = False,
+    function: Callable[..., Any], tasks: Sequence[tuple[Any, ...]], description: str, **options: Any
 ) -> list[Any]:
-    """Call ``function(*task)`` for every task in parallel processes, with a progress bar.
-
-    As :func:`stream`, but gives all results at once.
-
-    Parameters
-    ----------
-    n_jobs
-        Processes on this machine, if not as many as :func:`workers` says.
-    locally
-        Never on a cluster, so that `function` may write files.
-    """
-    return list(stream(function, tasks, description, n_jobs=n_jobs, locally=locally))
+    """Give the results of :func:`stream`, which takes the same, all at once in the order of `tasks`."""
+    return list(stream(function, tasks, description, **options))
 
 
 def stream(
@@ -62,8 +47,10 @@ def stream(
         Arguments of each call.
     description
         Of the progress bar.
-    n_jobs, locally
-        As for :func:`in_parallel`.
+    n_jobs
+        Processes on this machine, if not as many as :func:`workers` says.
+    locally
+        Never on a cluster, so that `function` may write files.
 
     Returns
     -------
