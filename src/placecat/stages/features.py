@@ -95,6 +95,19 @@ def plan(
     return tasks, write
 
 
+def describe_home(
+    home: str,
+    root: Path,
+    options: Mapping[str, Any],
+    folder: Path,
+    *,
+    variants: Mapping[str, Any] | None = None,
+) -> None:
+    """Write the descriptors of all frames of one home to a folder; other parameters as for :func:`plan`."""
+    tasks, write = plan(home, root, options, variants)
+    write(folder, parallel.in_parallel(describe, tasks, f"features of {home}"))
+
+
 def describe(
     root: Path,
     size: tuple[int, int],
