@@ -205,7 +205,7 @@ def test_the_first_run_has_table_26_and_times_and_nothing_to_compare_with(ran):
     assert {line.split("  ")[1] for line in times[:2]} == {"features", "tables"}
     assert [line.split("  ")[1] for line in times[2:]] == ["2 stages", "DVC and the rest", "all"]
     assert "Tables are not compared: git has no revision 'HEAD'" in result.stdout
-    assert (folder / "data/times.csv").read_text().startswith("stage,item,seconds\nfeatures,,")
+    assert (folder / "data/times.csv").read_text().startswith("stage,seconds\nfeatures,")
     complete = json.loads((folder / "data/times.json").read_text())
     assert complete["facts"]["stages"] == 2
     assert complete["facts"]["data"] == "made homes"
@@ -230,7 +230,7 @@ def test_a_partial_run_times_what_ran_and_small_differences_are_as_kept(committe
     assert "features" not in result.stdout.partition("Times of the stages")[2]
     assert "largest difference 0.30 points in Table 26 (Gist, Home 1), within the tolerance" in result.stdout
     assert (committed / "data/times.json").read_bytes() == before
-    assert (committed / "data/times.csv").read_text().startswith("stage,item,seconds\ntables,,")
+    assert (committed / "data/times.csv").read_text().startswith("stage,seconds\ntables,")
 
 
 def test_a_large_difference_ends_with_status_3_until_it_is_kept(committed):

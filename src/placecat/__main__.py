@@ -9,7 +9,7 @@ from pathlib import Path
 import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
 from placecat import compute, paths
 from placecat.compose import write_params
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, exiting
 
 NOT_AS_KEPT = 3
 _STATUS = (
@@ -21,18 +21,14 @@ _STATUS = (
 def main(arguments: Sequence[str] | None = None) -> None:
     """Run a subcommand; a mistake of the user's ends with its message and status 1."""
     given = list(sys.argv[1:] if arguments is None else arguments)
-    try:
+    with exiting():
         if given[:1] in (["experiment"], ["search"]):
-            status = _hydra(given[0], given[1:])
+            _hydra(given[0], given[1:])
         else:
             options = _parser().parse_args(given)
             status = options.run(options)
-    except PlacecatError as error:
-        sys.exit(f"placecat: {error}")
-    except KeyboardInterrupt:
-        sys.exit(130)
-    if status:
-        sys.exit(status)
+            if status:
+                sys.exit(status)
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -198,14 +194,13 @@ def _add_worker(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
     worker.set_defaults(run=_worker)
 
 
-def _hydra(command: str, arguments: list[str]) -> int:
+def _hydra(command: str, arguments: list[str]) -> None:
     from placecat.experiment import application
 
     if command == "search":
         application.search(arguments)
     else:
         application.main(arguments)
-    return 0
 
 
 def _params(options: argparse.Namespace) -> int:
@@ -238,15 +233,15 @@ def _measure(call: str, seconds: float) -> str:
     """Write the times of a call; give them as text."""
     from placecat import parallel, repro, settings, times
 
-    run = times.gather(call, seconds)
-    if len(run.stages):
+    by_stage = times.gather(call)
+    if len(by_stage):
         params = settings.load()
         data = str(settings.get(params, "dataset.title"))
         # Times on a cluster are not those of this machine's cores.
         is_local = params.get("compute", {}).get("kind", "local") == "local"
-        is_complete = is_local and set(repro.stages()) <= set(run.stages["stage"])
-        times.write(run, data, parallel.workers(), is_complete=is_complete)
-    return times.text(run.by_stage(), run.seconds)
+        is_complete = is_local and set(repro.stages()) <= set(by_stage["stage"])
+        times.write(by_stage, seconds, data, parallel.workers(), is_complete=is_complete)
+    return times.text(by_stage, seconds)
 
 
 def _compare(revision: str) -> int:

@@ -1,5 +1,9 @@
 """The one exception that means: the user can mend this."""
 
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 
 class PlacecatError(ValueError):
     """Bad input or an impossible setting.
@@ -15,3 +19,14 @@ class NotComputable(PlacecatError):
 
 class SettingError(PlacecatError):
     """A setting that is wrong, whatever the data."""
+
+
+@contextmanager
+def exiting() -> Iterator[None]:
+    """End the program without a traceback: on a mistake with its message and status 1, on Ctrl-C with 130."""
+    try:
+        yield
+    except PlacecatError as error:
+        sys.exit(f"placecat: {error}")
+    except KeyboardInterrupt:
+        sys.exit(130)

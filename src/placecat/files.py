@@ -1,5 +1,6 @@
 """Writing results: under a temporary name first, then renamed, with the same bytes for the same content."""
 
+import hashlib
 import io
 import json
 import shutil
@@ -77,6 +78,12 @@ def _remove(path: Path) -> None:
         shutil.rmtree(path)
     else:
         path.unlink(missing_ok=True)
+
+
+def checksum(path: Path) -> str:
+    """SHA-256 of a file, in hexadecimal digits."""
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def write_array(path: Path, array: np.ndarray) -> None:

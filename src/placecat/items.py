@@ -5,19 +5,24 @@ from and of its files. It holds no times and no paths of the machine, so that eq
 """
 
 import hashlib
+import itertools
 import json
 import shutil
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import yaml
 
-from placecat import files, settings
+from placecat import files, parallel, settings
 
 MANIFEST = "manifest.json"
 DEFINITION = Path("dvc.yaml")
+
+# How an item is made: the arguments of each call, and what writes a folder of what the calls returned.
+Work = tuple[Sequence[tuple[Any, ...]], Callable[[Path, list[Any]], None]]
 
 
 @dataclass(frozen=True)
@@ -54,16 +59,55 @@ def refresh(
     make
         Takes the name of an item and the folder to write, which is not there yet.
     """
+    for name, made_from in _outdated(stage, folder, wanted):
+        with _item(folder / name, made_from) as temporary:
+            make(name, temporary)
+
+
+def refresh_together(
+    stage: str,
+    folder: Path,
+    wanted: Mapping[str, Inputs],
+    function: Callable[..., Any],
+    plan: Callable[[str], Work],
+) -> None:
+    """As :func:`refresh`, with the tasks of all items in one pool, so that no worker waits for an item's end.
+
+    Parameters
+    ----------
+    function
+        As for :func:`placecat.parallel.in_parallel`; all items have it in common.
+    plan
+        Takes the name of an item, which is written as soon as its tasks are done.
+    """
+    planned = [(name, made_from, *plan(name)) for name, made_from in _outdated(stage, folder, wanted)]
+    if not planned:
+        return
+    results = parallel.stream(function, [task for _, _, tasks, _ in planned for task in tasks], stage)
+    for name, made_from, tasks, write in planned:
+        with _item(folder / name, made_from) as temporary:
+            write(temporary, list(itertools.islice(results, len(tasks))))
+    # Nothing is left, but the pool and its progress bar end only when they are asked for more.
+    next(results, None)
+
+
+def _outdated(stage: str, folder: Path, wanted: Mapping[str, Inputs]) -> Iterator[tuple[str, str]]:
+    """Items to make, each with the checksum of what it is made from; those that nobody wants are removed."""
     keep_only(folder, wanted)
     code = _code_of(stage)
     for name, inputs in wanted.items():
         content = [code, json.dumps(inputs.settings, sort_keys=True), *map(_checksum, inputs.paths)]
         made_from = hashlib.sha256("\n".join(content).encode()).hexdigest()
-        if _is_made(folder / name, made_from):
-            continue
-        with files.replacing(folder / name) as temporary:
-            make(name, temporary)
-            files.write_json(temporary / MANIFEST, {"files": _files_in(temporary), "made_from": made_from})
+        if not _is_made(folder / name, made_from):
+            yield name, made_from
+
+
+@contextmanager
+def _item(folder: Path, made_from: str) -> Iterator[Path]:
+    """Give a temporary folder for the files of an item; it gets the manifest and its name at the end."""
+    with files.replacing(folder) as temporary:
+        yield temporary
+        files.write_json(temporary / MANIFEST, {"files": _files_in(temporary), "made_from": made_from})
 
 
 def keep_only(folder: Path, names: Collection[str]) -> None:
@@ -108,15 +152,10 @@ def _files_in(path: Path) -> dict[str, str]:
     """Checksums of all files below a path, but for manifests and caches of Python."""
     found: Iterable[Path] = sorted(path.rglob("*")) if path.is_dir() else [path]
     return {
-        one.relative_to(path).as_posix(): _of_file(one)
+        one.relative_to(path).as_posix(): files.checksum(one)
         for one in found
         if one.is_file() and one.name != MANIFEST and "__pycache__" not in one.parts
     }
-
-
-def _of_file(path: Path) -> str:
-    with path.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def _of(checksums: Mapping[str, str]) -> str:

@@ -19,8 +19,6 @@ from placecat.thesis.tables import dataset_of, tables_of
 
 HEAD = "HEAD"
 FOLDERS = (paths.TABLES, paths.OPTIONAL_TABLES)
-# libyaml's loader where PyYAML was built with it: ten times faster.
-_Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 # Settings that no table depends on.
 _WITHOUT_EFFECT = ("compute", "reproducibility", "figures")
 
@@ -108,16 +106,10 @@ def read_folder() -> Kept:
     PlacecatError
         If there are no tables.
     """
-    found = {}
-    for path in [
-        *(path for folder in FOLDERS for path in sorted(folder.glob("*.csv"))),
-        paths.IN_TEXT,
-        paths.FINDINGS,
-        paths.PARAMS,
-    ]:
-        if path.is_file():
-            found[path.as_posix()] = path.read_text(encoding="utf-8")
-    return _parse(found, f"{paths.TABLES} has no tables: run `placecat repro` to make them")
+    tables = [path for folder in FOLDERS for path in sorted(folder.glob("*.csv"))]
+    there = [path for path in (*tables, paths.IN_TEXT, paths.FINDINGS, paths.PARAMS) if path.is_file()]
+    content = {path.as_posix(): path.read_text(encoding="utf-8") for path in there}
+    return _parse(content, f"{paths.TABLES} has no tables: run `placecat repro` to make them")
 
 
 def read_revision(revision: str = HEAD) -> Kept:
@@ -171,7 +163,7 @@ def _parse(content: dict[str, str], if_empty: str) -> Kept:
     return Kept(
         tables,
         None if findings is None else _table(findings),
-        None if params is None else yaml.load(params, Loader=_Loader),
+        None if params is None else yaml.load(params, Loader=settings.Loader),
     )
 
 

@@ -35,6 +35,12 @@ def frame_rate(home: str) -> float:
     return float(files.read_json(paths.sequences(home) / "home.json")["fps"])
 
 
+def frame_size(home: str) -> tuple[int, int]:
+    """(width, height) of a home's frames, in pixels."""
+    facts = files.read_json(paths.sequences(home) / "home.json")
+    return facts["width"], facts["height"]
+
+
 def seeded(folder: Path, seed: int | None) -> Path:
     """The folder of one seed in `folder`; a result that nothing random has a part in serves every seed."""
     fixed = folder / paths.seed_folder(None)

@@ -3,11 +3,10 @@
 They are processes of this machine, or of a cluster where :func:`placecat.compute.as_set` says so.
 """
 
-import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
-from joblib import Parallel, cpu_count, delayed
+from joblib import Parallel, delayed
 from threadpoolctl import threadpool_limits
 from tqdm import tqdm
 
@@ -15,28 +14,26 @@ from placecat import compute
 
 
 def workers() -> int:
-    """Number of worker processes.
-
-    On this machine the environment variable PLACECAT_WORKERS, else its cores. It is no setting in
-    params.yaml, since no result depends on it.
-    """
+    """Number of worker processes, on the cluster or on this machine."""
     cluster = compute.cluster()
-    return _own_workers() if cluster is None else cluster.workers()
-
-
-def _own_workers() -> int:
-    value = os.environ.get("PLACECAT_WORKERS", "")
-    return max(1, int(value)) if value.isdigit() else cpu_count()
+    return compute.local_workers() if cluster is None else cluster.workers()
 
 
 def in_parallel(
+    function: Callable[..., Any], tasks: Sequence[tuple[Any, ...]], description: str, **options: Any
+) -> list[Any]:
+    """Give the results of :func:`stream`, which takes the same, all at once in the order of `tasks`."""
+    return list(stream(function, tasks, description, **options))
+
+
+def stream(
     function: Callable[..., Any],
     tasks: Sequence[tuple[Any, ...]],
     description: str,
     *,
     n_jobs: int | None = None,
     locally: bool = False,
-) -> list[Any]:
+) -> Iterator[Any]:
     """Call ``function(*task)`` for every task in parallel processes, with a progress bar.
 
     Every call is limited to one thread in BLAS, OpenMP and OpenCV, because the number of threads can change
@@ -57,17 +54,17 @@ def in_parallel(
 
     Returns
     -------
-    list
-        The results in the order of `tasks`.
+    iterator
+        The results in the order of `tasks`, each as soon as it is there.
     """
     cluster = None if locally else compute.cluster()
     if cluster is not None:
         results = cluster.run(single_threaded, [(function, task) for task in tasks])
     else:
-        jobs = min(n_jobs or _own_workers(), max(len(tasks), 1))
+        jobs = min(n_jobs or compute.local_workers(), max(len(tasks), 1))
         calls = (delayed(single_threaded)(function, task) for task in tasks)
         results = Parallel(n_jobs=jobs, return_as="generator")(calls)
-    return list(tqdm(results, total=len(tasks), desc=description, unit="task", mininterval=1.0))
+    return iter(tqdm(results, total=len(tasks), desc=description, unit="task", mininterval=1.0))
 
 
 def single_threaded(function: Callable[..., Any], task: tuple[Any, ...]) -> Any:

@@ -28,12 +28,14 @@ def run(*, force: bool = False, **environment: str) -> int:
     int
         Its exit status.
     """
-    arguments = ["repro", *(["--force"] if force else [])]
+    command = [sys.executable, "-m", "dvc", "repro", *(["--force"] if force else [])]
+    # The Python that runs this first on the path, since the stages call `python`.
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
     # On Ctrl-C subprocess.run would kill DVC after 0.25 s, amid its tidying up, which spoils its lock file.
     # A function, not SIG_IGN, since DVC would inherit that.
     before = signal.signal(signal.SIGINT, lambda *_: None)
     try:
-        with subprocess.Popen(_dvc(*arguments), env=_environment() | environment) as dvc:
+        with subprocess.Popen(command, env=os.environ | {"PATH": path} | environment) as dvc:
             return dvc.wait()
     finally:
         signal.signal(signal.SIGINT, before)
@@ -55,13 +57,3 @@ def stages() -> list[str]:
 def _is_cached(out: str | dict[str, dict[str, bool]]) -> bool:
     """Whether DVC keeps an output, not git."""
     return isinstance(out, str) or any(options.get("cache", True) for options in out.values())
-
-
-def _dvc(*arguments: str) -> list[str]:
-    return [sys.executable, "-m", "dvc", *arguments]
-
-
-def _environment() -> dict[str, str]:
-    """This environment with the Python that runs this first on the path, since the stages call `python`."""
-    here = str(Path(sys.executable).parent)
-    return os.environ | {"PATH": os.pathsep.join([here, os.environ.get("PATH", "")])}

@@ -33,7 +33,7 @@ def read_descriptors(
         of these frames.
     """
     cue_input.check(descriptor)
-    folder = _folder(home, descriptor)
+    folder = folder_of(home, descriptor)
     if "variant" in descriptor:
         rows = _rows(folder, rows)
     arrays = {}
@@ -57,7 +57,7 @@ def read_descriptors(
 
 def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
     """Paths of all that :func:`read_descriptors` reads of a home, whether it is there or not."""
-    folder = _folder(home, descriptor)
+    folder = folder_of(home, descriptor)
     names = [f"{name}.npy" for name in cue_input.array_names(descriptor)]
     if "variant" in descriptor:
         names.append(paths.VARIANT_FRAMES)
@@ -73,11 +73,12 @@ def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64])
     """
     if "variant" not in descriptor:
         return rows
-    there: NDArray[np.int64] = np.intersect1d(rows, _described(_folder(home, descriptor)))
+    there: NDArray[np.int64] = np.intersect1d(rows, _described(folder_of(home, descriptor)))
     return there
 
 
-def _folder(home: str, descriptor: Mapping[str, Any]) -> Path:
+def folder_of(home: str, descriptor: Mapping[str, Any]) -> Path:
+    """Folder of the arrays of a descriptor of a home; parameters as for :func:`read_descriptors`."""
     if descriptor.get("tracked", False):
         return paths.TRACKS / home
     folder = paths.features(home)

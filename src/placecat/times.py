@@ -5,7 +5,6 @@ Nothing here is an output or a dependency of a stage that computes, so that no r
 
 import os
 import uuid
-from dataclasses import dataclass
 from typing import Any
 
 import pandas as pd
@@ -15,31 +14,8 @@ from placecat.errors import PlacecatError
 
 # Names the call of `placecat repro` that a stage runs in, in the environment.
 CALL = "PLACECAT_CALL"
-COLUMNS = ["stage", "item", "seconds"]
-
-
-@dataclass(frozen=True)
-class Run:
-    """Times of one call of `placecat repro`.
-
-    Attributes
-    ----------
-    stages
-        A row a stage that ran in the call: stage, item ("" for none) and seconds of wall time.
-    seconds
-        Wall time of the whole call, with DVC's own.
-    """
-
-    stages: pd.DataFrame
-    seconds: float
-
-    def by_stage(self) -> pd.DataFrame:
-        """Columns stage, runs and seconds (sum over items), the longest first."""
-        summed = self.stages.groupby("stage", as_index=False).agg(
-            runs=("seconds", "size"), seconds=("seconds", "sum")
-        )
-        summed["seconds"] = summed["seconds"].round(2)
-        return summed.sort_values(["seconds", "stage"], ascending=[False, True], ignore_index=True)
+# A stage runs once: `runs` is of the time when one ran once for each home, and a column of what git keeps.
+COLUMNS = ["stage", "runs", "seconds"]
 
 
 def new_call() -> str:
@@ -47,45 +23,40 @@ def new_call() -> str:
     return uuid.uuid4().hex
 
 
-def record(stage: str, item: str | None, seconds: float) -> None:
-    """Write how long a stage took to data/times/STAGE@ITEM.json, in place of its last time.
-
-    Parameters
-    ----------
-    seconds
-        Wall time.
-    """
-    name = stage if item is None else f"{stage}@{item.replace('/', '+')}"
-    content = {
-        "call": os.environ.get(CALL, ""),
-        "item": item or "",
-        "seconds": round(seconds, 2),
-        "stage": stage,
-    }
-    files.write_json(paths.TIMES / f"{name}.json", content)
+def record(stage: str, seconds: float) -> None:
+    """Write the wall time of a stage, in seconds, to data/times/STAGE.json, in place of its last time."""
+    content = {"call": os.environ.get(CALL, ""), "runs": 1, "seconds": round(seconds, 2), "stage": stage}
+    files.write_json(paths.TIMES / f"{stage}.json", content)
 
 
-def gather(call: str, seconds: float) -> Run:
+def gather(call: str) -> pd.DataFrame:
     """Read the times of the stages that ran in a call; others have an older record or none.
 
     Parameters
     ----------
     call
         From :func:`new_call`.
-    seconds
-        Wall time of the call.
+
+    Returns
+    -------
+    DataFrame
+        Columns `COLUMNS`, a row a stage with its seconds of wall time, the longest first.
     """
     # Names that start with a dot are unfinished.
-    records = [files.read_json(path) for path in sorted(paths.TIMES.glob("[!.]*.json"))]
-    rows = [[one[column] for column in COLUMNS] for one in records if one["call"] == call]
-    return Run(pd.DataFrame(rows, columns=COLUMNS), round(seconds, 2))
+    records = [files.read_json(path) for path in paths.TIMES.glob("[!.]*.json")]
+    table = pd.DataFrame([one for one in records if one["call"] == call], columns=COLUMNS)
+    return table.sort_values(["seconds", "stage"], ascending=[False, True], ignore_index=True)
 
 
-def write(run: Run, data: str, cores: int, *, is_complete: bool) -> None:
+def write(by_stage: pd.DataFrame, seconds: float, data: str, cores: int, *, is_complete: bool) -> None:
     """Write data/times.csv, and data/times.json if every stage ran.
 
     Parameters
     ----------
+    by_stage
+        From :func:`gather`.
+    seconds
+        Wall time of the whole call, with DVC's own.
     data
         Title of the data set.
     cores
@@ -93,15 +64,14 @@ def write(run: Run, data: str, cores: int, *, is_complete: bool) -> None:
     is_complete
         Whether every stage of the pipeline ran, so that the times are those of a run from nothing.
     """
-    files.write_csv(paths.LAST_TIMES, run.stages)
+    files.write_csv(paths.LAST_TIMES, by_stage[["stage", "seconds"]])
     if is_complete:
-        by_stage = run.by_stage().to_dict("records")
-        facts = {"cores": cores, "data": data, "stages": len(run.stages), "total": run.seconds}
-        files.write_json(paths.COMPLETE_TIMES, {"by_stage": by_stage, "facts": facts})
+        facts = {"cores": cores, "data": data, "stages": len(by_stage), "total": round(seconds, 2)}
+        files.write_json(paths.COMPLETE_TIMES, {"by_stage": by_stage.to_dict("records"), "facts": facts})
 
 
 def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
-    """Times of the last run in which every stage ran: `Run.by_stage`; cores, data, stages and total.
+    """Times of the last run in which every stage ran: as :func:`gather`; cores, data, stages and total.
 
     Raises
     ------
@@ -114,7 +84,7 @@ def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
         raise PlacecatError(
             "no run in which every stage ran has been measured here: `placecat repro --force` is one"
         ) from None
-    return pd.DataFrame(content["by_stage"], columns=["stage", "runs", "seconds"]), content["facts"]
+    return pd.DataFrame(content["by_stage"], columns=COLUMNS), content["facts"]
 
 
 def keep() -> None:
@@ -130,24 +100,22 @@ def text(by_stage: pd.DataFrame, seconds: float) -> str:
     Parameters
     ----------
     by_stage
-        From :meth:`Run.by_stage`.
+        From :func:`gather`.
     seconds
         Wall time of the whole call.
     """
     if by_stage.empty:
         return f"Times: no stage had to run; {seconds:.1f} s."
-    spent = float(by_stage["seconds"].sum())
-    rows = [
-        (stage, "" if runs == 1 else f"{runs} x", took)
-        for stage, runs, took in by_stage[["stage", "runs", "seconds"]].itertuples(index=False)
+    spent, total = float(by_stage["seconds"].sum()), len(by_stage)
+    rows = {
+        **dict(zip(by_stage["stage"], by_stage["seconds"], strict=True)),
+        f"{total} stage{'' if total == 1 else 's'}": spent,
+        "DVC and the rest": max(0.0, seconds - spent),
+        "all": seconds,
+    }
+    took = [f"{value:.1f} s" for value in rows.values()]
+    name_width, time_width = max(map(len, rows)), max(map(len, took))
+    lines = [
+        f"  {name:{name_width}}    {value:>{time_width}}" for name, value in zip(rows, took, strict=True)
     ]
-    total = int(by_stage["runs"].sum())
-    rows += [
-        (f"{total} stage{'' if total == 1 else 's'}", "", spent),
-        ("DVC and the rest", "", max(0.0, seconds - spent)),
-        ("all", "", seconds),
-    ]
-    columns = [[name, runs, f"{took:.1f} s"] for name, runs, took in rows]
-    wide = [max(map(len, column)) for column in zip(*columns, strict=True)]
-    lines = [f"  {name:{wide[0]}}  {runs:>{wide[1]}}  {took:>{wide[2]}}" for name, runs, took in columns]
     return "\n".join(["Times of the stages that ran:", *lines])

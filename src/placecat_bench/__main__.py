@@ -2,12 +2,11 @@
 
 import argparse
 import os
-import sys
 from collections.abc import Sequence
 
 import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
 from placecat import paths
-from placecat.errors import PlacecatError
+from placecat.errors import exiting
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
@@ -23,12 +22,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     os.environ["OMP_NUM_THREADS"] = "1"
     from placecat_bench.run import run
 
-    try:
+    with exiting():
         run(options.pieces)
-    except PlacecatError as error:
-        sys.exit(f"placecat: {error}")
-    except KeyboardInterrupt:
-        sys.exit(130)
 
 
 if __name__ == "__main__":

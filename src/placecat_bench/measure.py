@@ -42,47 +42,25 @@ def measure(entry: Comparison | Limit) -> dict[str, object]:
     PlacecatError
         If the peer is not installed.
     """
-    return _compare(entry) if isinstance(entry, Comparison) else _check(entry)
-
-
-def _compare(entry: Comparison) -> dict[str, object]:
-    peer_version = _version(entry.peer)
-    pairs = time_in_turn(entry.ours, entry.theirs, repeats=entry.repeats, warm_up=entry.warm_up)
-    ratios = [entry.ratio(*pair) for pair in zip(pairs.ours, pairs.theirs, strict=True)]
-    ratio = statistics.median(ratios)
-    met = entry.is_met(ratio)
-    return {
+    peer, whole = entry.peer, None
+    row = dict.fromkeys(COLUMNS) | {
         "piece": entry.piece,
         "input": entry.input,
-        "quantity": "seconds",
-        "ours": _rounded(statistics.median(pairs.ours)),
-        "peer": entry.peer.name,
-        "peer_version": peer_version,
-        "theirs": _rounded(statistics.median(pairs.theirs)),
-        "ratio": _rounded(ratio),
-        "low": _rounded(min(ratios)),
-        "high": _rounded(max(ratios)),
+        "peer": None if peer is None else peer.name,
+        "peer_version": None if peer is None else _version(peer),
         "target": entry.target,
-        "met": "yes" if met else "no",
-        "spent": None if met else _spent(entry.parts, statistics.median(pairs.ours)),
     }
-
-
-def _check(entry: Limit) -> dict[str, object]:
-    peer_version = None if entry.peer is None else _version(entry.peer)
-    value = float(entry.measure())
-    met = entry.is_met(value)
-    return dict.fromkeys(COLUMNS) | {
-        "piece": entry.piece,
-        "input": entry.input,
-        "quantity": entry.quantity,
-        "ours": _rounded(value),
-        "peer": None if entry.peer is None else entry.peer.name,
-        "peer_version": peer_version,
-        "target": entry.target,
-        "met": "yes" if met else "no",
-        "spent": None if met else _spent(entry.parts, None),
-    }
+    if isinstance(entry, Comparison):
+        ours, theirs = time_in_turn(entry.ours, entry.theirs, repeats=entry.repeats, warm_up=entry.warm_up)
+        ratios = [entry.ratio(*pair) for pair in zip(ours, theirs, strict=True)]
+        whole, value = statistics.median(ours), statistics.median(ratios)
+        row |= {"quantity": "seconds", "ours": _rounded(whole), "theirs": _rounded(statistics.median(theirs))}
+        row |= {"ratio": _rounded(value), "low": _rounded(min(ratios)), "high": _rounded(max(ratios))}
+    else:
+        value = float(entry.measure())
+        row |= {"quantity": entry.quantity, "ours": _rounded(value)}
+    is_met = entry.is_met(value)
+    return row | {"met": "yes" if is_met else "no", "spent": None if is_met else _spent(entry.parts, whole)}
 
 
 def _version(peer: Peer) -> str:

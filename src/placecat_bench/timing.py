@@ -4,27 +4,12 @@ import gc
 import statistics
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
-
-
-@dataclass(frozen=True)
-class Pairs:
-    """Seconds of two calls made in turn, a pair after the other.
-
-    Attributes
-    ----------
-    ours, theirs
-        Seconds, of the same length.
-    """
-
-    ours: tuple[float, ...]
-    theirs: tuple[float, ...]
 
 
 def time_in_turn(
     ours: Callable[[], Any], theirs: Callable[[], Any], *, repeats: int, warm_up: bool = True
-) -> Pairs:
+) -> tuple[list[float], list[float]]:
     """Time two calls A B, B A, A B, ...: what slows the machine for a while slows both.
 
     Parameters
@@ -33,15 +18,20 @@ def time_in_turn(
         Pairs.
     warm_up
         Whether to call each once before, untimed.
+
+    Returns
+    -------
+    ours, theirs
+        Seconds, of the same length.
     """
     if warm_up:
         ours()
         theirs()
-    times: dict[int, list[float]] = {0: [], 1: []}
+    times: tuple[list[float], list[float]] = ([], [])
     for pair in range(repeats):
         for which in (0, 1) if pair % 2 == 0 else (1, 0):
             times[which].append(seconds((ours, theirs)[which]))
-    return Pairs(tuple(times[0]), tuple(times[1]))
+    return times
 
 
 def seconds(call: Callable[[], Any]) -> float:
@@ -55,3 +45,21 @@ def seconds(call: Callable[[], Any]) -> float:
 def median_seconds(call: Callable[[], Any], repeats: int) -> float:
     """Median wall time of several calls."""
     return statistics.median(seconds(call) for _ in range(repeats))
+
+
+class Latest:
+    """Calls whose last results are kept: what takes minutes to time is not made again to be compared."""
+
+    def __init__(self, **calls: Callable[[], Any]) -> None:
+        self._calls = calls
+        self._results: dict[str, Any] = {}
+
+    def call(self, name: str) -> None:
+        """Make a call by its name."""
+        self._results[name] = self._calls[name]()
+
+    def result(self, name: str) -> Any:
+        """What the last call gave; it is made if there was none."""
+        if name not in self._results:
+            self.call(name)
+        return self._results[name]

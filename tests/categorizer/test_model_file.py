@@ -44,7 +44,7 @@ def test_the_same_system_gives_the_same_bytes_and_nothing_is_pickled(system, fil
 
 
 def test_the_card_says_what_a_person_should_know(file):
-    card = model_file.read_card(file)
+    card = model_file.read(file).card
     assert card["classes"] == ["bedroom", "kitchen", "bathroom"]
     with zipfile.ZipFile(file) as archive:
         text = archive.read("card.md").decode()

@@ -18,8 +18,8 @@ from project import ROOT, contents, environment
 from sketch import draw_homes
 
 HOMES = ("Home1", "Home2", "Home3")
-# As joblib names them.
-TASKS = "batch_of_perform_1_calls"
+# As Dask names them.
+TASKS = "perform"
 
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("cluster")]
 

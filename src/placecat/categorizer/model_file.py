@@ -50,18 +50,6 @@ def write(path: Path, system: TrainedSystem) -> None:
             archive.writestr(zipfile.ZipInfo(_array_name(number)), buffer.getvalue())
 
 
-def read_card(path: Path) -> dict[str, Any]:
-    """Read what is known of a trained system, without the system.
-
-    Raises
-    ------
-    PlacecatError
-        If the file is missing, no model, or of another version.
-    """
-    with _open(path) as archive:
-        return _card(path, archive)
-
-
 def read(path: Path) -> TrainedSystem:
     """Read a trained system. Nothing in the file is executed.
 

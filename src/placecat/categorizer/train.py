@@ -40,12 +40,9 @@ def train_command(system: str | None, without: str | None, seed: int | None, out
     name = system if system is not None else str(settings.get(params, "model.system"))
     if output is None:
         is_default = system is None and without is None and seed is None
-        parts = [
-            name,
-            *([f"without-{without}"] if without else []),
-            *([f"seed-{seed}"] if seed is not None else []),
-        ]
-        output = paths.MODEL if is_default else paths.MODELS / f"{'-'.join(parts)}.placecat"
+        left_out = f"-without-{without}" if without else ""
+        seeded = f"-seed-{seed}" if seed is not None else ""
+        output = paths.MODEL if is_default else paths.MODELS / f"{name}{left_out}{seeded}.placecat"
     files.check_file(output)
     trained = train(params, name, without=without, seed=seed)
     model_file.write(output, trained)
@@ -110,13 +107,8 @@ def _card(params: Mapping[str, Any], name: str, plan: plans.Plan, seed: int) -> 
     system = settings.get(params, f"systems.{name}")
     homes = [part.home for part in plan.integration]
     facts = [files.read_json(paths.sequences(home) / "home.json") for home in homes]
-    frames = {
-        kind: sum(len(part.chosen()[0]) for part in parts)
-        for kind, parts in (
-            ("cues", plan.cues),
-            ("integration", fused_parts(plan, extra=system["extra"])),
-        )
-    }
+    trained_on = {"cues": plan.cues, "integration": fused_parts(plan, extra=system["extra"])}
+    frames = {kind: sum(len(part.chosen()[0]) for part in parts) for kind, parts in trained_on.items()}
     dataset = settings.get(params, "dataset")
     cues = {cue: settings.get(params, f"cues.{cue}") for cue in system["cues"]}
     codebooks = {cue["codebook"] for cue in cues.values() if cue["codebook"] is not None}
@@ -130,8 +122,8 @@ def _card(params: Mapping[str, Any], name: str, plan: plans.Plan, seed: int) -> 
             "frames": frames,
         },
         classes=dataset["classes"],
-        frame_sizes=sorted({(own["width"], own["height"]) for own in facts}),
-        fps=sorted({own["fps"] for own in facts}),
+        frame_sizes=sorted({(home["width"], home["height"]) for home in facts}),
+        fps=sorted({home["fps"] for home in facts}),
         accuracy=_accuracy(name),
         settings={
             "system": {name: system},
@@ -149,5 +141,5 @@ def _accuracy(system: str) -> dict[str, float]:
     if not paths.ACCURACIES.is_file():
         return {}
     table = pd.read_csv(paths.ACCURACIES)
-    own = table[(table["result"] == f"smoothing/{system}") & (table["place"] == "all")]
-    return {str(home): float(value) for home, value in zip(own["home"], own["accuracy"], strict=True)}
+    rows = table[(table["result"] == f"smoothing/{system}") & (table["place"] == "all")]
+    return {str(home): float(value) for home, value in zip(rows["home"], rows["accuracy"], strict=True)}

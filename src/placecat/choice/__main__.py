@@ -5,7 +5,7 @@ import sys
 import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
 from placecat import compute
 from placecat.choice.command import KINDS, run, text
-from placecat.errors import PlacecatError
+from placecat.errors import exiting
 
 
 def main() -> None:
@@ -14,11 +14,8 @@ def main() -> None:
     for kind in kinds:
         if kind not in KINDS:
             sys.exit(f"placecat: {kind!r} is none of {', '.join(KINDS)}")
-    try:
-        with compute.as_set():
-            print(text(run(kinds)))
-    except PlacecatError as error:
-        sys.exit(f"placecat: {error}")
+    with exiting(), compute.as_set():
+        print(text(run(kinds)))
 
 
 if __name__ == "__main__":

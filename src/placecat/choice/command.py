@@ -6,9 +6,8 @@ from pathlib import Path
 from typing import Any
 
 import pandas as pd
-import yaml
 
-from placecat import files, listing, parallel, paths, settings
+from placecat import conf_file, files, listing, parallel, paths, settings
 from placecat.choice.candidates import COLUMNS, changed, choose, combinations, label
 from placecat.choice.judging import Judgement, judge_cue, judge_system, left_out, predict_unseen
 from placecat.choice.smoothing import judge_smoothing
@@ -19,7 +18,6 @@ from placecat.training.integration import smoothing_settings
 
 SETTINGS = paths.CONF / "choice.yaml"
 KINDS = ("cues", "systems", "smoothing")
-_NAMES = ["margin", "smallest", *KINDS]
 _DECIMALS = {"accuracy": 2, "test_accuracy": 2, "log_loss": 4, "test_log_loss": 4}
 
 
@@ -31,17 +29,7 @@ def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
     PlacecatError
         If it is missing, or has an unknown setting, lacks one, or has one of the wrong kind.
     """
-    try:
-        content = yaml.safe_load(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise PlacecatError(f"{path} is missing: run this in the project's folder") from None
-    except yaml.YAMLError as error:
-        raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None
-    if not isinstance(content, dict):
-        raise PlacecatError(f"{path} is empty: restore it from git")
-    settings.refuse_unknown(content, _NAMES, str(path))
-    for name in _NAMES:
-        settings.get(content, name)
+    content = conf_file.read(path, ("margin", "smallest", *KINDS))
     margin = content["margin"]
     if isinstance(margin, bool) or not isinstance(margin, int | float) or not 0 <= margin < 100:
         raise PlacecatError(f"{path}: margin is {margin!r}; give points of accuracy, 0 or more")
@@ -87,7 +75,9 @@ def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> 
     return choose(table, float(options["margin"]))
 
 
+# Name and label of a candidate, and the arguments of what judges it.
 Task = tuple[str, str, tuple[Any, ...]]
+Tasks = tuple[Callable[..., list[Judgement]], list[Task]]
 
 
 def _judge(
@@ -109,9 +99,7 @@ def _judge(
     return rows
 
 
-def _cue_tasks(
-    options: Mapping[str, Any], params: Mapping[str, Any]
-) -> tuple[Callable[..., list[Judgement]], list[Task]]:
+def _cue_tasks(options: Mapping[str, Any], params: Mapping[str, Any]) -> Tasks:
     planned = [
         plans.without_homes(params, homes, homes) for homes in left_out(settings.get(params, "dataset.homes"))
     ]
@@ -127,9 +115,7 @@ def _cue_tasks(
     return judge_cue, tasks
 
 
-def _system_tasks(
-    options: Mapping[str, Any], params: Mapping[str, Any]
-) -> tuple[Callable[..., list[Judgement]], list[Task]]:
+def _system_tasks(options: Mapping[str, Any], params: Mapping[str, Any]) -> Tasks:
     tasks: list[Task] = []
     for name in options["systems"]["names"]:
         system = settings.get(params, f"systems.{name}")
@@ -144,9 +130,7 @@ def _system_tasks(
     return judge_system, tasks
 
 
-def _smoothing_tasks(
-    options: Mapping[str, Any], params: Mapping[str, Any]
-) -> tuple[Callable[..., list[Judgement]], list[Task]]:
+def _smoothing_tasks(options: Mapping[str, Any], params: Mapping[str, Any]) -> Tasks:
     homes = list(settings.get(params, "dataset.homes"))
     model, smallest = smoothing_settings(params), float(options["smallest"])
     tasks: list[Task] = []

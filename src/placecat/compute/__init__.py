@@ -1,5 +1,6 @@
 """Where loops run: in processes of this machine, or on a Dask cluster, as the settings `compute` say."""
 
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cached_property
@@ -21,22 +22,22 @@ class _Choice:
         from placecat import settings
 
         # Settings of before there was a choice mean this machine.
-        own = dict(settings.load().get("compute", {"kind": "local"}))
-        kind = own.pop("kind", None)
+        options = dict(settings.load().get("compute", {"kind": "local"}))
+        kind = options.pop("kind", None)
         if kind not in KINDS:
             raise PlacecatError(f"compute.kind must be {' or '.join(KINDS)}, not {kind!r}")
         if kind == "local":
-            settings.refuse_unknown(own, [], "compute")
+            settings.refuse_unknown(options, [], "compute")
             return None
         from placecat.compute.connection import Cluster
 
-        cluster: Cluster = settings.call(Cluster, settings=own, where="compute")
+        cluster: Cluster = settings.call(Cluster, settings=options, where="compute")
         return cluster
 
     def close(self) -> None:
-        found = vars(self).get("cluster")
-        if found is not None:
-            found.close()
+        connected = vars(self).get("cluster")
+        if connected is not None:
+            connected.close()
 
 
 _choice: _Choice | None = None
@@ -55,6 +56,18 @@ def as_set() -> Iterator[None]:
     finally:
         _choice.close()
         _choice = before
+
+
+def local_workers() -> int:
+    """Worker processes on this machine: the environment variable PLACECAT_WORKERS, else its cores.
+
+    It is no setting in params.yaml, since no result depends on it.
+    """
+    # Here, since it imports NumPy.
+    from joblib import cpu_count
+
+    value = os.environ.get("PLACECAT_WORKERS", "")
+    return max(1, int(value)) if value.isdigit() else cpu_count()
 
 
 def cluster() -> "Cluster | None":

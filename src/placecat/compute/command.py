@@ -6,7 +6,7 @@ import sys
 from collections.abc import Sequence
 from typing import NoReturn
 
-from placecat import parallel
+from placecat import compute
 from placecat.errors import PlacecatError
 
 # Dask has workers return freed memory to the system at once, and describing a frame then takes twice as long:
@@ -35,6 +35,6 @@ def worker_command(scheduler: str, options: Sequence[str]) -> NoReturn:
         raise PlacecatError(
             "placecat worker needs the optional extra (distributed is missing): pip install -e '.[dask]'"
         )
-    own = ["--nthreads", "1", "--nworkers", str(parallel.workers()), "--no-dashboard"]
-    command = [sys.executable, "-m", "distributed.cli.dask_worker", scheduler, *own, *options]
+    usual = ["--nthreads", "1", "--nworkers", str(compute.local_workers()), "--no-dashboard"]
+    command = [sys.executable, "-m", "distributed.cli.dask_worker", scheduler, *usual, *options]
     os.execve(sys.executable, command, _MEMORY | os.environ)

@@ -4,6 +4,7 @@ import asyncio
 import contextlib
 import logging
 import pickle
+import queue
 import uuid
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
@@ -14,9 +15,12 @@ from placecat.compute.fingerprint import fingerprint
 from placecat.compute.worker import Expected, objection, perform
 from placecat.errors import PlacecatError
 
+LOST = "the connection to the cluster's scheduler was lost: see that it runs, then run this again"
+_SECONDS_BETWEEN_LOOKS = 1.0
+
 
 class Cluster:
-    """Runs tasks on a Dask cluster, through joblib's backend.
+    """Runs tasks on a Dask cluster.
 
     Parameters
     ----------
@@ -35,12 +39,12 @@ class Cluster:
 
     def __init__(self, *, scheduler: str, wait: float = 30, may_differ: Sequence[str] = ()) -> None:
         client = _distributed()
-        own = fingerprint()
+        here = fingerprint()
         for item in may_differ:
-            if item not in own:
+            if item not in here:
                 raise PlacecatError(
                     f"compute.may_differ has {item!r}, which is nothing that is compared (valid: "
-                    f"{', '.join(own)})"
+                    f"{', '.join(here)})"
                 )
         if not isinstance(wait, int | float) or wait <= 0:
             raise PlacecatError(f"compute.wait must be a number of seconds above 0, not {wait!r}")
@@ -49,7 +53,7 @@ class Cluster:
         mark = paths.COMPUTE / uuid.uuid4().hex
         self._mark = mark.absolute()
         self._expected = Expected(
-            scheduler, str(Path.cwd()), mark.as_posix(), items=own, may_differ=tuple(may_differ)
+            scheduler, str(Path.cwd()), mark.as_posix(), items=here, may_differ=tuple(may_differ)
         )
         try:
             files.write_text(self._mark, "")
@@ -67,13 +71,11 @@ class Cluster:
             raise PlacecatError(
                 f"the cluster of {scheduler} has no worker: start some (`placecat worker {scheduler}`)"
             ) from None
-        from placecat.compute.backend import LOST
-
         try:
-            found = self._client.run(objection, self._expected, on_error="return")
+            objections = self._client.run(objection, self._expected, on_error="return")
         except OSError:
             raise PlacecatError(LOST) from None
-        for address, said in sorted(found.items()):
+        for address, said in sorted(objections.items()):
             if isinstance(said, Exception):
                 raise PlacecatError(
                     f"worker {address} cannot run placecat ({type(said).__name__}: {said}): start it with "
@@ -102,17 +104,42 @@ class Cluster:
             A task's own; or the scheduler or all workers are gone, or several workers died of a task.
         """
         import cloudpickle
-        from joblib import Parallel, delayed
 
-        from placecat.compute.backend import ClusterBackend
+        calls = [cloudpickle.dumps((function, task)) for task in tasks]
+        # All at once, so that workers that join later find some. Impure, so that equal calls are all made.
+        sent = self._client.map(perform, [self._expected] * len(calls), calls, pure=False)
+        # Workers forget a result once its future is gone from here.
+        left = {future.key: future for future in sent}
+        del sent
+        ended: queue.SimpleQueue[Any] = queue.SimpleQueue()
+        for key in left:
+            left[key].add_done_callback(ended.put)
+        results: dict[Any, bytes] = {}
+        try:
+            for key in list(left):
+                while key not in results:
+                    done = self._next(ended)
+                    results[done.key] = _result(done)
+                    del left[done.key], done
+                yield pickle.loads(results.pop(key))
+        finally:
+            if left and self._client.status == "running":
+                self._client.cancel(list(left.values()))
 
-        calls = (delayed(perform)(self._expected, cloudpickle.dumps((function, task))) for task in tasks)
-        # All at once, so that workers that join later find some; one by one, so that a task that kills its
-        # worker takes no other along.
-        backend = ClusterBackend(self._client, self._wait)
-        results = Parallel(backend=backend, return_as="generator", pre_dispatch="all", batch_size=1)(calls)
-        for result in results:
-            yield pickle.loads(result)
+    def _next(self, ended: "queue.SimpleQueue[Any]") -> Any:
+        """Wait for a task to end, but not where there has been no worker for long."""
+        patience = self._wait
+        while True:
+            with contextlib.suppress(queue.Empty):
+                return ended.get(timeout=_SECONDS_BETWEEN_LOOKS)
+            # The client sees by itself that the scheduler has gone, and cancels all tasks.
+            with contextlib.suppress(OSError):
+                patience = self._wait if self._client.ncores() else patience - _SECONDS_BETWEEN_LOOKS
+            if patience <= 0:
+                raise PlacecatError(
+                    f"the cluster has had no worker for {self._wait:g} s: start some (`placecat worker "
+                    f"{self._client.scheduler.address}`), then run this again, or raise compute.wait"
+                )
 
     def close(self) -> None:
         """Disconnect: the scheduler forgets what it still has to do for this process."""
@@ -121,6 +148,23 @@ class Cluster:
             # Another stage may be running.
             self._mark.parent.rmdir()
         self._client.close()
+
+
+def _result(future: Any) -> bytes:
+    """What a task returned; raises what it raised, or why it has no result."""
+    from distributed import KilledWorker
+
+    if future.status not in ("finished", "error"):
+        raise PlacecatError(LOST)
+    try:
+        result: bytes = future.result()
+        return result
+    except KilledWorker as error:
+        last = getattr(error.last_worker, "address", error.last_worker)
+        raise PlacecatError(
+            f"{error.allowed_failures + 1} workers died of the same task, the last one {last}: their logs "
+            "say why; if for want of memory, start fewer on a machine (--nworkers N of `placecat worker`)"
+        ) from None
 
 
 def _distributed() -> Any:

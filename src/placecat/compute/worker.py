@@ -62,11 +62,11 @@ def objection(expected: Expected, dask_worker: Any = None) -> str | None:
     if threads != 1:
         # The folder and the number of threads of BLAS belong to the process.
         return f"{name} has {threads} threads, and must have one: start it with {start}"
-    own = fingerprint()
+    here = fingerprint()
     different = [
-        f"{item} ({own.get(item)} there, {value} here)"
+        f"{item} ({here.get(item)} there, {value} here)"
         for item, value in expected.items.items()
-        if own.get(item) != value and item not in expected.may_differ
+        if here.get(item) != value and item not in expected.may_differ
     ]
     if different:
         return (
@@ -91,8 +91,7 @@ def perform(expected: Expected, call: bytes) -> bytes:
     expected
         Checked for every task, since workers may join while a stage runs.
     call
-        Pickle of a function and the tuple of its arguments. Pickled, they are no objects that joblib would
-        put on one worker by themselves, from where they would be lost with it.
+        Pickle of a function and the tuple of its arguments.
 
     Returns
     -------
@@ -111,7 +110,7 @@ def perform(expected: Expected, call: bytes) -> bytes:
     if problem is not None:
         raise PlacecatError(problem)
     function, arguments = pickle.loads(call)
-    # Loops inside of a task stay in it: joblib would send them to the cluster.
+    # Loops inside of a task stay in it.
     with contextlib.chdir(expected.folder), parallel_config(backend="threading", n_jobs=1):
         result: bytes = cloudpickle.dumps(function(*arguments))
         return result

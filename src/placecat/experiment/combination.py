@@ -4,12 +4,11 @@ import importlib
 import inspect
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from placecat import cues, files, paths, schema, settings
+from placecat import cues, files, schema, settings, store
 from placecat.cues import estimators
 from placecat.errors import NotComputable, PlacecatError
 from placecat.experiment import data as data_sets
@@ -235,18 +234,14 @@ def _without_kernel() -> list[str]:
     return [name for name, own in classifiers().items() if not isinstance(_base(own), KernelMachine)]
 
 
-def _folder(home: str, descriptor: Mapping[str, Any]) -> Path:
-    return paths.TRACKS / home if descriptor.get("tracked", False) else paths.features(home)
-
-
 def _counts(home: str, descriptor: Mapping[str, Any]) -> np.ndarray:
-    counts = files.read_array(_folder(home, descriptor) / "count.npy", memory_map=False)
+    counts = files.read_array(store.folder_of(home, descriptor) / "count.npy", memory_map=False)
     return np.minimum(counts, descriptor["max_regions"]).astype(np.int64)
 
 
 def _length(data: Data, home: str, descriptor: Mapping[str, Any]) -> int:
     """Length of the joined descriptor; refuses one that was not computed, or for fewer regions."""
-    folder, kind = _folder(home, descriptor), descriptor["kind"]
+    folder, kind = store.folder_of(home, descriptor), descriptor["kind"]
     computed = sorted(path.stem.removeprefix(f"{kind}_") for path in folder.glob(f"{kind}_*.npy"))
     length = int(bool(descriptor.get("y_pos", False)))
     for setting in ("name", "color"):

@@ -12,7 +12,6 @@ CONFIG = "experiment"
 MAIN = "main"
 ALL = "all"
 TEST_HOME = "test_home"
-TRAINING_HOMES = "training_homes"
 
 
 def descriptors(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:

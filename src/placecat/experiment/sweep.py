@@ -4,6 +4,7 @@ import itertools
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
 
 from hydra import compose
 from hydra.core.config_loader import ConfigLoader
@@ -133,28 +134,23 @@ def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: bool) -> 
         return True
     files.write_csv(folder / output.SUMMARY, summary.as_frame(ran))
     print(f"\n{summary.text(ran)}\n\nAll of it: {folder / output.SUMMARY}")
-    is_well = not any(one.has_failed for one in ran)
-    if log:
-        from placecat.experiment import tracking
-
-        is_well &= _log(lambda: tracking.log_sweep(ran, folder))
-    return is_well
+    is_logged = not log or _log(lambda tracking: tracking.log_sweep(ran, folder))
+    return is_logged and not any(one.has_failed for one in ran)
 
 
 def tell_one(folder: Path, result: dict[str, object], *, log: bool) -> bool:
     """Print and log what a single experiment gave; as `tell`."""
     print(f"\n{summary.text_of_one(result)}\n\nAll of it: {folder / output.RESULT}")
-    if log:
-        from placecat.experiment import tracking
-
-        return _log(lambda: tracking.log_one(result, folder))
-    return True
+    return not log or _log(lambda tracking: tracking.log_one(result, folder))
 
 
-def _log(write: Callable[[], str]) -> bool:
+def _log(write: Callable[[Any], str]) -> bool:
     """Log; say where, or why it could not be. The results are on disk either way."""
+    # Here, since it imports MLflow.
+    from placecat.experiment import tracking
+
     try:
-        print(f"Logged: {write()}")
+        print(f"Logged: {write(tracking)}")
     except PlacecatError as error:
         print(f"placecat: nothing logged: {error}; track=false does without", file=sys.stderr)
         return False

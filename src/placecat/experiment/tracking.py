@@ -41,7 +41,7 @@ def log_sweep(ran: Sequence[Ran], folder: Path) -> str:
     PlacecatError
         MLflow cannot be written to.
     """
-    uri, client, experiment, title = _open()
+    client, experiment, where = _open()
     swept = list(ran[0].values)
     name = f"{' x '.join(swept) or 'one combination'}: {len(ran)} experiments"
     top = summary.highest(ran)
@@ -65,36 +65,33 @@ def log_sweep(ran: Sequence[Ran], folder: Path) -> str:
         description=summary.markdown(ran),
     )
     for one in ran:
-        _log_one(client, experiment, _label(one), one.result, one.folder, one.values, one.seconds, parent)
+        label = " ".join(one.values.values()) or f"experiment {one.number}"
+        _log_one(client, experiment, label, one, parent)
     failed = any(one.has_failed for one in ran)
     store.finish_run(client, parent, status="FAILED" if failed else "FINISHED")
-    return f"run {name!r} of the MLflow experiment {title!r} at {uri}"
+    return f"run {name!r} of {where}"
 
 
 def log_one(result: dict[str, Any], folder: Path) -> str:
     """Log a single experiment; parameters and result as for `log_sweep`."""
-    uri, client, experiment, title = _open()
-    own = result["settings"]
-    name = f"{own['descriptor']['name']} {own['classifier']['base']['name']} {'+'.join(own['test_home'])}"
-    seconds = float(files.read_json(folder / output.SECONDS))
-    _log_one(client, experiment, name, result, folder, {}, seconds, None)
-    return f"run {name!r} of the MLflow experiment {title!r} at {uri}"
+    client, experiment, where = _open()
+    used = result["settings"]
+    name = f"{used['descriptor']['name']} {used['classifier']['base']['name']} {'+'.join(used['test_home'])}"
+    _log_one(client, experiment, name, Ran(0, {}, folder, result), None)
+    return f"run {name!r} of {where}"
 
 
-def _open() -> tuple[str, Any, str, str]:
-    """Address, client, and number and name of the data set's experiment."""
+def _open() -> tuple[Any, str, str]:
+    """Client, number of the data set's experiment, and where it is, for people."""
     params = settings.load()
     name, title = (str(settings.get(params, f"dataset.{key}")) for key in ("name", "title"))
     uri = store.tracking_uri()
     client = store.connect(uri)
+    description = DESCRIPTION.format(title=title)
     experiment = store.experiment_id(
-        client,
-        uri,
-        f"placecat/{name}",
-        artifacts=ARTIFACTS,
-        description=DESCRIPTION.format(title=title),
+        client, uri, f"placecat/{name}", artifacts=ARTIFACTS, description=description
     )
-    return uri, client, experiment, f"placecat/{name}"
+    return client, experiment, f"the MLflow experiment {f'placecat/{name}'!r} at {uri}"
 
 
 def _versions() -> dict[str, str]:
@@ -106,30 +103,19 @@ def _versions() -> dict[str, str]:
     return {"data_version": version, store.COMMIT: git_commit()}
 
 
-def _label(one: Ran) -> str:
-    return " ".join(one.values.values()) or f"experiment {one.number}"
-
-
-def _log_one(
-    client: Any,
-    experiment: str,
-    name: str,
-    result: dict[str, Any],
-    folder: Path,
-    values: dict[str, str],
-    seconds: float | None,
-    parent: str | None,
-) -> None:
-    metrics: dict[str, float] = {} if seconds is None else {"seconds": seconds}
-    params = {store.key(key): value for key, value in values.items()}
-    artifacts = [path for path in (folder / output.RESULT, folder / output.TRACEBACK) if path.is_file()]
+def _log_one(client: Any, experiment: str, name: str, one: Ran, parent: str | None) -> None:
+    result = one.result
+    metrics: dict[str, float] = {} if one.seconds is None else {"seconds": one.seconds}
+    params = {store.key(key): value for key, value in one.values.items()}
+    artifacts = [one.folder / name for name in (output.RESULT, output.TRACEBACK)]
+    artifacts = [path for path in artifacts if path.is_file()]
     if "settings" in result:
         params |= {store.key(key): value for key, value in settings.flatten(result["settings"]).items()}
     if result["accuracy"] is not None:
         metrics["accuracy"] = result["accuracy"]
-        for home, own in result["homes"].items():
-            if own["accuracy"] is not None:
-                metrics[store.key("accuracy", home)] = own["accuracy"]
+        for home, of_home in result["homes"].items():
+            if of_home["accuracy"] is not None:
+                metrics[store.key("accuracy", home)] = of_home["accuracy"]
     note = result.get(output.FAILED) or result["reason"] or ""
     with tempfile.TemporaryDirectory() as temporary:
         if result["accuracy"] is not None:
@@ -149,4 +135,4 @@ def _log_one(
             parent=parent,
             description=note,
         )
-    store.finish_run(client, run, status="FAILED" if output.FAILED in result else "FINISHED")
+    store.finish_run(client, run, status="FAILED" if one.has_failed else "FINISHED")

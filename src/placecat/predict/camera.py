@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.predict.frame import Frame
+from placecat.predict.frame import Frame, Source
 
 # Assumed of a camera that does not say.
 USUAL_FPS = 30.0
@@ -17,7 +17,7 @@ PATIENCE = 10.0
 """Seconds without a frame after which a camera counts as gone."""
 
 
-class Camera:
+class Camera(Source):
     """Frames as they come.
 
     A thread reads all that the camera delivers, so that no queue of old frames builds up in the driver, and
@@ -53,7 +53,6 @@ class Camera:
         self, address: int | str, name: str, fps: float | None, size: tuple[int, int], *, title: str
     ) -> None:
         self.name = name
-        self.reached = 0
         self.arrived = 0
         if isinstance(address, int):
             self._capture = cv2.VideoCapture(address)
@@ -82,11 +81,7 @@ class Camera:
         self._is_over = False
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Wait for frames that were not taken yet; `every` has to be 1."""
-        if every != 1:
-            raise PlacecatError(
-                "--every is for files: of a camera the newest frame is taken whenever one is done"
-            )
+        """Wait for frames that were not taken yet; `every` is for files."""
         thread = threading.Thread(target=self._read, name="camera", daemon=True)
         thread.start()
         start: float | None = None
@@ -131,7 +126,3 @@ class Camera:
     def exact_count(self) -> int:
         """Refuse: a camera's frames cannot be labelled before they are taken."""
         raise PlacecatError("--labels is for files: a camera's frames have no labels yet")
-
-    def warning(self) -> str:
-        """Nothing."""
-        return ""

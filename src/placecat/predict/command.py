@@ -18,10 +18,10 @@ from placecat.errors import PlacecatError
 from placecat.predict import destination, report, tables, timeline, truth
 from placecat.predict.camera import Camera
 from placecat.predict.fitting import Fit, fit
-from placecat.predict.frame import Frame
+from placecat.predict.frame import Frame, Source
 from placecat.predict.prediction import Prediction
 from placecat.predict.run import Speed, Wish, run
-from placecat.predict.sources import Source, open_source, without_password
+from placecat.predict.sources import open_source, without_password
 
 TIMELINE, SPEED = "timeline.png", "speed.json"
 ANNOTATED = "annotated"
@@ -81,14 +81,20 @@ def predict_command(options: Options) -> int:
         temporary.mkdir()
         film = temporary / f"{ANNOTATED}{options.film}" if options.film else None
         wish = Wish(every=options.every, seconds=options.seconds, film=film, truth=labels)
-        with _Progress(source, wish) as progress:
-            prediction, speed, was_stopped = run(categorizer, source, chosen, wish, progress.show)
+        # Nothing where no one looks, such as in a log.
+        with tqdm(
+            total=_total(source, wish), unit=" frames", disable=None, dynamic_ncols=True
+        ) as progress_bar:
+
+            def show(frame: Frame, decision: Decision, speed: Speed) -> None:
+                progress_bar.set_postfix_str(f"{decision.place} {decision.confidence:.0%}", refresh=False)
+                progress_bar.update()
+
+            prediction, speed, was_stopped = run(categorizer, source, chosen, wish, show)
         if was_stopped:
             print("Stopped; what was seen until then is written.")
-        agreement = None
         shown = None if labels is None else labels[prediction.numbers - 1]
-        if shown is not None:
-            agreement = truth.agreement(prediction, shown)
+        agreement = None if shown is None else truth.agreement(prediction, shown)
         tables.write_frames(temporary / tables.FRAMES, prediction)
         tables.write_segments(temporary / tables.SEGMENTS, prediction)
         with house_style():
@@ -128,27 +134,12 @@ def _announce(options: Options, source: Source, chosen: Fit, categorizer: Catego
     sys.stdout.flush()
 
 
-class _Progress:
-    """A bar with the frame rate; for a camera a line that follows it."""
-
-    def __init__(self, source: Source, wish: Wish) -> None:
-        total = source.count()
-        if total is not None and wish.seconds is not None:
-            total = min(total, int(np.ceil(wish.seconds * source.fps)))
-        self._total = None if total is None else -(-total // wish.every)
-
-    def __enter__(self) -> "_Progress":
-        # Nothing where no one looks, such as in a log.
-        self._bar = tqdm(total=self._total, unit=" frames", disable=None, dynamic_ncols=True)
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._bar.close()
-
-    def show(self, frame: Frame, decision: Decision, speed: Speed) -> None:
-        """Move on by a frame."""
-        self._bar.set_postfix_str(f"{decision.place} {decision.confidence:.0%}", refresh=False)
-        self._bar.update()
+def _total(source: Source, wish: Wish) -> int | None:
+    """Number of frames to categorize, probably; None where it is not known."""
+    total = source.count()
+    if total is not None and wish.seconds is not None:
+        total = min(total, int(np.ceil(wish.seconds * source.fps)))
+    return None if total is None else -(-total // wish.every)
 
 
 def _speed(speed: Speed, source: Source) -> dict[str, float]:
@@ -190,7 +181,7 @@ def _print(
     agreement: dict[str, Any] | None,
 ) -> None:
     if options.seconds is None and source.warning():
-        _warn(source.warning())
+        print(f"placecat: note: {source.warning()}", file=sys.stderr)
     print("\nShare of time:")
     print("\n".join(report.shares(prediction)))
     print("\nSegments:")
@@ -202,7 +193,3 @@ def _print(
     print(f"\n{len(prediction.numbers)} frames: ", end="")
     print(report.speed_text(speed, options.every, source.fps, dropped=dropped))
     print(f"{folder}: {', '.join(sorted(path.name for path in folder.iterdir()))}")
-
-
-def _warn(text: str) -> None:
-    print(f"placecat: note: {text}", file=sys.stderr)

@@ -1,6 +1,5 @@
 """The folder of results: what may be replaced, and what may not."""
 
-import hashlib
 import json
 from pathlib import Path
 from typing import Any
@@ -77,7 +76,7 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
 
 def checksums(folder: Path, names: list[str]) -> dict[str, Any]:
     """What the summary has to hold for edited tables to be noticed later."""
-    return {_CHECKED: {name: _digest(folder / name) for name in names}}
+    return {_CHECKED: {name: files.checksum(folder / name) for name in names}}
 
 
 def _summary(folder: Path) -> dict[str, Any] | None:
@@ -93,10 +92,6 @@ def _changed(folder: Path, summary: dict[str, Any]) -> str | None:
     """The first file that was added, or edited since, if any."""
     for path in sorted(folder.iterdir()):
         digest = summary[_CHECKED].get(path.name)
-        if path.name not in summary["files"] or (digest is not None and _digest(path) != digest):
+        if path.name not in summary["files"] or (digest is not None and files.checksum(path) != digest):
             return path.name
     return None
-
-
-def _digest(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()

@@ -1,7 +1,6 @@
 """Pictures into a video."""
 
 from pathlib import Path
-from types import TracebackType
 
 import cv2
 import numpy as np
@@ -62,10 +61,5 @@ class Film:
     def __enter__(self) -> "Film":
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self._writer.release()

@@ -1,5 +1,7 @@
-"""A frame of footage."""
+"""Footage, and a frame of it."""
 
+from abc import ABC, abstractmethod
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -26,3 +28,49 @@ class Frame:
     seconds: float
     file: str
     image: NDArray[np.uint8]
+
+
+class Source(ABC):
+    """Footage.
+
+    Attributes
+    ----------
+    name
+        For the folder of results.
+    is_live
+        Whether frames that are not taken in time are lost.
+    fps
+        Frames a second of the footage.
+    size
+        (width, height) in pixels of its first frame.
+    reached
+        Number of the last frame that was looked at, from 1; 0 before the first.
+    """
+
+    name: str
+    fps: float
+    size: tuple[int, int]
+    is_live = False
+    reached = 0
+
+    @abstractmethod
+    def frames(self, every: int) -> Iterator[Frame]:
+        """Decode the first of each `every` frames; of a camera all, as they come."""
+
+    @abstractmethod
+    def count(self) -> int | None:
+        """Number of frames, probably; None where it is not known."""
+
+    @abstractmethod
+    def exact_count(self) -> int:
+        """Number of frames, which may take a pass over them.
+
+        Raises
+        ------
+        PlacecatError
+            Of a camera.
+        """
+
+    def warning(self) -> str:
+        """What is odd about the footage that was read; may be empty."""
+        return ""

@@ -68,14 +68,11 @@ class Prediction:
 
         A frame that was not categorized belongs to the one before it. `line` is that in segments.csv.
         """
-        return [
-            Segment(start, end, self.classes[self.decision[first]], line)
-            for line, (start, end, first) in enumerate(self._runs(), 2)
-        ]
-
-    def _runs(self) -> list[tuple[int, int, int]]:
         decision = self.decision
         firsts = np.flatnonzero(np.r_[True, decision[1:] != decision[:-1]])
         starts = self.numbers[firsts]
         ends = np.append(starts[1:] - 1, self.length)
-        return list(zip(starts.tolist(), ends.tolist(), firsts.tolist(), strict=True))
+        runs = zip(starts.tolist(), ends.tolist(), decision[firsts], strict=True)
+        return [
+            Segment(start, end, self.classes[place], line) for line, (start, end, place) in enumerate(runs, 2)
+        ]

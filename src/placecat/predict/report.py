@@ -18,27 +18,25 @@ def facts(prediction: Prediction, agreement: Mapping[str, Any] | None) -> dict[s
     agreement
         From `placecat.predict.truth.agreement`, if there are labels.
     """
-    share = _share_of_time(prediction)
-    alone = prediction.frame_decision
     return {
         "frames": len(prediction.numbers),
         "frames_of_footage": prediction.length,
         "fps": prediction.fps,
         "seconds": round(float(prediction.ends[-1]), 3),
-        "share_of_time": {name: round(value, 4) for name, value in share.items()},
+        "share_of_time": {name: round(value, 4) for name, value in _share_of_time(prediction).items()},
         "segments": len(prediction.segments()),
         "mean_confidence": round(float(prediction.confidence.mean()), 4),
         "changes": _changes(prediction.decision),
-        "changes_of_frame_alone": _changes(alone),
+        "changes_of_frame_alone": _changes(prediction.frame_decision),
         "agreement": agreement,
     }
 
 
 def shares(prediction: Prediction) -> list[str]:
     """Lines: the share of time of each place that was seen, the longest first."""
-    found = sorted(_share_of_time(prediction).items(), key=lambda one: -one[1])
+    longest_first = sorted(_share_of_time(prediction).items(), key=lambda one: -one[1])
     width = max(map(len, prediction.classes))
-    return [f"  {name:{width}}  {value:6.1%}" for name, value in found if value > 0]
+    return [f"  {name:{width}}  {value:6.1%}" for name, value in longest_first if value > 0]
 
 
 def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str]:

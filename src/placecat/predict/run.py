@@ -5,30 +5,19 @@ from collections.abc import Callable
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.categorizer import Decision
+from placecat.categorizer import Categorizer, Decision
 from placecat.errors import PlacecatError
 from placecat.predict.annotate import Annotator
 from placecat.predict.film import Film
 from placecat.predict.fitting import Fit
-from placecat.predict.frame import Frame
+from placecat.predict.frame import Frame, Source
 from placecat.predict.prediction import Prediction
-from placecat.predict.sources import Source
 
 Shown = Callable[[Frame, Decision, "Speed"], None]
-
-
-class System(Protocol):
-    """What is needed of `placecat.categorizer.Categorizer`."""
-
-    classes: tuple[str, ...]
-
-    def update(self, frame: NDArray[np.uint8], seconds: float, /) -> Decision:
-        """Take the next frame, so many seconds after the last."""
 
 
 @dataclass
@@ -86,7 +75,7 @@ class Wish:
 
 
 def run(
-    system: System, source: Source, fit: Fit, wish: Wish, shown: Shown = lambda *_: None
+    system: Categorizer, source: Source, fit: Fit, wish: Wish, shown: Shown = lambda *_: None
 ) -> tuple[Prediction, Speed, bool]:
     """Categorize footage.
 

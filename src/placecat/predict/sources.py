@@ -2,8 +2,8 @@
 
 import re
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Protocol
 
 import cv2
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 from placecat.predict.camera import Camera
-from placecat.predict.frame import Frame
+from placecat.predict.frame import Frame, Source
 from placecat.sequences import folder as image_folder
 from placecat.sequences import video
 from placecat.sequences.base import natural, open_video, read_image
@@ -25,48 +25,6 @@ _WHOLE = 0.95
 def without_password(text: str) -> str:
     """The address of a stream without user and password; anything else as it is."""
     return re.sub(r"(?<=://)[^/@]*@", "", text) if _STREAM.fullmatch(text) else text
-
-
-class Source(Protocol):
-    """Footage.
-
-    Attributes
-    ----------
-    name
-        For the folder of results.
-    is_live
-        Whether frames that are not taken in time are lost.
-    fps
-        Frames a second of the footage.
-    size
-        (width, height) in pixels of its first frame.
-    reached
-        Number of the last frame that was looked at, from 1; 0 before the first.
-    """
-
-    name: str
-    is_live: bool
-    fps: float
-    size: tuple[int, int]
-    reached: int
-
-    def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first of each `every` frames."""
-
-    def count(self) -> int | None:
-        """Number of frames, probably; None for a camera."""
-
-    def exact_count(self) -> int:
-        """Number of frames, which may take a pass over them.
-
-        Raises
-        ------
-        PlacecatError
-            Of a camera.
-        """
-
-    def warning(self) -> str:
-        """What is odd about the footage that was read; may be empty."""
 
 
 def open_source(text: str, *, fps: float | None, usual_fps: float, size: tuple[int, int]) -> Source:
@@ -109,10 +67,8 @@ def open_source(text: str, *, fps: float | None, usual_fps: float, size: tuple[i
     )
 
 
-class Video:
+class Video(Source):
     """A video file, decoded from its start as the stages decode it."""
-
-    is_live = False
 
     def __init__(self, path: Path, fps: float | None) -> None:
         if path.suffix.lower() not in video.SUFFIXES:
@@ -121,15 +77,11 @@ class Video:
                 f"`ffmpeg -i {path.name} {path.stem}.mp4`; images go into a folder"
             )
         self.name = path.stem
-        self.reached = 0
         self._path = path
-        capture = open_video(path)
-        try:
+        with self._opened() as capture:
             done, first = capture.read()
             known = capture.get(cv2.CAP_PROP_FPS)
             self._announced = int(capture.get(cv2.CAP_PROP_FRAME_COUNT))
-        finally:
-            capture.release()
         if not done:
             raise PlacecatError(f"{path}: the video has no readable frame; restore or convert it")
         rate = fps if fps is not None else known
@@ -141,8 +93,7 @@ class Video:
     def frames(self, every: int) -> Iterator[Frame]:
         """Decode the first of each `every` frames."""
         self.reached = 0
-        capture = open_video(self._path)
-        try:
+        with self._opened() as capture:
             while capture.grab():
                 self.reached += 1
                 if (self.reached - 1) % every:
@@ -153,6 +104,12 @@ class Video:
                         f"{self._path}: frame {self.reached} cannot be decoded; restore the file"
                     )
                 yield Frame(self.reached, (self.reached - 1) / self.fps, "", image)  # type: ignore[arg-type]
+
+    @contextmanager
+    def _opened(self) -> Iterator[cv2.VideoCapture]:
+        capture = open_video(self._path)
+        try:
+            yield capture
         finally:
             capture.release()
 
@@ -162,14 +119,8 @@ class Video:
 
     def exact_count(self) -> int:
         """Number of frames, by passing over the whole video."""
-        capture = open_video(self._path)
-        try:
-            number = 0
-            while capture.grab():
-                number += 1
-            return number
-        finally:
-            capture.release()
+        with self._opened() as capture:
+            return sum(1 for _ in iter(capture.grab, False))
 
     def warning(self) -> str:
         """Whether the file ends long before its header says; only after all its frames were taken."""
@@ -181,14 +132,12 @@ class Video:
         )
 
 
-class Folder:
+class Folder(Source):
     """JPEG and PNG files in natural order (frame2 before frame10)."""
 
-    is_live = False
-
     def __init__(self, path: Path, fps: float) -> None:
-        found = [entry.name for entry in path.iterdir() if entry.suffix.lower() in image_folder.SUFFIXES]
-        self._images = sorted((name for name in found if not name.startswith(".")), key=natural)
+        images = [entry.name for entry in path.iterdir() if entry.suffix.lower() in image_folder.SUFFIXES]
+        self._images = sorted((name for name in images if not name.startswith(".")), key=natural)
         if not self._images:
             raise PlacecatError(
                 f"{path}: no images here ({', '.join(image_folder.SUFFIXES)}); give a folder of frames, or a "
@@ -196,14 +145,12 @@ class Folder:
             )
         self.name = path.resolve().name
         self.fps = fps
-        self.reached = 0
         self._path = path
         first = read_image(path / self._images[0])
         self.size = (first.shape[1], first.shape[0])
 
     def frames(self, every: int) -> Iterator[Frame]:
         """Decode the first of each `every` frames."""
-        self.reached = 0
         for number, name in enumerate(self._images, 1):
             self.reached = number
             if (number - 1) % every == 0:
@@ -219,14 +166,8 @@ class Folder:
             )
         return image
 
-    def count(self) -> int | None:
+    def count(self) -> int:
         """Number of images."""
         return len(self._images)
 
-    def exact_count(self) -> int:
-        """Number of images."""
-        return len(self._images)
-
-    def warning(self) -> str:
-        """Nothing: an image that cannot be read is refused."""
-        return ""
+    exact_count = count

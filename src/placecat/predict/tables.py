@@ -1,8 +1,8 @@
 """The prediction as CSV."""
 
-import csv
-from collections.abc import Iterable, Sequence
 from pathlib import Path
+
+import pandas as pd
 
 from placecat.predict.prediction import Prediction
 from placecat.sequences.labels import FRAME_HEADER
@@ -16,35 +16,27 @@ def write_frames(path: Path, prediction: Prediction) -> None:
 
     Probabilities have as many digits as it takes to read back the same number, to the bit.
     """
-    named = ["file"] if prediction.names else []
-    header = [
-        *("frame", "seconds", *named, "place", "confidence"),
-        *(f"p_{name}" for name in prediction.classes),
-        "frame_place",
-        *(f"frame_p_{name}" for name in prediction.classes),
-    ]
-    rows = zip(
-        prediction.numbers.tolist(),
-        (f"{seconds:.3f}" for seconds in prediction.seconds),
-        *([prediction.names] if named else []),
-        (prediction.classes[place] for place in prediction.decision),
-        prediction.confidence.tolist(),
-        *prediction.proba.T.tolist(),
-        (prediction.classes[place] for place in prediction.frame_decision),
-        *prediction.integrated.T.tolist(),
-        strict=True,
-    )
-    _write(path, header, rows)
+    classes = prediction.classes
+    columns = {
+        "frame": prediction.numbers,
+        "seconds": [f"{seconds:.3f}" for seconds in prediction.seconds],
+        # As objects: names that are no UTF-8 are no text to pandas.
+        **({"file": pd.Series(prediction.names, dtype=object)} if prediction.names else {}),
+        "place": [classes[place] for place in prediction.decision],
+        "confidence": prediction.confidence,
+        **{f"p_{name}": column for name, column in zip(classes, prediction.proba.T, strict=True)},
+        "frame_place": [classes[place] for place in prediction.frame_decision],
+        **{f"frame_p_{name}": column for name, column in zip(classes, prediction.integrated.T, strict=True)},
+    }
+    _write(path, pd.DataFrame(columns))
 
 
 def write_segments(path: Path, prediction: Prediction) -> None:
     """Write a row a stretch of one place, as a label file of the project: correct it, and it is one."""
-    _write(path, FRAME_HEADER, ((part.start, part.end, part.label) for part in prediction.segments()))
+    rows = [(part.start, part.end, part.label) for part in prediction.segments()]
+    _write(path, pd.DataFrame(rows, columns=FRAME_HEADER))
 
 
-def _write(path: Path, header: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
+def _write(path: Path, table: pd.DataFrame) -> None:
     # File names may be in any coding: what is no UTF-8 is shown as \xNN.
-    with path.open("w", encoding="utf-8", errors="backslashreplace", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(header)
-        writer.writerows(rows)
+    table.to_csv(path, index=False, lineterminator="\n", errors="backslashreplace")

@@ -12,7 +12,7 @@ from pathlib import Path
 from types import TracebackType
 
 from placecat import compute
-from placecat.errors import PlacecatError
+from placecat.errors import exiting
 
 # A stage imports this package first, so that its own imports are part of its time.
 _STARTED = time.perf_counter()
@@ -43,38 +43,19 @@ def _end(kind: type[BaseException], error: BaseException, traceback: TracebackTy
 sys.excepthook = _end
 
 
-def run(stage: Callable[..., None], *, item: str | None = None, items: str | None = None) -> None:
-    """Run a stage from the command line: ``python -m placecat.stages.NAME [ITEM ...]``.
+def run(stage: Callable[[], None]) -> None:
+    """Run a stage from the command line: ``python -m placecat.stages.NAME``.
 
     Its loops run where the settings say (:mod:`placecat.compute`). A mistake of the user's ends with its
     message and status 1, without a traceback. If the stage ends well, the seconds it took go to data/times
     (:mod:`placecat.times`).
-
-    Parameters
-    ----------
-    stage
-        Takes the item, if the stage has one.
-    item
-        What the item is, for ``--help``, e.g. "home".
-    items
-        What the items are, of a stage that takes any number of them.
     """
-    parser = argparse.ArgumentParser(description=(stage.__doc__ or "").splitlines()[0])
-    if item is not None:
-        parser.add_argument(item)
-    if items is not None:
-        parser.add_argument(items, nargs="*")
-    arguments = vars(parser.parse_args())
+    argparse.ArgumentParser(description=(stage.__doc__ or "").splitlines()[0]).parse_args()
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(message)s")
     os.environ.setdefault("MLFLOW_DISABLE_TELEMETRY", "true")
-    try:
-        with compute.as_set():
-            stage(*(arguments[items] if items is not None else arguments.values()))
-    except PlacecatError as error:
-        sys.exit(f"placecat: {error}")
-    except KeyboardInterrupt:
-        sys.exit(130)
+    with exiting(), compute.as_set():
+        stage()
     # Here, since it imports NumPy.
     from placecat import times
 
-    times.record(Path(inspect.getfile(stage)).stem, arguments.get(item or ""), time.perf_counter() - _STARTED)
+    times.record(Path(inspect.getfile(stage)).stem, time.perf_counter() - _STARTED)

@@ -21,18 +21,15 @@ def main() -> None:
     options = feature_options(params, settings.get(params, "descriptors"))
     variants = settings.get(params, "region_variants")
     wanted = {home: inputs(home, [options, variants]) for home in settings.get(params, "dataset.homes")}
-    items.refresh(
-        "features",
-        paths.FEATURES,
-        wanted,
-        lambda home, folder: describe_home(home, root, options, folder, variants=variants),
+    items.refresh_together(
+        "features", paths.FEATURES, wanted, describe, lambda home: plan(home, root, options, variants)
     )
 
 
-def inputs(home: str, own: Any) -> items.Inputs:
+def inputs(home: str, read: Any) -> items.Inputs:
     """What the features of a home are made from: settings, its frames and the checksums of their files."""
     listed = paths.sequences(home)
-    return items.Inputs(own, (listed / "frames.csv", listed / "sources.csv", listed / "home.json"))
+    return items.Inputs(read, (listed / "frames.csv", listed / "sources.csv", listed / "home.json"))
 
 
 def feature_options(params: Mapping[str, Any], descriptors: Mapping[str, Any]) -> dict[str, Any]:
@@ -51,15 +48,10 @@ def feature_options(params: Mapping[str, Any], descriptors: Mapping[str, Any]) -
     return options
 
 
-def describe_home(
-    home: str,
-    root: Path,
-    options: Mapping[str, Any],
-    folder: Path,
-    *,
-    variants: Mapping[str, Any] | None = None,
-) -> None:
-    """Write the descriptors of all frames of a home.
+def plan(
+    home: str, root: Path, options: Mapping[str, Any], variants: Mapping[str, Any] | None = None
+) -> items.Work:
+    """Plan the descriptors of all frames of a home: tasks are those of :func:`describe`.
 
     Parameters
     ----------
@@ -69,8 +61,6 @@ def describe_home(
         Folder of the data set.
     options
         From :func:`feature_options`.
-    folder
-        To write.
     variants
         As conf/region_variants: variants of the salient regions, and the frames that they are found in.
     """
@@ -78,28 +68,44 @@ def describe_home(
     also, rows = {}, np.arange(0)
     if variants is not None:
         also = {
-            name: own | {"descriptors": variants["descriptors"]} for name, own in variants["variants"].items()
+            name: variant | {"descriptors": variants["descriptors"]}
+            for name, variant in variants["variants"].items()
         }
         check({**options, "variants": also})
         rows = np.arange(variants["frames"]["offset"], len(frames), variants["frames"]["step"])
     # A video is decoded from its start, so that it is cut into few parts only.
     is_video = bool((frames["position"] >= 0).any())
     chunk = max(32, -(-len(frames) // (4 * parallel.workers()))) if is_video else 32
-    facts = files.read_json(paths.sequences(home) / "home.json")
-    size = (facts["width"], facts["height"])
+    size, varied = listing.frame_size(home), set(rows.tolist())
     tasks = [
-        (root, size, frames.iloc[start : start + chunk], options, also, set(rows.tolist()))
+        (root, size, frames.iloc[start : start + chunk], options, also, varied)
         for start in range(0, len(frames), chunk)
     ]
-    parts = parallel.in_parallel(describe, tasks, f"features of {home}")
-    modules = {name: own.get("descriptor", name) for name, own in options["local"].items()}
-    files.write_json(folder / "descriptors.json", modules)
-    for name in also:
-        files.write_json(folder / paths.VARIANT.format(name) / "descriptors.json", modules)
-        files.write_array(folder / paths.VARIANT.format(name) / paths.VARIANT_FRAMES, rows)
-    for name in _names(parts):
-        array = np.concatenate([part[name] for part in parts if name in part])
-        files.write_array(folder / f"{name}.npy", array)
+
+    def write(folder: Path, parts: Sequence[Mapping[str, np.ndarray]]) -> None:
+        modules = {name: descriptor.get("descriptor", name) for name, descriptor in options["local"].items()}
+        files.write_json(folder / "descriptors.json", modules)
+        for name in also:
+            files.write_json(folder / paths.VARIANT.format(name) / "descriptors.json", modules)
+            files.write_array(folder / paths.VARIANT.format(name) / paths.VARIANT_FRAMES, rows)
+        for name in _names(parts):
+            array = np.concatenate([part[name] for part in parts if name in part])
+            files.write_array(folder / f"{name}.npy", array)
+
+    return tasks, write
+
+
+def describe_home(
+    home: str,
+    root: Path,
+    options: Mapping[str, Any],
+    folder: Path,
+    *,
+    variants: Mapping[str, Any] | None = None,
+) -> None:
+    """Write the descriptors of all frames of one home to a folder; other parameters as for :func:`plan`."""
+    tasks, write = plan(home, root, options, variants)
+    write(folder, parallel.in_parallel(describe, tasks, f"features of {home}"))
 
 
 def describe(

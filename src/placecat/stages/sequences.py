@@ -1,6 +1,5 @@
 """Stage `sequences`: read the data set's layout and label files; check them."""
 
-import hashlib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -78,10 +77,8 @@ def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:
 
 def _checksums(home: Home) -> pd.DataFrame:
     """SHA-256 of every source file of a home, in the order of frames."""
-    rows = []
-    for source in dict.fromkeys(home.frames["source"]):
-        with (home.root / source).open("rb") as file:
-            rows.append((source, hashlib.file_digest(file, "sha256").hexdigest()))
+    sources = dict.fromkeys(home.frames["source"])
+    rows = [(source, files.checksum(home.root / source)) for source in sources]
     return pd.DataFrame(rows, columns=["source", "sha256"])
 
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from placecat import items, paths, settings
 from placecat.stages import run
-from placecat.stages.features import describe_home, feature_options, inputs
+from placecat.stages.features import describe, feature_options, inputs, plan
 
 
 def main() -> None:
@@ -12,18 +12,18 @@ def main() -> None:
     params = settings.load()
     splits = settings.get(params, "splits")
     items.keep_only(paths.SITE_FEATURES, splits)
-    for split, own in splits.items():
-        wanted = {
+    for split, definition in splits.items():
+        descriptors = {
             kind: {name: settings.get(params, f"descriptors.{kind}.{name}") for name in names}
-            for kind, names in own["descriptors"].items()
+            for kind, names in definition["descriptors"].items()
         }
-        options, root = feature_options(params, wanted), Path(own["dataset"]["root"])
+        options, root = feature_options(params, descriptors), Path(definition["dataset"]["root"])
 
-        def make(sequence: str, folder: Path) -> None:
-            describe_home(f"{split}/{sequence}", root, options, folder)  # noqa: B023  called in this turn
+        def work(sequence: str) -> items.Work:
+            return plan(f"{split}/{sequence}", root, options)  # noqa: B023  called in this turn
 
-        sequences = {name: inputs(f"{split}/{name}", options) for name in own["dataset"]["homes"]}
-        items.refresh("site_features", paths.SITE_FEATURES / split, sequences, make)
+        sequences = {name: inputs(f"{split}/{name}", options) for name in definition["dataset"]["homes"]}
+        items.refresh_together("site_features", paths.SITE_FEATURES / split, sequences, describe, work)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat import files, items, listing, parallel, paths, settings
+from placecat import files, items, listing, paths, settings
 from placecat.sequences.base import read_frames
 from placecat.stages import run
 from placecat.vision.frame import check, describe_frame
@@ -20,15 +20,15 @@ def main() -> None:
     params = settings.load()
     wanted = {}
     for home in settings.get(params, "dataset.homes"):
-        own = [settings.get(params, name) for name in ("attention", "tracking", "descriptors.local")]
+        read = [settings.get(params, name) for name in ("attention", "tracking", "descriptors.local")]
         listed = [paths.sequences(home) / name for name in ("frames.csv", "sources.csv", "home.json")]
-        found = [paths.features(home) / name for name in ("regions.npy", "count.npy")]
-        wanted[home] = items.Inputs(own, (*listed, *found))
-    items.refresh("tracks", paths.TRACKS, wanted, lambda home, folder: make(home, folder, params))
+        regions = [paths.features(home) / name for name in ("regions.npy", "count.npy")]
+        wanted[home] = items.Inputs(read, (*listed, *regions))
+    items.refresh_together("tracks", paths.TRACKS, wanted, track, lambda home: plan(home, params))
 
 
-def make(home: str, folder: Path, params: Mapping[str, Any]) -> None:
-    """Write the tracked regions of all frames of one home and their descriptors."""
+def plan(home: str, params: Mapping[str, Any]) -> items.Work:
+    """Plan the tracked regions of all frames of one home: tasks are those of :func:`track`."""
     tracking = dict(settings.get(params, "tracking"))
     wanted = {name: settings.get(params, f"descriptors.local.{name}") for name in tracking.pop("descriptors")}
     options = {
@@ -38,25 +38,20 @@ def make(home: str, folder: Path, params: Mapping[str, Any]) -> None:
     }
     check(options)
     settings.check(RegionTracker, tracking, "tracking")
-    frames = listing.read_frames(home)
-    facts = files.read_json(paths.sequences(home) / "home.json")
-    found = _found_regions(home, tracking["max_regions"])
+    root, size = Path(settings.get(params, "dataset.root")), listing.frame_size(home)
+    frames, regions = listing.read_frames(home), _found_regions(home, tracking["max_regions"])
     tasks = [
-        (
-            Path(settings.get(params, "dataset.root")),
-            (facts["width"], facts["height"]),
-            frames.iloc[part],
-            found[part],
-            tracking,
-            options,
-        )
+        (root, size, frames.iloc[part], regions[part], tracking, options)
         for part in listing.sequence_slices(home)
     ]
-    parts = parallel.in_parallel(track, tasks, f"tracks of {home}")
-    modules = {name: own.get("descriptor", name) for name, own in wanted.items()}
-    files.write_json(folder / "descriptors.json", modules)
-    for name in parts[0]:
-        files.write_array(folder / f"{name}.npy", np.concatenate([part[name] for part in parts]))
+
+    def write(folder: Path, parts: Sequence[Mapping[str, np.ndarray]]) -> None:
+        modules = {name: descriptor.get("descriptor", name) for name, descriptor in wanted.items()}
+        files.write_json(folder / "descriptors.json", modules)
+        for name in parts[0]:
+            files.write_array(folder / f"{name}.npy", np.concatenate([part[name] for part in parts]))
+
+    return tasks, write
 
 
 def _found_regions(home: str, max_regions: int) -> list[np.ndarray]:

@@ -153,15 +153,7 @@ def without_homes(params: Mapping[str, Any], left_out: Sequence[str], tested: Se
         Some of `left_out`.
     """
     homes = [home for home in settings.get(params, "dataset.homes") if home not in left_out]
-    return Plan(
-        classes=tuple(settings.get(params, "dataset.classes")),
-        cues=_parts(params, homes, "cue_frames"),
-        integration=_parts(params, homes, "integration_frames"),
-        extra=(),
-        tested=_parts(params, tested, None),
-        dataset=settings.get(params, "dataset.name"),
-        left_out=tuple(left_out),
-    )
+    return _of_main(params, homes, homes, tested, tuple(left_out))
 
 
 def of_split(params: Mapping[str, Any], split: str) -> Plan:
@@ -192,30 +184,41 @@ def on_training_homes(plan: Plan) -> list[Plan]:
 
     Each is tested by what trains on the others.
     """
-    found = []
     training = [part for part in plan.cues if part.home != plan.test]
-    for tested in training:
-        found.append(
-            replace(
-                plan,
-                cues=tuple(part for part in training if part is not tested),
-                integration=tuple(part for part in plan.integration if part.home != tested.home),
-                tested=(replace(tested, offset=0, step=1),),
-                left_out=None if plan.left_out is None else (tested.home, *plan.left_out),
-            )
+    return [
+        replace(
+            plan,
+            cues=tuple(part for part in training if part is not tested),
+            integration=tuple(part for part in plan.integration if part.home != tested.home),
+            tested=(replace(tested, offset=0, step=1),),
+            left_out=None if plan.left_out is None else (tested.home, *plan.left_out),
         )
-    return found
+        for tested in training
+    ]
 
 
 def _of_fold(params: Mapping[str, Any], fold: protocol.Fold, *, extra: bool) -> Plan:
+    tested = [fold.test] if fold.test else []
+    plan = _of_main(params, fold.cue_homes, fold.integration_homes, tested, fold.left_out)
+    return replace(plan, extra=_extra(params)) if extra else plan
+
+
+def _of_main(
+    params: Mapping[str, Any],
+    cues: Sequence[str],
+    integration: Sequence[str],
+    tested: Sequence[str],
+    left_out: tuple[str, ...],
+) -> Plan:
+    """A plan of homes of the main data set, without further sequences."""
     return Plan(
         classes=tuple(settings.get(params, "dataset.classes")),
-        cues=_parts(params, fold.cue_homes, "cue_frames"),
-        integration=_parts(params, fold.integration_homes, "integration_frames"),
-        extra=_extra(params) if extra else (),
-        tested=_parts(params, [fold.test] if fold.test else [], None),
+        cues=_parts(params, cues, "cue_frames"),
+        integration=_parts(params, integration, "integration_frames"),
+        extra=(),
+        tested=_parts(params, tested, None),
         dataset=settings.get(params, "dataset.name"),
-        left_out=fold.left_out,
+        left_out=left_out,
     )
 
 

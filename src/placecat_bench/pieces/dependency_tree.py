@@ -113,12 +113,7 @@ def ours(codes: NDArray[np.int32], n_values: int) -> DependencyTree:
 
 
 def theirs(table: pd.DataFrame, n_values: int) -> Any:
-    """Learn the same by pgmpy.
-
-    Returns
-    -------
-    pgmpy.models.DiscreteBayesianNetwork
-    """
+    """Learn the same by pgmpy: a ``pgmpy.models.DiscreteBayesianNetwork``."""
     with warnings.catch_warnings():
         # It warns of its own deprecated parts on import.
         warnings.simplefilter("ignore")

@@ -61,12 +61,7 @@ def ours(X: NDArray[np.float32], positive: NDArray[np.bool_], rounds: int) -> Ge
 
 
 def theirs(X: NDArray[np.float32], positive: NDArray[np.bool_], rounds: int) -> Any:
-    """Boost by OpenCV's.
-
-    Returns
-    -------
-    cv2.ml.Boost
-    """
+    """Boost by OpenCV's: a ``cv2.ml.Boost``."""
     boost = cv2.ml.Boost.create()
     boost.setBoostType(cv2.ml.BOOST_GENTLE)
     boost.setWeakCount(rounds)

@@ -9,7 +9,7 @@ points to the nearest of the centres, which their codewords stand for.
 The points are the project's SIFT descriptors of random places and scales in frames of a rendered home.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from itertools import islice
 from pathlib import Path
 
@@ -23,6 +23,7 @@ from placecat.sequences.base import open_video
 from placecat.vision.attention import compute_maps
 from placecat.vision.local import sift
 from placecat_bench.comparison import Comparison, Limit, Peer
+from placecat_bench.timing import Latest
 
 PIECE = "Hierarchical k-means"
 PEER = Peer("FLANN: hierarchical_kmeans", "pyflann-ibeis")
@@ -56,24 +57,17 @@ def entries(
 
 def _cut(points: NDArray[np.float32], n_clusters: int, faster: float) -> Iterator[Comparison | Limit]:
     text = f"{len(points)} x {points.shape[1]}, {n_clusters} clusters"
-    found: dict[Callable[..., NDArray[np.float32]], NDArray[np.float32]] = {}
-
-    def cluster(by: Callable[..., NDArray[np.float32]]) -> None:
-        found[by] = by(points, n_clusters)
+    centers = Latest(ours=lambda: ours(points, n_clusters), theirs=lambda: theirs(points, n_clusters))
 
     def relative_inertia() -> float:
-        # The clusters of the last timed calls, if there were any.
-        for by in (ours, theirs):
-            if by not in found:
-                cluster(by)
-        return inertia(points, found[ours]) / inertia(points, found[theirs])
+        return inertia(points, centers.result("ours")) / inertia(points, centers.result("theirs"))
 
     yield Comparison(
         PIECE,
         text,
         PEER,
-        lambda: cluster(ours),
-        lambda: cluster(theirs),
+        lambda: centers.call("ours"),
+        lambda: centers.call("theirs"),
         faster=faster,
         # Half a minute of FLANN's.
         warm_up=False,

@@ -28,6 +28,7 @@ from placecat.learning.one_against_all import OneAgainstAll
 from placecat.learning.scaling import KernelScaling
 from placecat_bench.comparison import Comparison, Limit, Peer
 from placecat_bench.gist_like import CLASSES, Frames, draw_frames
+from placecat_bench.timing import Latest
 
 PIECE = f"nu-SVM, {CLASSES} classes, probabilities"
 PEER = Peer("OneVsRestClassifier(CalibratedClassifierCV(NuSVC))", "scikit-learn")
@@ -50,19 +51,7 @@ def entries(
     scaling = KernelScaling("standard").fit(train.descriptors)
     known, unknown = scaling.transform(train.descriptors), scaling.transform(test.descriptors)
     known_by_them, unknown_by_them = known.astype(np.float64), unknown.astype(np.float64)
-    models: dict[str, Any] = {}
-
-    def fit_ours() -> None:
-        models["ours"] = ours(known, train)
-
-    def fit_theirs() -> None:
-        models["theirs"] = theirs(known_by_them, train)
-
-    def fitted(whose: str) -> Any:
-        # By the last timed call, if there was one: theirs takes minutes.
-        if whose not in models:
-            {"ours": fit_ours, "theirs": fit_theirs}[whose]()
-        return models[whose]
+    models = Latest(ours=lambda: ours(known, train), theirs=lambda: theirs(known_by_them, train))
 
     @cache
     def gram() -> NDArray[Any]:
@@ -72,8 +61,8 @@ def entries(
         PIECE,
         f"fit {frames} x {features}, {homes} homes",
         PEER,
-        fit_ours,
-        fit_theirs,
+        lambda: models.call("ours"),
+        lambda: models.call("theirs"),
         faster=16,
         warm_up=False,
         parts={
@@ -87,19 +76,19 @@ def entries(
         PIECE,
         text,
         PEER,
-        lambda: fitted("ours").predict_proba(unknown),
-        lambda: fitted("theirs").predict_proba(unknown_by_them),
+        lambda: models.result("ours").predict_proba(unknown),
+        lambda: models.result("theirs").predict_proba(unknown_by_them),
         faster=25,
         parts={
             "kernel values": lambda: rbf_cross(
-                unknown, fitted("ours").scorer_.support_vectors, fitted("ours").scorer_.gamma
+                unknown, models.result("ours").scorer_.support_vectors, models.result("ours").scorer_.gamma
             )
         },
     )
 
     def largest_difference() -> float:
-        found = fitted("ours").predict_proba(unknown)
-        return float(np.abs(found - fitted("theirs").predict_proba(unknown_by_them)).max())
+        proba = models.result("ours").predict_proba(unknown)
+        return float(np.abs(proba - models.result("theirs").predict_proba(unknown_by_them)).max())
 
     quantity = "largest difference of a probability"
     yield Limit(PIECE, text, quantity, largest_difference, at_most=1e-3, peer=PEER)
@@ -112,12 +101,7 @@ def ours(X: NDArray[np.float32], frames: Frames, gram: NDArray[Any] | None = Non
 
 
 def theirs(X: NDArray[np.float64], frames: Frames) -> Any:
-    """Fit scikit-learn's, with the same folds.
-
-    Returns
-    -------
-    sklearn.multiclass.OneVsRestClassifier
-    """
+    """Fit scikit-learn's ``OneVsRestClassifier``, with the same folds."""
     from sklearn.calibration import CalibratedClassifierCV
     from sklearn.multiclass import OneVsRestClassifier
     from sklearn.svm import NuSVC

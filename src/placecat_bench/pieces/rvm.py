@@ -20,7 +20,7 @@ from placecat.learning.rvm import RVM
 from placecat.learning.scaling import KernelScaling
 from placecat_bench.comparison import Comparison, Limit, Peer
 from placecat_bench.gist_like import CLASSES, draw_frames
-from placecat_bench.timing import seconds
+from placecat_bench.timing import Latest, seconds
 
 PIECE = "RVM"
 PEER = Peer("fastrvm: RVC", "fastrvm")
@@ -47,25 +47,16 @@ def _beside_fastrvm(few: int, features: int) -> Iterator[Comparison | Limit]:
     X, place = scaled_frames(few, features)
     positive, in_their_type = place == PLACE, X.astype(np.float64)
     text = f"{few} x {features}"
-    models: dict[str, Any] = {}
-
-    def fit_ours() -> None:
-        models["ours"] = ours(X, positive)
-
-    def fit_theirs() -> None:
-        models["theirs"] = theirs(in_their_type, positive)
+    models = Latest(ours=lambda: ours(X, positive), theirs=lambda: theirs(in_their_type, positive))
 
     def behind() -> float:
-        # Models of the last timed calls, if there were any.
-        for whose, fit in (("ours", fit_ours), ("theirs", fit_theirs)):
-            if whose not in models:
-                fit()
-        right = {whose: np.mean(model.predict(X) == positive) for whose, model in models.items()}
+        right = {name: np.mean(models.result(name).predict(X) == positive) for name in ("ours", "theirs")}
         return 100.0 * float(right["theirs"] - right["ours"])
 
     parts = {"Gram matrix": lambda: rbf_gram(X, GAMMA)}
     # A minute of fastrvm's.
-    yield Comparison(PIECE, text, PEER, fit_ours, fit_theirs, faster=1, warm_up=False, parts=parts)
+    calls = partial(models.call, "ours"), partial(models.call, "theirs")
+    yield Comparison(PIECE, text, PEER, *calls, faster=1, warm_up=False, parts=parts)
     yield Limit(PIECE, text, "points of training accuracy behind fastrvm's", behind, at_most=1, peer=PEER)
 
 
@@ -97,12 +88,7 @@ def ours(X: NDArray[np.float32], positive: NDArray[np.bool_]) -> RVM:
 
 
 def theirs(X: NDArray[np.float64], positive: NDArray[np.bool_]) -> Any:
-    """Fit fastrvm's.
-
-    Returns
-    -------
-    fastrvm.RVC
-    """
+    """Fit fastrvm's ``RVC``."""
     from fastrvm import RVC
 
     return RVC(kernel="rbf", gamma=GAMMA, fit_intercept=True).fit(X, positive.astype(np.int64))

@@ -1,11 +1,10 @@
 """The command line: ``python -m placecat_bench.scale``, in the project's folder."""
 
 import argparse
-import sys
 from pathlib import Path
 
 import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
-from placecat.errors import PlacecatError
+from placecat.errors import exiting
 
 
 def main() -> None:
@@ -30,21 +29,10 @@ def main() -> None:
     parser.add_argument("--keep", action="store_true", help="leave the folders of all sizes there")
     parser.add_argument("--output", type=Path, default=paths.REPORTS, help=f"{paths.REPORTS} by default")
     options = parser.parse_args()
-    try:
+    with exiting():
         from placecat_bench.scale import command
 
-        command.run(
-            sizes=options.sizes,
-            stages=options.stages,
-            folder=options.folder,
-            add=options.add,
-            keep=options.keep,
-            output=options.output,
-        )
-    except PlacecatError as error:
-        sys.exit(f"placecat: {error}")
-    except KeyboardInterrupt:
-        sys.exit(130)
+        command.run(**vars(options))
 
 
 if __name__ == "__main__":

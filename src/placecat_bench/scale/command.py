@@ -6,11 +6,10 @@ from pathlib import Path
 from typing import Any
 
 import pandas as pd
-import yaml
 
-from placecat import files, paths, settings
+from placecat import conf_file, files, paths
 from placecat.errors import PlacecatError
-from placecat_bench.scale import full_run, measurements, pipeline, project, summary
+from placecat_bench.scale import full_run, measurements, project, summary
 from placecat_bench.scale.database import read_homes
 
 SETTINGS = paths.CONF / "scale.yaml"
@@ -18,25 +17,8 @@ _NAMES = ["sizes", "test_homes", "stages", "regions", "jitter", "most_gib", "hom
 
 
 def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
-    """Read conf/scale.yaml.
-
-    Raises
-    ------
-    PlacecatError
-        If it is missing, or has an unknown setting or lacks one.
-    """
-    try:
-        content = yaml.safe_load(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise PlacecatError(f"{path} is missing: run this in the project's folder") from None
-    except yaml.YAMLError as error:
-        raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None
-    if not isinstance(content, dict):
-        raise PlacecatError(f"{path} is empty: restore it from git")
-    settings.refuse_unknown(content, _NAMES, str(path))
-    for name in _NAMES:
-        settings.get(content, name)
-    return content
+    """Read conf/scale.yaml; raises as :func:`placecat.conf_file.read`."""
+    return conf_file.read(path, _NAMES)
 
 
 def run(
@@ -70,9 +52,9 @@ def run(
     PlacecatError
         For wrong settings, features that are not there, and a stage that fails.
     """
-    own = read_settings()
-    homes = read_homes(own["homes"])
-    wanted = [float(size) for size in (sizes or own["sizes"])]
+    options = read_settings()
+    homes = read_homes(options["homes"])
+    wanted = [float(size) for size in (sizes or options["sizes"])]
     if not wanted or min(wanted) <= 0.0:
         raise PlacecatError(f"{SETTINGS}: sizes are {wanted}, but each must be above 0")
     parts: list[pd.DataFrame] = []
@@ -83,16 +65,15 @@ def run(
         scaled = [home.scaled(size) for home in homes]
         frames = sum(home.frames for home in scaled)
         place = folder / str(frames)
-        params = project.build(
-            place, scaled, test_homes=own["test_homes"], regions=own["regions"], jitter=own["jitter"]
-        )
-        steps = pipeline.steps(stages or own["stages"], params)
+        drawn = {name: options[name] for name in ("test_homes", "regions", "jitter")}
+        params = project.build(place, scaled, **drawn)
+        steps = measurements.commands(stages or options["stages"])
         parts.append(measurements.measure(place, steps, size, frames))
         if not keep:
             shutil.rmtree(place)
         measured = pd.concat(parts).sort_values("frames", kind="stable", ignore_index=True)
         files.write_csv(output / paths.SCALE_STAGES.name, measured)
-        facts = summary.facts(measured, own)
+        facts = summary.facts(measured, options)
         if len(parts) > 1:
             files.write_csv(output / paths.SCALE_GROWTH.name, measurements.growths(measured))
         facts["full_run"] = full_run.estimate(measured, params)

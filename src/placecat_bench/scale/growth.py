@@ -18,14 +18,11 @@ class Growth:
         Share of the variance of the logarithms that it explains, up to 1.
     last
         The exponent between the two largest sizes alone: where a constant part, such as imports, has faded.
-    at_largest
-        What the law gives at the largest number of frames.
     """
 
     exponent: float
     r2: float
     last: float
-    at_largest: float
 
 
 def fit(frames: Sequence[float], values: Sequence[float]) -> Growth:
@@ -50,5 +47,4 @@ def fit(frames: Sequence[float], values: Sequence[float]) -> Growth:
     total = float(((y - y.mean()) ** 2).sum())
     r2 = 1.0 if total == 0.0 else 1.0 - float((rest**2).sum()) / total
     last = (y[-1] - y[-2]) / (x[-1] - x[-2]) if x[-1] > x[-2] else exponent
-    at_largest = float(np.exp(exponent * x[-1] + constant))
-    return Growth(round(float(exponent), 6), r2, round(float(last), 6), at_largest)
+    return Growth(round(float(exponent), 6), r2, round(float(last), 6))

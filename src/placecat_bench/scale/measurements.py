@@ -1,20 +1,44 @@
 """Running the stages in a folder, one after the other, with what each took."""
 
-from collections.abc import Iterable
+import sys
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pandas as pd
+import yaml
 
+from placecat.errors import PlacecatError
 from placecat_bench.scale import growth
-from placecat_bench.scale.pipeline import Step
-from placecat_bench.scale.watching import Watched, watch
+from placecat_bench.scale.watching import watch
 
+# `item` is "": it is of the time when stages ran once for each home or cue, and a column of what git keeps.
 COLUMNS = ["size", "frames", "stage", "item", "seconds", "cpu_seconds", "peak_gib"]
 GROWTH_COLUMNS = ["stage", "item", "exponent", "r2", "last_exponent", "seconds", "peak_gib"]
+DEFINITION = Path("dvc.yaml")
 
 
-def measure(folder: Path, steps: Iterable[Step], size: float, frames: int) -> pd.DataFrame:
-    """Run stages in a folder and watch them; columns `COLUMNS`, a row a step.
+def commands(stages: Sequence[str], definition: Path = DEFINITION) -> dict[str, list[str]]:
+    """Give the command of each stage as dvc.yaml has it, to run in the project's folder.
+
+    Raises
+    ------
+    PlacecatError
+        A stage that dvc.yaml does not have.
+    """
+    defined = yaml.safe_load(definition.read_text(encoding="utf-8"))["stages"]
+    for stage in stages:
+        if stage not in defined:
+            raise PlacecatError(f"dvc.yaml has no stage {stage!r}: it has {', '.join(defined)}")
+    return {stage: [sys.executable, *defined[stage]["cmd"].split()[1:]] for stage in stages}
+
+
+def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frames: int) -> pd.DataFrame:
+    """Run stages in a folder and watch them; columns `COLUMNS`, a row a stage.
+
+    Parameters
+    ----------
+    steps
+        From :func:`commands`.
 
     Raises
     ------
@@ -22,20 +46,17 @@ def measure(folder: Path, steps: Iterable[Step], size: float, frames: int) -> pd
         If a stage fails.
     """
     rows = []
-    for step in steps:
-        watched = watch(step.command, folder, folder / "logs" / f"{step.name}.log")
-        print(f"{frames} frames, {step.name}: {_text(watched)}", flush=True)
-        numbers = (round(watched.seconds, 2), round(watched.cpu_seconds, 2), round(watched.peak_gib, 3))
-        rows.append((size, frames, step.stage, step.item, *numbers))
+    for stage, command in steps.items():
+        watched = watch(command, folder, folder / "logs" / f"{stage}.log")
+        seconds, cpu_seconds, peak_gib = watched.seconds, watched.cpu_seconds, watched.peak_gib
+        text = f"{seconds:.1f} s, {cpu_seconds:.1f} CPU s, {peak_gib:.2f} GiB"
+        print(f"{frames} frames, {stage}: {text}", flush=True)
+        rows.append((size, frames, stage, "", round(seconds, 2), round(cpu_seconds, 2), round(peak_gib, 3)))
     return pd.DataFrame(rows, columns=COLUMNS)
 
 
-def _text(watched: Watched) -> str:
-    return f"{watched.seconds:.1f} s, {watched.cpu_seconds:.1f} CPU s, {watched.peak_gib:.2f} GiB"
-
-
 def growths(measured: pd.DataFrame) -> pd.DataFrame:
-    """Fit how the time of every stage, and of each of its items, grows with the frames.
+    """Fit how the time of every stage, and of all together, grows with the frames.
 
     Parameters
     ----------
@@ -45,28 +66,22 @@ def growths(measured: pd.DataFrame) -> pd.DataFrame:
     Returns
     -------
     DataFrame
-        Columns `GROWTH_COLUMNS`. A stage's own row, with item "", has the sum over its items. The exponents
-        are those of the CPU seconds; ``seconds`` (wall time) and ``peak_gib`` are those of the most frames.
+        Columns `GROWTH_COLUMNS`. The exponents are those of the CPU seconds; ``seconds`` (wall time) and
+        ``peak_gib`` are those of the most frames.
     """
-    rows = []
-    for stage, of_stage in measured.groupby("stage", sort=False):
-        items = list(dict.fromkeys(of_stage["item"]))
-        rows.append((stage, "", *_growth(of_stage)))
-        if items != [""]:
-            rows += [(stage, item, *_growth(of_stage[of_stage["item"] == item])) for item in items]
-    rows.append(("all", "", *_growth(measured)))
-    return pd.DataFrame(rows, columns=GROWTH_COLUMNS)
+    parts = [*measured.groupby("stage", sort=False), ("all", measured)]
+    return pd.DataFrame([(stage, "", *_growth(part)) for stage, part in parts], columns=GROWTH_COLUMNS)
 
 
 def _growth(rows: pd.DataFrame) -> tuple[float, float, float, float, float]:
     by_size = rows.groupby("frames").agg(
         cpu=("cpu_seconds", "sum"), seconds=("seconds", "sum"), peak=("peak_gib", "max")
     )
-    found = growth.fit(by_size.index.to_list(), by_size["cpu"].clip(lower=0.01).to_list())
+    fitted = growth.fit(by_size.index.to_list(), by_size["cpu"].clip(lower=0.01).to_list())
     return (
-        round(found.exponent, 2),
-        round(found.r2, 3),
-        round(found.last, 2),
+        round(fitted.exponent, 2),
+        round(fitted.r2, 3),
+        round(fitted.last, 2),
         round(float(by_size["seconds"].iloc[-1]), 1),
         round(float(by_size["peak"].iloc[-1]), 2),
     )

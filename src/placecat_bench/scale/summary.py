@@ -36,7 +36,7 @@ def facts(measured: pd.DataFrame, own: Mapping[str, Any]) -> dict[str, Any]:
             "seconds": round(float(most["seconds"].sum()), 1),
             "cpu_seconds": round(float(most["cpu_seconds"].sum()), 1),
             "peak_gib": round(peak, 2),
-            "peak_stage": "@".join(filter(None, [str(highest["stage"]), str(highest["item"])])),
+            "peak_stage": str(highest["stage"]),
             "most_gib": float(own["most_gib"]),
             "met": peak <= float(own["most_gib"]),
         },

@@ -38,11 +38,11 @@ SCALE = {
 
 def run_here(words, folder, log):
     """What `watch` does, without the time that a new process takes to import."""
-    python, option, module, *items = words
+    python, option, module = words
     assert (python, option) == (sys.executable, "-m")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
-        importlib.import_module(module).main(*items)
+        importlib.import_module(module).main()
     return Watched(20.0, 3.0, 1.5) if folder.name == "360" else Watched(40.0, 6.0, 2.5)
 
 
