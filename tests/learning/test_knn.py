@@ -74,7 +74,6 @@ def test_against_the_equations(monkeypatch, n_neighbors, weighting, smoothing):
         np.testing.assert_allclose(found[frame], expected, rtol=1e-6)
     single = model.predict_proba(sets[1::6, 0])
     np.testing.assert_allclose(single, found[1::6], rtol=1e-12)
-    np.testing.assert_array_equal(model.predict_sets(sets, counts), NAMES[found.argmax(axis=1)])
     np.testing.assert_array_equal(model.predict(sets[1::6, 0]), NAMES[found[1::6].argmax(axis=1)])
 
 

@@ -1,5 +1,6 @@
 """The RBF kernel in cache-sized blocks, and expansions in it that several classifiers share."""
 
+from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -214,7 +215,6 @@ class KernelExpansion:
     intercept: NDArray[np.float64]
     gamma: float
 
-    kind = "kernel"
     #: Attributes that prediction does without: a stored system leaves them out.
     TRAINING_ONLY = ("_prepared",)
 
@@ -272,25 +272,11 @@ class KernelExpansion:
                 result[start : start + PREDICTION_ROWS] += sums(_to_kernel(kernels(left)))
         return result
 
-    def to_arrays(self) -> dict[str, NDArray[Any]]:
-        """Give plain arrays, enough for `from_arrays`."""
-        return {
-            "support_vectors": self.support_vectors,
-            "coef": self.coef,
-            "intercept": self.intercept,
-            "gamma": np.array(self.gamma),
-        }
-
-    @classmethod
-    def from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Self:
-        """Rebuild from `to_arrays`."""
-        return cls(arrays["support_vectors"], arrays["coef"], arrays["intercept"], float(arrays["gamma"]))
-
 
 class KernelMachine:
     """What the two-class classifiers on a Gram matrix share: sums over support vectors.
 
-    A subclass has the parameter `gamma` and `fit_rows`, which sets the attributes below.
+    A subclass has the parameter `gamma` and `fit_rows`, which sets `support_`, `dual_coef_`, `intercept_`.
 
     Attributes
     ----------
@@ -312,6 +298,48 @@ class KernelMachine:
     support_vectors_: NDArray[np.float32]
     #: dtype of the Gram matrix the machine works on without a copy.
     gram_dtype: DTypeLike = np.float32
+
+    def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
+        """Fit on samples (n, D) real and labels (n,) of exactly two classes.
+
+        Raises
+        ------
+        PlacecatError
+            If there are not two classes, or a setting is impossible.
+        """
+        samples = check_samples(X)
+        self.classes_, positive = encode_two_classes(y, len(samples))
+        self.fit_rows(self.prepare(samples), positive, context=f"class {self.classes_[1]!s}")
+        self.support_vectors_ = samples[self.support_]
+        self.n_features_in_ = samples.shape[1]
+        return self
+
+    @abstractmethod
+    def fit_rows(
+        self,
+        shared: NDArray[Any],
+        positive: NDArray[np.bool_],
+        rows: NDArray[np.intp] | None = None,
+        context: str = "this class",
+    ) -> Self:
+        """Fit on some rows of a Gram matrix.
+
+        Parameters
+        ----------
+        shared
+            (n, n) of `gram_dtype`, from `prepare`.
+        positive
+            (n,) bool.
+        rows
+            Ascending indices of the training samples, all by default.
+        context
+            What the messages call this problem.
+
+        Raises
+        ------
+        PlacecatError
+            If only one class is among the rows, or a setting is impossible.
+        """
 
     def prepare(
         self, X: NDArray[np.float32], gram: NDArray[Any] | None = None, n_jobs: int | None = None

@@ -66,8 +66,8 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     >>> model.predict([[3.0], [30.0]]).tolist()
     ['bathroom', 'kitchen']
     >>> frames = np.array([[[3.0], [4.0]], [[30.0], [0.0]]])
-    >>> model.predict_sets(frames, [2, 1]).tolist()
-    ['bathroom', 'kitchen']
+    >>> model.predict_proba_sets(frames, [2, 1]).argmax(axis=1).tolist()
+    [0, 1]
     """
 
     #: Attributes that prediction does without: a stored system leaves them out.
@@ -186,11 +186,6 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     def predict(self, X: ArrayLike) -> NDArray[Any]:
         """Return the most probable class of each descriptor, of shape (n,)."""
         best = self.predict_proba(X).argmax(axis=1)
-        return self.classes_[best]
-
-    def predict_sets(self, X: NDArray[np.floating], counts: ArrayLike) -> NDArray[Any]:
-        """Return the most probable class of each frame, of shape (frames,); see `predict_proba_sets`."""
-        best = self.predict_proba_sets(X, counts).argmax(axis=1)
         return self.classes_[best]
 
     def update(self, x: ArrayLike, label: object) -> Self:

@@ -13,31 +13,12 @@ GREY_ROUNDING = 1e-3
 COLOR_ROUNDING = 1e-5
 
 
-def surround_difference(plane: FloatArray, radius: int) -> FloatArray:
-    """Subtract from each pixel the mean of the pixels around it.
-
-    The neighbourhood has k x k pixels, k = 2 radius + 1; the centre is not part of its surround. With the
-    mean m of all k^2 pixels the difference is (centre - m) k^2 / (k^2 - 1), so a box blur does it. The border
-    is mirrored without repeating the edge pixel (reflect-101; the thesis does not give this).
-
-    Parameters
-    ----------
-    plane
-        (h, w) float32.
-    radius
-        1 for 3x3, 3 for 7x7.
-
-    Returns
-    -------
-    ndarray
-        (h, w) float32, signed, in the units of `plane`.
-    """
-    difference = np.empty_like(plane)
-    _surround_difference(plane, radius, difference)
-    return difference
-
-
 def _surround_difference(plane: FloatArray, radius: int, out: FloatArray) -> None:
+    """Subtract from each pixel the mean of the others in its k x k neighbourhood, k = 2 radius + 1.
+
+    With the mean m of all k^2 pixels that is (centre - m) k^2 / (k^2 - 1), so a box blur does it. The border
+    is mirrored without repeating the edge pixel (reflect-101; the thesis does not give this).
+    """
     size = 2 * radius + 1
     cv2.blur(plane, (size, size), dst=out, borderType=cv2.BORDER_REFLECT_101)
     factor = size**2 / (size**2 - 1)

@@ -1,12 +1,8 @@
 """The descriptors of salient regions (thesis 3.1.2), one module each.
 
-A new one is one module with ``describe``, ``size``, ``MAPS``, the fields of `FrameMaps` that it reads, and
-``SPREAD``, the fixed unit in which `concatenate` measures it; its name is the module name.
-
-Every one has
-
-- ``describe(maps, regions, *, settings...) -> (n, size) float32``
-- ``size(*, settings...) -> int``
+A new one is one module, whose name is its own. It has ``describe(maps, regions, *, settings...)``, which
+gives (n, D) float32; ``MAPS``, the fields of `FrameMaps` that it reads; and ``SPREAD``, the fixed unit in
+which `concatenate` measures it.
 """
 
 from collections.abc import Mapping

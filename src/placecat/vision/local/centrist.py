@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.vision.census import CODES, LAPLACIANS, census, check_kernel, histograms
+from placecat.vision.census import LAPLACIANS, census, check_kernel, histograms
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import cut, region_side, to_bytes
 
@@ -14,11 +14,6 @@ SPREAD = 0.3
 MAPS = ("grey",)
 
 IMAGES = ("intensity", "laplacian")
-
-
-def size() -> int:
-    """Length of the descriptor: one bin for each of the 256 codes."""
-    return CODES
 
 
 def describe(

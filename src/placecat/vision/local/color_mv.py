@@ -14,17 +14,6 @@ SPREAD = 2.5
 MAPS = ("color",)
 
 
-def size(*, grid: int = 3) -> int:
-    """Length of the descriptor: 4 means and 4 variances for each area, 80 for a grid of 3.
-
-    Parameters
-    ----------
-    grid
-        As in `describe`.
-    """
-    return 8 * (1 + grid**2)
-
-
 def describe(
     maps: FrameMaps, regions: NDArray[np.float32], *, grid: int = 3, border: str = "replicate"
 ) -> NDArray[np.float32]:

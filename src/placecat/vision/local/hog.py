@@ -25,11 +25,6 @@ _SIZE = int(_HOG.getDescriptorSize())
 _COLUMNS = 5
 
 
-def size() -> int:
-    """Length of the descriptor: 4 x 4 cells x 8 bins = 128."""
-    return _SIZE
-
-
 def describe(
     maps: FrameMaps, regions: NDArray[np.float32], *, interpolation: str = "linear", border: str = "replicate"
 ) -> NDArray[np.float32]:
