@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from sklearn.base import BaseEstimator, ClassifierMixin
 
 from placecat.errors import PlacecatError
-from placecat.learning.kernels import KernelMachine
+from placecat.learning.kernel_machine import KernelMachine
 
 logger = logging.getLogger(__name__)
 

@@ -10,7 +10,7 @@ from scipy.special import expit
 from sklearn.base import BaseEstimator, ClassifierMixin
 
 from placecat.errors import PlacecatError
-from placecat.learning.kernels import KernelMachine
+from placecat.learning.kernel_machine import KernelMachine
 from placecat.learning.platt import apply_sigmoid
 from placecat.learning.single_thread import single_blas_thread
 
