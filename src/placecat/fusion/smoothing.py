@@ -173,8 +173,7 @@ def apply(
 
     Returns
     -------
-    dict
-        ``hmm`` and ``delayed``, each (frames, n_classes); rows sum to 1.
+    ``hmm`` and ``delayed``, each (frames, n_classes); rows sum to 1.
     """
     filtered, delayed = np.empty(proba.shape), np.empty(proba.shape)
     for part in sequences:

@@ -221,9 +221,8 @@ def centre(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
 
     Returns
     -------
-    list
-        The same minus the mean of each home, plus the mean over homes of these means: what a machine can be
-        expected to say on average of a home that it has not seen.
+    The same minus the mean of each home, plus the mean over homes of these means: what a machine can be
+    expected to say on average of a home that it has not seen.
 
     Examples
     --------

@@ -44,10 +44,6 @@ def bin_features(X: NDArray[np.float32], max_bins: int) -> BinnedFeatures:
         (n, D) float32.
     max_bins
         2 to 65536.
-
-    Returns
-    -------
-    BinnedFeatures
     """
     from scipy.sparse import csr_matrix
 

@@ -95,8 +95,7 @@ class KernelMachine:
 
         Returns
         -------
-        ndarray
-            (n, n) of `gram_dtype`, C-contiguous; `gram` itself where it already is that.
+        (n, n) of `gram_dtype`, C-contiguous; `gram` itself where it already is that.
 
         Raises
         ------

@@ -33,8 +33,7 @@ def check_samples(X: ArrayLike, name: str = "X") -> NDArray[np.float32]:
 
     Returns
     -------
-    ndarray
-        (n, D) float32; `X` itself where it already is that.
+    (n, D) float32; `X` itself where it already is that.
 
     Raises
     ------
@@ -128,8 +127,7 @@ def rbf_gram(
 
     Returns
     -------
-    ndarray
-        (n, n), values in [0, 1].
+    (n, n), values in [0, 1].
 
     Raises
     ------
@@ -177,8 +175,7 @@ def rbf_cross(X: ArrayLike, Y: ArrayLike, gamma: float) -> NDArray[np.float32]:
 
     Returns
     -------
-    ndarray
-        (n, m) float32 in [0, 1]. `KernelExpansion` never builds the whole of it.
+    (n, m) float32 in [0, 1]. `KernelExpansion` never builds the whole of it.
 
     Raises
     ------
@@ -249,8 +246,7 @@ class KernelExpansion:
 
         Returns
         -------
-        ndarray
-            (n, K) float64.
+        (n, K) float64.
 
         Raises
         ------

@@ -24,8 +24,7 @@ def layouts() -> list[str]:
 
     Returns
     -------
-    list of str
-        Module names in this package that define a reader, sorted.
+    Module names in this package that define a reader, sorted.
     """
     names = sorted(module.name for module in pkgutil.iter_modules(__path__))
     return [name for name in names if _is_reader(importlib.import_module(f"{__name__}.{name}"))]
@@ -43,8 +42,7 @@ def list_homes(layout: str, root: Path | str) -> list[str]:
 
     Returns
     -------
-    list of str
-        In natural order (Home2 before Home10), at least one.
+    In natural order (Home2 before Home10), at least one.
 
     Raises
     ------

@@ -80,8 +80,7 @@ def frame_table(
 
     Returns
     -------
-    pandas.DataFrame
-        The columns `COLUMNS`, indexed from 0.
+    The columns `COLUMNS`, indexed from 0.
     """
     table = pd.DataFrame({"number": np.asarray(number, dtype=np.int32)})
     table["sequence"] = sequence
@@ -112,8 +111,7 @@ def read_frames(
 
     Yields
     ------
-    numpy.ndarray
-        (H, W, 3) uint8, BGR.
+    (H, W, 3) uint8, BGR.
 
     Raises
     ------

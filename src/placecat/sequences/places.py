@@ -41,8 +41,7 @@ def place_labels(
 
     Returns
     -------
-    numpy.ndarray
-        (len(labels),) int16, -1 unlabelled.
+    (len(labels),) int16, -1 unlabelled.
 
     Raises
     ------

@@ -37,9 +37,8 @@ def intensity_contrast(grey: FloatArray, radii: Sequence[int] = (1, 3)) -> Float
 
     Returns
     -------
-    ndarray
-        (radii, 2, h, w) float32, 0 to 255: positive part of the difference and of its opposite; up to
-        `GREY_ROUNDING` counts as zero.
+    (radii, 2, h, w) float32, 0 to 255: positive part of the difference and of its opposite; up to
+    `GREY_ROUNDING` counts as zero.
     """
     out = np.empty((len(radii), 2, *grey.shape), np.float32)
     for (on, off), radius in zip(out, radii, strict=True):
@@ -60,8 +59,7 @@ def color_contrast(planes: Sequence[FloatArray], radii: Sequence[int] = (1, 3)) 
 
     Returns
     -------
-    ndarray
-        (radii, 4, h, w) float32, dimensionless, >= 0; up to `COLOR_ROUNDING` counts as zero.
+    (radii, 4, h, w) float32, dimensionless, >= 0; up to `COLOR_ROUNDING` counts as zero.
     """
     out = np.empty((len(radii), 4, *planes[0].shape), np.float32)
     difference = np.empty_like(planes[0])

@@ -3,6 +3,9 @@
 A new one is one module, whose name is its own. It has ``describe(maps, regions, *, settings...)``, which
 gives (n, D) float32; ``MAPS``, the fields of `FrameMaps` that it reads; and ``SPREAD``, the fixed unit in
 which `concatenate` measures it.
+
+In all of them `maps` are those of the frame, `regions` (n, 4) float32 with x, y (pixels of the frame), scale
+and strength, and `border` is that of `placecat.vision.patches.cut`, whose errors they raise too.
 """
 
 from collections.abc import Mapping

@@ -29,10 +29,6 @@ def describe(
 
     Parameters
     ----------
-    maps
-        Of the frame; ``grey`` is used.
-    regions
-        (n, 4) float32: x, y (level 0), scale, strength.
     image
         What is transformed: ``intensity``, the thesis's choice, or ``laplacian`` (its variant in the text).
     kernel
@@ -40,8 +36,6 @@ def describe(
     quantise
         Round intensities to whole grey levels first, as in an 8-bit image, so that flat areas give ties and
         not the sign of noise. The thesis does not give this.
-    border
-        As in `placecat.vision.patches.cut`.
 
     Returns
     -------
@@ -51,7 +45,7 @@ def describe(
     Raises
     ------
     PlacecatError
-        For an unknown image or kernel, and as `placecat.vision.patches.cut`.
+        For an unknown image or kernel.
 
     References
     ----------

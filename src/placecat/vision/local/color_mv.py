@@ -21,15 +21,9 @@ def describe(
 
     Parameters
     ----------
-    maps
-        Of the frame; ``color`` is used.
-    regions
-        (n, 4) float32: x, y (level 0), scale, strength.
     grid
         Cells along each axis; 0 for the whole region only. The thesis has 3, and in 4.4.2 the variant 0,
         with 8 dimensions.
-    border
-        As in `placecat.vision.patches.cut`.
 
     Returns
     -------
@@ -39,7 +33,7 @@ def describe(
     Raises
     ------
     PlacecatError
-        For a negative grid, and as `placecat.vision.patches.cut`.
+        For a negative grid.
     """
     if grid < 0:
         raise PlacecatError(f"The grid of local descriptor 'color_mv' is {grid}: it must be 0 or more.")

@@ -36,14 +36,8 @@ def describe(
 
     Parameters
     ----------
-    maps
-        Of the frame; ``grey`` is used.
-    regions
-        (n, 4) float32: x, y (level 0), scale, strength.
     interpolation
         ``nearest``, ``linear`` or ``cubic``, for the resizing. The thesis does not give this.
-    border
-        As in `placecat.vision.patches.cut`.
 
     Returns
     -------
@@ -53,7 +47,7 @@ def describe(
     Raises
     ------
     PlacecatError
-        For an unknown interpolation, and as `placecat.vision.patches.cut`.
+        For an unknown interpolation.
 
     References
     ----------

@@ -34,15 +34,9 @@ def describe(
 
     Parameters
     ----------
-    maps
-        Of the frame; ``grey`` is used.
-    regions
-        (n, 4) float32: x, y (level 0), scale, strength.
     orientation
         ``upright``, or ``dominant``: relative to the strongest direction (`dominant_angles`). The thesis
         does not give this.
-    border
-        As in `placecat.vision.patches.cut`.
 
     Returns
     -------
@@ -53,7 +47,7 @@ def describe(
     Raises
     ------
     PlacecatError
-        For an unknown orientation, and as `placecat.vision.patches.cut`.
+        For an unknown orientation.
 
     References
     ----------
