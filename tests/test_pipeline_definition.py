@@ -176,7 +176,7 @@ def settings_in_code():
     """Each part of params.yaml with the function or class whose settings it holds, and what is no setting."""
     from placecat.cues import estimators
     from placecat.evaluation.quality import home_quality
-    from placecat.fusion.smoothing import smooth
+    from placecat.fusion.smoothing import fit
     from placecat.learning.toy_circles import toy_circles
     from placecat.vision import holistic, local
     from placecat.vision.attention import compute_maps, find_regions
@@ -211,12 +211,12 @@ def settings_in_code():
             estimator = type(estimators.build({"name": options["name"]}, file))
             settings = {key: value for key, value in options.items() if key not in ("name", "defaults")}
             yield file, settings, estimator, {"n_values", "n_jobs", "base", "codebook", "n_clusters", "seed"}
-    given = {"proba", "sequences", "frame_rate", "n_classes"}
+    given = {"n_classes"}
     given |= {f"training_{part}" for part in ("sequences", "frame_rates", "proba", "truth")}
     lists = ("cues", "filtered")
     smoothing = {name: value for name, value in params["smoothing"].items() if name not in lists}
     yield "toy.points", params["toy"]["points"], toy_circles, {"n", "seed"}
-    yield "smoothing", smoothing, smooth, given
+    yield "smoothing", smoothing, fit, given
     yield "probabilities", params["probabilities"], home_quality, {"truth", "proba", "sequences"}
 
 

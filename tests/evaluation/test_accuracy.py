@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from placecat.evaluation.accuracy import accuracy_by_home, class_accuracies, confusion_matrix, home_accuracy
+from placecat.evaluation.accuracy import class_accuracies, confusion_matrix, home_accuracy
 
 
 def test_confusion_counts_scored_frames_only():
@@ -28,8 +28,3 @@ def test_agrees_with_scikit_learn():
 
 def test_nothing_scored_is_nan():
     assert np.isnan(home_accuracy(confusion_matrix([-1, -1], [0, 1], 2)))
-
-
-def test_each_home_on_its_own():
-    homes = np.array(["B", "A", "B", "A", "A"])
-    assert accuracy_by_home([0, 0, 1, 0, 1], [0, 1, 1, 0, 1], homes, 2) == {"A": 75.0, "B": 100.0}

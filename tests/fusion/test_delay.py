@@ -5,9 +5,16 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from placecat.errors import PlacecatError
-from placecat.fusion.delay import Delay, delay
+from placecat.fusion.delay import Delay
 
 taus = st.floats(0.01, 100.0)
+
+
+def delay(set_point, seconds, frame_rate):
+    """Delay one whole sequence."""
+    follower = Delay(seconds)
+    steps = [follower.step(target, 1.0 / frame_rate) for target in set_point]
+    return np.array(steps).reshape(set_point.shape)
 
 
 def distributions(frames, seed=0):

@@ -10,10 +10,15 @@ from placecat.errors import PlacecatError
 from placecat.fusion.hmm import (
     ForwardFilter,
     emission_matrix,
-    forward_filter,
     likelihoods,
     transition_matrix,
 )
+
+
+def forward_filter(likelihood, transition, initial=None):
+    """Filter one whole sequence."""
+    forwards = ForwardFilter(transition, initial=initial)
+    return np.array([forwards.step(row) for row in likelihood]).reshape(likelihood.shape)
 
 
 def random_rows(rng, shape):

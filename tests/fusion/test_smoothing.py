@@ -6,8 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from placecat.errors import PlacecatError
-from placecat.fusion.delay import delay
-from placecat.fusion.hmm import emission_matrix, forward_filter, likelihoods, transition_matrix
+from placecat.fusion.delay import Delay
+from placecat.fusion.hmm import ForwardFilter, emission_matrix, likelihoods, transition_matrix
 from placecat.fusion.smoothing import Smoother, SmoothingModel, fit, smooth
 
 SETTINGS = {
@@ -48,11 +48,13 @@ def test_is_the_filter_and_then_the_delay_at_the_rate_of_the_training(rate):
     proba, training = made()
     transition = transition_matrix(training["training_sequences"], 2, smoothing=1.0)
     emission = emission_matrix(training["training_truth"], training["training_proba"], 2)
-    expected = forward_filter(likelihoods(proba, emission), transition)
+    forwards, follower = ForwardFilter(transition), Delay(0.5)
+    expected = np.array([forwards.step(row) for row in likelihoods(proba, emission)])
+    delayed = np.array([follower.step(row, 1 / rate) for row in expected])
     training["training_frame_rates"] = [rate]
     result = smooth(proba, [slice(0, 12)], frame_rate=rate, **training, **SETTINGS)
     np.testing.assert_array_equal(result["hmm"], expected)
-    np.testing.assert_array_equal(result["delayed"], delay(expected, seconds=0.5, frame_rate=rate))
+    np.testing.assert_array_equal(result["delayed"], delayed)
 
 
 def model(rate=5.0, leave=0.02, emission=(0.5, 0.25, 0.25), evidence="hard", delay_seconds=2.0):

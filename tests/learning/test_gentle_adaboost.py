@@ -112,12 +112,6 @@ def test_constant_features_give_the_base_rate():
     assert model.decision_function([[9.0, 9.0]]).tolist() == [-0.5]
 
 
-def test_arrays():
-    X, y = grid()
-    model = GentleAdaBoost(7).fit(X, np.where(y, "b", "a"))
-    assert np.array_equal(GentleAdaBoost.from_arrays(model.to_arrays()).predict(X), model.predict(X))
-
-
 @pytest.mark.parametrize(
     ("model", "message"),
     [

@@ -13,6 +13,7 @@ from threadpoolctl import threadpool_limits
 
 from placecat.errors import NotComputable, PlacecatError
 from placecat.learning import hierarchical_kmeans as module
+from placecat.learning import kmeans_split
 from placecat.learning.hierarchical_kmeans import HierarchicalKMeans, check_cluster_number
 
 
@@ -73,7 +74,7 @@ def test_lloyd_follows_scikit_learn_step_by_step():
     X = np.random.default_rng(5).normal(size=(400, 5)).astype(np.float32)
     start = X[:6].astype(np.float64)
     for steps in (1, 2, 5, 9):
-        found = module._lloyd(X, module._nearest(X, start), 6, steps)
+        found = kmeans_split.lloyd(X, kmeans_split.nearest(X, start), 6, steps)
         other = KMeans(6, init=start, n_init=1, max_iter=steps, tol=0).fit(X.astype(np.float64))
         np.testing.assert_array_equal(found, other.labels_)
 
@@ -89,13 +90,13 @@ def test_lazy_growth_equals_the_definition(kind):
     tree = grown(X, branching=3, max_clusters=41, seed=7)
 
     # Split everything, then search all open nodes for the greatest gain, as the definition says.
-    def split_all(node: module._Node) -> None:
+    def split_all(node: kmeans_split.Node) -> None:
         seeds = np.random.SeedSequence(7, spawn_key=node.path)
-        node.children = module._split(node, 3, 11, np.random.default_rng(seeds))
+        node.children = kmeans_split.split_node(node, 3, 11, np.random.default_rng(seeds))
         for child in node.children:
             split_all(child)
 
-    nodes = [module._make_root(X)]
+    nodes = [kmeans_split.make_root(X)]
     split_all(nodes[0])
     cut, steps = {0}, []
     while len(cut) < 41:
@@ -118,8 +119,10 @@ def test_growth_is_lazy(monkeypatch):
     X = np.concatenate([rng.normal(0, 0.01, (200, 2)) + 100 * rng.normal(size=2) for _ in range(16)])
     X[:200] += 1000 * rng.normal(size=(200, 2))
     splits = []
-    split = module._split
-    monkeypatch.setattr(module, "_split", lambda node, *rest: splits.append(node.path) or split(node, *rest))
+    split = module.split_node
+    monkeypatch.setattr(
+        module, "split_node", lambda node, *rest: splits.append(node.path) or split(node, *rest)
+    )
     tree = grown(X, max_clusters=31)
     assert tree.max_clusters_ == 31
     assert len(splits) < 17
@@ -181,7 +184,7 @@ def test_seeds_are_drawn_by_squared_distance():
     X = np.array([[0.0], [1.0], [3.0]], np.float32)
     counts = np.zeros(3)
     for seed in range(4000):
-        labels = module._seed_clusters(X, 2, np.random.default_rng(seed))
+        labels = kmeans_split.seed_clusters(X, 2, np.random.default_rng(seed))
         if labels[0] == 0 and np.random.default_rng(seed).integers(3) == 0:
             counts[1 if labels[1] == 1 and labels[2] == 1 else 2] += 1
     # A second seed at 1 takes both other points; one at 3 takes only itself.
@@ -213,7 +216,7 @@ def test_near_duplicates_far_from_the_mean_are_told_apart():
 def test_empty_clusters_take_the_farthest_points():
     X = np.array([[0.0], [1.0], [10.0], [11.0]], np.float32)
     labels = np.array([0, 0, 0, 3], np.uint16)
-    module._fill_empty(X, labels, np.array([[0.0], [99.0], [99.0], [11.0]]))
+    kmeans_split.fill_empty(X, labels, np.array([[0.0], [99.0], [99.0], [11.0]]))
     assert labels.tolist() == [0, 2, 1, 3]
 
 

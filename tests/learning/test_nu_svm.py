@@ -99,15 +99,6 @@ def test_other_messages():
         NuSVM().fit(X, y).predict([[1.0]])
 
 
-def test_arrays_keep_labels():
-    X, y = blobs()
-    model = NuSVM(gamma=0.5).fit(X, np.where(y, "kitchen", "bath"))
-    again = NuSVM.from_arrays(model.to_arrays())
-    assert np.array_equal(again.predict(X), model.predict(X))
-    assert again.nu_ == model.nu_
-    assert all(array.dtype != object for array in model.to_arrays().values())
-
-
 def test_a_nu_without_margin_is_raised_or_refused():
     """Three quarters of both classes coincide: a small nu leaves no margin, and libsvm divides by it."""
     X = np.array([[0.0, 0.0]] * 6 + [[1.0, 1.0]] * 2 + [[0.0, 0.0]] * 6 + [[-1.0, 1.0]] * 2)

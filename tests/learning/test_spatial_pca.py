@@ -39,11 +39,6 @@ def test_plain_reduction_by_a_factor(factor, width):
     assert pca.fit_transform(X).shape == (40, width)
 
 
-def test_arrays():
-    pca = SpatialPCA(cells=3, components=2).fit(X)
-    assert np.array_equal(SpatialPCA.from_arrays(pca.to_arrays()).transform(TEST), pca.transform(TEST))
-
-
 @pytest.mark.parametrize(
     ("pca", "message"),
     [

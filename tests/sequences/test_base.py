@@ -7,8 +7,10 @@ import pytest
 from helpers_sequences import HEIGHT, WIDTH, coded, decoded, write_image, write_video
 
 from placecat.errors import PlacecatError
-from placecat.sequences import base, layouts, list_homes, open_home
-from placecat.sequences.base import Home, frame_table, natural, place_labels, read_frames, require_classes
+from placecat.sequences import layouts, list_homes, open_home
+from placecat.sequences.base import Home, frame_table, read_frames
+from placecat.sequences.folders import inside, natural
+from placecat.sequences.places import place_labels, require_classes
 
 CLASSES = ["bedroom", "bathroom", "kitchen", "living_room"]
 
@@ -251,9 +253,9 @@ def test_inside_follows_links(tmp_path: Path) -> None:
     (tmp_path / "data").mkdir()
     (tmp_path / "other").mkdir()
     (tmp_path / "data/link").symlink_to(tmp_path / "other")
-    base.inside(tmp_path / "data", tmp_path, "list")
+    inside(tmp_path / "data", tmp_path, "list")
     with pytest.raises(PlacecatError, match=r"list: .*link is a link that leads out of"):
-        base.inside(tmp_path / "data/link", tmp_path / "data", "list")
+        inside(tmp_path / "data/link", tmp_path / "data", "list")
 
 
 def test_home_checks_its_columns() -> None:

@@ -11,7 +11,7 @@ import yaml
 
 from placecat.errors import PlacecatError
 from placecat.stages import tracks
-from placecat.vision.frame import extract
+from placecat.vision.frame import describe_frame
 from placecat.vision.tracking import RegionTracker
 
 WIDTH, HEIGHT, FRAMES, FOUND = 320, 240, 5, 6
@@ -105,9 +105,9 @@ def test_regions_are_tracked_in_each_sequence_and_described_where_they_are(home)
         count = got["count"][number]
         assert count == len(regions)
         np.testing.assert_array_equal(got["regions"][number, :count], regions)
-        expected = extract(image, {"local": LOCAL}, regions=regions)
-        for name, rows in expected.local.items():
-            np.testing.assert_array_equal(got[f"local_{name}"][number, :count], rows)
+        expected = describe_frame(image, {"local": LOCAL}, regions=regions)
+        for name in (f"local_{name}" for name in LOCAL):
+            np.testing.assert_array_equal(got[name][number, :count], expected[name][:count])
         assert all(not got[name][number, count:].any() for name in got if name != "count")
     assert followed > FRAMES
 

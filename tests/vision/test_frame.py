@@ -10,7 +10,7 @@ from placecat.errors import PlacecatError
 from placecat.vision import holistic, local
 from placecat.vision.attention import compute_maps, find_regions
 from placecat.vision.discovery import settings_of
-from placecat.vision.frame import check, describe_frame, extract, layout
+from placecat.vision.frame import check, describe_frame, layout
 from placecat.vision.information import information
 from placecat.vision.maps import FIELDS, FrameMaps
 
@@ -33,17 +33,17 @@ def test_equals_the_parts() -> None:
     }
     maps = compute_maps(picture, scales=[2, 3, 4])
     regions = find_regions(maps, max_regions=7)
-    found = extract(picture, settings)
-    np.testing.assert_array_equal(found.regions, regions)
-    assert list(found.local) == ["color_mv", "hog"]
-    np.testing.assert_array_equal(
-        found.local["color_mv"], local.load("color_mv").describe(maps, regions, grid=0)
-    )
-    np.testing.assert_array_equal(found.local["hog"], local.load("hog").describe(maps, regions))
+    found = describe_frame(picture, settings)
+    assert (found["count"], len(found["regions"])) == (len(regions), 7)
+    np.testing.assert_array_equal(found["regions"][: len(regions)], regions)
+    assert [name for name in found if name.startswith("local_")] == ["local_color_mv", "local_hog"]
+    color = local.load("color_mv").describe(maps, regions, grid=0)
+    np.testing.assert_array_equal(found["local_color_mv"][: len(regions)], color)
+    hog = local.load("hog").describe(maps, regions)
+    np.testing.assert_array_equal(found["local_hog"][: len(regions)], hog)
     gist = holistic.load("gist").describe(picture, maps, color=False)
-    np.testing.assert_array_equal(found.holistic["gist"], gist)
-    assert found.information == information(maps, unit=255)
-    assert found.max_regions == 7
+    np.testing.assert_array_equal(found["holistic_gist"], gist)
+    assert found["information"] == np.float32(information(maps, unit=255))
 
 
 def test_arrays_are_padded_with_zeros() -> None:
@@ -83,16 +83,18 @@ def test_deterministic_to_the_byte() -> None:
 def test_given_regions_are_described() -> None:
     picture = frame()
     tracked = find_regions(compute_maps(picture))[3:9] + np.array([2, 1, 0, 0], np.float32)
-    found = extract(picture, ALL, regions=tracked)
-    np.testing.assert_array_equal(found.regions, tracked)
-    assert found.local["sift"].shape == (6, 128)
+    found = describe_frame(picture, ALL, regions=tracked)
+    assert found["count"] == 6
+    np.testing.assert_array_equal(found["regions"][:6], tracked)
+    assert found["local_sift"][:6].any(axis=1).all()
+    assert not found["local_sift"][6:].any()
     with pytest.raises(PlacecatError, match="6 regions were given, but max_regions is 5"):
-        extract(picture, {"regions": {"max_regions": 5}}, regions=tracked)
+        describe_frame(picture, {"regions": {"max_regions": 5}}, regions=tracked)
 
 
 def test_a_variant_has_its_own_name_and_the_numbers_of_its_module() -> None:
     picture = frame()
-    found = extract(
+    found = describe_frame(
         picture,
         {
             "local": {"centrist": {}, "edges": {"descriptor": "centrist", "image": "laplacian"}},
@@ -101,7 +103,7 @@ def test_a_variant_has_its_own_name_and_the_numbers_of_its_module() -> None:
     )
     maps = compute_maps(picture)
     regions = find_regions(maps)
-    assert list(found.arrays()) == [
+    assert list(found) == [
         "count",
         "information",
         "regions",
@@ -110,10 +112,10 @@ def test_a_variant_has_its_own_name_and_the_numbers_of_its_module() -> None:
         "holistic_gist_raw",
     ]
     edges = local.load("centrist").describe(maps, regions, image="laplacian")
-    np.testing.assert_array_equal(found.local["edges"], edges)
-    assert (found.local["edges"] != found.local["centrist"]).any()
+    np.testing.assert_array_equal(found["local_edges"][: len(edges)], edges)
+    assert (found["local_edges"] != found["local_centrist"]).any()
     raw = holistic.load("gist").describe(picture, maps, center_surround=False)
-    np.testing.assert_array_equal(found.holistic["gist_raw"], raw)
+    np.testing.assert_array_equal(found["holistic_gist_raw"], raw)
 
 
 @pytest.mark.parametrize(

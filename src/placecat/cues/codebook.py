@@ -51,8 +51,7 @@ def seed_of(
 
     Returns
     -------
-    int
-        In [0, 2**32). It stays what it is when a setting or a descriptor is renamed (`FROZEN`, `RENAMED`).
+    In [0, 2**32). It stays what it is when a setting or a descriptor is renamed (`FROZEN`, `RENAMED`).
 
     Raises
     ------
@@ -80,8 +79,7 @@ def settings_of(params: Mapping[str, Any], name: str) -> dict[str, Any]:
 
     Returns
     -------
-    dict
-        That part. Its ``tree`` has ``numbers`` if it is flat k-means.
+    That part. Its ``tree`` has ``numbers`` if it is flat k-means.
 
     Raises
     ------

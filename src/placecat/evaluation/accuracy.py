@@ -40,21 +40,3 @@ def home_accuracy(confusion: NDArray[np.int64]) -> float:
     """Mean of the class accuracies over the classes present, in percent; NaN if nothing is scored."""
     accuracies = class_accuracies(confusion)
     return float(np.nanmean(accuracies)) if np.isfinite(accuracies).any() else float("nan")
-
-
-def accuracy_by_home(
-    truth: ArrayLike, decision: ArrayLike, home_of_frame: NDArray[np.str_], n_classes: int
-) -> dict[str, float]:
-    """Compute :func:`home_accuracy` for each home, in percent with 2 decimals.
-
-    Parameters
-    ----------
-    truth, decision, home_of_frame
-        (n,) true class, decided class and home of each frame.
-    """
-    truth, decision = np.asarray(truth), np.asarray(decision)
-    return {
-        str(home): round(home_accuracy(confusion_matrix(truth[own], decision[own], n_classes)), 2)
-        for home in np.unique(home_of_frame)
-        for own in [home_of_frame == home]
-    }

@@ -82,9 +82,8 @@ def paired_bootstrap(
 
     Returns
     -------
-    Interval
-        `estimate` has all units weigh the same, and lies within the interval unless the statistic is very
-        biased. Units that are all alike give a point.
+    `estimate` has all units weigh the same, and lies within the interval unless the statistic is very biased.
+    Units that are all alike give a point.
 
     References
     ----------

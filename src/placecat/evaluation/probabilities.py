@@ -64,8 +64,7 @@ def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
 
     Returns
     -------
-    float
-        NaN if no frame is scored.
+    NaN if no frame is scored.
 
     Raises
     ------
@@ -139,8 +138,7 @@ def calibration_error(diagram: Reliability) -> float:
 
     Returns
     -------
-    float
-        0 to 1; NaN if no frame is scored.
+    0 to 1; NaN if no frame is scored.
     """
     if not diagram.weight.any():
         return float("nan")

@@ -27,8 +27,7 @@ def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
 
     Returns
     -------
-    list of Stay
-        In order of time.
+    In order of time.
     """
     truth = np.asarray(truth, dtype=np.int64)
     if not len(truth):
@@ -84,8 +83,7 @@ def stay_accuracy(counts: NDArray[np.int64]) -> float:
 
     Returns
     -------
-    float
-        NaN if there is no stay.
+    NaN if there is no stay.
     """
     there = counts[counts[:, 0] > 0]
     return float((100.0 * there[:, 1] / there[:, 0]).mean()) if len(there) else float("nan")

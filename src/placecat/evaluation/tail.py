@@ -33,8 +33,7 @@ def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level
 
     Returns
     -------
-    Interval
-        From 0 to 1. Values that are all alike give the point 0 or 1.
+    From 0 to 1. Values that are all alike give the point 0 or 1.
 
     References
     ----------

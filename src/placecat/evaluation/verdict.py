@@ -91,10 +91,9 @@ def judge_shares(worse: Interval, better: Interval, rare: float) -> str:
 
     Returns
     -------
-    str
-        `HOLDS` if both shares are above `rare` with their whole interval, `FAILS` if one of them is below it
-        with its whole interval, else `UNDECIDED`. Two intervals of 95 % make a false `FAILS` in at most 5 %,
-        since each errs in 2.5 % to its lower side.
+    `HOLDS` if both shares are above `rare` with their whole interval, `FAILS` if one of them is below it with
+    its whole interval, else `UNDECIDED`. Two intervals of 95 % make a false `FAILS` in at most 5 %, since
+    each errs in 2.5 % to its lower side.
     """
     if worse.low > rare and better.low > rare:
         return HOLDS

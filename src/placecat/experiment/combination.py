@@ -15,7 +15,7 @@ from placecat.experiment import data as data_sets
 from placecat.experiment.data import Data
 from placecat.experiment.options import TEST_HOME, classifiers
 from placecat.learning.hierarchical_kmeans import check_cluster_number
-from placecat.learning.kernels import KernelMachine
+from placecat.learning.kernel_machine import KernelMachine
 from placecat.learning.scaling import KernelScaling
 from placecat.learning.spatial_pca import SpatialPCA
 from placecat.training import protocol

@@ -16,7 +16,6 @@ def frames_of(proba: NDArray[np.float64]) -> Descriptors:
 
     Returns
     -------
-    Descriptors
-        (frames, cues * n_classes) float32.
+    (frames, cues * n_classes) float32.
     """
     return Descriptors(np.ascontiguousarray(proba.reshape(len(proba), -1), dtype=np.float32))

@@ -47,30 +47,3 @@ class Delay:
         else:
             self._state = self._state - math.expm1(-elapsed / self._tau) * (target - self._state)
         return self._state
-
-
-def delay(set_point: NDArray[np.float64], *, seconds: float, frame_rate: float) -> NDArray[np.float64]:
-    """Delay one whole sequence, see :class:`Delay`.
-
-    Parameters
-    ----------
-    set_point
-        (frames, n_classes), the distributions p* of the hidden Markov model.
-    seconds
-        The time constant tau.
-    frame_rate
-        Frames a second, above 0.
-
-    Returns
-    -------
-    (frames, n_classes); rows sum to 1 as those of `set_point` do.
-
-    Raises
-    ------
-    PlacecatError
-        As :class:`Delay`.
-    """
-    follower = Delay(seconds)
-    return np.array([follower.step(target, 1.0 / frame_rate) for target in set_point]).reshape(
-        set_point.shape
-    )

@@ -174,24 +174,6 @@ class ForwardFilter:
         return filtered
 
 
-def forward_filter(likelihood: Float, transition: Float, *, initial: Float | None = None) -> Float:
-    """Filter one whole sequence, see :class:`ForwardFilter`.
-
-    Parameters
-    ----------
-    likelihood
-        (frames, n_classes), p(o_t | l_t = q) up to a factor per frame; no row all zero.
-    transition, initial
-        As for :class:`ForwardFilter`.
-
-    Returns
-    -------
-    (frames, n_classes), p(l_t = q | o_1 .. o_t); rows sum to 1.
-    """
-    forwards = ForwardFilter(transition, initial=initial)
-    return np.array([forwards.step(row) for row in likelihood]).reshape(likelihood.shape)
-
-
 def above_zero(name: str, value: float) -> float:
     """Check a setting that is a finite number above 0.
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -150,55 +151,10 @@ def fit(
 
 
 def smooth(
-    proba: NDArray[np.float64],
-    sequences: Sequence[slice],
-    *,
-    frame_rate: float,
-    training_sequences: Sequence[NDArray[np.int16]],
-    training_frame_rates: Sequence[float],
-    training_proba: NDArray[np.float64],
-    training_truth: NDArray[np.int16],
-    n_classes: int,
-    delay_seconds: float,
-    evidence: str,
-    evidence_seconds: float,
-    reliability: str,
-    transition_counts: float,
-    emission_counts: float,
+    proba: NDArray[np.float64], sequences: Sequence[slice], *, frame_rate: float, **training: Any
 ) -> dict[str, NDArray[np.float64]]:
-    """Smooth one home with statistics of its training homes.
-
-    Parameters
-    ----------
-    proba
-        (frames, n_classes) distributions for every frame of the home, labelled or not.
-    sequences
-        Stretches of frames without a cut; the filter starts anew at each.
-    frame_rate
-        Frames a second of the home.
-    training_sequences, training_frame_rates, training_proba, training_truth, delay_seconds, evidence, \
-evidence_seconds, reliability, transition_counts, emission_counts
-        As for :func:`fit`.
-
-    Returns
-    -------
-    dict
-        ``hmm`` and ``delayed``, each (frames, n_classes); rows sum to 1.
-    """
-    model = fit(
-        training_sequences,
-        training_proba,
-        training_truth,
-        n_classes,
-        training_frame_rates=training_frame_rates,
-        delay_seconds=delay_seconds,
-        evidence=evidence,
-        evidence_seconds=evidence_seconds,
-        reliability=reliability,
-        transition_counts=transition_counts,
-        emission_counts=emission_counts,
-    )
-    return apply(model, proba, sequences, frame_rate=frame_rate)
+    """Smooth one home with statistics of its training homes: :func:`fit` on `training`, then `apply`."""
+    return apply(fit(**training), proba, sequences, frame_rate=frame_rate)
 
 
 def apply(
@@ -208,13 +164,16 @@ def apply(
 
     Parameters
     ----------
-    proba, sequences, frame_rate
-        As for :func:`smooth`.
+    proba
+        (frames, n_classes) distributions for every frame of the home, labelled or not.
+    sequences
+        Stretches of frames without a cut; the filter starts anew at each.
+    frame_rate
+        Frames a second of the home.
 
     Returns
     -------
-    dict
-        As :func:`smooth`.
+    ``hmm`` and ``delayed``, each (frames, n_classes); rows sum to 1.
     """
     filtered, delayed = np.empty(proba.shape), np.empty(proba.shape)
     for part in sequences:

@@ -20,8 +20,7 @@ def temper(proba: NDArray[np.float64], temperature: float | NDArray[np.float64])
 
     Returns
     -------
-    ndarray
-        Same shape, rows sum to 1; the order of the classes stays. T = 1 changes nothing but last bits.
+    Same shape, rows sum to 1; the order of the classes stays. T = 1 changes nothing but last bits.
 
     Examples
     --------
@@ -49,8 +48,7 @@ def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> flo
 
     Returns
     -------
-    float
-        T, in [0.01, 100].
+    T, in [0.01, 100].
 
     References
     ----------

@@ -203,7 +203,8 @@ def fit_problems(
         fitted.append(FittedProblem(kept, sigmoids, outputs, nu, flat))
     flat_names = [problem.name for problem, one in zip(problems, fitted, strict=True) if one.flat]
     if flat_names:
-        logger.warning(
+        # A whole stage has thousands: whoever sums the counts warns.
+        logger.info(
             "held-out decision values say nothing, or the contrary, of %s: a flat sigmoid instead",
             ", ".join(flat_names),
         )
@@ -220,9 +221,8 @@ def centre(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
 
     Returns
     -------
-    list
-        The same minus the mean of each home, plus the mean over homes of these means: what a machine can be
-        expected to say on average of a home that it has not seen.
+    The same minus the mean of each home, plus the mean over homes of these means: what a machine can be
+    expected to say on average of a home that it has not seen.
 
     Examples
     --------

@@ -44,10 +44,6 @@ def bin_features(X: NDArray[np.float32], max_bins: int) -> BinnedFeatures:
         (n, D) float32.
     max_bins
         2 to 65536.
-
-    Returns
-    -------
-    BinnedFeatures
     """
     from scipy.sparse import csr_matrix
 
@@ -104,8 +100,6 @@ class StumpEnsembles:
     high: NDArray[np.float64]
     width: int
 
-    kind = "stumps"
-
     def decisions(self, X: ArrayLike) -> NDArray[np.float64]:
         """Evaluate all K sums; (n, D) in, (n, K) float64 out.
 
@@ -125,23 +119,6 @@ class StumpEnsembles:
             # One stump after the other, as in `decide_rows`; a sum over rows may take another order.
             result[:, k] = np.cumsum(np.where(above, self.high[k], self.low[k]), axis=1)[:, -1]
         return result
-
-    def to_arrays(self) -> dict[str, NDArray[Any]]:
-        """Give plain arrays, enough for `from_arrays`."""
-        return {
-            "feature": self.feature,
-            "threshold": self.threshold,
-            "low": self.low,
-            "high": self.high,
-            "width": np.array(self.width),
-        }
-
-    @classmethod
-    def from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Self:
-        """Rebuild from `to_arrays`."""
-        return cls(
-            arrays["feature"], arrays["threshold"], arrays["low"], arrays["high"], int(arrays["width"])
-        )
 
 
 class GentleAdaBoost(ClassifierMixin, BaseEstimator):
@@ -324,24 +301,6 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
     def predict(self, X: ArrayLike) -> NDArray[Any]:
         """Labels (n,) of samples (n, D)."""
         return self.classes_[(self.decision_function(X) > 0).astype(int)]
-
-    def to_arrays(self) -> dict[str, NDArray[Any]]:
-        """Give plain arrays of a model fitted by `fit`, enough for `from_arrays`."""
-        arrays = self.collect([self]).to_arrays()
-        return arrays | {
-            "classes": self.classes_,
-            "cut": self.cut_,
-            "weight_trim": np.array(self.weight_trim),
-        }
-
-    @classmethod
-    def from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Self:
-        """Rebuild a model that predicts from `to_arrays`."""
-        model = cls(n_rounds=len(arrays["feature"][0]), weight_trim=float(arrays["weight_trim"]))
-        model.feature_, model.threshold_ = arrays["feature"][0], arrays["threshold"][0]
-        model.low_, model.high_, model.cut_ = arrays["low"][0], arrays["high"][0], arrays["cut"]
-        model.classes_, model.n_features_in_ = arrays["classes"], int(arrays["width"])
-        return model
 
 
 def _best_stump(histogram: NDArray[np.float64]) -> tuple[int, int, float, float] | None:

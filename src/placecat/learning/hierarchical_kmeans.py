@@ -2,7 +2,6 @@
 
 import heapq
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Any, Self
 
 import numpy as np
@@ -12,12 +11,8 @@ from sklearn.utils.validation import check_array, check_is_fitted
 from threadpoolctl import threadpool_limits
 
 from placecat.errors import NotComputable, PlacecatError
+from placecat.learning.kmeans_split import make_root, split_node
 from placecat.learning.nearest import nearest_centers
-
-# Floats of one block of points: 1 MB of float32, half a level-2 cache.
-_BLOCK = 1 << 18
-# Below this part of |x|^2 + |c|^2 a float32 |x|^2 - 2xc + |c|^2 has lost its digits.
-_CANCELLATION = 1e-4
 
 
 def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
@@ -164,7 +159,7 @@ class HierarchicalKMeans(BaseEstimator):
             raise PlacecatError(f"seed={self.seed} is negative: use 0 or more")
 
     def _grow(self, points: NDArray[np.float32], n_splits: int) -> None:
-        root = _make_root(points)
+        root = make_root(points)
         nodes = [root]
         # (-gain or its bound, whether the gain is known, node): a bound comes before an equal known gain.
         queue: list[tuple[float, bool, int]] = [(-root.sse, False, 0)]
@@ -174,7 +169,7 @@ class HierarchicalKMeans(BaseEstimator):
             node = nodes[index]
             if not gain_known:
                 rng = np.random.default_rng(np.random.SeedSequence(self.seed, spawn_key=node.path))
-                node.children = _split(node, self.branching, self.max_iter, rng)
+                node.children = split_node(node, self.branching, self.max_iter, rng)
                 if node.children:
                     gain = node.sse - sum(child.sse for child in node.children)
                     heapq.heappush(queue, (-min(gain, node.sse), True, index))
@@ -329,166 +324,3 @@ class HierarchicalKMeans(BaseEstimator):
         tree.training_nodes_ = None
         tree.n_features_in_ = tree.node_centers_.shape[1]
         return tree
-
-
-@dataclass
-class _Node:
-    path: tuple[int, ...]
-    members: NDArray[np.int32]
-    # The members' descriptors minus the centre; empty once the node was split.
-    points: NDArray[np.float32]
-    center: NDArray[np.float64]
-    sse: float
-    children: list["_Node"] = field(default_factory=list)
-
-
-def _make_root(points: NDArray[np.float32]) -> _Node:
-    center = _sums(points, np.zeros(len(points), np.uint8), 1)[0] / len(points)
-    centred = points - center.astype(np.float32)
-    # The rounded centre is what the points are relative to.
-    origin = center.astype(np.float32).astype(np.float64)
-    return _Node((), np.arange(len(points), dtype=np.int32), centred, origin, _sum_of_squares(centred))
-
-
-def _split(node: _Node, branching: int, max_iter: int, rng: np.random.Generator) -> list[_Node]:
-    """Split a node by k-means; no children where it has fewer than `branching` distinct points."""
-    points, node.points = node.points, node.points[:0]
-    if len(points) < branching:
-        return []
-    labels = _seed_clusters(points, branching, rng)
-    if labels is None:
-        return []
-    labels = _lloyd(points, labels, branching, max_iter)
-    order = np.argsort(labels, kind="stable")
-    ends = np.cumsum(np.bincount(labels, minlength=branching))
-    points = np.take(points, order, axis=0)
-    members = node.members[order]
-    children = []
-    for number, end in enumerate(ends):
-        start = ends[number - 1] if number else 0
-        part = points[start:end]
-        shift = _sums(part, np.zeros(end - start, np.uint8), 1)[0] / (end - start)
-        shift32 = shift.astype(np.float32)
-        part -= shift32
-        children.append(
-            _Node(
-                (*node.path, number), members[start:end], part, node.center + shift32, _sum_of_squares(part)
-            )
-        )
-    return children
-
-
-def _seed_clusters(
-    points: NDArray[np.float32], n_clusters: int, rng: np.random.Generator
-) -> NDArray[np.uint16] | None:
-    """Draw k-means++ seeds one by one (one try each, as FLANN) and give each point to its nearest seed."""
-    n = len(points)
-    norms = np.einsum("ij,ij->i", points, points)
-    labels = np.zeros(n, np.uint16)
-    closest = np.empty(0, np.float32)
-    for number in range(n_clusters):
-        if number == 0:
-            seed = int(rng.integers(n))
-        else:
-            cumulated = np.cumsum(closest, dtype=np.float64)
-            if cumulated[-1] == 0:
-                return None
-            seed = int(np.searchsorted(cumulated, rng.random() * cumulated[-1], side="right"))
-            if seed == n:
-                seed = int(np.searchsorted(cumulated, cumulated[-1]))
-        distances = _squared_distances(points, norms, seed)
-        if number == 0:
-            closest = distances
-        else:
-            labels[distances < closest] = number
-            np.minimum(closest, distances, out=closest)
-    return labels
-
-
-def _squared_distances(
-    points: NDArray[np.float32], norms: NDArray[np.float32], seed: int
-) -> NDArray[np.float32]:
-    """Squared distances of all points to one of them, exactly 0 for its duplicates."""
-    distances = points @ points[seed]
-    distances *= -2
-    distances += norms
-    distances += norms[seed]
-    close = np.flatnonzero(distances <= _CANCELLATION * (norms + norms[seed]))
-    differences = points[close] - points[seed]
-    distances[close] = np.einsum("ij,ij->i", differences, differences)
-    return distances
-
-
-def _lloyd(
-    points: NDArray[np.float32], labels: NDArray[np.uint16], n_clusters: int, max_iter: int
-) -> NDArray[np.uint16]:
-    """Iterate k-means from given labels; every cluster keeps at least one point."""
-    sums = _sums(points, labels, n_clusters)
-    for _ in range(max_iter):
-        counts = np.bincount(labels, minlength=n_clusters)
-        centers = sums / counts[:, None]
-        new = _nearest(points, centers)
-        _fill_empty(points, new, centers)
-        changed = np.flatnonzero(new != labels)
-        if len(changed) == 0:
-            break
-        if 2 * len(changed) < len(points):
-            moved = np.take(points, changed, axis=0)
-            sums += _sums(moved, new[changed], n_clusters) - _sums(moved, labels[changed], n_clusters)
-        else:
-            sums = _sums(points, new, n_clusters)
-        labels = new
-    return labels
-
-
-def _blocks(points: NDArray[np.float32]) -> range:
-    return range(0, len(points), _block_rows(points))
-
-
-def _block_rows(points: NDArray[np.float32]) -> int:
-    return max(64, _BLOCK // points.shape[1])
-
-
-def _nearest(points: NDArray[np.float32], centers: NDArray[np.float64]) -> NDArray[np.uint16]:
-    # Not nearest_centers: for a handful of centres the transposed product is faster.
-    half_norms = (0.5 * np.einsum("ij,ij->i", centers, centers))[:, None].astype(np.float32)
-    centers32 = centers.astype(np.float32)
-    labels = np.empty(len(points), np.uint16)
-    rows = _block_rows(points)
-    for start in _blocks(points):
-        scores = centers32 @ points[start : start + rows].T
-        scores -= half_norms
-        # argmax along the first axis, lowest index on ties; twice as fast as scores.argmax(axis=0).
-        labels[start : start + rows] = (scores == scores.max(axis=0)).argmax(axis=0)
-    return labels
-
-
-def _sums(points: NDArray[np.float32], labels: NDArray[np.integer], n_clusters: int) -> NDArray[np.float64]:
-    """Sum the points of each label: float32 products inside a block, float64 over blocks."""
-    numbers = np.arange(n_clusters, dtype=labels.dtype)[:, None]
-    sums = np.zeros((n_clusters, points.shape[1]))
-    rows = _block_rows(points)
-    for start in _blocks(points):
-        sums += (labels[start : start + rows] == numbers).astype(np.float32) @ points[start : start + rows]
-    return sums
-
-
-def _fill_empty(
-    points: NDArray[np.float32], labels: NDArray[np.uint16], centers: NDArray[np.float64]
-) -> None:
-    """Give each empty cluster, in place, the point farthest from its centre among clusters of two or more."""
-    counts = np.bincount(labels, minlength=len(centers))
-    empty = np.flatnonzero(counts == 0)
-    if len(empty) == 0:
-        return
-    differences = points - centers[labels]
-    distances = np.einsum("ij,ij->i", differences, differences)
-    for number in empty:
-        farthest = int(np.argmax(np.where(counts[labels] > 1, distances, -1.0)))
-        counts[labels[farthest]] -= 1
-        counts[number] = 1
-        labels[farthest] = number
-
-
-def _sum_of_squares(points: NDArray[np.float32]) -> float:
-    return float(np.einsum("ij,ij->i", points, points).sum(dtype=np.float64))

@@ -33,8 +33,7 @@ def check_samples(X: ArrayLike, name: str = "X") -> NDArray[np.float32]:
 
     Returns
     -------
-    ndarray
-        (n, D) float32; `X` itself where it already is that.
+    (n, D) float32; `X` itself where it already is that.
 
     Raises
     ------
@@ -128,8 +127,7 @@ def rbf_gram(
 
     Returns
     -------
-    ndarray
-        (n, n), values in [0, 1].
+    (n, n), values in [0, 1].
 
     Raises
     ------
@@ -177,8 +175,7 @@ def rbf_cross(X: ArrayLike, Y: ArrayLike, gamma: float) -> NDArray[np.float32]:
 
     Returns
     -------
-    ndarray
-        (n, m) float32 in [0, 1]. `KernelExpansion` never builds the whole of it.
+    (n, m) float32 in [0, 1]. `KernelExpansion` never builds the whole of it.
 
     Raises
     ------
@@ -214,13 +211,12 @@ class KernelExpansion:
     intercept: NDArray[np.float64]
     gamma: float
 
-    kind = "kernel"
     #: Attributes that prediction does without: a stored system leaves them out.
     TRAINING_ONLY = ("_prepared",)
 
     @classmethod
-    def union(cls, machines: Sequence["KernelMachine"], X: NDArray[np.float32]) -> Self:
-        """Join machines fitted on rows of the same `X` (n, D) into one expansion."""
+    def union(cls, machines: Sequence[Any], X: NDArray[np.float32]) -> Self:
+        """Join `KernelMachine`s fitted on rows of the same `X` (n, D) into one expansion."""
         support = np.unique(np.concatenate([machine.support_ for machine in machines])).astype(np.intp)
         coef = np.zeros((len(support), len(machines)))
         for k, machine in enumerate(machines):
@@ -250,8 +246,7 @@ class KernelExpansion:
 
         Returns
         -------
-        ndarray
-            (n, K) float64.
+        (n, K) float64.
 
         Raises
         ------
@@ -271,104 +266,3 @@ class KernelExpansion:
             for kernels, sums in parts:
                 result[start : start + PREDICTION_ROWS] += sums(_to_kernel(kernels(left)))
         return result
-
-    def to_arrays(self) -> dict[str, NDArray[Any]]:
-        """Give plain arrays, enough for `from_arrays`."""
-        return {
-            "support_vectors": self.support_vectors,
-            "coef": self.coef,
-            "intercept": self.intercept,
-            "gamma": np.array(self.gamma),
-        }
-
-    @classmethod
-    def from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Self:
-        """Rebuild from `to_arrays`."""
-        return cls(arrays["support_vectors"], arrays["coef"], arrays["intercept"], float(arrays["gamma"]))
-
-
-class KernelMachine:
-    """What the two-class classifiers on a Gram matrix share: sums over support vectors.
-
-    A subclass has the parameter `gamma` and `fit_rows`, which sets the attributes below.
-
-    Attributes
-    ----------
-    classes_, support_vectors_
-        The two labels, and (s, D) float32; set by `fit` only.
-    support_
-        (s,) indices into the samples of the Gram matrix, ascending.
-    dual_coef_
-        (s,) float64.
-    intercept_
-        float.
-    """
-
-    gamma: float
-    support_: NDArray[np.intp]
-    dual_coef_: NDArray[np.float64]
-    intercept_: float
-    classes_: NDArray[Any]
-    support_vectors_: NDArray[np.float32]
-    #: dtype of the Gram matrix the machine works on without a copy.
-    gram_dtype: DTypeLike = np.float32
-
-    def prepare(
-        self, X: NDArray[np.float32], gram: NDArray[Any] | None = None, n_jobs: int | None = None
-    ) -> NDArray[Any]:
-        """Give what all classes and folds share: the Gram matrix in the dtype the machine wants.
-
-        Parameters
-        ----------
-        X
-            (n, D) float32.
-        gram
-            (n, n) of the same samples and the same gamma, to be taken instead of computing it.
-        n_jobs
-            Threads.
-
-        Returns
-        -------
-        ndarray
-            (n, n) of `gram_dtype`, C-contiguous; `gram` itself where it already is that.
-
-        Raises
-        ------
-        PlacecatError
-            If `gram` has another shape.
-        """
-        if gram is None:
-            return rbf_gram(X, self.gamma, dtype=self.gram_dtype, n_jobs=n_jobs)
-        if gram.shape != (len(X), len(X)):
-            raise PlacecatError(
-                f"gram has shape {gram.shape} for {len(X)} samples; give a square matrix of these"
-            )
-        return np.ascontiguousarray(gram, dtype=self.gram_dtype)
-
-    def decide_rows(self, shared: NDArray[Any], rows: NDArray[np.intp]) -> NDArray[np.float64]:
-        """Evaluate on rows of the Gram matrix `shared` (n, n); gives (len(rows),) float64."""
-        weights = np.zeros(len(shared), dtype=shared.dtype)
-        weights[self.support_] = self.dual_coef_
-        # A slice of the matrix is a view, an index list a copy.
-        contiguous = (
-            len(rows) > 0 and rows[-1] - rows[0] + 1 == len(rows) and bool(np.all(np.diff(rows) == 1))
-        )
-        block = shared[rows[0] : rows[-1] + 1] if contiguous else shared[rows]
-        return (block @ weights).astype(np.float64) + self.intercept_
-
-    def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Signed decision values (n,) of samples (n, D); positive for ``classes_[1]``. Needs `fit`."""
-        coef = self.dual_coef_[:, None]
-        expansion = KernelExpansion(
-            self.support_vectors_, coef, np.array([self.intercept_]), float(self.gamma)
-        )
-        return expansion.decisions(X)[:, 0]
-
-    def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Labels (n,) of samples (n, D). Needs `fit`."""
-        return self.classes_[(self.decision_function(X) > 0).astype(int)]
-
-    @staticmethod
-    def collect(machines: Sequence["KernelMachine"], X: NDArray[np.float32]) -> KernelExpansion:
-        """Join machines fitted on the same samples `X` (n, D) for prediction."""
-        return KernelExpansion.union(machines, X)

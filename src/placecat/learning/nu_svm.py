@@ -1,14 +1,14 @@
 """Two-class nu-SVM with RBF kernel on a shared Gram matrix."""
 
 import logging
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 from sklearn.base import BaseEstimator, ClassifierMixin
 
 from placecat.errors import PlacecatError
-from placecat.learning.kernels import KernelMachine, check_samples, encode_two_classes
+from placecat.learning.kernel_machine import KernelMachine
 
 logger = logging.getLogger(__name__)
 
@@ -106,28 +106,6 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
         if self.nu_policy not in POLICIES:
             raise PlacecatError(f"unknown nu_policy {self.nu_policy!r}; choose 'lower' or 'refuse'")
 
-    def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
-        """Fit on samples.
-
-        Parameters
-        ----------
-        X
-            (n, D) real.
-        y
-            (n,) labels of exactly two classes.
-
-        Raises
-        ------
-        PlacecatError
-            If there are not two classes, nu is outside (0, 1], or nu is infeasible under ``refuse``.
-        """
-        samples = check_samples(X)
-        self.classes_, positive = encode_two_classes(y, len(samples))
-        self.fit_rows(self.prepare(samples), positive, context=f"class {self.classes_[1]!s}")
-        self.support_vectors_ = samples[self.support_]
-        self.n_features_in_ = samples.shape[1]
-        return self
-
     def fit_rows(
         self,
         shared: NDArray[np.float64],
@@ -135,23 +113,12 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
         rows: NDArray[np.intp] | None = None,
         context: str = "this class",
     ) -> Self:
-        """Fit on some rows of a shared Gram matrix, without a copy of it.
-
-        Parameters
-        ----------
-        shared
-            (n, n) float64 from `prepare`.
-        positive
-            (n,) bool.
-        rows
-            Ascending indices of the training samples, all by default.
-        context
-            What the messages call this problem.
+        """Fit on some rows of a Gram matrix, without a copy; see `KernelMachine.fit_rows`.
 
         Raises
         ------
         PlacecatError
-            As `fit`.
+            Also if nu is infeasible, or leaves no margin, under the policy ``refuse``.
         """
         import sklearn
         from sklearn.svm import NuSVC
@@ -207,26 +174,3 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
         self.dual_coef_ = np.asarray(machine.dual_coef_[0], dtype=np.float64)
         self.intercept_ = float(machine.intercept_[0])
         return self
-
-    def to_arrays(self) -> dict[str, NDArray[Any]]:
-        """Give plain arrays of a model fitted by `fit`, enough for `from_arrays`."""
-        return {
-            "gamma": np.array(self.gamma),
-            "nu": np.array([self.nu, self.nu_]),
-            "classes": self.classes_,
-            "support": self.support_,
-            "support_vectors": self.support_vectors_,
-            "dual_coef": self.dual_coef_,
-            "intercept": np.array(self.intercept_),
-        }
-
-    @classmethod
-    def from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Self:
-        """Rebuild a model that predicts from `to_arrays`."""
-        model = cls(gamma=float(arrays["gamma"]), nu=float(arrays["nu"][0]))
-        model.nu_ = float(arrays["nu"][1])
-        model.classes_, model.support_ = arrays["classes"], arrays["support"]
-        model.support_vectors_, model.dual_coef_ = arrays["support_vectors"], arrays["dual_coef"]
-        model.intercept_ = float(arrays["intercept"])
-        model.n_features_in_ = model.support_vectors_.shape[1]
-        return model

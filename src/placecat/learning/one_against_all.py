@@ -1,57 +1,21 @@
 """One two-class classifier a class, and the parallel probabilistic scheme that combines them."""
 
-import json
-from collections.abc import Sequence
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator, ClassifierMixin
 
 from placecat.errors import PlacecatError
-from placecat.learning.calibration import Calibration, FittedProblem, Problem, fit_problems, make_folds
-from placecat.learning.gentle_adaboost import GentleAdaBoost, StumpEnsembles
-from placecat.learning.kernels import KernelExpansion, check_samples
-from placecat.learning.nu_svm import NuSVM
-from placecat.learning.platt import apply_sigmoid
+from placecat.learning.multi_class import MultiClass
 from placecat.learning.products import sum_products
-from placecat.learning.rvm import RVM
-from placecat.learning.single_thread import single_blas_thread
-from placecat.learning.two_class import as_base, is_balanced, uses_own
 
 COMBINATIONS = ("parallel", "certainty")
 RELIABILITIES = ("hard", "soft")
 PRIORS = ("training", "uniform")
-BASES: dict[str, Any] = {"NuSVM": NuSVM, "RVM": RVM, "GentleAdaBoost": GentleAdaBoost}
-SCORERS: dict[str, Any] = {"kernel": KernelExpansion, "stumps": StumpEnsembles}
-MACHINES = ("classes_", "sigmoid_", "machine_class_", "flat_", "nu_", "cv_outputs_")
-ARRAYS = (*MACHINES, "reliability_", "prior_")
 
 
-def encode_classes(
-    X: ArrayLike, y: ArrayLike, class_names: Sequence[str] | None
-) -> tuple[NDArray[np.float32], NDArray[Any], NDArray[np.intp], list[str]]:
-    """Check training data; gives float32 samples, classes, class index of each sample, names for messages."""
-    samples = check_samples(X)
-    labels = np.asarray(y)
-    if labels.shape != (len(samples),):
-        raise PlacecatError(f"y has shape {labels.shape} for {len(samples)} samples; give one label a sample")
-    classes, index = np.unique(labels, return_inverse=True)
-    names = [str(c) for c in classes] if class_names is None else [str(class_names[int(c)]) for c in classes]
-    if len(classes) < 2:
-        raise PlacecatError(
-            f"all training samples are of class {names[0]!r}; a multi-class scheme needs 2 classes or more"
-        )
-    counts = np.bincount(index)
-    if counts.min() < 2:
-        name = names[int(counts.argmin())]
-        raise PlacecatError(
-            f"class {name!r} has 1 training sample; cross-validation needs 2 or more, or drop it"
-        )
-    return samples, classes, index, names
-
-
-class OneAgainstAll(ClassifierMixin, BaseEstimator):
+class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     """The parallel probabilistic multi-class scheme, thesis 3.3.1.2, equations (6) to (9).
 
     One base classifier a class gives p(o_k|x). With reliabilities p(o_k|l_i) from cross-validation and class
@@ -62,7 +26,7 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
     ----------
     base
         Two-class classifier: `NuSVM` (the default), `RVM`, `GentleAdaBoost`, or any of scikit-learn's (the
-        latter without shared preparation and `to_arrays`).
+        latter without shared preparation).
     calibration
         What is held out for the sigmoids and the reliabilities, see
         :class:`~placecat.learning.calibration.Calibration`: ``samples`` (the default), ``consecutive``,
@@ -134,9 +98,6 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
     ['bath', 'kitchen']
     """
 
-    #: Attributes that prediction does without: a stored system leaves them out.
-    TRAINING_ONLY = ("cv_outputs_",)
-
     def __init__(
         self,
         base: Any = None,
@@ -165,53 +126,15 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
         self.folds = folds
         self.n_jobs = n_jobs
 
-    def fit(
-        self,
-        X: ArrayLike,
-        y: ArrayLike,
-        groups: ArrayLike | None = None,
-        gram: NDArray[Any] | None = None,
-        class_names: Sequence[str] | None = None,
-    ) -> Self:
-        """Fit the K classifiers and their statistics.
-
-        Parameters
-        ----------
-        X
-            (n, D) real.
-        y
-            (n,) labels, every class at least twice.
-        groups
-            (n,) the home of each sample, for a calibration by home.
-        gram
-            (n, n) Gram matrix of X at the base's gamma, to share it between fits.
-        class_names
-            Names by integer label, for messages only.
-
-        Raises
-        ------
-        PlacecatError
-            For fewer than 2 classes, a class of 1 sample, an impossible setting, or a nu that is infeasible
-            under the policy ``refuse``.
-        """
-        base = as_base(self.base)
-        calibration = calibration_of(self, base)
-        self._check_settings()
-        samples, self.classes_, index, names = encode_classes(X, y, class_names)
-        n, n_classes = len(samples), len(self.classes_)
-        folds = make_folds(index, groups, calibration.kind, calibration.folds)
-        members = np.ones(n, dtype=bool)
-        problems = [Problem(f"class {names[k]!r}", index == k, members) for k in range(n_classes)]
-        with single_blas_thread():
-            shared = base.prepare(samples, gram=gram, n_jobs=self.n_jobs)
-            fitted = fit_problems(base, shared, problems, folds, calibration, self.n_jobs)
-        self.n_features_in_ = samples.shape[1]
-        keep_machines(self, base, fitted, samples)
-        frequency = np.bincount(index, minlength=n_classes) / n
+    def _fit_combination(self, index: NDArray[np.intp]) -> None:
+        n_classes = len(self.classes_)
+        frequency = np.bincount(index, minlength=n_classes) / len(index)
         self.prior_ = frequency if self.prior == "training" else np.full(n_classes, 1.0 / n_classes)
         self.reliability_ = self._reliability(index, self.cv_outputs_)
-        self._set_posterior()
-        return self
+        joint = self.reliability_ * self.prior_[:, None]
+        p_output = joint.sum(axis=0)
+        uniform = np.full_like(joint, 1.0 / n_classes)
+        self.posterior_ = np.divide(joint, p_output, out=uniform, where=p_output > 0)
 
     def _check_settings(self) -> None:
         if self.reliability not in RELIABILITIES:
@@ -244,16 +167,6 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
         total = outputs.sum(axis=1, keepdims=True)
         return np.divide(outputs, total, out=np.full_like(outputs, 1.0 / outputs.shape[1]), where=total > 0)
 
-    def _set_posterior(self) -> None:
-        joint = self.reliability_ * self.prior_[:, None]
-        p_output = joint.sum(axis=0)
-        uniform = np.full_like(joint, 1.0 / len(joint))
-        self.posterior_ = np.divide(joint, p_output, out=uniform, where=p_output > 0)
-
-    def outputs(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Give p(o_k|x) of samples (n, D) as (n, K)."""
-        return outputs_of(self, X)
-
     def combine(self, outputs: NDArray[np.float64]) -> NDArray[np.float64]:
         """Combine outputs p(o_k|x) (n, K) to distributions p(l_i|x) (n, K), equations (6), (7), (9)."""
         proba = outputs
@@ -273,90 +186,3 @@ class OneAgainstAll(ClassifierMixin, BaseEstimator):
     def predict(self, X: ArrayLike) -> NDArray[Any]:
         """Most probable class (n,) of samples (n, D)."""
         return self.classes_[self.predict_proba(X).argmax(axis=1)]
-
-    def to_arrays(self) -> dict[str, NDArray[Any]]:
-        """Give plain arrays, enough for `from_arrays`.
-
-        Raises
-        ------
-        PlacecatError
-            If the base is none of placecat's own.
-        """
-        arrays = {f"scorer/{name}": array for name, array in self.scorer_.to_arrays().items()}
-        arrays["settings"] = pack_settings(self, self.scorer_.kind)
-        for name in ARRAYS:
-            arrays[name] = getattr(self, name)
-        for k, nus in enumerate(self.fold_nu_):
-            arrays[f"fold_nu/{k}"] = nus
-        return arrays
-
-    @classmethod
-    def from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Self:
-        """Rebuild a fitted scheme from `to_arrays`, or from the mapping that ``numpy.load`` returns."""
-        parameters, scorer = unpack_settings(arrays)
-        model = cls(**parameters)
-        model.scorer_ = scorer
-        for name in ARRAYS:
-            setattr(model, name, arrays[name])
-        model.fold_nu_ = [arrays[f"fold_nu/{k}"] for k in range(len(model.classes_))]
-        model.n_features_in_ = scorer_width(scorer)
-        model._set_posterior()
-        return model
-
-
-def calibration_of(scheme: Any, base: Any) -> Calibration:
-    """Read the settings of a multi-class scheme that are about calibration.
-
-    Raises
-    ------
-    PlacecatError
-        For an unknown one, or one that the base cannot have.
-    """
-    own = uses_own(scheme.sigmoid, base)
-    return Calibration(scheme.calibration, scheme.folds, own, is_balanced(scheme.sigmoid_weights))
-
-
-def keep_machines(
-    scheme: Any, base: Any, fitted: Sequence[FittedProblem], samples: NDArray[np.float32]
-) -> None:
-    """Set what a multi-class scheme keeps of its K fitted problems: `MACHINES`, `fold_nu_` and `scorer_`."""
-    scheme.scorer_ = base.collect([machine for one in fitted for machine in one.machines], samples)
-    scheme.sigmoid_ = np.concatenate([one.sigmoids for one in fitted])
-    scheme.machine_class_ = np.repeat(np.arange(len(fitted)), [len(one.machines) for one in fitted])
-    scheme.flat_ = np.array([one.flat for one in fitted])
-    scheme.nu_ = np.array([min(float(getattr(m, "nu_", np.nan)) for m in one.machines) for one in fitted])
-    scheme.fold_nu_ = [one.nu for one in fitted]
-    scheme.cv_outputs_ = np.stack([one.outputs for one in fitted], axis=1)
-
-
-def outputs_of(scheme: Any, X: ArrayLike) -> NDArray[np.float64]:
-    """Give p(o_k|x) (n, K) of samples (n, D): the mean over the machines of each class."""
-    proba = apply_sigmoid(scheme.scorer_.decisions(X), scheme.sigmoid_[:, 0], scheme.sigmoid_[:, 1])
-    if len(scheme.machine_class_) == len(scheme.classes_):
-        return proba
-    starts = np.searchsorted(scheme.machine_class_, np.arange(len(scheme.classes_)))
-    return np.add.reduceat(proba, starts, axis=1) / np.bincount(scheme.machine_class_)
-
-
-def pack_settings(model: BaseEstimator, scorer_kind: str) -> NDArray[np.str_]:
-    """Write an estimator's parameters, its base's among them, as one JSON string."""
-    parameters = model.get_params(deep=False)
-    base = NuSVM() if parameters["base"] is None else parameters["base"]
-    packed = {"class": type(base).__name__, "parameters": base.get_params()}
-    return np.array(json.dumps(parameters | {"base": packed, "scorer": scorer_kind}, sort_keys=True))
-
-
-def unpack_settings(arrays: Any) -> tuple[dict[str, Any], Any]:
-    """Read `pack_settings` and the scorer's arrays; gives the parameters and the scorer."""
-    parameters = json.loads(str(arrays["settings"]))
-    scorer_class = SCORERS[parameters.pop("scorer")]
-    base = parameters["base"]
-    parameters["base"] = BASES[base["class"]](**base["parameters"])
-    prefix = "scorer/"
-    own = {name[len(prefix) :]: arrays[name] for name in arrays if name.startswith(prefix)}
-    return parameters, scorer_class.from_arrays(own)
-
-
-def scorer_width(scorer: Any) -> int:
-    """Features of a sample that a scorer expects."""
-    return int(scorer.width if scorer.kind == "stumps" else scorer.support_vectors.shape[1])

@@ -37,8 +37,7 @@ def fit_sigmoid(
 
     Returns
     -------
-    tuple of float
-        A, at most 0, and B.
+    A, at most 0, and B.
 
     Raises
     ------
@@ -123,7 +122,6 @@ def apply_sigmoid(decisions: NDArray[np.float64], a: ArrayLike, b: ArrayLike) ->
 
     Returns
     -------
-    ndarray
-        Same shape, in [0, 1].
+    Same shape, in [0, 1].
     """
     return expit(-(np.asarray(a) * decisions + np.asarray(b)))

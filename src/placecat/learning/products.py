@@ -83,8 +83,7 @@ def sum_products(left: NDArray[np.float64], right: NDArray[np.float64]) -> NDArr
 
     Returns
     -------
-    ndarray
-        (n, m) float64.
+    (n, m) float64.
     """
     result = left[:, :1] * right[:, 0]
     for term in range(1, right.shape[1]):

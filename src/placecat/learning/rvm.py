@@ -1,7 +1,7 @@
 """Two-class relevance vector machine by fast marginal likelihood maximisation on a shared Gram matrix."""
 
 import logging
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,7 +10,7 @@ from scipy.special import expit
 from sklearn.base import BaseEstimator, ClassifierMixin
 
 from placecat.errors import PlacecatError
-from placecat.learning.kernels import KernelMachine, check_samples, encode_two_classes
+from placecat.learning.kernel_machine import KernelMachine
 from placecat.learning.platt import apply_sigmoid
 from placecat.learning.single_thread import single_blas_thread
 
@@ -52,8 +52,6 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
         (s,) precisions of `dual_coef_`.
     evidence_
         Log marginal likelihood in the Laplace approximation.
-    n_iter_
-        Laplace approximations made.
     support_vectors_
         (s, D) float32. Set by `fit`.
 
@@ -95,21 +93,6 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
                 "must all be above 0"
             )
 
-    def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
-        """Fit on samples (n, D) real and labels (n,) of exactly two classes.
-
-        Raises
-        ------
-        PlacecatError
-            If there are not two classes, or a setting is impossible.
-        """
-        samples = check_samples(X)
-        self.classes_, positive = encode_two_classes(y, len(samples))
-        self.fit_rows(self.prepare(samples), positive, context=f"class {self.classes_[1]!s}")
-        self.support_vectors_ = samples[self.support_]
-        self.n_features_in_ = samples.shape[1]
-        return self
-
     def fit_rows(
         self,
         shared: NDArray[np.float32],
@@ -117,24 +100,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
         rows: NDArray[np.intp] | None = None,
         context: str = "this class",
     ) -> Self:
-        """Fit on some rows of a shared Gram matrix.
-
-        Parameters
-        ----------
-        shared
-            (n, n) float32 from `prepare`. Copied where `rows` is given.
-        positive
-            (n,) bool.
-        rows
-            Ascending indices of the training samples, all by default.
-        context
-            What the messages call this problem.
-
-        Raises
-        ------
-        PlacecatError
-            If only one class is among the rows.
-        """
+        """Fit on some rows of a Gram matrix, which are copied; see `KernelMachine.fit_rows`."""
         self.check_parameters()
         chosen = np.arange(len(shared)) if rows is None else rows
         target = positive[chosen].astype(np.float64)
@@ -167,8 +133,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
         surrogate = _Surrogate.around(gram, basis, best, active, promising)
         steps = most = 2 * self.candidates
         small_rises = 0
-        for iteration in range(self.max_iter):
-            self.n_iter_ = iteration + 1
+        for _ in range(self.max_iter):
             new_active, alpha, start, expected = surrogate.ascend(best.alpha, steps)
             risen = 0.0
             if expected >= tol:
@@ -197,30 +162,6 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
         """Probabilities (n, 2) of the two classes for samples (n, D)."""
         positive = apply_sigmoid(self.decision_function(X), -1.0, 0.0)
         return np.stack([1.0 - positive, positive], axis=1)
-
-    def to_arrays(self) -> dict[str, NDArray[Any]]:
-        """Give plain arrays of a model fitted by `fit`, enough for `from_arrays`."""
-        return {
-            "gamma": np.array(self.gamma),
-            "classes": self.classes_,
-            "support": self.support_,
-            "support_vectors": self.support_vectors_,
-            "dual_coef": self.dual_coef_,
-            "intercept": np.array(self.intercept_),
-            "alpha": self.alpha_,
-            "evidence": np.array(self.evidence_),
-        }
-
-    @classmethod
-    def from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Self:
-        """Rebuild a model that predicts from `to_arrays`."""
-        model = cls(gamma=float(arrays["gamma"]))
-        model.classes_, model.support_ = arrays["classes"], arrays["support"]
-        model.support_vectors_, model.dual_coef_ = arrays["support_vectors"], arrays["dual_coef"]
-        model.intercept_, model.alpha_ = float(arrays["intercept"]), arrays["alpha"]
-        model.evidence_ = float(arrays["evidence"])
-        model.n_features_in_ = model.support_vectors_.shape[1]
-        return model
 
 
 class _Mode:

@@ -1,6 +1,6 @@
 """Scaling of descriptors before the kernel: it sets the scale on which gamma acts."""
 
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -127,23 +127,6 @@ class KernelScaling(TransformerMixin, BaseEstimator):
         scaled = samples - self.offset_.astype(np.float32)
         scaled *= self.factor_.astype(np.float32)
         return scaled
-
-    def to_arrays(self) -> dict[str, NDArray[Any]]:
-        """Give plain arrays, enough for `from_arrays`."""
-        return {
-            "kind": np.array(self.kind),
-            "gamma_scale": np.array(self.gamma_scale),
-            "offset": self.offset_,
-            "factor": self.factor_,
-        }
-
-    @classmethod
-    def from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Self:
-        """Rebuild a fitted scaling from `to_arrays`."""
-        scaling = cls(str(arrays["kind"]), float(arrays["gamma_scale"]))
-        scaling.offset_, scaling.factor_ = arrays["offset"], arrays["factor"]
-        scaling.n_features_in_ = len(scaling.offset_)
-        return scaling
 
 
 def _inverse(spread: NDArray[np.float64], size: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -1,7 +1,8 @@
 """The sequential multi-class scheme of Mozos: a list of two-class decisions, the strongest first."""
 
-from collections.abc import Sequence
-from typing import Any, Self
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -9,29 +10,16 @@ from scipy.special import expit
 from sklearn.base import BaseEstimator, ClassifierMixin
 
 from placecat.errors import PlacecatError
-from placecat.learning.calibration import Problem, fit_problems, make_folds
-from placecat.learning.one_against_all import (
-    MACHINES,
-    calibration_of,
-    encode_classes,
-    keep_machines,
-    outputs_of,
-    pack_settings,
-    scorer_width,
-    unpack_settings,
-)
-from placecat.learning.single_thread import single_blas_thread
-from placecat.learning.two_class import as_base
+from placecat.learning.calibration import FittedProblem, Problem
+from placecat.learning.multi_class import MultiClass
 
 ORDERS = ("balanced_accuracy", "error")
 TRAINING = ("all", "remaining")
 DECISIONS = ("sign", "probability", "product")
 OUTPUTS = ("product", "decision")
 
-ARRAYS = (*MACHINES, "order_", "strength_")
 
-
-class Sequential(ClassifierMixin, BaseEstimator):
+class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     """Decision list over two-class classifiers, the baseline of thesis 4.8.
 
     The node of the strongest class decides first; a sample it rejects goes on to the next; what all reject is
@@ -84,9 +72,6 @@ class Sequential(ClassifierMixin, BaseEstimator):
     ['bath', 'kitchen']
     """
 
-    #: Attributes that prediction does without: a stored system leaves them out.
-    TRAINING_ONLY = ("cv_outputs_",)
-
     def __init__(
         self,
         base: Any = None,
@@ -111,50 +96,34 @@ class Sequential(ClassifierMixin, BaseEstimator):
         self.folds = folds
         self.n_jobs = n_jobs
 
-    def fit(
+    def _arrange(
         self,
-        X: ArrayLike,
-        y: ArrayLike,
-        groups: ArrayLike | None = None,
-        gram: NDArray[Any] | None = None,
-        class_names: Sequence[str] | None = None,
-    ) -> Self:
-        """Fit the nodes and their order. Parameters and errors as in `OneAgainstAll.fit`."""
-        base = as_base(self.base)
-        calibration = calibration_of(self, base)
-        self._check_settings()
-        samples, self.classes_, index, names = encode_classes(X, y, class_names)
-        n, n_classes = len(samples), len(self.classes_)
-        folds = make_folds(index, groups, calibration.kind, calibration.folds)
-        everyone = np.ones(n, dtype=bool)
-        problems = [Problem(f"class {names[k]!r}", index == k, everyone) for k in range(n_classes)]
-        with single_blas_thread():
-            shared = base.prepare(samples, gram=gram, n_jobs=self.n_jobs)
-            fitted = fit_problems(base, shared, problems, folds, calibration, self.n_jobs)
-            self.strength_ = np.array(
-                [
-                    self._strength(f.outputs, self._threshold(f.sigmoids), p.positive)
-                    for f, p in zip(fitted, problems, strict=True)
-                ]
-            )
-            self.order_ = np.argsort(-self.strength_, kind="stable")
-            if self.training == "remaining":
-                later = [
-                    Problem(
-                        f"class {names[k]!r} at place {place + 1} of the list",
-                        index == k,
-                        ~np.isin(index, self.order_[:place]),
-                    )
-                    for place, k in enumerate(self.order_[:-1])
-                    if place > 0
-                ]
-                if later:
-                    again = fit_problems(base, shared, later, folds, calibration, self.n_jobs)
-                    for k, fit in zip(self.order_[1:-1], again, strict=True):
-                        fitted[k] = fit
-        self.n_features_in_ = samples.shape[1]
-        keep_machines(self, base, fitted, samples)
-        return self
+        fitted: list[FittedProblem],
+        problems: Sequence[Problem],
+        index: NDArray[np.intp],
+        fit_some: Callable[[Sequence[Problem]], list[FittedProblem]],
+    ) -> list[FittedProblem]:
+        """Order the nodes; fit those after the first on the remaining classes, if `training` says so."""
+        self.strength_ = np.array(
+            [
+                self._strength(f.outputs, self._threshold(f.sigmoids), p.positive)
+                for f, p in zip(fitted, problems, strict=True)
+            ]
+        )
+        self.order_ = np.argsort(-self.strength_, kind="stable")
+        later = self.order_[1:-1] if self.training == "remaining" else self.order_[:0]
+        if len(later):
+            again = [
+                replace(
+                    problems[k],
+                    name=f"{problems[k].name} at place {place + 1} of the list",
+                    member=~np.isin(index, self.order_[:place]),
+                )
+                for place, k in enumerate(later, start=1)
+            ]
+            for k, fit in zip(later, fit_some(again), strict=True):
+                fitted[k] = fit
+        return fitted
 
     def _check_settings(self) -> None:
         for name, value, known in (
@@ -175,10 +144,6 @@ class Sequential(ClassifierMixin, BaseEstimator):
         if self.order == "error":
             return float(right.mean())
         return float((right[positive].mean() + right[~positive].mean()) / 2.0)
-
-    def outputs(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Give p(o_k|x) of samples (n, D) as (n, K)."""
-        return outputs_of(self, X)
 
     def combine(self, outputs: NDArray[np.float64]) -> NDArray[np.float64]:
         """Combine outputs p(o_k|x) (n, K) to what `output` says, (n, K); rows sum to 1."""
@@ -211,20 +176,3 @@ class Sequential(ClassifierMixin, BaseEstimator):
     def predict(self, X: ArrayLike) -> NDArray[Any]:
         """Class (n,) of samples (n, D), by `decision`."""
         return self.classes_[self.decide(self.outputs(X))]
-
-    def to_arrays(self) -> dict[str, NDArray[Any]]:
-        """Give plain arrays, enough for `from_arrays`; PlacecatError if the base is not placecat's own."""
-        arrays = {f"scorer/{name}": array for name, array in self.scorer_.to_arrays().items()}
-        arrays["settings"] = pack_settings(self, self.scorer_.kind)
-        return arrays | {name: getattr(self, name) for name in ARRAYS}
-
-    @classmethod
-    def from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Self:
-        """Rebuild a fitted scheme from `to_arrays`, or from the mapping that ``numpy.load`` returns."""
-        parameters, scorer = unpack_settings(arrays)
-        model = cls(**parameters)
-        model.scorer_ = scorer
-        for name in ARRAYS:
-            setattr(model, name, arrays[name])
-        model.n_features_in_ = scorer_width(scorer)
-        return model

@@ -1,6 +1,6 @@
 """PCA per image cell, and plain PCA as the case of one cell."""
 
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -141,24 +141,3 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
             part = samples[:, cell * width : (cell + 1) * width] - self.mean_[cell].astype(np.float32)
             result[:, cell * kept : (cell + 1) * kept] = row_products(part, axes.astype(np.float32))
         return result
-
-    def to_arrays(self) -> dict[str, NDArray[Any]]:
-        """Give plain arrays, enough for `from_arrays`."""
-        return {
-            "mean": self.mean_,
-            "components": self.components_,
-            "explained_variance": self.explained_variance_,
-            "explained_variance_ratio": self.explained_variance_ratio_,
-            "whiten": np.array(self.whiten),
-        }
-
-    @classmethod
-    def from_arrays(cls, arrays: dict[str, NDArray[Any]]) -> Self:
-        """Rebuild a fitted transformer from `to_arrays`."""
-        cells, kept, width = arrays["components"].shape
-        pca = cls(cells=cells, components=kept, whiten=bool(arrays["whiten"]))
-        pca.mean_, pca.components_ = arrays["mean"], arrays["components"]
-        pca.explained_variance_ = arrays["explained_variance"]
-        pca.explained_variance_ratio_ = arrays["explained_variance_ratio"]
-        pca.n_features_in_ = cells * width
-        return pca

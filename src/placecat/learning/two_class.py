@@ -41,7 +41,7 @@ class TwoClassBase(Protocol):
         """Decision values of some of the samples."""
 
     def collect(self, machines: Sequence[Any], X: NDArray[np.float32]) -> Any:
-        """Join fitted machines to one function with `decisions` and `to_arrays`."""
+        """Join fitted machines to one function with `decisions`."""
 
 
 class _GenericBase:
@@ -89,19 +89,12 @@ class _GenericBase:
 
 
 class _GenericScorer:
-    kind = "generic"
-
     def __init__(self, machines: Sequence[_GenericBase]) -> None:
         self.machines = machines
 
     def decisions(self, X: ArrayLike) -> NDArray[np.float64]:
         samples = check_samples(X)
         return np.stack([machine.decide(samples) for machine in self.machines], axis=1)
-
-    def to_arrays(self) -> dict[str, NDArray[Any]]:
-        raise PlacecatError(
-            "only NuSVM, RVM and GentleAdaBoost can be written as arrays; to save a model, use one as base"
-        )
 
 
 def as_base(base: Any) -> TwoClassBase:

@@ -14,7 +14,8 @@ from placecat.predict.camera import Camera
 from placecat.predict.frame import Frame, Source
 from placecat.sequences import folder as image_folder
 from placecat.sequences import video
-from placecat.sequences.base import natural, open_video, read_image
+from placecat.sequences.base import open_video, read_image
+from placecat.sequences.folders import natural
 
 _CAMERA = re.compile(r"camera(?::([0-9]{1,4}))?")
 _STREAM = re.compile(r"(rtsps?|https?)://.+", re.IGNORECASE)

@@ -1,7 +1,8 @@
 """Frames and labels in: one module a layout on disk.
 
 A layout is a module of this package that defines ``list_homes(root)`` and ``read_home(root, name, *, fps,
-camera)``; its file name is its name in the settings. Adding a file adds a layout.
+camera)``, which do what `list_homes` and `open_home` here say; its file name is its name in the settings.
+Adding a file adds a layout.
 """
 
 import importlib
@@ -12,7 +13,8 @@ from types import ModuleType
 from typing import Any
 
 from placecat.errors import PlacecatError
-from placecat.sequences.base import Home, place_labels, read_frames, require_classes
+from placecat.sequences.base import Home, read_frames
+from placecat.sequences.places import place_labels, require_classes
 
 __all__ = ["Home", "layouts", "list_homes", "open_home", "place_labels", "read_frames", "require_classes"]
 
@@ -22,8 +24,7 @@ def layouts() -> list[str]:
 
     Returns
     -------
-    list of str
-        Module names in this package that define a reader, sorted.
+    Module names in this package that define a reader, sorted.
     """
     names = sorted(module.name for module in pkgutil.iter_modules(__path__))
     return [name for name in names if _is_reader(importlib.import_module(f"{__name__}.{name}"))]
@@ -41,8 +42,7 @@ def list_homes(layout: str, root: Path | str) -> list[str]:
 
     Returns
     -------
-    list of str
-        In natural order (Home2 before Home10), at least one.
+    In natural order (Home2 before Home10), at least one.
 
     Raises
     ------
@@ -65,7 +65,7 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
         One of ``list_homes(layout, root)``.
     **settings
         Passed to the layout's ``read_home``: ``fps`` (frames a second, or None where the layout knows it),
-        ``camera`` and whatever else that layout takes.
+        ``camera`` (its name) and whatever else that layout takes.
 
     Returns
     -------
@@ -75,7 +75,8 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
     Raises
     ------
     PlacecatError
-        If the layout or a setting is unknown, or the home cannot be read.
+        If the layout or a setting is unknown, the home cannot be read, or its labels do not fit its frames;
+        the message names the file, and the line where there is one.
     """
     reader = _reader(layout)
     known = list(inspect.signature(reader.read_home).parameters)[2:]

@@ -1,7 +1,5 @@
-"""What every layout delivers: a home, its frames in order, and its labels as class numbers."""
+"""What every layout delivers: a home and its frames in order; and the frames themselves."""
 
-import difflib
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
@@ -82,8 +80,7 @@ def frame_table(
 
     Returns
     -------
-    pandas.DataFrame
-        The columns `COLUMNS`, indexed from 0.
+    The columns `COLUMNS`, indexed from 0.
     """
     table = pd.DataFrame({"number": np.asarray(number, dtype=np.int32)})
     table["sequence"] = sequence
@@ -114,8 +111,7 @@ def read_frames(
 
     Yields
     ------
-    numpy.ndarray
-        (H, W, 3) uint8, BGR.
+    (H, W, 3) uint8, BGR.
 
     Raises
     ------
@@ -135,13 +131,12 @@ def read_frames(
                         video.close()
                     video = _Video(path)
                 image = video.read(int(position))
-            found = (image.shape[1], image.shape[0])
-            if size is None:
-                size = found
-            if found != size:
+            height, width = image.shape[:2]
+            size = size or (width, height)
+            if (width, height) != size:
                 where = str(path) if position < 0 else f"{path} frame {position + 1}"
                 raise PlacecatError(
-                    f"{where}: the frame is {found[0]}x{found[1]}, the others of this home are "
+                    f"{where}: the frame is {width}x{height}, the others of this home are "
                     f"{size[0]}x{size[1]}; a home needs one frame size: convert the frame or take it out."
                 )
             yield image
@@ -151,17 +146,7 @@ def read_frames(
 
 
 def read_image(path: Path) -> NDArray[np.uint8]:
-    """Decode one image file.
-
-    Parameters
-    ----------
-    path
-        JPEG, PNG or anything else that OpenCV reads.
-
-    Returns
-    -------
-    numpy.ndarray
-        (H, W, 3) uint8, BGR.
+    """Decode one image file, of any format that OpenCV reads, to (H, W, 3) uint8, BGR.
 
     Raises
     ------
@@ -183,17 +168,7 @@ def read_image(path: Path) -> NDArray[np.uint8]:
 
 
 def open_video(path: Path) -> cv2.VideoCapture:
-    """Open a video file at its first frame.
-
-    Parameters
-    ----------
-    path
-        Anything that OpenCV's FFmpeg reads.
-
-    Returns
-    -------
-    cv2.VideoCapture
-        The caller releases it.
+    """Open a video file, of any format that OpenCV's FFmpeg reads, at its first frame; to be released.
 
     Raises
     ------
@@ -239,293 +214,15 @@ class _Video:
         return image  # type: ignore[return-value]
 
 
-def place_labels(
-    labels: pd.Series,
-    classes: Sequence[str],
-    ignored: Sequence[str],
-    aliases: Mapping[str, str],
-    *,
-    home: Home | None = None,
-) -> NDArray[np.int16]:
-    """Turn label names into class numbers.
-
-    Labels in `ignored` (``transition``, ``corridor``, ...) and frames without a label stay in the sequence as
-    unlabelled: not scored, never trained on, but the smoothing filter runs through them (thesis 3.3.2).
-
-    Parameters
-    ----------
-    labels
-        The ``label`` column of `Home.frames`, or rows of it with their index. A missing value, as pandas
-        reads an empty cell, is no label.
-    classes
-        The classes in use; a label's number is its place in this list.
-    ignored
-        Labels that are no class.
-    aliases
-        Other spellings and codes: label to class or to ignored label. An alias goes before a class of its
-        name.
-    home
-        The home the labels belong to, for the place in the error message.
-
-    Returns
-    -------
-    numpy.ndarray
-        (len(labels),) int16, -1 unlabelled.
-
-    Raises
-    ------
-    PlacecatError
-        If a label is neither a class, an ignored label nor an alias, or the three settings contradict each
-        other.
-    """
-    _check_names(classes, ignored, aliases)
-    numbers = {name: number for number, name in enumerate(classes)}
-    numbers.update(dict.fromkeys(ignored, -1))
-    numbers.update({alias: numbers[name] for alias, name in aliases.items()})
-    numbers[""] = -1
-    found, where = np.unique(labels.fillna("").to_numpy(dtype=str), return_inverse=True)
-    unknown = [name for name in found if name not in numbers]
-    if unknown:
-        row = int(np.flatnonzero(np.isin(found, unknown)[where])[0])
-        name = str(found[where[row]])
-        raise PlacecatError(_unknown_label(name, labels.index[row], [*classes, *ignored, *aliases], home))
-    return np.array([numbers[name] for name in found], dtype=np.int16)[where]
-
-
-def require_classes(labels: NDArray[np.int16], classes: Sequence[str], home: str) -> None:
-    """Check that a home shows every class.
-
-    Parameters
-    ----------
-    labels
-        (frames,) int16 from `place_labels`.
-    classes
-        The classes in use.
-    home
-        Name of the home, for the message.
-
-    Raises
-    ------
-    PlacecatError
-        If a class has no frame, naming it.
-    """
-    present = np.bincount(labels[labels >= 0], minlength=len(classes)) > 0
-    absent = [name for name, there in zip(classes, present, strict=True) if not there]
-    if absent:
-        raise PlacecatError(
-            f"{home}: no frame is labelled {' or '.join(absent)}; label some, take the home out of "
-            "dataset.homes, or the class out of dataset.classes."
-        )
-
-
-def _check_names(classes: Sequence[str], ignored: Sequence[str], aliases: Mapping[str, str]) -> None:
-    if not classes:
-        raise PlacecatError("dataset.classes is empty; name at least one class.")
-    if len(set(classes)) < len(classes):
-        twice = next(name for name in classes if list(classes).count(name) > 1)
-        raise PlacecatError(f"dataset.classes: {twice!r} is listed twice; remove one.")
-    both = sorted(set(classes) & set(ignored))
-    if both:
-        raise PlacecatError(f"dataset.ignored: {both[0]!r} is also in dataset.classes; remove it from one.")
-    for alias, name in aliases.items():
-        if name not in classes and name not in ignored:
-            raise PlacecatError(
-                f"dataset.aliases: {alias!r} stands for {name!r}, which is neither in dataset.classes nor in "
-                f"dataset.ignored{_nearest(name, [*classes, *ignored])}; correct it, or add it to "
-                "dataset.ignored."
-            )
-
-
-def _nearest(name: str, known: Sequence[str]) -> str:
-    folded = {other.casefold().replace(" ", "_"): other for other in known}
-    near = difflib.get_close_matches(name.casefold().replace(" ", "_"), folded, n=1)
-    return f" (did you mean {folded[near[0]]!r}?)" if near else ""
-
-
-def _unknown_label(name: str, row: object, known: Sequence[str], home: Home | None) -> str:
-    place = f"row {row}"
-    if home is not None:
-        frame = home.frames.loc[row]  # type: ignore[call-overload]
-        line = int(home.label_lines[home.frames.index.get_loc(row)])
-        place = f"{home.name}, sequence {frame['sequence']}, frame {frame['number']}"
-        if frame["sequence"] in home.label_files:
-            place += f" ({home.root / home.label_files[frame['sequence']]} line {line})"
-    return (
-        f"{place}: unknown label {name!r}{_nearest(name, known)}; correct it, or add it to dataset.ignored "
-        "to leave such frames unlabelled (dataset.aliases if it is another name for a class)."
-    )
-
-
-def natural(name: str) -> tuple[tuple[tuple[int, int, str], ...], str]:
-    """Sort key under which runs of digits compare as numbers.
-
-    Parameters
-    ----------
-    name
-        A file or folder name.
-
-    Returns
-    -------
-    tuple
-        Comparable with other results; equal only for equal names.
-    """
-    parts = re.findall(r"[0-9]+|[^0-9]+", name)
-    return tuple((0, int(part), "") if part.isdigit() else (1, 0, part.casefold()) for part in parts), name
-
-
 def relative(name: str, origin: str) -> PurePosixPath:
-    """Check that a path stays below the folder it is relative to, by its text.
-
-    Parameters
-    ----------
-    name
-        A POSIX path.
-    origin
-        Where it was written, for the message.
-
-    Returns
-    -------
-    pathlib.PurePosixPath
-        The path.
+    """Check that a POSIX path stays below the folder it is relative to, by its text.
 
     Raises
     ------
     PlacecatError
-        If it is empty, absolute, or holds ``..``.
+        If it is empty, absolute, or holds ``..``; `origin` says where it was written.
     """
     path = PurePosixPath(name)
     if not path.parts or path.is_absolute() or ".." in path.parts or "\\" in name or "\0" in name:
         raise PlacecatError(f"{origin}: {name!r} is no path below the data folder; correct it.")
     return path
-
-
-def inside(path: Path, folder: Path, origin: str) -> None:
-    """Check that an existing path, links followed, lies in a folder.
-
-    Parameters
-    ----------
-    path
-        A path whose name was read from a file.
-    folder
-        The folder it may not leave.
-    origin
-        Where the name was written, for the message.
-
-    Raises
-    ------
-    PlacecatError
-        If a symbolic link leads out of the folder.
-    """
-    if not path.resolve().is_relative_to(folder.resolve()):
-        raise PlacecatError(
-            f"{origin}: {path} is a link that leads out of {folder}; put the data itself there."
-        )
-
-
-def data_folder(root: Path) -> Path:
-    """Check that the folder of a data set exists.
-
-    Parameters
-    ----------
-    root
-        The folder that holds the homes.
-
-    Returns
-    -------
-    pathlib.Path
-        `root`.
-
-    Raises
-    ------
-    PlacecatError
-        If it is missing or not a folder.
-    """
-    if not root.is_dir():
-        what = "not a folder" if root.exists() else "no such folder"
-        raise PlacecatError(f"{root}: {what}; set dataset.root to the folder that holds the homes.")
-    return root
-
-
-def home_folder(root: Path, name: str) -> Path:
-    """Find the folder of one home.
-
-    Parameters
-    ----------
-    root
-        The folder that holds the homes.
-    name
-        The home; may hold slashes.
-
-    Returns
-    -------
-    pathlib.Path
-        An existing folder.
-
-    Raises
-    ------
-    PlacecatError
-        If either folder is missing or the name leads out of `root`.
-    """
-    folder = data_folder(root) / relative(name, "dataset.homes")
-    if not folder.is_dir():
-        what = "not a folder" if folder.exists() else "no such folder"
-        raise PlacecatError(f"{folder}: {what}; correct dataset.homes or dataset.root.")
-    return folder
-
-
-def some_homes(homes: list[str], root: Path, expected: str) -> list[str]:
-    """Sort home names; complain if there are none.
-
-    Parameters
-    ----------
-    homes
-        Names found.
-    root
-        Where.
-    expected
-        What a home of this layout consists of, for the message.
-
-    Returns
-    -------
-    list of str
-        In natural order.
-
-    Raises
-    ------
-    PlacecatError
-        If the list is empty.
-    """
-    if not homes:
-        raise PlacecatError(
-            f"{root}: no home here; expected {expected}. Correct dataset.root or dataset.layout."
-        )
-    return sorted(homes, key=natural)
-
-
-def frame_rate(fps: float | None, home: str, known: float | None = None) -> float:
-    """Settle the frame rate of a home.
-
-    Parameters
-    ----------
-    fps
-        The setting; None to use what the files say.
-    home
-        Name of the home, for the message.
-    known
-        What the files say, if they do.
-
-    Returns
-    -------
-    float
-        Frames a second, positive.
-
-    Raises
-    ------
-    PlacecatError
-        If neither gives a positive rate.
-    """
-    rate = known if fps is None else fps
-    if rate is None or not np.isfinite(rate) or rate <= 0:
-        what = "unknown from the files" if rate is None else f"{rate}"
-        raise PlacecatError(f"{home}: the frame rate is {what}; set dataset.fps to a positive number.")
-    return float(rate)

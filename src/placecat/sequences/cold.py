@@ -19,18 +19,8 @@ from pathlib import Path
 import numpy as np
 
 from placecat.errors import PlacecatError
-from placecat.sequences.base import (
-    Home,
-    data_folder,
-    frame_rate,
-    frame_table,
-    home_folder,
-    inside,
-    natural,
-    read_image,
-    relative,
-    some_homes,
-)
+from placecat.sequences.base import Home, frame_table, read_image, relative
+from placecat.sequences.folders import data_folder, frame_rate, home_folder, inside, natural, some_homes
 from placecat.sequences.labels import read_text
 
 LABEL_FILE = "localization/places.lst"
@@ -39,23 +29,7 @@ _LABEL = re.compile(r"([0-9]*[A-Z]+)[0-9]*(-[AB])?")
 
 
 def list_homes(root: Path) -> list[str]:
-    """Name the sequences with a ``places.lst``.
-
-    Parameters
-    ----------
-    root
-        The folder that holds the sites.
-
-    Returns
-    -------
-    list of str
-        ``<site>-<sequence>`` in natural order, at least one.
-
-    Raises
-    ------
-    PlacecatError
-        If the folder is missing or holds no sequence.
-    """
+    """Name sequences with a ``places.lst`` as ``<site>-<sequence>``; see `placecat.sequences.list_homes`."""
     folders = [file.parents[1] for file in data_folder(root).glob(f"*/*/{LABEL_FILE}")]
     homes = [f"{folder.parent.name}-{folder.name}" for folder in folders]
     return some_homes(homes, root, f"<site>/<sequence>/{LABEL_FILE}")
@@ -64,30 +38,11 @@ def list_homes(root: Path) -> list[str]:
 def read_home(
     root: Path, name: str, *, fps: float | None = None, camera: str = "", images: str = "std_cam"
 ) -> Home:
-    """Read one sequence, or all sequences of a site.
+    """Read one sequence, ``<site>-<sequence>``, or all of a ``<site>``; see `placecat.sequences.open_home`.
 
-    Parameters
-    ----------
-    root
-        The folder that holds the sites.
-    name
-        ``<site>-<sequence>`` or ``<site>``.
-    fps
-        Frames a second; None takes the median time between frames.
-    camera
-        Name of the camera.
-    images
-        Folder of a sequence that holds the images.
-
-    Returns
-    -------
-    Home
-        Times are those in the file names. Images that the label file does not list are left out.
-
-    Raises
-    ------
-    PlacecatError
-        If a label file or an image is missing or wrong, naming the line; a name with a slash.
+    Without `fps` the rate is that of the median time between frames; `images` is the folder of a sequence
+    that holds the images. Times are those in the file names. Images that the label file does not list are
+    left out.
     """
     relative(name, "dataset.homes")
     if "/" in name:
@@ -137,22 +92,9 @@ def read_home(
 
 
 def code(label: str) -> str:
-    """Strip the number and the suffix off a label.
+    """Strip the number and the suffix (``-A`` or ``-B``, the part of the building) off a label.
 
-    Parameters
-    ----------
-    label
-        A code, an optional number, an optional ``-A`` or ``-B`` (the part of the building).
-
-    Returns
-    -------
-    str
-        The code: ``2PO1-A`` gives ``2PO``, whose digit is its own (two-person office).
-
-    Raises
-    ------
-    ValueError
-        If the label is built otherwise.
+    ``2PO1-A`` gives ``2PO``, whose digit is its own (two-person office). ValueError if it is built otherwise.
     """
     match = _LABEL.fullmatch(label)
     if match is None:
@@ -162,11 +104,6 @@ def code(label: str) -> str:
 
 def read_places(file: Path) -> list[tuple[str, str, int, int]]:
     """Read a ``places.lst``.
-
-    Parameters
-    ----------
-    file
-        The label file.
 
     Returns
     -------

@@ -9,16 +9,8 @@ from pathlib import Path
 import numpy as np
 
 from placecat.errors import PlacecatError
-from placecat.sequences.base import (
-    Home,
-    data_folder,
-    frame_rate,
-    frame_table,
-    home_folder,
-    natural,
-    read_image,
-    some_homes,
-)
+from placecat.sequences.base import Home, frame_table, read_image
+from placecat.sequences.folders import data_folder, frame_rate, home_folder, natural, some_homes
 from placecat.sequences.labels import read_label_csv
 
 SUFFIXES = (".jpeg", ".jpg", ".png")
@@ -26,51 +18,13 @@ SUFFIXES = (".jpeg", ".jpg", ".png")
 
 
 def list_homes(root: Path) -> list[str]:
-    """Name the folders that hold images.
-
-    Parameters
-    ----------
-    root
-        The folder that holds the homes.
-
-    Returns
-    -------
-    list of str
-        In natural order, at least one.
-
-    Raises
-    ------
-    PlacecatError
-        If the folder is missing or holds no folder of images.
-    """
+    """Name the folders that hold images; see `placecat.sequences.list_homes`."""
     homes = [path.name for path in data_folder(root).iterdir() if path.is_dir() and _images(path)]
     return some_homes(homes, root, f"folders of images ({', '.join(SUFFIXES)})")
 
 
 def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = "") -> Home:
-    """Read one folder.
-
-    Parameters
-    ----------
-    root
-        The folder that holds the homes.
-    name
-        Its folder.
-    fps
-        Frames a second; the layout does not say.
-    camera
-        Name of the camera.
-
-    Returns
-    -------
-    Home
-        One sequence, ``1``.
-
-    Raises
-    ------
-    PlacecatError
-        If the folder holds no frame, the first frame is unreadable, or the label CSV does not fit.
-    """
+    """Read one folder as one sequence, ``1``; see `placecat.sequences.open_home`. `fps` has to be given."""
     path = home_folder(root, name)
     images = _images(path)
     if not images:

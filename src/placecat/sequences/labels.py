@@ -97,12 +97,7 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
 
 
 def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.int32]]:
-    """Spread segments over frames.
-
-    Parameters
-    ----------
-    segments
-        As `check_segments` accepts them.
+    """Spread segments that `check_segments` accepts over frames.
 
     Returns
     -------
@@ -170,18 +165,9 @@ def read_label_csv(path: Path, count: int, fps: float, sequence: str) -> tuple[l
 
 
 def read_text(path: Path) -> str:
-    """Read a label file.
+    """Read a label file without its byte order mark.
 
-    Parameters
-    ----------
-    path
-        The file. UTF-8; bytes that are not show as U+FFFD, for free text at the end of real files is in any
-        coding.
-
-    Returns
-    -------
-    str
-        Its text without a byte order mark.
+    It is UTF-8; bytes that are not show as U+FFFD, for free text at the end of real files is in any coding.
 
     Raises
     ------
@@ -202,24 +188,12 @@ def read_text(path: Path) -> str:
 
 
 def whole(text: str, path: Path, line: int) -> int:
-    """Read a whole number.
-
-    Parameters
-    ----------
-    text
-        Digits with an optional minus sign.
-    path, line
-        Where it stands, for the message.
-
-    Returns
-    -------
-    int
-        Its value.
+    """Read a whole number: digits with an optional minus sign.
 
     Raises
     ------
     PlacecatError
-        If it is anything else.
+        If it is anything else; `path` and `line` say where it stands.
     """
     digits = text.removeprefix("-")
     if not (digits.isascii() and digits.isdigit()):

@@ -9,15 +9,8 @@ import cv2
 import numpy as np
 
 from placecat.errors import PlacecatError
-from placecat.sequences.base import (
-    Home,
-    data_folder,
-    frame_rate,
-    frame_table,
-    open_video,
-    relative,
-    some_homes,
-)
+from placecat.sequences.base import Home, frame_table, open_video, relative
+from placecat.sequences.folders import data_folder, frame_rate, some_homes
 from placecat.sequences.labels import read_label_csv
 
 SUFFIXES = (".avi", ".m4v", ".mkv", ".mov", ".mp4", ".mpeg", ".mpg", ".webm")
@@ -25,23 +18,7 @@ SUFFIXES = (".avi", ".m4v", ".mkv", ".mov", ".mp4", ".mpeg", ".mpg", ".webm")
 
 
 def list_homes(root: Path) -> list[str]:
-    """Name the video files.
-
-    Parameters
-    ----------
-    root
-        The folder that holds the videos.
-
-    Returns
-    -------
-    list of str
-        File names without the ending, in natural order, at least one.
-
-    Raises
-    ------
-    PlacecatError
-        If the folder is missing or holds no video, or two videos differ only in their endings.
-    """
+    """Name the videos without their endings; no two may be alike. See `placecat.sequences.list_homes`."""
     files = [path for path in data_folder(root).iterdir() if _is_video(path)]
     homes = some_homes([path.stem for path in files], root, f"videos ({', '.join(SUFFIXES)})")
     for name in homes:
@@ -50,31 +27,10 @@ def list_homes(root: Path) -> list[str]:
 
 
 def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = "") -> Home:
-    """Read one video.
+    """Read one video as one sequence, ``1``; see `placecat.sequences.open_home`.
 
-    The frames are counted by passing over the whole video once: the number in the container is often an
-    estimate.
-
-    Parameters
-    ----------
-    root
-        The folder that holds the videos.
-    name
-        File name without the ending.
-    fps
-        Frames a second; None takes that of the container.
-    camera
-        Name of the camera.
-
-    Returns
-    -------
-    Home
-        One sequence, ``1``.
-
-    Raises
-    ------
-    PlacecatError
-        If the video is missing or unreadable, or the label CSV does not fit it.
+    Without `fps` the rate is that of the container. The frames are counted by passing over the whole video
+    once: the number in the container is often an estimate.
     """
     relative(name, "dataset.homes")
     path = _file(data_folder(root), name)

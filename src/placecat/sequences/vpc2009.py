@@ -18,16 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.sequences.base import (
-    Home,
-    data_folder,
-    frame_rate,
-    frame_table,
-    home_folder,
-    inside,
-    read_image,
-    some_homes,
-)
+from placecat.sequences.base import Home, frame_table, read_image
+from placecat.sequences.folders import data_folder, frame_rate, home_folder, inside, some_homes
 from placecat.sequences.labels import Segment, check_segments, expand_segments, read_text, whole
 
 LABEL_FILE = "label.txt"
@@ -59,50 +51,15 @@ class Floor:
 
 
 def list_homes(root: Path) -> list[str]:
-    """Name the folders with a ``label.txt``.
-
-    Parameters
-    ----------
-    root
-        The folder that holds the homes.
-
-    Returns
-    -------
-    list of str
-        In natural order, at least one.
-
-    Raises
-    ------
-    PlacecatError
-        If the folder is missing or holds no home.
-    """
+    """Name the folders with a ``label.txt``; see `placecat.sequences.list_homes`."""
     homes = [entry.name for entry in data_folder(root).iterdir() if (entry / LABEL_FILE).is_file()]
     return some_homes(homes, root, f"folders with a {LABEL_FILE}")
 
 
 def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = "") -> Home:
-    """Read one home.
+    """Read one home, one sequence a floor in the order of the label file; see `placecat.sequences.open_home`.
 
-    Parameters
-    ----------
-    root
-        The folder that holds the homes.
-    name
-        Its folder.
-    fps
-        Frames a second; the layout does not say.
-    camera
-        Name of the camera.
-
-    Returns
-    -------
-    Home
-        One sequence a floor, in the order of the label file.
-
-    Raises
-    ------
-    PlacecatError
-        If the label file is wrong, or the frames on disk are not those it declares.
+    `fps` has to be given. The frames on disk must be those that the label file declares.
     """
     folder = home_folder(root, name)
     rate = frame_rate(fps, name)
@@ -136,17 +93,7 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
 
 
 def read_floors(file: Path) -> list[Floor]:
-    """Read a ``label.txt``.
-
-    Parameters
-    ----------
-    file
-        The label file.
-
-    Returns
-    -------
-    list of Floor
-        In the order of the file, at least one.
+    """Read a ``label.txt``: its floors in the order of the file, at least one.
 
     Raises
     ------

@@ -9,8 +9,7 @@ import pandas as pd
 
 from placecat import files, paths, settings
 from placecat.errors import PlacecatError
-from placecat.sequences import open_home
-from placecat.sequences.base import Home, place_labels, require_classes
+from placecat.sequences import Home, open_home, place_labels, require_classes
 from placecat.stages import run
 
 

@@ -1,6 +1,7 @@
 """Stage `trials`: the cues that one study's tables try out, each in its test homes (thesis 4.2 and 4.4)."""
 
 import json
+import logging
 from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,8 @@ from placecat.thesis import definitions
 from placecat.training import plan as plans
 from placecat.training import protocol
 from placecat.training.trial import Outcome, judge, of_settings
+
+logger = logging.getLogger(__name__)
 
 FACT_COLUMNS = ["trial", "home", "seed", "nu_lowest", "nu_highest", "flat_sigmoids"]
 
@@ -44,6 +47,15 @@ def main() -> None:
     items.refresh(
         "trials", paths.TRIALS, wanted, lambda study, folder: make(study, studies[study], folder, params)
     )
+    facts = [paths.TRIALS / study / "facts.csv" for study in studies]
+    flat = sum(int(files.read_csv(path)["flat_sigmoids"].sum()) for path in facts)
+    if flat:
+        logger.warning(
+            "%d sigmoids are flat: held-out decision values say nothing, or the contrary, of their class "
+            "(flat_sigmoids in %s)",
+            flat,
+            paths.TRIALS / "*" / "facts.csv",
+        )
 
 
 def make(study: str, trials: Sequence[Trial], folder: Path, params: Mapping[str, Any]) -> None:

@@ -13,31 +13,12 @@ GREY_ROUNDING = 1e-3
 COLOR_ROUNDING = 1e-5
 
 
-def surround_difference(plane: FloatArray, radius: int) -> FloatArray:
-    """Subtract from each pixel the mean of the pixels around it.
-
-    The neighbourhood has k x k pixels, k = 2 radius + 1; the centre is not part of its surround. With the
-    mean m of all k^2 pixels the difference is (centre - m) k^2 / (k^2 - 1), so a box blur does it. The border
-    is mirrored without repeating the edge pixel (reflect-101; the thesis does not give this).
-
-    Parameters
-    ----------
-    plane
-        (h, w) float32.
-    radius
-        1 for 3x3, 3 for 7x7.
-
-    Returns
-    -------
-    ndarray
-        (h, w) float32, signed, in the units of `plane`.
-    """
-    difference = np.empty_like(plane)
-    _surround_difference(plane, radius, difference)
-    return difference
-
-
 def _surround_difference(plane: FloatArray, radius: int, out: FloatArray) -> None:
+    """Subtract from each pixel the mean of the others in its k x k neighbourhood, k = 2 radius + 1.
+
+    With the mean m of all k^2 pixels that is (centre - m) k^2 / (k^2 - 1), so a box blur does it. The border
+    is mirrored without repeating the edge pixel (reflect-101; the thesis does not give this).
+    """
     size = 2 * radius + 1
     cv2.blur(plane, (size, size), dst=out, borderType=cv2.BORDER_REFLECT_101)
     factor = size**2 / (size**2 - 1)
@@ -56,9 +37,8 @@ def intensity_contrast(grey: FloatArray, radii: Sequence[int] = (1, 3)) -> Float
 
     Returns
     -------
-    ndarray
-        (radii, 2, h, w) float32, 0 to 255: positive part of the difference and of its opposite; up to
-        `GREY_ROUNDING` counts as zero.
+    (radii, 2, h, w) float32, 0 to 255: positive part of the difference and of its opposite; up to
+    `GREY_ROUNDING` counts as zero.
     """
     out = np.empty((len(radii), 2, *grey.shape), np.float32)
     for (on, off), radius in zip(out, radii, strict=True):
@@ -79,8 +59,7 @@ def color_contrast(planes: Sequence[FloatArray], radii: Sequence[int] = (1, 3)) 
 
     Returns
     -------
-    ndarray
-        (radii, 4, h, w) float32, dimensionless, >= 0; up to `COLOR_ROUNDING` counts as zero.
+    (radii, 4, h, w) float32, dimensionless, >= 0; up to `COLOR_ROUNDING` counts as zero.
     """
     out = np.empty((len(radii), 4, *planes[0].shape), np.float32)
     difference = np.empty_like(planes[0])

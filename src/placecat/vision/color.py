@@ -35,8 +35,7 @@ def check_frame(frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
     Returns
     -------
-    ndarray
-        The frame, C-contiguous.
+    The frame, C-contiguous.
 
     Raises
     ------
@@ -120,8 +119,7 @@ def channels(planes: Sequence[FloatArray]) -> FloatArray:
 
     Returns
     -------
-    ndarray
-        (4, h, w) float32. Per pixel R, G, B lie in -1.5 to 3 and Y in -6 to 3.
+    (4, h, w) float32. Per pixel R, G, B lie in -1.5 to 3 and Y in -6 to 3.
     """
     out = np.empty((4, *planes[0].shape), np.float32)
     out[0], out[1] = planes[:2]

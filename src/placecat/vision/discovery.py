@@ -7,10 +7,12 @@ import sys
 from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeVar
 
 from placecat.errors import PlacecatError
 from placecat.settings import refuse_unknown
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
 
 
 def names(package: str, paths: Iterable[str]) -> list[str]:
@@ -25,8 +27,7 @@ def names(package: str, paths: Iterable[str]) -> list[str]:
 
     Returns
     -------
-    list of str
-        Module names, sorted.
+    Module names, sorted.
     """
     found = sorted(module.name for module in pkgutil.iter_modules(paths))
     return [name for name in found if hasattr(importlib.import_module(f"{package}.{name}"), "describe")]
@@ -73,10 +74,46 @@ def settings_of(function: Callable[..., Any]) -> dict[str, Any]:
 
     Returns
     -------
-    dict
-        Setting to default (`inspect.Parameter.empty` without one), in the order written.
+    Setting to default (`inspect.Parameter.empty` without one), in the order written.
     """
     return dict(_keywords(function))
+
+
+def passing_on(*functions: Callable[..., Any]) -> Callable[[_Function], _Function]:
+    """Decorate a function with ``**settings``: those are the settings of other functions that it calls.
+
+    So a default is written once, at the function that uses it; `settings_of` gives them all.
+    """
+
+    def decorate(function: _Function) -> _Function:
+        signature = inspect.signature(function)
+        parameters = dict(signature.parameters)
+        parameters.popitem()
+        for other in functions:
+            for name, parameter in inspect.signature(other).parameters.items():
+                if parameter.kind is inspect.Parameter.KEYWORD_ONLY:
+                    parameters.setdefault(name, parameter)
+        # What `inspect` then tells of the function.
+        function.__signature__ = signature.replace(parameters=list(parameters.values()))  # type: ignore
+        return function
+
+    return decorate
+
+
+def parts_of(
+    settings: Mapping[str, Any], owner: Callable[..., Any], *functions: Callable[..., Any]
+) -> list[dict[str, Any]]:
+    """Divide what `passing_on` lets an owner take: the settings that each of the functions has.
+
+    Raises
+    ------
+    TypeError
+        If one of them is no setting of the owner.
+    """
+    unknown = settings.keys() - _keywords(owner)
+    if unknown:
+        raise TypeError(f"{owner.__name__} has no setting {min(unknown)!r}")
+    return [{name: settings[name] for name in _keywords(one) if name in settings} for one in functions]
 
 
 @lru_cache(maxsize=256)

@@ -1,7 +1,6 @@
 """Everything computed from a frame, in one pass: maps, regions, descriptors, information."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from types import ModuleType
 from typing import Any
 
@@ -23,60 +22,13 @@ _Section = Mapping[str, Any]
 _Entries = dict[str, tuple[ModuleType, dict[str, Any]]]
 
 
-@dataclass(frozen=True)
-class FrameFeatures:
-    """The features of one frame.
-
-    Attributes
-    ----------
-    regions
-        (n, 4) float32: x, y (pixels of the frame), scale, strength; strongest first.
-    local
-        Descriptor name to (n, D) float32, a row for each region.
-    holistic
-        Descriptor name to (D,) float32.
-    information
-        The measure of the information filter, see `placecat.vision.information.information`.
-    max_regions
-        Largest number of regions.
-    variants
-        Arrays of `placecat.vision.variants.describe_variants`.
-    """
-
-    regions: NDArray[np.float32]
-    local: dict[str, NDArray[np.float32]]
-    holistic: dict[str, NDArray[np.float32]]
-    information: float
-    max_regions: int
-    variants: dict[str, NDArray[Any]] = field(default_factory=dict)
-
-    def arrays(self) -> dict[str, NDArray[Any]]:
-        """Return the features as arrays whose shapes are the same for every frame.
-
-        Returns
-        -------
-        dict
-            ``count`` () int16, the number of regions; ``information`` () float32; ``regions``
-            (max_regions, 4) and ``local_<name>`` (max_regions, D) float32, zeros from ``count`` on;
-            ``holistic_<name>`` (D,) float32; then `variants`.
-        """
-        result: dict[str, NDArray[Any]] = {
-            "count": np.array(len(self.regions), np.int16),
-            "information": np.array(self.information, np.float32),
-            "regions": padded(self.regions, self.max_regions),
-        }
-        result.update({f"local_{name}": padded(rows, self.max_regions) for name, rows in self.local.items()})
-        result.update({f"holistic_{name}": row for name, row in self.holistic.items()})
-        return result | self.variants
-
-
 def check(settings: Mapping[str, _Section | None]) -> None:
     """Refuse unknown sections, descriptors and settings, before any frame is read.
 
     Parameters
     ----------
     settings
-        As for `extract`.
+        As for `describe_frame`.
 
     Raises
     ------
@@ -106,12 +58,12 @@ def _entries(settings: Mapping[str, _Section | None]) -> tuple[_Entries, _Entrie
     )
 
 
-def extract(
+def describe_frame(
     frame_bgr: NDArray[np.uint8],
     settings: Mapping[str, _Section | None],
     *,
     regions: NDArray[np.float32] | None = None,
-) -> FrameFeatures:
+) -> dict[str, NDArray[Any]]:
     """Compute the maps of a frame once, and from them all features asked for (thesis 3.1, 3.2, 4.6).
 
     Parameters
@@ -130,7 +82,10 @@ def extract(
 
     Returns
     -------
-    FrameFeatures
+    Arrays whose shapes are the same for every frame: ``count`` () int16, the number of regions;
+    ``information`` () float32, see `placecat.vision.information.information`; ``regions`` (max_regions, 4)
+    float32, x, y (pixels of the frame), scale, strength, strongest first, and ``local_<name>``
+    (max_regions, D) float32, zeros from ``count`` on; ``holistic_<name>`` (D,) float32; then the variants.
 
     Raises
     ------
@@ -154,42 +109,16 @@ def extract(
         regions = find_regions(maps, **own["regions"])
     elif len(regions) > most:
         raise PlacecatError(f"{len(regions)} regions were given, but max_regions is {most}: raise it.")
-    return FrameFeatures(
-        regions=regions,
-        local={name: module.describe(maps, regions, **chosen) for name, (module, chosen) in locals_.items()},
-        holistic={
-            name: module.describe(frame_bgr, maps, **chosen) for name, (module, chosen) in holistics.items()
-        },
-        information=information(maps, **own["information"]),
-        max_regions=most,
-        variants=variants,
-    )
-
-
-def describe_frame(
-    frame_bgr: NDArray[np.uint8],
-    settings: Mapping[str, _Section | None],
-    *,
-    regions: NDArray[np.float32] | None = None,
-) -> dict[str, NDArray[Any]]:
-    """Compute all features of a frame as arrays of fixed shapes: `extract`, then `FrameFeatures.arrays`.
-
-    Parameters
-    ----------
-    frame_bgr, settings, regions
-        As for `extract`.
-
-    Returns
-    -------
-    dict
-        As `FrameFeatures.arrays`.
-
-    Raises
-    ------
-    PlacecatError
-        As `extract`.
-    """
-    return extract(frame_bgr, settings, regions=regions).arrays()
+    arrays: dict[str, NDArray[Any]] = {
+        "count": np.array(len(regions), np.int16),
+        "information": np.array(information(maps, **own["information"]), np.float32),
+        "regions": padded(regions, most),
+    }
+    for name, (module, chosen) in locals_.items():
+        arrays[f"local_{name}"] = padded(module.describe(maps, regions, **chosen), most)
+    for name, (module, chosen) in holistics.items():
+        arrays[f"holistic_{name}"] = module.describe(frame_bgr, maps, **chosen)
+    return arrays | variants
 
 
 def layout(settings: Mapping[str, _Section | None]) -> dict[str, tuple[tuple[int, ...], np.dtype[Any]]]:
@@ -198,17 +127,16 @@ def layout(settings: Mapping[str, _Section | None]) -> dict[str, tuple[tuple[int
     Parameters
     ----------
     settings
-        As for `extract`.
+        As for `describe_frame`.
 
     Returns
     -------
-    dict
-        Name to (shape, dtype), in the order of `describe_frame`.
+    Name to (shape, dtype), in the order of `describe_frame`.
 
     Raises
     ------
     PlacecatError
-        As `extract`.
+        As `describe_frame`.
     """
     blank = np.zeros((256, 256, 3), np.uint8)
     return {name: (array.shape, array.dtype) for name, array in describe_frame(blank, settings).items()}

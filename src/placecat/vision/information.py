@@ -28,8 +28,7 @@ def information(maps: FrameMaps, *, fine: int = 2, coarse: int | None = None, un
 
     Returns
     -------
-    float
-        Not negative, at most 255 / unit.
+    Not negative, at most 255 / unit.
 
     Raises
     ------

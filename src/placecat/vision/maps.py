@@ -89,8 +89,7 @@ class FrameMaps:
 
         Returns
         -------
-        object
-            ``function(array, *arguments)``; several descriptors get the same object: do not write into it.
+        ``function(array, *arguments)``; several descriptors get the same object: do not write into it.
         """
         key = (function, id(array), *arguments)
         # The array is kept too: its id may go to another one.

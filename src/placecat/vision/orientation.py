@@ -42,8 +42,7 @@ def gabor_kernel(
 
     Returns
     -------
-    ndarray
-        (size, size) float64.
+    (size, size) float64.
 
     Raises
     ------
@@ -97,9 +96,8 @@ def orientation_maps(
 
     Returns
     -------
-    ndarray
-        (4, h, w) float32, >= 0, amplitude in grey levels; up to the rounding of float32 counts as zero. The
-        border is mirrored (reflect-101; the thesis does not give this).
+    (4, h, w) float32, >= 0, amplitude in grey levels; up to the rounding of float32 counts as zero. The
+    border is mirrored (reflect-101; the thesis does not give this).
     """
     bank = _bank(gabor_size, gabor_sigma, gabor_wavelength, gabor_aspect, gabor_phase)
     responses = [_respond(laplacian, parts) for parts in bank]

@@ -22,9 +22,8 @@ def region_side(width: int) -> int:
 
     Returns
     -------
-    int
-        Rounded to whole pixels and at least 4. It is the same for every scale, since the radius doubles
-        with each level.
+    Rounded to whole pixels and at least 4. It is the same for every scale, since the radius doubles with each
+    level.
     """
     return max(MIN_SIDE, round(width / 64))
 
@@ -100,8 +99,7 @@ def _places(
 
     Returns
     -------
-    list
-        For each level with regions its scale, their indices (m,) and flat indices of pixels (m, side, side).
+    For each level with regions its scale, their indices (m,) and flat indices of pixels (m, side, side).
     """
     x, y, scales, _ = np.frombuffer(regions, np.float32).reshape(-1, 4).astype(np.float64).T
     order = np.argsort(scales, kind="stable")

@@ -27,8 +27,7 @@ def check_scales(scales: tuple[int, ...], width: int, height: int) -> tuple[int,
 
     Returns
     -------
-    tuple of int
-        The same scales.
+    The same scales.
 
     Raises
     ------
@@ -64,8 +63,7 @@ def reduce(plane: FloatArray) -> FloatArray:
 
     Returns
     -------
-    ndarray
-        (ceil(h / 2), ceil(w / 2)) float32.
+    (ceil(h / 2), ceil(w / 2)) float32.
     """
     return _float(cv2.pyrDown(plane))
 
@@ -82,9 +80,8 @@ def expand(plane: FloatArray, width: int, height: int) -> FloatArray:
 
     Returns
     -------
-    ndarray
-        (height, width) float32; pixel (x, y) of the input lies at (2x, 2y). OpenCV mirrors at the left and
-        upper border and repeats the last pixel at the right and lower one.
+    (height, width) float32; pixel (x, y) of the input lies at (2x, 2y). OpenCV mirrors at the left and upper
+    border and repeats the last pixel at the right and lower one.
     """
     return _float(cv2.pyrUp(plane, dstsize=(width, height)))
 
@@ -124,8 +121,7 @@ def laplacian(gaussian: dict[int, FloatArray], level: int) -> FloatArray:
 
     Returns
     -------
-    ndarray
-        (h, w) float32, signed, in the units of the pyramid.
+    (h, w) float32, signed, in the units of the pyramid.
     """
     plane = gaussian[level]
     height, width = plane.shape

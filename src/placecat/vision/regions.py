@@ -1,11 +1,13 @@
 """Salient points, their scales and the regions around them (thesis 3.1.1.3)."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
+from placecat.vision.discovery import parts_of, passing_on
 from placecat.vision.maps import FloatArray, FrameMaps
 from placecat.vision.saliency import Saliency, feature_maps, local_maxima
 
@@ -27,8 +29,7 @@ def radius(scale: FloatArray | float, width: int, *, radius_factor: float = 1 / 
 
     Returns
     -------
-    ndarray
-        float32, of the shape of `scale`.
+    float32, of the shape of `scale`.
     """
     return np.asarray(width * radius_factor * np.exp2(np.asarray(scale, np.float64)), np.float32)
 
@@ -53,8 +54,7 @@ def find_scales(maps: FrameMaps, fused: Saliency, points: NDArray[np.intp]) -> N
 
     Returns
     -------
-    ndarray
-        (n,) scales, values of `maps.scales`.
+    (n,) scales, values of `maps.scales`.
     """
     names = list(fused.conspicuity)
     terms = [fused.conspicuity[name].ravel()[points] * np.float32(fused.weights[name]) for name in names]
@@ -106,8 +106,7 @@ def accept(
 
     Returns
     -------
-    ndarray
-        Indices of the accepted points, ascending.
+    Indices of the accepted points, ascending.
 
     Raises
     ------
@@ -151,14 +150,14 @@ def _far(
     return apart > least[new]
 
 
+@passing_on(accept)
 def select_regions(
     maps: FrameMaps,
     fused: Saliency,
     *,
     max_regions: int = 25,
     maximum_window: int = 3,
-    scale_distance: float = 1 / 256,
-    min_distance: float = 1 / 40,
+    **settings: Any,
 ) -> FloatArray:
     """Find the salient regions of a frame from its saliency map (thesis 3.1.1.3).
 
@@ -166,22 +165,22 @@ def select_regions(
     ----------
     maps, fused
         Maps of the frame and their fusion.
-    max_regions, scale_distance, min_distance
+    max_regions, **settings
         See `accept`.
     maximum_window
         See `placecat.vision.saliency.local_maxima`.
 
     Returns
     -------
-    ndarray
-        (n, 4) float32, n <= `max_regions`: x, y of the centre in pixels of the frame, scale, saliency;
-        saliency falling, equal ones by y, then x. n may be 0.
+    (n, 4) float32, n <= `max_regions`: x, y of the centre in pixels of the frame, scale, saliency; saliency
+    falling, equal ones by y, then x. n may be 0.
 
     Raises
     ------
     PlacecatError
         `max_regions` below 1.
     """
+    (distances,) = parts_of(settings, select_regions, accept)
     points = local_maxima(fused.saliency, maximum_window)
     strength = fused.saliency.ravel()[points]
     order = np.argsort(-strength, kind="stable")
@@ -197,8 +196,7 @@ def select_regions(
             regions[:, :3],
             maps.width,
             max_regions=max_regions,
-            scale_distance=scale_distance,
-            min_distance=min_distance,
+            **distances,
         )
         if accepted.size >= max_regions or count >= points.size:
             return regions[accepted]

@@ -106,8 +106,7 @@ def saliency(
 
     Returns
     -------
-    Saliency
-        All of it.
+    All of it.
 
     Raises
     ------
@@ -172,8 +171,7 @@ def add_across_scales(
 
     Returns
     -------
-    ndarray
-        (k, h, w) float32.
+    (k, h, w) float32.
     """
     last = max(levels)
     total = levels[last]
@@ -200,8 +198,7 @@ def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
 
     Returns
     -------
-    ndarray
-        Flat indices, ascending.
+    Flat indices, ascending.
 
     Raises
     ------
@@ -235,8 +232,7 @@ def weight(peaks: FloatArray) -> float:
 
     Returns
     -------
-    float
-        1 / sqrt(m), m the number of strengths strictly above their median; 0 where m is 0.
+    1 / sqrt(m), m the number of strengths strictly above their median; 0 where m is 0.
     """
     if peaks.size == 0:
         return 0.0
@@ -259,8 +255,7 @@ def stretch(plane: FloatArray, high: float) -> FloatArray:
 
     Returns
     -------
-    ndarray
-        (h, w) float32; all zero for a flat plane.
+    (h, w) float32; all zero for a flat plane.
     """
     least, most = float(plane.min()), float(plane.max())
     if most <= least:

@@ -43,8 +43,7 @@ def spectral_residual(
 
     Returns
     -------
-    ndarray
-        (h, w) float32, 0 to 1; all zero for a flat image.
+    (h, w) float32, 0 to 1; all zero for a flat image.
 
     Raises
     ------

@@ -126,9 +126,8 @@ class RegionTracker:
 
         Returns
         -------
-        ndarray
-            (m, 4) float32, m <= `max_regions`, in the same form: those followed longest first, then the new
-            ones, strongest first.
+        (m, 4) float32, m <= `max_regions`, in the same form: those followed longest first, then the new ones,
+        strongest first.
         """
         image = reduced_grey(frame, self.width)
         size = np.array(frame.shape[1::-1])
@@ -175,8 +174,7 @@ def reduced_grey(frame: NDArray[np.uint8], width: int) -> NDArray[np.uint8]:
 
     Returns
     -------
-    ndarray
-        (max(1, round(H width / W)), width) uint8, OpenCV's grey value averaged over the area of each pixel.
+    (max(1, round(H width / W)), width) uint8, OpenCV's grey value averaged over the area of each pixel.
     """
     grey = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
     height, full = grey.shape

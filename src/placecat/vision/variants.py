@@ -64,9 +64,8 @@ def describe_variants(
 
     Returns
     -------
-    dict
-        ``variant_NAME/count``, ``variant_NAME/regions`` and ``variant_NAME/local_DESCRIPTOR``, as
-        `FrameFeatures.arrays` has them.
+    ``variant_NAME/count``, ``variant_NAME/regions`` and ``variant_NAME/local_DESCRIPTOR``, as
+    `placecat.vision.frame.describe_frame` has them.
 
     Raises
     ------

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from makers import SCALES, frame, maps
 
-from placecat.vision.holistic.gist import describe, size
+from placecat.vision.holistic.gist import describe
 
 
 def cell_mean(image: np.ndarray, row: int, column: int) -> float:
@@ -46,17 +46,9 @@ def test_without_color_is_a_part(center_surround: bool) -> None:
     made = maps()
     full = describe(frame(), made, center_surround=center_surround).reshape(16, -1)
     less = describe(frame(), made, center_surround=center_surround, color=False)
-    assert less.shape == (size(color=False, center_surround=center_surround),)
+    assert less.shape == (512 if center_surround else 16 * 4 * 5,)
     lead = 16 if center_surround else 4
     np.testing.assert_array_equal(less.reshape(16, -1), np.hstack([full[:, :lead], full[:, -16:]]))
-
-
-def test_sizes_of_the_variants() -> None:
-    assert size() == 1024
-    assert size(color=False) == 512
-    assert size(center_surround=False) == 16 * 36
-    assert size(scales=3) == 768
-    assert describe(frame(), maps(), center_surround=False).shape == (576,)
 
 
 def test_a_cell_is_one_block() -> None:

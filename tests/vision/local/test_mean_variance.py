@@ -29,7 +29,7 @@ def test_short_variant_is_the_start_of_the_long(
     module: ModuleType, field: str, grid: int, length: int
 ) -> None:
     found = module.describe(maps(), regions(), grid=grid)
-    assert found.shape == (25, length) == (25, module.size(grid=grid))
+    assert found.shape == (25, length)
     np.testing.assert_array_equal(found[:, :8], module.describe(maps(), regions())[:, :8])
 
 

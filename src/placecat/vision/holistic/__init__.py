@@ -1,13 +1,8 @@
 """The descriptors of whole frames (thesis 3.2), one module each.
 
-A new one is one module with ``describe``, ``size`` and ``MAPS``, the fields of `FrameMaps` that it reads; its
-name is the module name. One that needs packages of an extra imports them when it describes, and lists them in
-``PACKAGES``, so that the tests skip it without them.
-
-Every one has
-
-- ``describe(frame, maps, *, settings...) -> (size,) float32``
-- ``size(*, settings...) -> int``
+A new one is one module, whose name is its own. It has ``describe(frame, maps, *, settings...)``, which
+gives (D,) float32, and ``MAPS``, the fields of `FrameMaps` that it reads. One that needs packages of an extra
+imports them when it describes, and lists them in ``PACKAGES``, so that the tests skip it without them.
 """
 
 from collections.abc import Mapping

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.vision.census import CODES, cell_histograms, census, check_kernel, laplacian
+from placecat.vision.census import cell_histograms, census, check_kernel, laplacian
 from placecat.vision.maps import FrameMaps
 
 # The fields of `FrameMaps` that it reads.
@@ -16,11 +16,6 @@ MAPS: tuple[str, ...] = ()
 CELLS = 4
 IMAGES = ("laplacian", "intensity")
 INTERPOLATIONS = {"area": cv2.INTER_AREA, "linear": cv2.INTER_LINEAR}
-
-
-def size() -> int:
-    """Length of the descriptor: 16 cells x 256 codes = 4096."""
-    return CELLS * CELLS * CODES
 
 
 def describe(

@@ -23,25 +23,6 @@ MEAN = (0.485, 0.456, 0.406)
 STD = (0.229, 0.224, 0.225)
 
 
-def size(
-    *,
-    network: str = "efficientnet_lite0",
-    width: int = 224,
-    height: int = 224,
-    mean: Sequence[float] = MEAN,
-    std: Sequence[float] = STD,
-    output: str | None = None,
-    pool: str | None = None,
-    sha256: str | None = None,
-) -> int:
-    """Length of the descriptor, which the network knows: 1280 by default.
-
-    Parameters and errors are those of `describe`.
-    """
-    image = _input(np.zeros((height, width, 3), np.uint8), width, height, mean, std)
-    return len(_vector(_features(image, network, output, sha256), network, pool))
-
-
 def describe(
     frame: NDArray[np.uint8],
     maps: FrameMaps,

@@ -12,20 +12,6 @@ MAPS = ("grey", "color", "intensity_contrast", "color_contrast", "orientation")
 CELLS = 4
 
 
-def size(*, color: bool = True, center_surround: bool = True, scales: int = 4, radii: int = 2) -> int:
-    """Length of the descriptor: 16 cells x 64 maps = 1024 by default.
-
-    Parameters
-    ----------
-    color, center_surround
-        As in `describe`.
-    scales, radii
-        Numbers of pyramid levels and of centre-surround radii in use.
-    """
-    intensity, colors = (2 * radii, 4 * radii) if center_surround else (1, 4)
-    return CELLS * CELLS * scales * (intensity + color * colors + 4)
-
-
 def describe(
     frame: NDArray[np.uint8], maps: FrameMaps, *, color: bool = True, center_surround: bool = True
 ) -> NDArray[np.float32]:

@@ -1,12 +1,11 @@
 """The descriptors of salient regions (thesis 3.1.2), one module each.
 
-A new one is one module with ``describe``, ``size``, ``MAPS``, the fields of `FrameMaps` that it reads, and
-``SPREAD``, the fixed unit in which `concatenate` measures it; its name is the module name.
+A new one is one module, whose name is its own. It has ``describe(maps, regions, *, settings...)``, which
+gives (n, D) float32; ``MAPS``, the fields of `FrameMaps` that it reads; and ``SPREAD``, the fixed unit in
+which `concatenate` measures it.
 
-Every one has
-
-- ``describe(maps, regions, *, settings...) -> (n, size) float32``
-- ``size(*, settings...) -> int``
+In all of them `maps` are those of the frame, `regions` (n, 4) float32 with x, y (pixels of the frame), scale
+and strength, and `border` is that of `placecat.vision.patches.cut`, whose errors they raise too.
 """
 
 from collections.abc import Mapping

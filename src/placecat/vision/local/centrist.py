@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.vision.census import CODES, LAPLACIANS, census, check_kernel, histograms
+from placecat.vision.census import LAPLACIANS, census, check_kernel, histograms
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import cut, region_side, to_bytes
 
@@ -14,11 +14,6 @@ SPREAD = 0.3
 MAPS = ("grey",)
 
 IMAGES = ("intensity", "laplacian")
-
-
-def size() -> int:
-    """Length of the descriptor: one bin for each of the 256 codes."""
-    return CODES
 
 
 def describe(
@@ -34,10 +29,6 @@ def describe(
 
     Parameters
     ----------
-    maps
-        Of the frame; ``grey`` is used.
-    regions
-        (n, 4) float32: x, y (level 0), scale, strength.
     image
         What is transformed: ``intensity``, the thesis's choice, or ``laplacian`` (its variant in the text).
     kernel
@@ -45,8 +36,6 @@ def describe(
     quantise
         Round intensities to whole grey levels first, as in an 8-bit image, so that flat areas give ties and
         not the sign of noise. The thesis does not give this.
-    border
-        As in `placecat.vision.patches.cut`.
 
     Returns
     -------
@@ -56,7 +45,7 @@ def describe(
     Raises
     ------
     PlacecatError
-        For an unknown image or kernel, and as `placecat.vision.patches.cut`.
+        For an unknown image or kernel.
 
     References
     ----------

@@ -14,17 +14,6 @@ SPREAD = 2.5
 MAPS = ("color",)
 
 
-def size(*, grid: int = 3) -> int:
-    """Length of the descriptor: 4 means and 4 variances for each area, 80 for a grid of 3.
-
-    Parameters
-    ----------
-    grid
-        As in `describe`.
-    """
-    return 8 * (1 + grid**2)
-
-
 def describe(
     maps: FrameMaps, regions: NDArray[np.float32], *, grid: int = 3, border: str = "replicate"
 ) -> NDArray[np.float32]:
@@ -32,15 +21,9 @@ def describe(
 
     Parameters
     ----------
-    maps
-        Of the frame; ``color`` is used.
-    regions
-        (n, 4) float32: x, y (level 0), scale, strength.
     grid
         Cells along each axis; 0 for the whole region only. The thesis has 3, and in 4.4.2 the variant 0,
         with 8 dimensions.
-    border
-        As in `placecat.vision.patches.cut`.
 
     Returns
     -------
@@ -50,7 +33,7 @@ def describe(
     Raises
     ------
     PlacecatError
-        For a negative grid, and as `placecat.vision.patches.cut`.
+        For a negative grid.
     """
     if grid < 0:
         raise PlacecatError(f"The grid of local descriptor 'color_mv' is {grid}: it must be 0 or more.")

@@ -25,11 +25,6 @@ _SIZE = int(_HOG.getDescriptorSize())
 _COLUMNS = 5
 
 
-def size() -> int:
-    """Length of the descriptor: 4 x 4 cells x 8 bins = 128."""
-    return _SIZE
-
-
 def describe(
     maps: FrameMaps, regions: NDArray[np.float32], *, interpolation: str = "linear", border: str = "replicate"
 ) -> NDArray[np.float32]:
@@ -41,14 +36,8 @@ def describe(
 
     Parameters
     ----------
-    maps
-        Of the frame; ``grey`` is used.
-    regions
-        (n, 4) float32: x, y (level 0), scale, strength.
     interpolation
         ``nearest``, ``linear`` or ``cubic``, for the resizing. The thesis does not give this.
-    border
-        As in `placecat.vision.patches.cut`.
 
     Returns
     -------
@@ -58,7 +47,7 @@ def describe(
     Raises
     ------
     PlacecatError
-        For an unknown interpolation, and as `placecat.vision.patches.cut`.
+        For an unknown interpolation.
 
     References
     ----------

@@ -14,44 +14,12 @@ SPREAD = 65.0
 MAPS = ("orientation",)
 
 
-def size(*, grid: int = 3) -> int:
-    """Length of the descriptor: 4 means and 4 variances for each area, 80 for a grid of 3.
-
-    Parameters
-    ----------
-    grid
-        As in `describe`.
-    """
-    return 8 * (1 + grid**2)
-
-
 def describe(
     maps: FrameMaps, regions: NDArray[np.float32], *, grid: int = 3, border: str = "replicate"
 ) -> NDArray[np.float32]:
     """Describe regions by means and variances of the orientation maps (thesis 3.1.2).
 
-    The maps are the Gabor responses at 0, 45, 90 and 135 degrees.
-
-    Parameters
-    ----------
-    maps
-        Of the frame; ``orientation`` is used.
-    regions
-        (n, 4) float32: x, y (level 0), scale, strength.
-    grid
-        Cells along each axis; 0 for the whole region only. The thesis has 3.
-    border
-        As in `placecat.vision.patches.cut`.
-
-    Returns
-    -------
-    (n, 8 (1 + grid**2)) float32. First the whole region, then the cells row by row from the top left; each
-    area has 4 means, then 4 variances (>= 0). Cells are of equal size, in fractions of pixels.
-
-    Raises
-    ------
-    PlacecatError
-        For a negative grid, and as `placecat.vision.patches.cut`.
+    These are the Gabor responses at 0, 45, 90 and 135 degrees; the rest is as in `color_mv`.
     """
     if grid < 0:
         raise PlacecatError(f"The grid of local descriptor 'orientation_mv' is {grid}: it must be 0 or more.")

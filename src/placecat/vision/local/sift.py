@@ -19,12 +19,8 @@ MAPS = ("grey",)
 ORIENTATIONS = ("upright", "dominant")
 CELLS = 4
 BINS = 8
+SIZE = CELLS * CELLS * BINS
 ANGLE_BINS = 36
-
-
-def size() -> int:
-    """Length of the descriptor: 4 x 4 cells x 8 bins = 128."""
-    return CELLS * CELLS * BINS
 
 
 def describe(
@@ -38,15 +34,9 @@ def describe(
 
     Parameters
     ----------
-    maps
-        Of the frame; ``grey`` is used.
-    regions
-        (n, 4) float32: x, y (level 0), scale, strength.
     orientation
         ``upright``, or ``dominant``: relative to the strongest direction (`dominant_angles`). The thesis
         does not give this.
-    border
-        As in `placecat.vision.patches.cut`.
 
     Returns
     -------
@@ -57,7 +47,7 @@ def describe(
     Raises
     ------
     PlacecatError
-        For an unknown orientation, and as `placecat.vision.patches.cut`.
+        For an unknown orientation.
 
     References
     ----------
@@ -74,12 +64,12 @@ def describe(
     radius = int(np.ceil(reach)) - 1 if upright else round(reach * np.sqrt(2))
     patches = cut(maps.grey, regions, 2 * radius + 3, border=border)
     if not len(patches):
-        return np.zeros((0, size()), np.float32)
+        return np.zeros((0, SIZE), np.float32)
     magnitude, angle = _gradients(patches)
     turn = np.zeros(1) if upright else dominant_angles(magnitude, angle, cell / 3)
     weights = _upright_weights(radius, cell) if upright else _weights(radius, cell, turn)
     histogram = weights @ _votes(magnitude, angle, turn)
-    return _normalised(histogram.reshape(len(patches), size()))
+    return _normalised(histogram.reshape(len(patches), SIZE))
 
 
 def _gradients(patches: NDArray[np.float32]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:

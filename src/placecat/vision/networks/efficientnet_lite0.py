@@ -23,8 +23,7 @@ def load() -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
 
     Returns
     -------
-    callable
-        (1, 3, H, W) float32 RGB to (1, 1280) float32.
+    (1, 3, H, W) float32 RGB to (1, 1280) float32.
 
     Raises
     ------

@@ -30,8 +30,7 @@ def load(
 
     Returns
     -------
-    callable
-        (1, 3, H, W) float32 to the output, float32.
+    (1, 3, H, W) float32 to the output, float32.
 
     Raises
     ------

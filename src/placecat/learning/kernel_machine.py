@@ -1,0 +1,139 @@
+"""What the two-class classifiers on a Gram matrix share."""
+
+from abc import abstractmethod
+from collections.abc import Sequence
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from placecat.errors import PlacecatError
+from placecat.learning.kernels import KernelExpansion, check_samples, encode_two_classes, rbf_gram
+
+
+class KernelMachine:
+    """A sum over support vectors, which decides between two classes.
+
+    A subclass has the parameter `gamma` and `fit_rows`, which sets `support_`, `dual_coef_`, `intercept_`.
+
+    Attributes
+    ----------
+    classes_, support_vectors_
+        The two labels, and (s, D) float32; set by `fit` only.
+    support_
+        (s,) indices into the samples of the Gram matrix, ascending.
+    dual_coef_
+        (s,) float64.
+    intercept_
+        float.
+    """
+
+    gamma: float
+    support_: NDArray[np.intp]
+    dual_coef_: NDArray[np.float64]
+    intercept_: float
+    classes_: NDArray[Any]
+    support_vectors_: NDArray[np.float32]
+    #: dtype of the Gram matrix the machine works on without a copy.
+    gram_dtype: DTypeLike = np.float32
+
+    def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
+        """Fit on samples (n, D) real and labels (n,) of exactly two classes.
+
+        Raises
+        ------
+        PlacecatError
+            If there are not two classes, or a setting is impossible.
+        """
+        samples = check_samples(X)
+        self.classes_, positive = encode_two_classes(y, len(samples))
+        self.fit_rows(self.prepare(samples), positive, context=f"class {self.classes_[1]!s}")
+        self.support_vectors_ = samples[self.support_]
+        self.n_features_in_ = samples.shape[1]
+        return self
+
+    @abstractmethod
+    def fit_rows(
+        self,
+        shared: NDArray[Any],
+        positive: NDArray[np.bool_],
+        rows: NDArray[np.intp] | None = None,
+        context: str = "this class",
+    ) -> Self:
+        """Fit on some rows of a Gram matrix.
+
+        Parameters
+        ----------
+        shared
+            (n, n) of `gram_dtype`, from `prepare`.
+        positive
+            (n,) bool.
+        rows
+            Ascending indices of the training samples, all by default.
+        context
+            What the messages call this problem.
+
+        Raises
+        ------
+        PlacecatError
+            If only one class is among the rows, or a setting is impossible.
+        """
+
+    def prepare(
+        self, X: NDArray[np.float32], gram: NDArray[Any] | None = None, n_jobs: int | None = None
+    ) -> NDArray[Any]:
+        """Give what all classes and folds share: the Gram matrix in the dtype the machine wants.
+
+        Parameters
+        ----------
+        X
+            (n, D) float32.
+        gram
+            (n, n) of the same samples and the same gamma, to be taken instead of computing it.
+        n_jobs
+            Threads.
+
+        Returns
+        -------
+        (n, n) of `gram_dtype`, C-contiguous; `gram` itself where it already is that.
+
+        Raises
+        ------
+        PlacecatError
+            If `gram` has another shape.
+        """
+        if gram is None:
+            return rbf_gram(X, self.gamma, dtype=self.gram_dtype, n_jobs=n_jobs)
+        if gram.shape != (len(X), len(X)):
+            raise PlacecatError(
+                f"gram has shape {gram.shape} for {len(X)} samples; give a square matrix of these"
+            )
+        return np.ascontiguousarray(gram, dtype=self.gram_dtype)
+
+    def decide_rows(self, shared: NDArray[Any], rows: NDArray[np.intp]) -> NDArray[np.float64]:
+        """Evaluate on rows of the Gram matrix `shared` (n, n); gives (len(rows),) float64."""
+        weights = np.zeros(len(shared), dtype=shared.dtype)
+        weights[self.support_] = self.dual_coef_
+        # A slice of the matrix is a view, an index list a copy.
+        contiguous = (
+            len(rows) > 0 and rows[-1] - rows[0] + 1 == len(rows) and bool(np.all(np.diff(rows) == 1))
+        )
+        block = shared[rows[0] : rows[-1] + 1] if contiguous else shared[rows]
+        return (block @ weights).astype(np.float64) + self.intercept_
+
+    def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
+        """Signed decision values (n,) of samples (n, D); positive for ``classes_[1]``. Needs `fit`."""
+        coef = self.dual_coef_[:, None]
+        expansion = KernelExpansion(
+            self.support_vectors_, coef, np.array([self.intercept_]), float(self.gamma)
+        )
+        return expansion.decisions(X)[:, 0]
+
+    def predict(self, X: ArrayLike) -> NDArray[Any]:
+        """Labels (n,) of samples (n, D). Needs `fit`."""
+        return self.classes_[(self.decision_function(X) > 0).astype(int)]
+
+    @staticmethod
+    def collect(machines: Sequence["KernelMachine"], X: NDArray[np.float32]) -> KernelExpansion:
+        """Join machines fitted on the same samples `X` (n, D) for prediction."""
+        return KernelExpansion.union(machines, X)

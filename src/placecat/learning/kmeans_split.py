@@ -1,0 +1,174 @@
+"""One split of hierarchical k-means: k-means++ seeds, then Lloyd's iterations."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+# Floats of one block of points: 1 MB of float32, half a level-2 cache.
+_BLOCK = 1 << 18
+# Below this part of |x|^2 + |c|^2 a float32 |x|^2 - 2xc + |c|^2 has lost its digits.
+_CANCELLATION = 1e-4
+
+
+@dataclass
+class Node:
+    """A cluster while the tree grows; its path is its place in the tree."""
+
+    path: tuple[int, ...]
+    members: NDArray[np.int32]
+    # The members' descriptors minus the centre; empty once the node was split.
+    points: NDArray[np.float32]
+    center: NDArray[np.float64]
+    sse: float
+    children: list["Node"] = field(default_factory=list)
+
+
+def make_root(points: NDArray[np.float32]) -> Node:
+    """Give the node of all (n, D) points."""
+    center = _sums(points, np.zeros(len(points), np.uint8), 1)[0] / len(points)
+    centred = points - center.astype(np.float32)
+    # The rounded centre is what the points are relative to.
+    origin = center.astype(np.float32).astype(np.float64)
+    return Node((), np.arange(len(points), dtype=np.int32), centred, origin, _sum_of_squares(centred))
+
+
+def split_node(node: Node, branching: int, max_iter: int, rng: np.random.Generator) -> list[Node]:
+    """Split a node by k-means; no children where it has fewer than `branching` distinct points."""
+    points, node.points = node.points, node.points[:0]
+    if len(points) < branching:
+        return []
+    labels = seed_clusters(points, branching, rng)
+    if labels is None:
+        return []
+    labels = lloyd(points, labels, branching, max_iter)
+    order = np.argsort(labels, kind="stable")
+    ends = np.cumsum(np.bincount(labels, minlength=branching))
+    points = np.take(points, order, axis=0)
+    members = node.members[order]
+    children = []
+    for number, end in enumerate(ends):
+        start = ends[number - 1] if number else 0
+        part = points[start:end]
+        shift = _sums(part, np.zeros(end - start, np.uint8), 1)[0] / (end - start)
+        shift32 = shift.astype(np.float32)
+        part -= shift32
+        children.append(
+            Node((*node.path, number), members[start:end], part, node.center + shift32, _sum_of_squares(part))
+        )
+    return children
+
+
+def seed_clusters(
+    points: NDArray[np.float32], n_clusters: int, rng: np.random.Generator
+) -> NDArray[np.uint16] | None:
+    """Draw k-means++ seeds one by one (one try each, as FLANN) and give each point to its nearest seed."""
+    n = len(points)
+    norms = np.einsum("ij,ij->i", points, points)
+    labels = np.zeros(n, np.uint16)
+    closest = np.empty(0, np.float32)
+    for number in range(n_clusters):
+        if number == 0:
+            seed = int(rng.integers(n))
+        else:
+            cumulated = np.cumsum(closest, dtype=np.float64)
+            if cumulated[-1] == 0:
+                return None
+            seed = int(np.searchsorted(cumulated, rng.random() * cumulated[-1], side="right"))
+            if seed == n:
+                seed = int(np.searchsorted(cumulated, cumulated[-1]))
+        distances = _squared_distances(points, norms, seed)
+        if number == 0:
+            closest = distances
+        else:
+            labels[distances < closest] = number
+            np.minimum(closest, distances, out=closest)
+    return labels
+
+
+def _squared_distances(
+    points: NDArray[np.float32], norms: NDArray[np.float32], seed: int
+) -> NDArray[np.float32]:
+    """Squared distances of all points to one of them, exactly 0 for its duplicates."""
+    distances = points @ points[seed]
+    distances *= -2
+    distances += norms
+    distances += norms[seed]
+    close = np.flatnonzero(distances <= _CANCELLATION * (norms + norms[seed]))
+    differences = points[close] - points[seed]
+    distances[close] = np.einsum("ij,ij->i", differences, differences)
+    return distances
+
+
+def lloyd(
+    points: NDArray[np.float32], labels: NDArray[np.uint16], n_clusters: int, max_iter: int
+) -> NDArray[np.uint16]:
+    """Iterate k-means from given labels; every cluster keeps at least one point."""
+    sums = _sums(points, labels, n_clusters)
+    for _ in range(max_iter):
+        counts = np.bincount(labels, minlength=n_clusters)
+        centers = sums / counts[:, None]
+        new = nearest(points, centers)
+        fill_empty(points, new, centers)
+        changed = np.flatnonzero(new != labels)
+        if len(changed) == 0:
+            break
+        if 2 * len(changed) < len(points):
+            moved = np.take(points, changed, axis=0)
+            sums += _sums(moved, new[changed], n_clusters) - _sums(moved, labels[changed], n_clusters)
+        else:
+            sums = _sums(points, new, n_clusters)
+        labels = new
+    return labels
+
+
+def _blocks(points: NDArray[np.float32]) -> range:
+    return range(0, len(points), _block_rows(points))
+
+
+def _block_rows(points: NDArray[np.float32]) -> int:
+    return max(64, _BLOCK // points.shape[1])
+
+
+def nearest(points: NDArray[np.float32], centers: NDArray[np.float64]) -> NDArray[np.uint16]:
+    """Number of the nearest of a few centres (K, D) for each of (n, D) points, the lowest of equal ones."""
+    # Not nearest_centers: for a handful of centres the transposed product is faster.
+    half_norms = (0.5 * np.einsum("ij,ij->i", centers, centers))[:, None].astype(np.float32)
+    centers32 = centers.astype(np.float32)
+    labels = np.empty(len(points), np.uint16)
+    rows = _block_rows(points)
+    for start in _blocks(points):
+        scores = centers32 @ points[start : start + rows].T
+        scores -= half_norms
+        # argmax along the first axis, lowest index on ties; twice as fast as scores.argmax(axis=0).
+        labels[start : start + rows] = (scores == scores.max(axis=0)).argmax(axis=0)
+    return labels
+
+
+def _sums(points: NDArray[np.float32], labels: NDArray[np.integer], n_clusters: int) -> NDArray[np.float64]:
+    """Sum the points of each label: float32 products inside a block, float64 over blocks."""
+    numbers = np.arange(n_clusters, dtype=labels.dtype)[:, None]
+    sums = np.zeros((n_clusters, points.shape[1]))
+    rows = _block_rows(points)
+    for start in _blocks(points):
+        sums += (labels[start : start + rows] == numbers).astype(np.float32) @ points[start : start + rows]
+    return sums
+
+
+def fill_empty(points: NDArray[np.float32], labels: NDArray[np.uint16], centers: NDArray[np.float64]) -> None:
+    """Give each empty cluster, in place, the point farthest from its centre among clusters of two or more."""
+    counts = np.bincount(labels, minlength=len(centers))
+    empty = np.flatnonzero(counts == 0)
+    if len(empty) == 0:
+        return
+    differences = points - centers[labels]
+    distances = np.einsum("ij,ij->i", differences, differences)
+    for number in empty:
+        farthest = int(np.argmax(np.where(counts[labels] > 1, distances, -1.0)))
+        counts[labels[farthest]] -= 1
+        counts[number] = 1
+        labels[farthest] = number
+
+
+def _sum_of_squares(points: NDArray[np.float32]) -> float:
+    return float(np.einsum("ij,ij->i", points, points).sum(dtype=np.float64))

@@ -1,0 +1,137 @@
+"""What the multi-class schemes share: one two-class classifier a class, and its p(o_k|x)."""
+
+from collections.abc import Callable, Sequence
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from placecat.errors import PlacecatError
+from placecat.learning.calibration import Calibration, FittedProblem, Problem, fit_problems, make_folds
+from placecat.learning.kernels import check_samples
+from placecat.learning.platt import apply_sigmoid
+from placecat.learning.single_thread import single_blas_thread
+from placecat.learning.two_class import as_base, is_balanced, uses_own
+
+
+class MultiClass:
+    """The K classifiers of a scheme, fitted and calibrated together.
+
+    A scheme has the parameters and sets the attributes that `OneAgainstAll` lists first.
+    """
+
+    base: Any
+    calibration: str
+    sigmoid: str
+    sigmoid_weights: str
+    folds: int
+    n_jobs: int | None
+    classes_: NDArray[Any]
+    sigmoid_: NDArray[np.float64]
+    machine_class_: NDArray[np.intp]
+    cv_outputs_: NDArray[np.float64]
+
+    #: Attributes that prediction does without: a stored system leaves them out.
+    TRAINING_ONLY = ("cv_outputs_",)
+
+    def fit(
+        self,
+        X: ArrayLike,
+        y: ArrayLike,
+        groups: ArrayLike | None = None,
+        gram: NDArray[Any] | None = None,
+        class_names: Sequence[str] | None = None,
+    ) -> Self:
+        """Fit the K classifiers and what combines them.
+
+        Parameters
+        ----------
+        X
+            (n, D) real.
+        y
+            (n,) labels, every class at least twice.
+        groups
+            (n,) the home of each sample, for a calibration by home.
+        gram
+            (n, n) Gram matrix of X at the base's gamma, to share it between fits.
+        class_names
+            Names by integer label, for messages only.
+
+        Raises
+        ------
+        PlacecatError
+            For fewer than 2 classes, a class of 1 sample, an impossible setting, or a nu that is infeasible
+            under the policy ``refuse``.
+        """
+        base = as_base(self.base)
+        own, balanced = uses_own(self.sigmoid, base), is_balanced(self.sigmoid_weights)
+        calibration = Calibration(self.calibration, self.folds, own, balanced)
+        self._check_settings()
+        samples, self.classes_, index, names = encode_classes(X, y, class_names)
+        folds = make_folds(index, groups, calibration.kind, calibration.folds)
+        everyone = np.ones(len(samples), dtype=bool)
+        problems = [Problem(f"class {name!r}", index == k, everyone) for k, name in enumerate(names)]
+        with single_blas_thread():
+            shared = base.prepare(samples, gram=gram, n_jobs=self.n_jobs)
+
+            def fit_some(some: Sequence[Problem]) -> list[FittedProblem]:
+                return fit_problems(base, shared, some, folds, calibration, self.n_jobs)
+
+            fitted = self._arrange(fit_some(problems), problems, index, fit_some)
+        self.n_features_in_ = samples.shape[1]
+        self.scorer_ = base.collect([machine for one in fitted for machine in one.machines], samples)
+        self.sigmoid_ = np.concatenate([one.sigmoids for one in fitted])
+        self.machine_class_ = np.repeat(np.arange(len(fitted)), [len(one.machines) for one in fitted])
+        self.flat_ = np.array([one.flat for one in fitted])
+        self.nu_ = np.array([min(float(getattr(m, "nu_", np.nan)) for m in one.machines) for one in fitted])
+        self.fold_nu_ = [one.nu for one in fitted]
+        self.cv_outputs_ = np.stack([one.outputs for one in fitted], axis=1)
+        self._fit_combination(index)
+        return self
+
+    def outputs(self, X: ArrayLike) -> NDArray[np.float64]:
+        """Give p(o_k|x) (n, K) of samples (n, D): the mean over the machines of each class."""
+        proba = apply_sigmoid(self.scorer_.decisions(X), self.sigmoid_[:, 0], self.sigmoid_[:, 1])
+        if len(self.machine_class_) == len(self.classes_):
+            return proba
+        starts = np.searchsorted(self.machine_class_, np.arange(len(self.classes_)))
+        return np.add.reduceat(proba, starts, axis=1) / np.bincount(self.machine_class_)
+
+    def _check_settings(self) -> None:
+        """Refuse impossible settings of the combination."""
+
+    def _arrange(
+        self,
+        fitted: list[FittedProblem],
+        problems: Sequence[Problem],
+        index: NDArray[np.intp],
+        fit_some: Callable[[Sequence[Problem]], list[FittedProblem]],
+    ) -> list[FittedProblem]:
+        """Give the problems to keep, some of them fitted anew."""
+        return fitted
+
+    def _fit_combination(self, index: NDArray[np.intp]) -> None:
+        """Set what the combination needs besides the classifiers; `index` has the class of each sample."""
+
+
+def encode_classes(
+    X: ArrayLike, y: ArrayLike, class_names: Sequence[str] | None
+) -> tuple[NDArray[np.float32], NDArray[Any], NDArray[np.intp], list[str]]:
+    """Check training data; gives float32 samples, classes, class index of each sample, names for messages."""
+    samples = check_samples(X)
+    labels = np.asarray(y)
+    if labels.shape != (len(samples),):
+        raise PlacecatError(f"y has shape {labels.shape} for {len(samples)} samples; give one label a sample")
+    classes, index = np.unique(labels, return_inverse=True)
+    names = [str(c) for c in classes] if class_names is None else [str(class_names[int(c)]) for c in classes]
+    if len(classes) < 2:
+        raise PlacecatError(
+            f"all training samples are of class {names[0]!r}; a multi-class scheme needs 2 classes or more"
+        )
+    counts = np.bincount(index)
+    if counts.min() < 2:
+        name = names[int(counts.argmin())]
+        raise PlacecatError(
+            f"class {name!r} has 1 training sample; cross-validation needs 2 or more, or drop it"
+        )
+    return samples, classes, index, names

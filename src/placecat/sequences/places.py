@@ -1,0 +1,127 @@
+"""Label names as class numbers, and the mistakes in them."""
+
+import difflib
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.sequences.base import Home
+
+
+def place_labels(
+    labels: pd.Series,
+    classes: Sequence[str],
+    ignored: Sequence[str],
+    aliases: Mapping[str, str],
+    *,
+    home: Home | None = None,
+) -> NDArray[np.int16]:
+    """Turn label names into class numbers.
+
+    Labels in `ignored` (``transition``, ``corridor``, ...) and frames without a label stay in the sequence as
+    unlabelled: not scored, never trained on, but the smoothing filter runs through them (thesis 3.3.2).
+
+    Parameters
+    ----------
+    labels
+        The ``label`` column of `Home.frames`, or rows of it with their index. A missing value, as pandas
+        reads an empty cell, is no label.
+    classes
+        The classes in use; a label's number is its place in this list.
+    ignored
+        Labels that are no class.
+    aliases
+        Other spellings and codes: label to class or to ignored label. An alias goes before a class of its
+        name.
+    home
+        The home the labels belong to, for the place in the error message.
+
+    Returns
+    -------
+    (len(labels),) int16, -1 unlabelled.
+
+    Raises
+    ------
+    PlacecatError
+        If a label is neither a class, an ignored label nor an alias, or the three settings contradict each
+        other.
+    """
+    _check_names(classes, ignored, aliases)
+    numbers = {name: number for number, name in enumerate(classes)}
+    numbers.update(dict.fromkeys(ignored, -1))
+    numbers.update({alias: numbers[name] for alias, name in aliases.items()})
+    numbers[""] = -1
+    found, where = np.unique(labels.fillna("").to_numpy(dtype=str), return_inverse=True)
+    unknown = [name for name in found if name not in numbers]
+    if unknown:
+        row = int(np.flatnonzero(np.isin(found, unknown)[where])[0])
+        name = str(found[where[row]])
+        raise PlacecatError(_unknown_label(name, labels.index[row], [*classes, *ignored, *aliases], home))
+    return np.array([numbers[name] for name in found], dtype=np.int16)[where]
+
+
+def require_classes(labels: NDArray[np.int16], classes: Sequence[str], home: str) -> None:
+    """Check that a home shows every class.
+
+    Parameters
+    ----------
+    labels
+        (frames,) int16 from `place_labels`.
+    classes
+        The classes in use.
+    home
+        Name of the home, for the message.
+
+    Raises
+    ------
+    PlacecatError
+        If a class has no frame, naming it.
+    """
+    present = np.bincount(labels[labels >= 0], minlength=len(classes)) > 0
+    absent = [name for name, there in zip(classes, present, strict=True) if not there]
+    if absent:
+        raise PlacecatError(
+            f"{home}: no frame is labelled {' or '.join(absent)}; label some, take the home out of "
+            "dataset.homes, or the class out of dataset.classes."
+        )
+
+
+def _check_names(classes: Sequence[str], ignored: Sequence[str], aliases: Mapping[str, str]) -> None:
+    if not classes:
+        raise PlacecatError("dataset.classes is empty; name at least one class.")
+    if len(set(classes)) < len(classes):
+        twice = next(name for name in classes if list(classes).count(name) > 1)
+        raise PlacecatError(f"dataset.classes: {twice!r} is listed twice; remove one.")
+    both = sorted(set(classes) & set(ignored))
+    if both:
+        raise PlacecatError(f"dataset.ignored: {both[0]!r} is also in dataset.classes; remove it from one.")
+    for alias, name in aliases.items():
+        if name not in classes and name not in ignored:
+            raise PlacecatError(
+                f"dataset.aliases: {alias!r} stands for {name!r}, which is neither in dataset.classes nor in "
+                f"dataset.ignored{_nearest(name, [*classes, *ignored])}; correct it, or add it to "
+                "dataset.ignored."
+            )
+
+
+def _nearest(name: str, known: Sequence[str]) -> str:
+    folded = {other.casefold().replace(" ", "_"): other for other in known}
+    near = difflib.get_close_matches(name.casefold().replace(" ", "_"), folded, n=1)
+    return f" (did you mean {folded[near[0]]!r}?)" if near else ""
+
+
+def _unknown_label(name: str, row: object, known: Sequence[str], home: Home | None) -> str:
+    place = f"row {row}"
+    if home is not None:
+        frame = home.frames.loc[row]  # type: ignore[call-overload]
+        line = int(home.label_lines[home.frames.index.get_loc(row)])
+        place = f"{home.name}, sequence {frame['sequence']}, frame {frame['number']}"
+        if frame["sequence"] in home.label_files:
+            place += f" ({home.root / home.label_files[frame['sequence']]} line {line})"
+    return (
+        f"{place}: unknown label {name!r}{_nearest(name, known)}; correct it, or add it to dataset.ignored "
+        "to leave such frames unlabelled (dataset.aliases if it is another name for a class)."
+    )
