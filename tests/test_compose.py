@@ -97,11 +97,11 @@ def own_conf(tmp_path):
     [
         (
             "{kind: holistic, name: brightnes}",
-            r"cue/new\.yaml: Unknown holistic descriptor 'brightnes': choose",
+            r"cue/new\.yaml: holistic descriptor 'brightnes' does not exist: use",
         ),
         (
             "{kind: holistic, name: ../gist}",
-            r"cue/new\.yaml: Unknown holistic descriptor '\.\./gist': choose",
+            r"cue/new\.yaml: holistic descriptor '\.\./gist' does not exist; did you mean 'gist'\?: use",
         ),
         ("{kind: holistic", r"cue/new\.yaml is no valid YAML"),
     ],

@@ -1,5 +1,8 @@
 """The one exception that means: the user can mend this."""
 
+import difflib
+from collections.abc import Iterable
+
 
 class PlacecatError(ValueError):
     """Bad input or an impossible setting.
@@ -15,3 +18,9 @@ class NotComputable(PlacecatError):
 
 class SettingError(PlacecatError):
     """A setting that is wrong, whatever the data."""
+
+
+def did_you_mean(name: object, valid: Iterable[str], before: str = "; ") -> str:
+    """Ask whether the nearest of the valid names was meant, after `before`; empty if none is near."""
+    nearest = difflib.get_close_matches(str(name), list(valid), n=1)
+    return f"{before}did you mean {nearest[0]!r}?" if nearest else ""

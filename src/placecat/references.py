@@ -1,11 +1,10 @@
 """Names in the settings that stand for other settings: each is there, before any stage runs."""
 
-import difflib
 from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
 from placecat import paths
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, did_you_mean
 
 # Where a name is said, what it names, the name, and those that there are.
 _Reference = tuple[str, str, str, Collection[str]]
@@ -26,10 +25,8 @@ def check(params: Mapping[str, Any]) -> None:
     """
     for where, kind, name, valid in _references(params):
         if str(name) not in valid:
-            near = difflib.get_close_matches(str(name), valid, n=1)
-            hint = f"; did you mean {near[0]!r}?" if near else ""
-            there = ", ".join(valid) or "none"
-            raise PlacecatError(f"{where}: there is no {kind} {name!r}{hint} (there are: {there})")
+            question, there = did_you_mean(name, valid), ", ".join(valid) or "none"
+            raise PlacecatError(f"{where}: there is no {kind} {name!r}{question} (there are: {there})")
 
 
 def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:

@@ -5,14 +5,12 @@ caption, and ``draw(run)``, which gives the figure or raises PlacecatError where
 shows.
 """
 
-import importlib
-import pkgutil
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING
 
+from placecat import lookup
 from placecat.drawing.style import house_style, save
-from placecat.errors import PlacecatError
 
 if TYPE_CHECKING:
     from placecat.report.run import Run
@@ -22,14 +20,12 @@ PREFIX = "figure_"
 
 def names() -> list[str]:
     """Names of the figures, ``figure_NN`` in order, then the added ones."""
-    return sorted(module.name for module in pkgutil.iter_modules(__path__) if module.name.startswith(PREFIX))
+    return [name for name in lookup.names(__name__, "TITLE", "draw") if name.startswith(PREFIX)]
 
 
 def load(name: str) -> ModuleType:
     """Import a figure's module."""
-    if name not in names():
-        raise PlacecatError(f"there is no figure {name!r}: choose one of {', '.join(names())}")
-    return importlib.import_module(f"{__name__}.{name}")
+    return lookup.module(__name__, name, "the figure", "TITLE", "draw")
 
 
 def number(name: str) -> int | None:

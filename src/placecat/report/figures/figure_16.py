@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from matplotlib.figure import Figure
 
 from placecat import settings
-from placecat.report.figures import strips
+from placecat.report.figures.strips import of_home as _draw
 
 if TYPE_CHECKING:
     from placecat.report.run import Run
@@ -18,4 +18,4 @@ TITLE = (
 
 def draw(run: "Run") -> Figure:
     """One strip a cue; settings in ``figures.figure_16``."""
-    return settings.call(strips.of_home, run, settings=run.options("figure_16"), where="figures.figure_16")
+    return settings.call(_draw, run, settings=run.options("figure_16"), where="figures.figure_16")

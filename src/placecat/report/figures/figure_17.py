@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from matplotlib.figure import Figure
 
 from placecat import settings
-from placecat.report.figures import strips
+from placecat.report.figures.strips import of_home as _draw
 
 if TYPE_CHECKING:
     from placecat.report.run import Run
@@ -19,4 +19,4 @@ TITLE = (
 
 def draw(run: "Run") -> Figure:
     """Two strips; settings in ``figures.figure_17``."""
-    return settings.call(strips.of_home, run, settings=run.options("figure_17"), where="figures.figure_17")
+    return settings.call(_draw, run, settings=run.options("figure_17"), where="figures.figure_17")

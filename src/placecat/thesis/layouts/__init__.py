@@ -1,11 +1,9 @@
 """Layouts of tables, one a module: which measured number belongs to which cell. Found by module name."""
 
-import importlib
-import pkgutil
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from placecat.errors import PlacecatError
+from placecat import lookup
 from placecat.results.measured import Results
 from placecat.thesis.number import Number
 
@@ -39,7 +37,7 @@ def place_column(place: str) -> str:
 
 def names() -> list[str]:
     """Names of the layouts."""
-    return sorted(module.name for module in pkgutil.iter_modules(__path__))
+    return lookup.names(__name__, "cells")
 
 
 def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
@@ -50,9 +48,6 @@ def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
     PlacecatError
         An unknown layout, or a result that the run does not have.
     """
-    name = str(table["layout"])
-    if name not in names():
-        raise PlacecatError(
-            f"the layout {name!r} of {table['name']} does not exist: use one of {', '.join(names())}"
-        )
-    return importlib.import_module(f"{__name__}.{name}").cells(table, results)
+    layout = lookup.module(__name__, table["layout"], f"{table['name']}: the layout", "cells")
+    filled: list[Cell] = layout.cells(table, results)
+    return filled
