@@ -177,6 +177,12 @@ def test_a_name_of_nothing_is_refused_before_any_stage_runs(setting, value, mess
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize("section", ["protocol", "smoothing", "tracking", "descriptors", "dataset"])
+def test_a_section_without_settings_names_nothing(section):
+    references.check({section: None})
+    references.check({"protocol": {"extra": None}})
+
+
 def test_params_with_a_name_of_nothing_are_not_written(tmp_path, monkeypatch):
     light_conf(tmp_path / "conf")
     monkeypatch.chdir(tmp_path)

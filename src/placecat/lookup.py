@@ -157,6 +157,11 @@ def parameters(package: str, name: str, definition: str) -> dict[str, bool]:
     return _keyword_only(found.node.args)
 
 
+def forget() -> None:
+    """Look again where packages are, which is remembered."""
+    _locations.cache_clear()
+
+
 @lru_cache
 def _locations(package: str) -> list[str]:
     # Packages around are imported by this, the package itself is not.

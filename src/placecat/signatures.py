@@ -30,26 +30,25 @@ def check(params: Mapping[str, Any]) -> None:
     PlacecatError
         Naming the setting, the nearest valid one and all valid ones.
     """
-    for section in ("dataset", "toy", "cues", "systems", "splits"):
+    for section in ("dataset", "toy", "codebooks", "cues", "systems", "splits"):
         check_part(params.get(section), section)
-    for name, codebook in params.get("codebooks", {}).items():
-        check_estimator(codebook["tree"], f"codebooks.{name}.tree")
-    for kind, entries in params.get("descriptors", {}).items():
+    for kind, entries in (params.get("descriptors") or {}).items():
         for name, entry in entries.items():
             _check_descriptor(kind, name, entry)
-    for name, variant in params.get("region_variants", {}).get("variants", {}).items():
+    for name, variant in (params.get("region_variants") or {}).get("variants", {}).items():
         taken = lookup.parameters("placecat.vision", "attention", "find_regions")
         _check(variant["regions"], taken, f"region_variants.variants.{name}.regions")
     _check_figures(params.get("figures") or {})
 
 
 def check_part(content: Any, where: str) -> None:
-    """Check every classifier and layout in a part of the settings.
+    """Check every classifier, clustering and layout in a part of the settings.
 
     Parameters
     ----------
     content
-        Plain containers. A mapping with ``layout`` is a data set, one with ``model`` a classifier.
+        Plain containers. A mapping with ``layout`` is a data set, one with ``model`` a classifier, one with
+        ``tree`` a codebook.
     where
         What a message calls the part, e.g. ``cues``.
 
@@ -65,6 +64,8 @@ def check_part(content: Any, where: str) -> None:
         lookup.require(SEQUENCES, content["layout"], f"{where}.layout", *READER)
     elif "model" in content:
         _check_classifier(content, where)
+    if "tree" in content:
+        check_estimator(content["tree"], f"{where}.tree")
     for name, value in content.items():
         check_part(value, f"{where}.{name}")
 

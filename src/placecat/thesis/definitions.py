@@ -11,10 +11,12 @@ from typing import Any
 
 import yaml
 
-from placecat import paths, settings
+from placecat import lookup, paths, settings, signatures
 from placecat.errors import PlacecatError
+from placecat.evaluation.trials import expand
 
 LIKE = "like"
+LAYOUTS = "placecat.thesis.layouts"
 _SETTING = re.compile(r"\$\{(\.*)([\w.]+)\}")
 # What a table says beside what its layout needs.
 _OF_A_TABLE = ("number", "title", "thesis_data", "layout", "caption", "split", "data", "plain", "needs")
@@ -53,6 +55,29 @@ def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str
     }
 
 
+def check(params: Mapping[str, Any], root: Path = Path()) -> None:
+    """Refuse tables with an unknown layout, and trials with a classifier or settings that there are not.
+
+    Parameters
+    ----------
+    params, root
+        As for :func:`tables`.
+
+    Raises
+    ------
+    PlacecatError
+        As :func:`tables`, :func:`placecat.evaluation.trials.expand` and :mod:`placecat.signatures`.
+    """
+    homes = list(settings.get(params, "dataset.homes"))
+    of_studies = {name: table for one in studies(params, root).values() for name, table in one.items()}
+    for name, table in {**tables(params, root), **of_studies}.items():
+        if table.get("layout") is not None or name not in of_studies:
+            lookup.require(LAYOUTS, table.get("layout"), f"{name}: the layout", "cells")
+    for name, table in of_studies.items():
+        for trial in expand(name, table, homes):
+            signatures.check_part(trial.settings, trial.name)
+
+
 def optional(root: Path = Path()) -> list[str]:
     """Names of the tables that need a setting, in order: git keeps them for runs that have not got it."""
     files = sorted((root / paths.TABLE_DEFINITIONS).glob("*.yaml"))
@@ -82,6 +107,9 @@ def studies(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[st
     by_study: dict[str, dict[str, dict[str, Any]]] = {}
     for path, table in found.items():
         settings.refuse_unknown(table, [*_OF_A_TABLE, *_OF_TRIALS], str(path))
+        for name in _OF_TRIALS:
+            if name not in table:
+                raise PlacecatError(f"{path} has no {name!r}, which a table of trials needs")
         by_study.setdefault(path.parent.name, {})[path.stem] = table
     return by_study
 
