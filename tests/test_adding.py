@@ -31,7 +31,7 @@ RESULT = "cues/brightness/5-5-1"
 
 
 def draw(root, homes, places):
-    """Nine small frames of every place in every home, in the layout of the text; a place has its brightness."""
+    """Nine small frames of every place in every home, in the layout of the text, as bright as the place."""
     rng = np.random.default_rng(0)
     for folder in (root / home / place for home in homes for place in places):
         folder.mkdir(parents=True)

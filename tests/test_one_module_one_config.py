@@ -63,7 +63,7 @@ classifier:
 FOLLOWED = {
     name: text
     for name, text in BLOCKS.items()
-    if "brightness" in name and "tables" not in name or "nearest_mean" in name
+    if ("brightness" in name and "tables" not in name) or "nearest_mean" in name
 }
 ADDED = {
     **FOLLOWED,
