@@ -97,11 +97,11 @@ def own_conf(tmp_path):
     [
         (
             "{kind: holistic, name: brightnes}",
-            r"cue/new\.yaml: Unknown holistic descriptor 'brightnes': choose",
+            r"cue/new\.yaml: holistic descriptor 'brightnes' does not exist: use",
         ),
         (
             "{kind: holistic, name: ../gist}",
-            r"cue/new\.yaml: Unknown holistic descriptor '\.\./gist': choose",
+            r"cue/new\.yaml: holistic descriptor '\.\./gist' does not exist; did you mean 'gist'\?: use",
         ),
         ("{kind: holistic", r"cue/new\.yaml is no valid YAML"),
     ],
@@ -175,6 +175,12 @@ def test_a_name_of_nothing_is_refused_before_any_stage_runs(setting, value, mess
     with pytest.raises(PlacecatError, match=message) as caught:
         references.check(params)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("section", ["protocol", "smoothing", "tracking", "descriptors", "dataset"])
+def test_a_section_without_settings_names_nothing(section):
+    references.check({section: None})
+    references.check({"protocol": {"extra": None}})
 
 
 def test_params_with_a_name_of_nothing_are_not_written(tmp_path, monkeypatch):

@@ -82,8 +82,20 @@ def test_without_a_model_predict_says_how_to_make_one(folder):
 
 # A pipeline of the test's that takes no time: a stage that loops over homes, and one that writes two tables.
 CONF = """
-dataset: {title: made homes, homes: [a, b]}
-bias: 0.0
+dataset:
+  name: made
+  title: made homes
+  thesis_data: null
+  layout: vpc2009
+  root: homes
+  homes: [a, b]
+  fps: null
+  camera: made
+  classes: [kitchen, bedroom]
+  ignored: []
+  aliases: {}
+  require_all_classes: true
+probabilities: {bins: 10, smallest: 0.0}
 reproducibility: {tolerance: 2.0}
 """
 PIPELINE = """
@@ -100,7 +112,7 @@ stages:
   tables:
     cmd: python tables.py
     deps: [data/features, measured.txt, tables.py]
-    params: [bias, dataset]
+    params: [probabilities, dataset]
     outs: [{reports/tables: {cache: false}}]
 """
 FEATURES = """
@@ -135,7 +147,7 @@ HEAD = "table,group,row,column,published,measured,spread,seeds,note"
 def main():
     \"\"\"Write the tables.\"\"\"
     params = settings.load()
-    measured = float(Path("measured.txt").read_text()) + params["bias"]
+    measured = float(Path("measured.txt").read_text()) + params["probabilities"]["smallest"]
     if measured < 0:
         raise PlacecatError("nothing was measured")
     note = f"measured on {params['dataset']['title']}"
@@ -248,10 +260,10 @@ def test_a_large_difference_ends_with_status_3_until_it_is_kept(committed):
 
 
 def test_other_settings_are_no_failure(committed):
-    result = placecat(committed, "repro", "bias=7")
+    result = placecat(committed, "repro", "probabilities.smallest=7")
     assert result.returncode == 0, result.stderr
     assert "1 of 2 cells equal" in result.stdout
-    assert "Not the kept settings: bias. Differences are to be expected." in result.stdout
+    assert "Not the kept settings: probabilities. Differences are to be expected." in result.stdout
 
 
 def test_a_failed_run_shows_neither_times_nor_tables(committed):

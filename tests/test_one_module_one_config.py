@@ -8,44 +8,11 @@ import yaml
 
 from project import HOMES, ROOT, SITES, SMALL, contents, repro, run
 from sketch import draw_homes
+from test_adding import BLOCKS
 
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("one_cue")]
 
 HOME_NAMES = ["Home1", "Home2", "Home3", "Home4"]
-HOLISTIC_MODULE = '''"""Brightness: the mean intensity in the cells of a grid."""
-
-import numpy as np
-from numpy.typing import NDArray
-
-from placecat.vision.grid import cell_means
-from placecat.vision.maps import FrameMaps
-
-# The fields of `FrameMaps` that it reads.
-MAPS: tuple[str, ...] = ()
-
-
-def size(*, cells: int = 4) -> int:
-    """Length of the descriptor: cells x cells."""
-    return cells * cells
-
-
-def describe(frame: NDArray[np.uint8], maps: FrameMaps, *, cells: int = 4) -> NDArray[np.float32]:
-    """Describe a frame by the mean of its channels in cells x cells, row by row, 0 to 255."""
-    return cell_means(frame.mean(axis=2, dtype=np.float32), cells).reshape(-1)
-'''
-HOLISTIC_CUE = """defaults:
-- /classifier@classifier: nu_svm
-- _self_
-
-title: Brightness
-codebook: null
-schemes: [5-5-1]
-cross_validate: false
-extra: false
-descriptor:
-  kind: holistic
-  name: brightness
-"""
 LOCAL_MODULE = '''"""Thumbnail: the mean intensity in the cells of a region."""
 
 import numpy as np
@@ -92,9 +59,14 @@ descriptor:
 classifier:
   clusters: 16
 """
+# The cue and its classifier that docs/adding.md adds.
+FOLLOWED = {
+    name: text
+    for name, text in BLOCKS.items()
+    if ("brightness" in name and "tables" not in name) or "nearest_mean" in name
+}
 ADDED = {
-    "src/placecat/vision/holistic/brightness.py": HOLISTIC_MODULE,
-    "conf/cue/brightness.yaml": HOLISTIC_CUE,
+    **FOLLOWED,
     "src/placecat/vision/local/thumbnail.py": LOCAL_MODULE,
     "conf/cue/thumbnail_y.yaml": LOCAL_CUE,
 }

@@ -16,7 +16,7 @@ from project import light_conf
 ROOT = Path(__file__).resolve().parents[1]
 SOURCE = ROOT / "src"
 PIPELINE = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]
-# What every stage uses to read, write and loop; it decides no number.
+# What every stage uses to find code and settings, read, write and loop; it decides no number.
 PLUMBING = {
     "errors",
     "items",
@@ -26,6 +26,8 @@ PLUMBING = {
     "seeds",
     "settings",
     "listing",
+    "lookup",
+    "signatures",
     "stages",
 }
 

@@ -49,7 +49,7 @@ def test_it_holds_every_file_of_the_source(installed):
     ("command", "says"),
     [
         (("placecat", "predict", "--help"), "--labels CSV"),
-        (("python", "-m", "placecat.experiment", "--help"), "descriptor"),
+        (("placecat", "experiment", "--help"), "descriptor"),
     ],
     ids=["predict", "a sweep"],
 )

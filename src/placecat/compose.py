@@ -7,7 +7,7 @@ from pathlib import Path
 
 import yaml
 
-from placecat import files, inferred, paths, references, settings
+from placecat import files, inferred, paths, references, settings, signatures
 from placecat.errors import PlacecatError
 
 # Folders of conf/ all of whose files are used, and where their content goes.
@@ -108,8 +108,8 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
     Raises
     ------
     PlacecatError
-        As `found`, `compose`, :func:`placecat.schema.check` and :func:`placecat.references.check`;
-        params.yaml stays as it was.
+        As `found`, `compose`, and the checks of :mod:`placecat.schema`, :mod:`placecat.references` and
+        :mod:`placecat.signatures`; params.yaml stays as it was.
     """
     listing = paths.CONF / "found.yaml"
     if (paths.CONF / "config.yaml").is_file():
@@ -126,6 +126,7 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
         params = settings.load(temporary)
         schema.check(params)
         references.check(params)
+        signatures.check(params)
     files.write_text(_COMPOSED, _digest(overrides, target))
 
 

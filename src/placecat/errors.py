@@ -1,7 +1,8 @@
 """The one exception that means: the user can mend this."""
 
+import difflib
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
 
@@ -30,3 +31,9 @@ def exiting() -> Iterator[None]:
         sys.exit(f"placecat: {error}")
     except KeyboardInterrupt:
         sys.exit(130)
+
+
+def did_you_mean(name: object, valid: Iterable[str], before: str = "; ") -> str:
+    """Ask whether the nearest of the valid names was meant, after `before`; empty if none is near."""
+    nearest = difflib.get_close_matches(str(name), list(valid), n=1)
+    return f"{before}did you mean {nearest[0]!r}?" if nearest else ""

@@ -1,14 +1,17 @@
 """Names in the settings that stand for other settings: each is there, before any stage runs."""
 
-import difflib
 from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
 from placecat import paths
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, did_you_mean
 
 # Where a name is said, what it names, the name, and those that there are.
 _Reference = tuple[str, str, str, Collection[str]]
+_SECTIONS = (
+    *("cues", "codebooks", "systems", "filters", "splits"),
+    *("descriptors", "smoothing", "tracking", "protocol", "dataset"),
+)
 
 
 def check(params: Mapping[str, Any]) -> None:
@@ -26,18 +29,15 @@ def check(params: Mapping[str, Any]) -> None:
     """
     for where, kind, name, valid in _references(params):
         if str(name) not in valid:
-            near = difflib.get_close_matches(str(name), valid, n=1)
-            hint = f"; did you mean {near[0]!r}?" if near else ""
-            there = ", ".join(valid) or "none"
-            raise PlacecatError(f"{where}: there is no {kind} {name!r}{hint} (there are: {there})")
+            question, there = did_you_mean(name, valid), ", ".join(valid) or "none"
+            raise PlacecatError(f"{where}: there is no {kind} {name!r}{question} (there are: {there})")
 
 
 def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
     # A section that is missing refers to nothing; whichever stage reads it says that it is missing.
-    cues, codebooks, systems, filters, splits = (
-        params.get(name, {}) for name in ("cues", "codebooks", "systems", "filters", "splits")
+    cues, codebooks, systems, filters, splits, descriptors, smoothing, tracking, protocol, dataset = (
+        params.get(name) or {} for name in _SECTIONS
     )
-    descriptors, smoothing = params.get("descriptors", {}), params.get("smoothing", {})
     for name, cue in cues.items():
         where = _file("cue", name)
         codebook = cue["codebook"]
@@ -68,7 +68,7 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
     ]
     for result in smoothing.get("filtered", []):
         yield "smoothing.filtered", "filtered result", result, filtered
-    for descriptor in params.get("tracking", {}).get("descriptors", []):
+    for descriptor in tracking.get("descriptors", []):
         yield "tracking.descriptors", "local descriptor", descriptor, descriptors.get("local", {})
     for name, split in splits.items():
         where = _file("split", name)
@@ -83,12 +83,12 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
                 own["descriptor"],
                 split["descriptors"],
             )
-    extra = params.get("protocol", {}).get("extra", {}).get("split")
+    extra = (protocol.get("extra") or {}).get("split")
     if extra is not None:
         yield "protocol.extra.split", "split", extra, splits
-    tested = params.get("protocol", {}).get("test_homes", "all")
+    tested = protocol.get("test_homes", "all")
     for home in [tested] if isinstance(tested, str) else tested:
-        yield "protocol.test_homes", "home", home, ["all", *params.get("dataset", {}).get("homes", [])]
+        yield "protocol.test_homes", "home", home, ["all", *dataset.get("homes", [])]
     for name, cue in cues.items():
         if cue["extra"] and extra is not None:
             own = cue if cue["codebook"] is None else codebooks[cue["codebook"]]

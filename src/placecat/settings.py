@@ -1,6 +1,5 @@
 """Reading params.yaml, and refusing settings that nothing would use."""
 
-import difflib
 import inspect
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -9,7 +8,7 @@ from typing import Any
 import yaml
 
 from placecat import paths
-from placecat.errors import PlacecatError, SettingError
+from placecat.errors import PlacecatError, SettingError, did_you_mean
 
 # libyaml's loader where PyYAML was built with it: ten times faster.
 Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
@@ -70,14 +69,19 @@ def refuse_unknown(settings: Mapping[str, Any], valid: list[str], where: str) ->
     """Raise SettingError for the first setting that is not among the `valid` names."""
     for name in settings:
         if name not in valid:
-            near = difflib.get_close_matches(str(name), valid, n=1)
-            hint = f"; did you mean {near[0]!r}?" if near else ""
-            raise SettingError(f"{where} has no setting {name!r}{hint} (valid: {', '.join(valid) or 'none'})")
+            question = did_you_mean(name, valid)
+            raise SettingError(
+                f"{where} has no setting {name!r}{question} (valid: {', '.join(valid) or 'none'})"
+            )
 
 
 def call(function: Callable[..., Any], *args: Any, settings: Mapping[str, Any], where: str) -> Any:
-    """Call `function` with positional arguments and checked settings."""
+    """Call `function` with positional arguments and checked settings, of which none may be missing."""
     check(function, settings, where)
+    try:
+        inspect.signature(function).bind(*args, **settings)
+    except TypeError as error:
+        raise SettingError(f"{where}: {error}") from None
     return function(*args, **settings)
 
 

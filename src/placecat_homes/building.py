@@ -1,13 +1,12 @@
 """A whole building: rooms furnished and enclosed, doors, windows and radiators."""
 
-import importlib
-import importlib.util
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
+from placecat import lookup
 from placecat.errors import PlacecatError
 from placecat.seeds import derive
 from placecat_homes import palette
@@ -21,6 +20,8 @@ from placecat_homes.placing.room import Room
 from placecat_homes.shell import Finish, glaze, shell
 from placecat_homes.style import Style
 from placecat_homes.walking.ground import DOORWAY, Ground
+
+ROOMS = "placecat_homes.rooms"
 
 _MARGIN = 0.4
 _LARGE = 0.45
@@ -130,7 +131,8 @@ def build(plan: FloorPlan, seed: int, *, unfurnished: bool = False) -> Building:
         If there is no furnishing for a kind of room.
     """
     plan = plan.windowed(seed)
-    missing = sorted({room.kind for room in plan.rooms if not _furnishing(room.kind)})
+    furnished = lookup.names(ROOMS, "furnish")
+    missing = sorted({room.kind for room in plan.rooms} - set(furnished))
     if missing and not unfurnished:
         raise PlacecatError(f"{plan.name}: no furnishing for rooms of kind {', '.join(missing)}")
     style = Style.draw(_rng(plan, seed, "style"))
@@ -143,7 +145,7 @@ def build(plan: FloorPlan, seed: int, *, unfurnished: bool = False) -> Building:
         size = (*room_plan.size, plan.height)
         room = Room(room_plan.kind, name, size, openings, style, _rng(plan, seed, "furniture", name))
         if room.kind not in missing:
-            importlib.import_module(f"placecat_homes.rooms.{room.kind}").furnish(room)
+            lookup.module(ROOMS, room.kind, "the kind of room", "furnish").furnish(room)
         things.append(tuple(room.placed))
         heat(room, derive("radiators", plan.name, seed), _rng(plan, seed, "heating", name))
         finish = Finish.draw(_rng(plan, seed, "finish", name), *common)
@@ -167,10 +169,6 @@ def build(plan: FloorPlan, seed: int, *, unfurnished: bool = False) -> Building:
 
 def _rng(plan: FloorPlan, seed: int, *names: str) -> np.random.Generator:
     return np.random.default_rng(derive("building", plan.name, seed, *names))
-
-
-def _furnishing(kind: str) -> bool:
-    return importlib.util.find_spec(f"placecat_homes.rooms.{kind}") is not None
 
 
 def _inside(

@@ -4,16 +4,14 @@ A model is what its attributes are: numbers, text, arrays, containers of these, 
 `placecat.learning`, `placecat.cues` and `placecat.fusion` define. No code is called to rebuild one.
 """
 
-import importlib
 import math
-import pkgutil
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import cues, fusion, learning
+from placecat import cues, fusion, learning, lookup
 from placecat.errors import PlacecatError
 
 _PACKAGES = (learning, cues, fusion)
@@ -106,16 +104,12 @@ def _rebuild(name: str, state: dict[str, Any]) -> Any:
 
 def _classes(module_name: str) -> dict[str, type]:
     """Classes that a module of the allowed packages defines itself, by ``module:name``."""
-    for package in _PACKAGES:
-        names = [
-            package.__name__,
-            *(f"{package.__name__}.{m.name}" for m in pkgutil.iter_modules(package.__path__)),
-        ]
-        if module_name in names:
-            module = importlib.import_module(module_name)
-            return {
-                f"{module_name}:{name}": member
-                for name, member in vars(module).items()
-                if isinstance(member, type) and member.__module__ == module_name
-            }
-    return {}
+    package, _, name = module_name.rpartition(".")
+    if package not in {allowed.__name__ for allowed in _PACKAGES} or name not in lookup.names(package):
+        return {}
+    module = lookup.module(package, name, "the module")
+    return {
+        f"{module_name}:{name}": member
+        for name, member in vars(module).items()
+        if isinstance(member, type) and member.__module__ == module_name
+    }

@@ -5,9 +5,7 @@ nearest neighbours) and `joint_probability` (Figure 10). A cue's setting ``class
 module; there is no list to extend.
 """
 
-import importlib
 import logging
-import pkgutil
 from collections.abc import Mapping, Sequence
 from types import ModuleType
 from typing import Any
@@ -15,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import settings
+from placecat import lookup, settings
 from placecat.cues.codebook import Codebook
 from placecat.cues.descriptors import Descriptors
 from placecat.cues.model import CueModel
@@ -30,12 +28,11 @@ __all__ = ["Codebook", "CueModel", "Descriptors", "cross_validate", "fit", "mode
 _PARTS = 5
 # Training frames of each place that the other homes must have: classifiers are calibrated on some of them.
 _LEAST = 2
-_SHARED = {"codebook", "descriptors", "model", "estimators"}
 
 
 def model_names() -> list[str]:
     """Names of the ways of deciding, found by looking."""
-    return sorted(module.name for module in pkgutil.iter_modules(__path__) if module.name not in _SHARED)
+    return lookup.names(__name__, "fit")
 
 
 def fit(
@@ -153,8 +150,4 @@ def of_regions_only(name: str) -> bool:
 
 
 def _load(name: str) -> ModuleType:
-    if name not in model_names():
-        raise PlacecatError(
-            f"classifier.model {name!r} does not exist: use one of {', '.join(model_names())}"
-        )
-    return importlib.import_module(f"{__name__}.{name}")
+    return lookup.module(__name__, name, "classifier.model", "fit")

@@ -77,7 +77,7 @@ def fit(
     """
     from placecat import cues
 
-    if codebook is None or not train.is_set:
+    if codebook is None or train.counts is None:
         raise PlacecatError(
             "classifier.model 'discriminative_regions' needs a codebook of salient regions: set the cue's "
             "codebook and input"

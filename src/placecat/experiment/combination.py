@@ -1,6 +1,5 @@
 """One combination of settings: what it means, and whether it can be computed, before anything is."""
 
-import importlib
 import inspect
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -8,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from placecat import cues, files, schema, settings, store
+from placecat import cues, files, lookup, schema, settings, store
 from placecat.cues import estimators
 from placecat.errors import NotComputable, PlacecatError
 from placecat.experiment import data as data_sets
@@ -131,11 +130,7 @@ def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
 def _check_classifier(classifier: Mapping[str, Any]) -> bool:
     """Check all that the classifier's own modules can tell; say whether it works on clusters."""
     model = classifier.get("model")
-    if model not in cues.model_names():
-        raise PlacecatError(
-            f"classifier.model={model} does not exist: use one of {', '.join(cues.model_names())}"
-        )
-    fit = importlib.import_module(f"{cues.__name__}.{model}").fit
+    fit = lookup.module(cues.__name__, model, "classifier.model", "fit").fit
     # The keyword-only parameters are the settings.
     parameters = inspect.signature(fit).parameters.values()
     valid = [one.name for one in parameters if one.kind is one.KEYWORD_ONLY]

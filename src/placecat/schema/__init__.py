@@ -1,12 +1,11 @@
 """Settings against what params.yaml and an experiment have, so that a wrong one is refused at once."""
 
-import difflib
 from collections.abc import Mapping
 from typing import Any
 
 from pydantic import ValidationError
 
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, did_you_mean
 from placecat.schema.sections import Experiment, Params, Section
 
 __all__ = ["Experiment", "Params", "check"]
@@ -54,9 +53,8 @@ def _told(content: Mapping[str, Any], error: ValidationError) -> str:
         for parent in parents:
             around = around[int(parent) if isinstance(around, list) else parent]
         valid = [str(key) for key in around if key not in unknown]
-        near = difflib.get_close_matches(name, valid, n=1)
-        hint = f"; did you mean {near[0]!r}?" if near else ""
-        return f"{'.'.join(parents) or 'the whole'} has no setting {name!r}{hint} (it has {', '.join(valid)})"
+        where, question = ".".join(parents) or "the whole", did_you_mean(name, valid)
+        return f"{where} has no setting {name!r}{question} (it has {', '.join(valid)})"
     return f"{dotted}={errors[0]['input']}: {errors[0]['msg']}"
 
 

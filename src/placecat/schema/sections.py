@@ -1,17 +1,17 @@
 """What each section of params.yaml and an experiment have: names and types.
 
-Settings of estimators, schemes, descriptors and figures are the parameters of their functions, which refuse
-others (:func:`placecat.settings.check`). Ranges are checked where the numbers are used.
+Settings of classifiers, estimators, descriptors and figures are the parameters of their functions, of which
+:mod:`placecat.signatures` knows. Ranges are checked where the numbers are used.
 """
 
-import importlib
-import inspect
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
-# Settings of a function that checks them.
+from placecat import lookup
+
+# Settings of a function.
 Own = dict[str, Any]
 # YAML reads names such as 2 as numbers.
 Name = str | int
@@ -45,11 +45,7 @@ class Dataset(Section):
         """Leave out what the layout's reader takes beside the common settings, and so checks."""
         if not isinstance(content, Mapping) or set(content) <= set(cls.model_fields):
             return content
-        try:
-            reader = importlib.import_module(f"placecat.sequences.{content.get('layout')}").read_home
-        except (ImportError, AttributeError):
-            return content
-        own = set(inspect.signature(reader).parameters) - {"root", "name"}
+        own = lookup.parameters("placecat.sequences", str(content.get("layout")), "read_home")
         return {key: value for key, value in content.items() if key in cls.model_fields or key not in own}
 
 
@@ -323,6 +319,22 @@ class Split(Section):
     systems: dict[str, list[str]]
 
 
+class Example(Section):
+    """What Figures 2 to 7 show."""
+
+    home: int | None = None
+    frame: int | None = None
+
+
+class Figures(BaseModel):
+    """conf/figures; each figure has settings of its own."""
+
+    model_config = ConfigDict(extra="allow", strict=True)
+    __pydantic_extra__: dict[str, Own]
+
+    example: Example = Example()
+
+
 class Params(Section):
     """params.yaml. A section that is left out is missed by the stage that reads it."""
 
@@ -340,7 +352,7 @@ class Params(Section):
     compute: Annotated[Local | Dask, Field(discriminator="kind")] | None = None
     reproducibility: Reproducibility | None = None
     probabilities: Probabilities | None = None
-    figures: dict[str, Own] = {}
+    figures: Figures | None = None
     descriptors: Descriptors | None = None
     codebooks: dict[str, Codebook] = {}
     cues: dict[str, Cue] = {}

@@ -5,18 +5,20 @@ camera)``, which do what `list_homes` and `open_home` here say; its file name is
 Adding a file adds a layout.
 """
 
-import importlib
 import inspect
-import pkgutil
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from placecat import lookup
 from placecat.errors import PlacecatError
 from placecat.sequences.base import Home, read_frames
 from placecat.sequences.places import place_labels, require_classes
 
 __all__ = ["Home", "layouts", "list_homes", "open_home", "place_labels", "read_frames", "require_classes"]
+
+# What the module of a layout defines.
+READER = ("list_homes", "read_home")
 
 
 def layouts() -> list[str]:
@@ -26,8 +28,7 @@ def layouts() -> list[str]:
     -------
     Module names in this package that define a reader, sorted.
     """
-    names = sorted(module.name for module in pkgutil.iter_modules(__path__))
-    return [name for name in names if _is_reader(importlib.import_module(f"{__name__}.{name}"))]
+    return lookup.names(__name__, *READER)
 
 
 def list_homes(layout: str, root: Path | str) -> list[str]:
@@ -88,13 +89,5 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
     return reader.read_home(Path(root), name, **settings)
 
 
-def _is_reader(module: ModuleType) -> bool:
-    return hasattr(module, "list_homes") and hasattr(module, "read_home")
-
-
 def _reader(layout: str) -> ModuleType:
-    if layout in {module.name for module in pkgutil.iter_modules(__path__)}:
-        module = importlib.import_module(f"{__name__}.{layout}")
-        if _is_reader(module):
-            return module
-    raise PlacecatError(f"dataset.layout: no layout {layout!r}; use one of {', '.join(layouts())}.")
+    return lookup.module(__name__, layout, "dataset.layout", *READER)

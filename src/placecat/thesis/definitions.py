@@ -11,8 +11,9 @@ from typing import Any
 
 import yaml
 
-from placecat import paths, settings
+from placecat import paths, settings, signatures
 from placecat.errors import PlacecatError
+from placecat.evaluation.trials import expand
 
 LIKE = "like"
 _SETTING = re.compile(r"\$\{(\.*)([\w.]+)\}")
@@ -44,6 +45,32 @@ def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str
     }
 
 
+def check(params: Mapping[str, Any], root: Path = Path()) -> None:
+    """Refuse tables with an unknown layout, and trials with a classifier or settings that there are not.
+
+    Parameters
+    ----------
+    params, root
+        As for :func:`tables`.
+
+    Raises
+    ------
+    PlacecatError
+        As :func:`tables`, :func:`placecat.evaluation.trials.expand` and :mod:`placecat.signatures`.
+    """
+    # They need pandas, which takes time to import.
+    from placecat.thesis import layouts
+
+    homes = list(settings.get(params, "dataset.homes"))
+    of_studies = {name: table for one in studies(params, root).values() for name, table in one.items()}
+    for name, table in {**tables(params, root), **of_studies}.items():
+        if table.get("layout") is not None or name not in of_studies:
+            layouts.check(table, name)
+    for name, table in of_studies.items():
+        for trial in expand(name, table, homes):
+            signatures.check_part(trial.settings, trial.name)
+
+
 def optional(root: Path = Path()) -> list[str]:
     """Names of the tables that need a setting, in order: git keeps them for runs that have not got it."""
     files = sorted((root / paths.TABLE_DEFINITIONS).glob("*.yaml"))
@@ -60,6 +87,9 @@ def studies(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[st
     by_study: dict[str, dict[str, dict[str, Any]]] = {}
     for path, table in found.items():
         settings.refuse_unknown(table, [*_OF_A_TABLE, *_OF_TRIALS], str(path))
+        for name in _OF_TRIALS:
+            if name not in table:
+                raise PlacecatError(f"{path} has no {name!r}, which a table of trials needs")
         by_study.setdefault(path.parent.name, {})[path.stem] = table
     return by_study
 

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, did_you_mean
 from placecat.evaluation.trials import AXES, HOMES, trial_name
 from placecat.results.measured import MEASURES, Results
 from placecat.thesis.number import (
@@ -50,6 +50,22 @@ def place_column(place: str) -> str:
     return place.replace("_", " ").title()
 
 
+def check(table: Mapping[str, Any], name: str) -> None:
+    """Refuse a table whose ``layout`` is not the name of one of the functions below.
+
+    Raises
+    ------
+    PlacecatError
+        Naming the table, the nearest layout and all that there are.
+    """
+    layout = table.get("layout")
+    if layout not in LAYOUTS:
+        question = did_you_mean(layout, LAYOUTS)
+        raise PlacecatError(
+            f"{name}: the layout {layout!r} does not exist{question}: use one of {', '.join(LAYOUTS)}"
+        )
+
+
 def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
     """Fill the cells of one table by its ``layout``, the name of one of the functions below.
 
@@ -58,12 +74,8 @@ def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
     PlacecatError
         An unknown layout, or a result that the run does not have.
     """
-    name = str(table["layout"])
-    if name not in LAYOUTS:
-        raise PlacecatError(
-            f"the layout {name!r} of {table['name']} does not exist: use one of {', '.join(LAYOUTS)}"
-        )
-    return LAYOUTS[name](table, results)
+    check(table, table["name"])
+    return LAYOUTS[table["layout"]](table, results)
 
 
 def by_class(table: Mapping[str, Any], results: Results) -> list[Cell]:

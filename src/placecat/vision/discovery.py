@@ -1,67 +1,15 @@
-"""Descriptors found by the names of their modules, and their settings checked."""
+"""The modules of descriptors that settings name, and their settings checked."""
 
-import importlib
 import inspect
-import pkgutil
-import sys
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from functools import lru_cache
 from types import ModuleType
 from typing import Any, TypeVar
 
-from placecat.errors import PlacecatError
+from placecat import lookup
 from placecat.settings import refuse_unknown
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
-
-
-def names(package: str, paths: Iterable[str]) -> list[str]:
-    """List the modules of a package that are descriptors: those with a function ``describe``.
-
-    Parameters
-    ----------
-    package
-        The package's full name.
-    paths
-        Its ``__path__``.
-
-    Returns
-    -------
-    Module names, sorted.
-    """
-    found = sorted(module.name for module in pkgutil.iter_modules(paths))
-    return [name for name in found if hasattr(importlib.import_module(f"{package}.{name}"), "describe")]
-
-
-def load(
-    package: str, paths: Iterable[str], name: str, kind: str, *, wanted_by: str | None = None
-) -> ModuleType:
-    """Import a descriptor by name.
-
-    Parameters
-    ----------
-    package, paths
-        As for `names`.
-    name
-        The descriptor's module name.
-    kind
-        What a message calls it, e.g. "local descriptor".
-    wanted_by
-        The entry of the settings that a message names, if it has another name.
-
-    Raises
-    ------
-    PlacecatError
-        For an unknown name; lists the valid ones.
-    """
-    module = sys.modules.get(f"{package}.{name}")
-    if module is None or not hasattr(module, "describe"):
-        known = names(package, paths)
-        if name not in known:
-            place = f" of entry '{wanted_by}'" if wanted_by is not None else ""
-            raise PlacecatError(f"Unknown {kind} '{name}'{place}: choose one of {', '.join(known)}.")
-        module = importlib.import_module(f"{package}.{name}")
-    return module
 
 
 def settings_of(function: Callable[..., Any]) -> dict[str, Any]:
@@ -143,7 +91,7 @@ def check_settings(function: Callable[..., Any], settings: Mapping[str, Any], ow
 
 
 def entry(
-    package: str, paths: Iterable[str], name: str, settings: Mapping[str, Any], kind: str
+    package: str, name: str, settings: Mapping[str, Any], kind: str
 ) -> tuple[ModuleType, dict[str, Any]]:
     """Find the module of a descriptor that the settings name, and check its own settings.
 
@@ -152,12 +100,14 @@ def entry(
 
     Parameters
     ----------
-    package, paths, kind
-        As for `load`.
+    package
+        The package's full name.
     name
         Name of the entry.
     settings
         Settings of the module's ``describe``, and ``descriptor`` for a variant.
+    kind
+        What a message calls it, e.g. "local descriptor".
 
     Returns
     -------
@@ -171,6 +121,7 @@ def entry(
     """
     own = dict(settings)
     wanted = own.pop("descriptor", name)
-    module = load(package, paths, wanted, kind, wanted_by=name if wanted != name else None)
+    what = kind if wanted == name else f"entry '{name}': {kind}"
+    module = lookup.module(package, wanted, what, "describe")
     check_settings(module.describe, own, f"{kind} '{name}'")
     return module, own

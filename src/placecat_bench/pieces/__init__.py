@@ -3,11 +3,9 @@
 It is a generator, so that the inputs of pieces are not held together.
 """
 
-import importlib
-import pkgutil
 from collections.abc import Callable, Iterator
 
-from placecat.errors import PlacecatError
+from placecat import lookup
 from placecat_bench.comparison import Comparison, Limit
 
 Entries = Callable[..., Iterator[Comparison | Limit]]
@@ -15,7 +13,7 @@ Entries = Callable[..., Iterator[Comparison | Limit]]
 
 def names() -> list[str]:
     """Names of the pieces, sorted."""
-    return sorted(module.name for module in pkgutil.iter_modules(__path__))
+    return lookup.names(__name__, "entries")
 
 
 def load(name: str) -> Entries:
@@ -26,7 +24,5 @@ def load(name: str) -> Entries:
     PlacecatError
         If there is no such piece.
     """
-    if name not in names():
-        raise PlacecatError(f"there is no piece {name!r} to measure: choose from {', '.join(names())}")
-    entries: Entries = importlib.import_module(f"{__name__}.{name}").entries
+    entries: Entries = lookup.module(__name__, name, "the piece", "entries").entries
     return entries

@@ -1,10 +1,9 @@
 """Pictures on surfaces: one module a kind, each with a function `draw`, found by name."""
 
-import importlib
-
 import numpy as np
 from numpy.typing import NDArray
 
+from placecat import lookup
 from placecat.seeds import derive
 from placecat_homes.materials import Texture
 
@@ -24,7 +23,7 @@ def draw(texture: Texture, pixels: int = 256) -> NDArray[np.uint8]:
     numpy.ndarray
         (pixels, pixels, 3) uint8, sRGB, top row first.
     """
-    module = importlib.import_module(f"{__name__}.{texture.kind}")
+    module = lookup.module(__name__, texture.kind, "the texture", "draw")
     rng = np.random.default_rng(derive("texture", texture.kind, texture.seed))
     colours = [np.asarray(colour, dtype=np.float32) for colour in texture.colours]
     picture = module.draw(rng, colours, pixels)

@@ -12,12 +12,13 @@ from collections.abc import Mapping
 from types import ModuleType
 from typing import Any
 
+from placecat import lookup
 from placecat.vision import discovery
 
 
 def names() -> list[str]:
     """List the local descriptors, sorted."""
-    return discovery.names(__name__, __path__)
+    return lookup.names(__name__, "describe")
 
 
 def load(name: str) -> ModuleType:
@@ -28,7 +29,7 @@ def load(name: str) -> ModuleType:
     PlacecatError
         For an unknown name; lists the valid ones.
     """
-    return discovery.load(__name__, __path__, name, "local descriptor")
+    return lookup.module(__name__, name, "local descriptor", "describe")
 
 
 def entry(name: str, settings: Mapping[str, Any]) -> tuple[ModuleType, dict[str, Any]]:
@@ -39,4 +40,4 @@ def entry(name: str, settings: Mapping[str, Any]) -> tuple[ModuleType, dict[str,
     PlacecatError
         Naming the entry, what is unknown and what is valid.
     """
-    return discovery.entry(__name__, __path__, name, settings, "local descriptor")
+    return discovery.entry(__name__, name, settings, "local descriptor")

@@ -1,0 +1,252 @@
+"""The one lookup from a name in the settings to code: a module of a package, and what it defines.
+
+A name is that of a module, so that a new file is found without a list. Which modules there are, and which
+settings their functions and classes take, is read from their source: to import them takes seconds
+(scikit-learn), and composing the settings has to be quick.
+"""
+
+import ast
+import importlib
+import importlib.util
+import pkgutil
+import sys
+from collections.abc import Collection, Iterator
+from functools import lru_cache
+from pathlib import Path
+from types import ModuleType
+from typing import NamedTuple
+
+from placecat.errors import PlacecatError, did_you_mean
+
+
+class _Definition(NamedTuple):
+    """A function or class in the source of a module."""
+
+    module: str
+    node: ast.FunctionDef | ast.ClassDef
+
+
+def names(package: str, *defining: str) -> list[str]:
+    """List the modules of a package, sorted.
+
+    Parameters
+    ----------
+    package
+        Full name, e.g. ``placecat.learning``.
+    *defining
+        Names that a module must define, e.g. ``describe``; those without one are no part of the list.
+
+    Raises
+    ------
+    PlacecatError
+        A module whose source is no Python.
+    """
+    found = sorted(module.name for module in pkgutil.iter_modules(_locations(package)))
+    return [name for name in found if _defines(package, name, defining)]
+
+
+def require(package: str, name: object, what: str, *defining: str) -> str:
+    """Refuse a name that no module has.
+
+    Parameters
+    ----------
+    package, *defining
+        As for `names`.
+    name
+        From the settings.
+    what
+        What the message calls it, e.g. ``classifier.model``.
+
+    Returns
+    -------
+    str
+        The name.
+
+    Raises
+    ------
+    PlacecatError
+        With the nearest name and all that there are.
+    """
+    # The one module first, since a list of all takes time.
+    if not _defines(package, name, defining):
+        valid = names(package, *defining)
+        question = did_you_mean(name, valid)
+        raise PlacecatError(f"{what} {name!r} does not exist{question}: use one of {', '.join(valid)}")
+    return str(name)
+
+
+def module(package: str, name: object, what: str, *defining: str) -> ModuleType:
+    """Import the module of a name.
+
+    Parameters
+    ----------
+    package, name, what, *defining
+        As for `require`.
+
+    Raises
+    ------
+    PlacecatError
+        As `require`, or a module that cannot be imported.
+    """
+    # Called for every frame.
+    there = sys.modules.get(f"{package}.{name}")
+    if there is not None and all(hasattr(there, one) for one in defining):
+        return there
+    require(package, name, what, *defining)
+    try:
+        return importlib.import_module(f"{package}.{name}")
+    except ImportError as error:
+        raise PlacecatError(f"{what} {name!r} cannot be imported: {' '.join(str(error).split())}") from None
+
+
+def estimator(package: str, name: object, what: str) -> str:
+    """Name the class of an estimator: the one of its module that is a BaseEstimator of scikit-learn.
+
+    Parameters
+    ----------
+    package, name, what
+        As for `require`.
+
+    Raises
+    ------
+    PlacecatError
+        As `require`, or a module that does not define one such class.
+    """
+    full = f"{package}.{require(package, name, what)}"
+    classes = [node for node in _statements(full).values() if isinstance(node, ast.ClassDef)]
+    public = [
+        node.name
+        for node in classes
+        if not node.name.startswith("_") and not _is_abstract(node) and _is_estimator(full, node.name)
+    ]
+    if len(public) != 1:
+        raise PlacecatError(
+            f"{what} {name!r} is no estimator: {full} must define one class of scikit-learn's BaseEstimator"
+        )
+    return public[0]
+
+
+def parameters(package: str, name: str, definition: str) -> dict[str, bool]:
+    """List the settings that a function or class takes, without importing it.
+
+    Parameters
+    ----------
+    package, name
+        As for `require`.
+    definition
+        Name of the function, whose settings are its keyword-only parameters, or of the class, whose settings
+        are all parameters of ``__init__``.
+
+    Returns
+    -------
+    dict
+        Name to whether it must be given, in the order written; empty where the module has no such definition.
+    """
+    found = _resolve(f"{package}.{name}", definition)
+    if found is None:
+        return {}
+    if isinstance(found.node, ast.ClassDef):
+        for one in _ancestors(found):
+            for node in one.node.body:
+                if isinstance(node, ast.FunctionDef) and node.name == "__init__":
+                    positional = node.args.args[1:]
+                    given = len(positional) - len(node.args.defaults)
+                    own = {argument.arg: index < given for index, argument in enumerate(positional)}
+                    return own | _keyword_only(node.args)
+        return {}
+    return _keyword_only(found.node.args)
+
+
+def forget() -> None:
+    """Look again where packages are, which is remembered."""
+    _locations.cache_clear()
+
+
+@lru_cache
+def _locations(package: str) -> list[str]:
+    # Packages around are imported by this, the package itself is not.
+    spec = importlib.util.find_spec(package)
+    return list(spec.submodule_search_locations or []) if spec is not None else []
+
+
+def _defines(package: str, name: object, definitions: Collection[str]) -> bool:
+    """Whether a package has a module of a name that defines these."""
+    file = _file(package, name)
+    return file is not None and (
+        not definitions or set(definitions) <= set(_parsed(file, file.stat().st_mtime_ns))
+    )
+
+
+def _file(package: str, name: object) -> Path | None:
+    if not isinstance(name, str) or not name.isidentifier() or name.startswith("__"):
+        return None
+    ends = (f"{name}.py", f"{name}/__init__.py")
+    files = (Path(folder, end) for folder in _locations(package) for end in ends)
+    return next((file for file in files if file.is_file()), None)
+
+
+def _statements(full_name: str) -> dict[str, ast.stmt]:
+    """What a module defines or imports at its top, by name."""
+    package, _, name = full_name.rpartition(".")
+    file = _file(package, name)
+    return _parsed(file, file.stat().st_mtime_ns) if file is not None else {}
+
+
+@lru_cache(maxsize=512)
+def _parsed(file: Path, changed: int) -> dict[str, ast.stmt]:
+    try:
+        tree = ast.parse(file.read_bytes())
+    except SyntaxError as error:
+        raise PlacecatError(f"{file}, line {error.lineno}, is no Python: {error.msg}") from None
+    found: dict[str, ast.stmt] = {}
+    for node in tree.body:
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+            found[node.name] = node
+        elif isinstance(node, ast.ImportFrom):
+            found |= {alias.asname or alias.name: node for alias in node.names}
+        elif isinstance(node, ast.Assign):
+            found |= {target.id: node for target in node.targets if isinstance(target, ast.Name)}
+    return found
+
+
+def _resolve(full_name: str, name: str) -> _Definition | None:
+    """A definition where it stands; None for what this package does not define."""
+    node = _statements(full_name).get(name)
+    if isinstance(node, ast.FunctionDef | ast.ClassDef):
+        return _Definition(full_name, node)
+    if isinstance(node, ast.ImportFrom) and node.module is not None and node.module.startswith("placecat"):
+        original = next(alias.name for alias in node.names if (alias.asname or alias.name) == name)
+        return _resolve(node.module, original)
+    return None
+
+
+def _ancestors(found: _Definition) -> Iterator[_Definition]:
+    """A class and the classes of this package that it derives from, the nearest first."""
+    yield found
+    if isinstance(found.node, ast.ClassDef):
+        for base in found.node.bases:
+            above = _resolve(found.module, base.id) if isinstance(base, ast.Name) else None
+            if above is not None:
+                yield from _ancestors(above)
+
+
+def _is_estimator(full_name: str, name: str) -> bool:
+    found = _resolve(full_name, name)
+    return found is not None and any(
+        isinstance(base, ast.Name) and base.id == "BaseEstimator"
+        for one in _ancestors(found)
+        if isinstance(one.node, ast.ClassDef)
+        for base in one.node.bases
+    )
+
+
+def _is_abstract(node: ast.ClassDef) -> bool:
+    methods = [one for one in node.body if isinstance(one, ast.FunctionDef)]
+    return any(
+        isinstance(d, ast.Name) and d.id == "abstractmethod" for m in methods for d in m.decorator_list
+    )
+
+
+def _keyword_only(arguments: ast.arguments) -> dict[str, bool]:
+    pairs = zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True)
+    return {argument.arg: default is None for argument, default in pairs}
