@@ -71,8 +71,9 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     """
 
     #: Attributes that prediction does without: a stored system leaves them out.
-    TRAINING_ONLY = ("codebook",)
+    TRAINING_ONLY = ("codebook", "_pair_distances")
     codebook: HierarchicalKMeans | None = None
+    _pair_distances: NDArray[np.float64] | None = None
 
     def __init__(
         self,
@@ -121,6 +122,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         self.frequencies_ = np.bincount(cells, minlength=self.n_clusters * n_classes).reshape(-1, n_classes)
         self.centers_ = codebook.centers(self.n_clusters).astype(np.float64)
         self.n_features_in_ = points.shape[1]
+        self._pair_distances = None
         return self
 
     def _check_settings(self) -> None:
@@ -185,6 +187,67 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         """Return the most probable class of each descriptor, of shape (n,)."""
         best = self.predict_proba(X).argmax(axis=1)
         return self.classes_[best]
+
+    def update(self, x: ArrayLike, label: object) -> Self:
+        """Learn one more labelled point while running.
+
+        A point at least as close to some centre as the two closest centres are to each other joins its
+        cluster, whose centre moves to the centre of mass. For a point farther from all of them, the two
+        closest clusters merge and the point founds a new one. The number of clusters stays, and of the
+        distances between centres only those to a changed centre are computed again. The codebook is left
+        alone.
+
+        Parameters
+        ----------
+        x : array-like of shape (D,)
+        label : object
+            One of `classes_`.
+
+        Raises
+        ------
+        PlacecatError
+            If the class is unknown, or x has another number of dimensions than the training data.
+        """
+        check_is_fitted(self)
+        point = self._read_points(np.asarray(x)[None])[0].astype(np.float64)
+        matches = np.flatnonzero(self.classes_ == label)
+        if len(matches) != 1:
+            raise PlacecatError(
+                f"class {label!r} is not one of those trained: {', '.join(map(str, self.classes_))}"
+            )
+        if self._pair_distances is None:
+            self._pair_distances = np.empty((len(self.centers_), len(self.centers_)))
+            for cluster in range(len(self.centers_)):
+                self._measure(cluster)
+        closest = np.unravel_index(self._pair_distances.argmin(), self._pair_distances.shape)
+        distances = np.linalg.norm(self.centers_ - point, axis=1)
+        nearest = int(distances.argmin())
+        if distances[nearest] <= self._pair_distances[closest]:
+            size = self.frequencies_[nearest].sum()
+            self.centers_[nearest] += (point - self.centers_[nearest]) / (size + 1)
+            self.frequencies_[nearest, matches[0]] += 1
+            self._measure(nearest)
+            return self
+        kept, freed = (int(cluster) for cluster in closest)
+        sizes = self.frequencies_[[kept, freed]].sum(axis=1)
+        # Two clusters that no training point chose weigh the same.
+        weights = sizes if sizes.any() else np.ones(2)
+        self.centers_[kept] = np.average(self.centers_[[kept, freed]], axis=0, weights=weights)
+        self.frequencies_[kept] += self.frequencies_[freed]
+        self.centers_[freed] = point
+        self.frequencies_[freed] = 0
+        self.frequencies_[freed, matches[0]] = 1
+        self._measure(kept)
+        self._measure(freed)
+        return self
+
+    def _measure(self, cluster: int) -> None:
+        """Renew one centre's distances to all others; infinite to itself."""
+        assert self._pair_distances is not None
+        distances = np.linalg.norm(self.centers_ - self.centers_[cluster], axis=1)
+        distances[cluster] = np.inf
+        self._pair_distances[cluster] = distances
+        self._pair_distances[:, cluster] = distances
 
     def _read_points(self, X: ArrayLike) -> NDArray[np.float32]:
         points = check_array(X, dtype=np.float32, order="C", ensure_min_samples=0, estimator=self)
