@@ -45,7 +45,7 @@ def test_figures_are_found_by_name():
     # Added ones have no number, and come last.
     assert names == [*of_thesis, "figure_reliability"]
     assert figures.number("figure_reliability") is None
-    with pytest.raises(PlacecatError, match="there is no figure 'figure_99'"):
+    with pytest.raises(PlacecatError, match="the figure 'figure_99' does not exist"):
         figures.load("figure_99")
 
 
