@@ -81,4 +81,4 @@ def test_an_unknown_piece_is_one_message(monkeypatch):
     monkeypatch.setattr(sys, "argv", ["benchmarks", "sorting"])
     with pytest.raises(SystemExit) as ended:
         command.main(["sorting"])
-    assert str(ended.value).startswith("placecat: there is no piece 'sorting' to measure: choose from ")
+    assert str(ended.value).startswith("placecat: the piece 'sorting' does not exist: use one of ")

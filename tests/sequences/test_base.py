@@ -47,7 +47,8 @@ class TestOpenHome:
     @pytest.mark.parametrize("layout", ["tum", "labels", "base", "../folder", "", "os"])
     def test_unknown_layout(self, layout: str, tmp_path: Path) -> None:
         with pytest.raises(
-            PlacecatError, match=r"dataset.layout: .*use one of cold, folder, video, vpc2009\."
+            PlacecatError,
+            match=r"dataset.layout .* does not exist.*: use one of cold, folder, video, vpc2009$",
         ):
             open_home(layout, tmp_path, "Home1")
 

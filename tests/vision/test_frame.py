@@ -175,7 +175,7 @@ def test_only_what_is_asked_for() -> None:
         ({"attention": {"scale": 2}}, "section 'attention' .* has no setting 'scale'.*scales"),
         ({"regions": {"maps": 2}}, "section 'regions' .* has no setting 'maps'.*max_regions"),
         ({"information": {"level": 2}}, "section 'information' .* has no setting 'level'.*fine"),
-        ({"local": {"surf": {}}}, "Unknown local descriptor 'surf'"),
+        ({"local": {"surf": {}}}, "local descriptor 'surf' does not exist"),
         (
             {"local": {"sift": {"upright": True}}},
             "local descriptor 'sift' has no setting 'upright'.*orientation",
@@ -185,7 +185,7 @@ def test_only_what_is_asked_for() -> None:
             {"holistic": {"gist_raw": {"descriptor": "gist", "raw": True}}},
             "holistic descriptor 'gist_raw' has no setting 'raw'",
         ),
-        ({"local": {"mine": {"descriptor": "surf"}}}, "Unknown local descriptor 'surf' of entry 'mine'"),
+        ({"local": {"mine": {"descriptor": "surf"}}}, "entry 'mine': local descriptor 'surf' does not exist"),
     ],
 )
 def test_refusals(settings: dict, message: str) -> None:
