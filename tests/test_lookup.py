@@ -3,10 +3,11 @@
 import importlib
 import inspect
 import sys
+from pathlib import Path
 
 import pytest
 
-from placecat import lookup
+from placecat import lookup, settings
 from placecat.errors import PlacecatError
 from placecat.signatures import CUES, LEARNING
 
@@ -63,6 +64,7 @@ def test_nothing_is_imported_to_know_the_settings(shapes):
     assert "shapes_for_test.square" not in sys.modules
 
 
+SETTINGS = settings.load(Path(__file__).resolve().parents[1] / "params.yaml")
 FUNCTIONS = [
     *((CUES, name, "fit") for name in lookup.names(CUES, "fit")),
     *(
@@ -71,8 +73,11 @@ FUNCTIONS = [
         for name in lookup.names(package, "describe")
     ),
     *(("placecat.sequences", name, "read_home") for name in lookup.names("placecat.sequences", "read_home")),
-    ("placecat.vision", "attention", "find_regions"),
-    ("placecat.report.figures", "figure_16", "_draw"),
+    *(
+        ("placecat.report.figures", module, function)
+        for name, (module, function) in lookup.entries("placecat.report.figures", "FIGURES").items()
+        if function and name in SETTINGS["figures"]
+    ),
 ]
 
 

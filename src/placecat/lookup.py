@@ -157,6 +157,32 @@ def parameters(package: str, name: str, definition: str) -> dict[str, bool]:
     return _keyword_only(found.node.args)
 
 
+def entries(package: str, dictionary: str) -> dict[str, tuple[str, str]]:
+    """List the entries of a dictionary that modules of a package define: tuples that end in a function.
+
+    Parameters
+    ----------
+    package
+        As for `names`.
+    dictionary
+        Its name, e.g. ``FIGURES``.
+
+    Returns
+    -------
+    dict
+        Entry to the names of its module and of its function, "" for a lambda, which takes no settings.
+    """
+    listed = {}
+    for name in names(package, dictionary):
+        node = _statements(f"{package}.{name}")[dictionary]
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Dict):
+            for key, value in zip(node.value.keys, node.value.values, strict=True):
+                if isinstance(key, ast.Constant) and isinstance(value, ast.Tuple):
+                    last = value.elts[-1]
+                    listed[str(key.value)] = (name, last.id if isinstance(last, ast.Name) else "")
+    return listed
+
+
 def forget() -> None:
     """Look again where packages are, which is remembered."""
     _locations.cache_clear()

@@ -7,12 +7,15 @@ from collections.abc import Mapping
 from typing import Any
 
 from placecat import lookup
-from placecat.errors import SettingError
+from placecat.errors import SettingError, did_you_mean
+from placecat.schema.sections import Regions
 from placecat.settings import refuse_unknown
 
 SEQUENCES, READER = "placecat.sequences", ("list_homes", "read_home")
 CUES, LEARNING = "placecat.cues", "placecat.learning"
-FIGURES, FIGURE = "placecat.report.figures", ("TITLE", "draw")
+FIGURES = "placecat.report.figures"
+# A variant has some of them.
+OF_REGIONS = dict.fromkeys(Regions.model_fields, False)
 # Parameters of estimators that the code gives, so that no setting does.
 GIVEN = frozenset({"base", "codebook", "n_clusters", "n_values", "n_jobs", "seed"})
 
@@ -36,8 +39,7 @@ def check(params: Mapping[str, Any]) -> None:
         for name, entry in entries.items():
             _check_descriptor(kind, name, entry)
     for name, variant in (params.get("region_variants") or {}).get("variants", {}).items():
-        taken = lookup.parameters("placecat.vision", "attention", "find_regions")
-        _check(variant["regions"], taken, f"region_variants.variants.{name}.regions")
+        _check(variant["regions"], OF_REGIONS, f"region_variants.variants.{name}.regions")
     _check_figures(params.get("figures") or {})
 
 
@@ -121,12 +123,15 @@ def _check_descriptor(kind: str, name: str, entry: Mapping[str, Any]) -> None:
 
 
 def _check_figures(figures: Mapping[str, Any]) -> None:
+    # Figures 12 to 14 share their settings; the example's are checked by `placecat.schema`.
+    drawn = lookup.entries(FIGURES, "FIGURES") | {"clusters": ("clusters", "_draw")}
     for name, own in figures.items():
-        # Several figures share these two; the example is checked by `placecat.schema`.
-        if name not in ("example", "clusters"):
-            lookup.require(FIGURES, name, "figures:", *FIGURE)
-        if name != "example":
-            _check(own, lookup.parameters(FIGURES, name, "_draw"), f"figures.{name}")
+        if name == "example":
+            continue
+        if name not in drawn:
+            question = did_you_mean(name, drawn)
+            raise SettingError(f"figures: {name!r} does not exist{question}: use one of {', '.join(drawn)}")
+        _check(own, lookup.parameters(FIGURES, *drawn[name]), f"figures.{name}")
 
 
 def _check(options: Mapping[str, Any], taken: Mapping[str, bool], where: str) -> None:

@@ -26,14 +26,15 @@ def write(tmp_path):
 
 
 def test_a_table_starts_from_a_file_of_conf_and_from_another_table(write):
-    first = "number: 1\ntitle: A\ntrial: {classifier: {like: conf/classifier/knn.yaml, base: {k: 3}}}\n"
+    knn = "{classifier: {like: conf/classifier/knn.yaml, base: {k: 3}}}"
+    first = f"number: 1\ntitle: A\ntrial: {knn}\nhomes: all\naxes: {{}}\n"
     second = "like: data/thesis/tables/study/table_01.yaml\nnumber: 2\ntrial: {classifier: {base: {k: 5}}}\n"
     flat = "{classifier: {like: conf/clustering/flat.yaml}}"
     third = f"like: data/thesis/tables/study/table_01.yaml\ntrial: {flat}\n"
     root = write(study__table_01=first, study__table_02=second, study__table_03=third)
     found = definitions.studies(PARAMS, root)["study"]
     knn = {"tree": {"size": 4}, "model": "knn", "base": {"k": 3, "smoothing": 1.0}}
-    assert found["table_01"] == {"number": 1, "title": "A", "trial": {"classifier": knn}}
+    assert found["table_01"]["trial"] == {"classifier": knn}
     assert found["table_02"]["trial"]["classifier"]["base"] == {"k": 5, "smoothing": 1.0}
     assert (found["table_02"]["number"], found["table_02"]["title"]) == (2, "A")
     # What starts from a file does not inherit.

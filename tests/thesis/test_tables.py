@@ -265,5 +265,5 @@ def test_an_addition_has_no_number():
 def test_every_layout_is_used_and_unknown_ones_are_refused():
     extended = tables_of(with_optional("embedding"), ROOT)
     assert {table["layout"] for table in extended.values()} == set(layouts.LAYOUTS)
-    with pytest.raises(PlacecatError, match=r"layout 'x' of table_07.*by_class, by_home"):
+    with pytest.raises(PlacecatError, match=r"table_07: the layout 'x' .*by_class, by_home"):
         layouts.cells({"name": "table_07", "layout": "x"}, RESULTS)
