@@ -204,10 +204,10 @@ def _hydra(command: str, arguments: list[str]) -> None:
 
 
 def _write_params(overrides: Sequence[str]) -> None:
-    from placecat.thesis import definitions
+    from placecat.thesis import tables
 
     write_params(overrides)
-    definitions.check(settings.load())
+    tables.check(settings.load())
 
 
 def _params(options: argparse.Namespace) -> int:

@@ -259,7 +259,8 @@ def test_without_optuna_one_message_names_the_extra(tmp_path):
         "import importlib.util as u\nreal = u.find_spec\n"
         "u.find_spec = lambda name, *rest: None if name == 'optuna' else real(name, *rest)\n"
     )
-    result = run(folder, "test_home=H1", "track=false", PYTHONPATH=str(tmp_path / "hidden"))
+    path = os.pathsep.join([str(tmp_path / "hidden"), os.environ.get("PYTHONPATH", "")])
+    result = run(folder, "test_home=H1", "track=false", PYTHONPATH=path)
     assert result.returncode == 1
     assert "pip install -e .[search]" in result.stderr
     assert "Traceback" not in result.stderr

@@ -11,9 +11,8 @@ from typing import Any
 
 import yaml
 
-from placecat import paths, settings, signatures
+from placecat import paths, settings
 from placecat.errors import PlacecatError
-from placecat.evaluation.trials import expand
 
 LIKE = "like"
 _SETTING = re.compile(r"\$\{(\.*)([\w.]+)\}")
@@ -43,32 +42,6 @@ def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str
         for path, table in found.items()
         if "needs" not in table or _is_set(params, table["needs"])
     }
-
-
-def check(params: Mapping[str, Any], root: Path = Path()) -> None:
-    """Refuse tables with an unknown layout, and trials with a classifier or settings that there are not.
-
-    Parameters
-    ----------
-    params, root
-        As for :func:`tables`.
-
-    Raises
-    ------
-    PlacecatError
-        As :func:`tables`, :func:`placecat.evaluation.trials.expand` and :mod:`placecat.signatures`.
-    """
-    # They need pandas, which takes time to import.
-    from placecat.thesis import layouts
-
-    homes = list(settings.get(params, "dataset.homes"))
-    of_studies = {name: table for one in studies(params, root).values() for name, table in one.items()}
-    for name, table in {**tables(params, root), **of_studies}.items():
-        if table.get("layout") is not None or name not in of_studies:
-            layouts.check(table, name)
-    for name, table in of_studies.items():
-        for trial in expand(name, table, homes):
-            signatures.check_part(trial.settings, trial.name)
 
 
 def optional(root: Path = Path()) -> list[str]:
