@@ -99,7 +99,7 @@ def folds(homes: Sequence[str], scheme: str, tested: str | Sequence[str] = ALL) 
     Parameters
     ----------
     homes
-        Names in order; at least 2 for 5-5-1 and 3 for 4-5-1.
+        Names in order; at least 3 for 5-5-1 and 4 for 4-5-1.
     scheme
         "5-5-1" or "4-5-1"; the names are the thesis's, whatever the number of homes.
     tested
