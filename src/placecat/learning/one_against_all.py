@@ -93,6 +93,7 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     --------
     >>> X = np.repeat([[0.0], [1.0], [2.0]], 10, axis=0) + np.tile(np.linspace(-0.2, 0.2, 10), 3)[:, None]
     >>> y = np.repeat(["bath", "hall", "kitchen"], 10)
+    >>> from placecat.learning.nu_svm import NuSVM
     >>> model = OneAgainstAll(NuSVM(gamma=2.0, nu=0.2), folds=2).fit(X, y)
     >>> model.predict([[0.1], [1.9]]).tolist()
     ['bath', 'kitchen']
