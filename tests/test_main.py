@@ -263,7 +263,7 @@ def test_other_settings_are_no_failure(committed):
     result = placecat(committed, "repro", "probabilities.smallest=7")
     assert result.returncode == 0, result.stderr
     assert "1 of 2 cells equal" in result.stdout
-    assert "Not the kept settings: probabilities. Differences are to be expected." in result.stdout
+    assert "Not the kept settings: probabilities.smallest. Differences are to be expected." in result.stdout
 
 
 def test_a_failed_run_shows_neither_times_nor_tables(committed):
