@@ -10,7 +10,17 @@ from filelock import FileLock
 import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
 
 # Helpers of the tests: modules without tests in these folders.
-for _folder in (".", "categorizer", "homes", "sequences", "stages", "thesis", "vision", "vision/networks"):
+for _folder in (
+    ".",
+    "categorizer",
+    "experiment",
+    "homes",
+    "sequences",
+    "stages",
+    "thesis",
+    "vision",
+    "vision/networks",
+):
     sys.path.insert(0, str(Path(__file__).parent / _folder))
 
 

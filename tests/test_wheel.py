@@ -6,8 +6,9 @@ import sysconfig
 from pathlib import Path
 
 import pytest
+from made_experiments import make_project
 
-from project import ROOT, light_conf, run
+from project import ROOT, run
 
 pytestmark = pytest.mark.slow
 
@@ -45,20 +46,24 @@ def test_it_holds_every_file_of_the_source(installed):
     assert [file for file in wanted if not (packages / file).is_file()] == []
 
 
-@pytest.mark.parametrize(
-    ("command", "says"),
-    [
-        (("placecat", "predict", "--help"), "--labels CSV"),
-        (("placecat", "experiment", "--help"), "descriptor"),
-    ],
-    ids=["predict", "a sweep"],
-)
-def test_its_commands_run(installed, tmp_path, command, says):
+# `PYTHONPATH`, if there is one, may have the source.
+WITHOUT_SOURCE = {"PYTHONPATH": ""}
+
+
+def test_it_is_what_runs_and_predicts(installed, tmp_path):
     python, packages = installed
-    light_conf(tmp_path / "conf")
-    program, *arguments = command
-    # `PYTHONPATH`, if there is one, may have the source.
-    result = run(tmp_path, python.with_name(program), *arguments, PYTHONPATH="")
-    assert says in result.stdout
-    where = run(tmp_path, python, "-c", "import placecat; print(placecat.__file__)", PYTHONPATH="").stdout
+    where = run(tmp_path, python, "-c", "import placecat; print(placecat.__file__)", **WITHOUT_SOURCE).stdout
     assert Path(where.strip()).is_relative_to(packages)
+    shown = run(tmp_path, python.with_name("placecat"), "predict", "--help", **WITHOUT_SOURCE).stdout
+    assert "--labels CSV" in shown
+
+
+def test_a_sweep_runs(installed, tmp_path):
+    python, _ = installed
+    folder = make_project(tmp_path / "project")
+    settings = ("descriptor=gist", "classifier=knn", "codebook.tree.branching=4", "classifier.clusters=13")
+    of_sweep = ("test_home=H1", "classifier.base.n_neighbors=1,3", "track=false", "hydra/launcher=basic")
+    command = (python.with_name("placecat"), "experiment", "-m", *settings, *of_sweep)
+    result = run(folder, *command, "hydra.sweep.dir=swept", **WITHOUT_SOURCE)
+    assert "classifier.base.n_neighbors" in result.stdout
+    assert len((folder / "swept/summary.csv").read_text().splitlines()) > 2
