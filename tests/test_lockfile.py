@@ -1,18 +1,20 @@
 import csv
 import hashlib
 import json
+import re
 import subprocess
 from pathlib import Path
 
 import pytest
 import yaml
 
-from placecat import repro
+from placecat import repro, settings
 from placecat.errors import PlacecatError
 from placecat.lockfile import data_version
 
 ROOT = Path(__file__).resolve().parents[1]
 KEPT = yaml.safe_load((ROOT / "dvc.lock").read_text())["stages"]
+PARAMS = settings.load(ROOT / "params.yaml")
 STAGES = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]
 
 LOCK = """
@@ -47,10 +49,16 @@ def test_a_stage_that_did_not_run_is_named(tmp_path, monkeypatch):
         data_version("features@home_1")
 
 
+def filled(reference):
+    """The setting that a reference in dvc.yaml names."""
+    return settings.get(PARAMS, reference[1])
+
+
 def test_the_lock_file_has_every_stage_and_no_other():
     assert set(KEPT) == set(STAGES)
     for name, stage in STAGES.items():
-        assert {dep["path"] for dep in KEPT[name].get("deps", [])} == set(stage.get("deps", []))
+        wanted = {re.sub(r"\$\{([\w.]+)\}", filled, dep) for dep in stage.get("deps", [])}
+        assert {dep["path"] for dep in KEPT[name].get("deps", [])} == wanted
 
 
 def in_git():
