@@ -4,11 +4,15 @@ import hashlib
 import os
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import yaml
 
 from placecat import files, inferred, paths, references, settings, signatures
 from placecat.errors import PlacecatError
+
+if TYPE_CHECKING:
+    from omegaconf import DictConfig
 
 # Folders of conf/ all of whose files are used, and where their content goes.
 FOUND = {
@@ -78,32 +82,60 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
     PlacecatError
         An override that names no setting, or a setting without a value.
     """
-    from hydra import compose as hydra_compose
-    from hydra import initialize_config_dir
-    from hydra.errors import HydraException
     from omegaconf import OmegaConf
     from omegaconf.errors import OmegaConfBaseException
 
+    from placecat import defaults
+
     if not (conf / "config.yaml").is_file():
         raise PlacecatError(f"{conf / 'config.yaml'} is missing: run placecat in the project's folder")
+    named = [override.partition("=") for override in overrides]
+    is_choice = [(conf / name.lstrip("+~").partition("@")[0]).is_dir() for name, _, _ in named]
+    choices = [(name, file) for (name, _, file), this in zip(named, is_choice, strict=True) if this]
+    values = [override for override, this in zip(overrides, is_choice, strict=True) if not this]
     try:
-        with initialize_config_dir(str(conf.resolve()), version_base=None):
-            config = hydra_compose("config", overrides=list(overrides))
+        try:
+            content = defaults.merge(conf, choices)
+            config = _by_hydra(values, content) if values else OmegaConf.create(content)
+        except defaults.Unusual:
+            config = _by_hydra(overrides, conf)
         text: str = OmegaConf.to_yaml(config, resolve=True)
         # Slow to look for otherwise.
         missing = sorted(OmegaConf.missing_keys(config)) if "???" in text else []
         if missing:
             raise PlacecatError(f"setting {missing[0]} has no value: add {missing[0]}=VALUE to the overrides")
-    except (HydraException, OmegaConfBaseException) as error:
-        lines = [line.strip() for line in str(error).splitlines() if line.strip()]
-        raise PlacecatError(f"the settings cannot be composed: {' '.join(lines)}") from None
+    except OmegaConfBaseException as error:
+        raise _refusal(error) from None
     return text
+
+
+def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any]) -> "DictConfig":
+    """Hydra's way: apply overrides to what is merged already, or to a folder that has config.yaml."""
+    from hydra import compose as hydra_compose
+    from hydra import initialize, initialize_config_dir
+    from hydra.core.config_store import ConfigStore
+    from hydra.errors import HydraException
+
+    try:
+        if isinstance(source, Path):
+            with initialize_config_dir(str(source.resolve()), version_base=None):
+                return hydra_compose("config", overrides=list(overrides))
+        ConfigStore.instance().store("merged", source)
+        with initialize(version_base=None):
+            return hydra_compose("merged", overrides=list(overrides))
+    except (HydraException, yaml.YAMLError) as error:
+        raise _refusal(error) from None
+
+
+def _refusal(error: Exception) -> PlacecatError:
+    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+    return PlacecatError(f"the settings cannot be composed: {' '.join(lines)}")
 
 
 def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> None:
     """List what is there in conf/found.yaml, compose the settings and write them to params.yaml.
 
-    Nothing is composed where it was from the same files and overrides before, since Hydra takes seconds.
+    Nothing is composed where it was from the same files and overrides before.
 
     Raises
     ------

@@ -7,6 +7,7 @@ from typing import Any
 
 import yaml
 
+from placecat import settings
 from placecat.errors import PlacecatError
 from placecat.vision import discovery, holistic, local
 
@@ -121,7 +122,7 @@ def _read(conf: Path, folder: str) -> Iterator[tuple[Path, dict[str, Any]]]:
     """Paths and contents of the files of a folder."""
     for path in sorted((conf / folder).glob("*.yaml")):
         try:
-            content = yaml.safe_load(path.read_text(encoding="utf-8"))
+            content = yaml.load(path.read_text(encoding="utf-8"), Loader=settings.Loader)
         except yaml.YAMLError as error:
             raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None
         if isinstance(content, dict):

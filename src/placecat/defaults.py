@@ -1,0 +1,163 @@
+"""conf/ merged along its defaults lists, as Hydra merges it.
+
+Hydra takes seconds for the hundred files of conf/: its time grows with the square of their number. What conf/
+does everywhere is done here; all that is rarer, and every mistake, is left to Hydra (:class:`Unusual`).
+"""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import yaml
+from omegaconf._utils import get_yaml_loader
+
+_OVERRIDE = "override "
+_MISSING = "???"
+# OmegaConf's way with numbers, dates and keys that are given twice, on libyaml where it is there.
+_Loader = get_yaml_loader()
+if yaml.__with_libyaml__:
+    _Loader = type("_Loader", (yaml.CSafeLoader, _Loader), {})
+
+
+class Unusual(Exception):
+    """What only Hydra composes, or refuses."""
+
+
+class _Entry(NamedTuple):
+    """An entry of a defaults list: name of the choice (empty if there is none), its group, file, package."""
+
+    choice: str
+    group: str
+    file: str
+    package: str
+    overrides: bool
+
+
+def merge(conf: Path, choices: Sequence[tuple[str, str]] = ()) -> dict[str, Any]:
+    """Merge conf/config.yaml with all files that it names, directly or through others.
+
+    Parameters
+    ----------
+    conf
+        The folder of config.yaml.
+    choices
+        Hydra's name of a choice and the file chosen, e.g. ``("dataset", "my_homes")`` or
+        ``("classifier@cues.gist.classifier", "knn")``.
+
+    Returns
+    -------
+    dict
+        Plain containers; references (``${...}``) as they are written.
+
+    Raises
+    ------
+    Unusual
+        A file that is missing or no valid YAML, a choice of nothing, a package in a header, a list of
+        files ...
+    """
+    if len(dict(choices)) < len(choices) or not all(file for _, file in choices):
+        raise Unusual(str(choices))
+    tree = _Tree(conf, dict(choices))
+    tree.walk("config", "", ())
+    if not tree.choices.keys() <= tree.seen:
+        raise Unusual(", ".join(tree.choices.keys() - tree.seen))
+    merged: dict[str, Any] = {}
+    for package, content in reversed(tree.parts):
+        for name in reversed(package.split(".") if package else []):
+            content = {name: content}
+        merged = _over(merged, content)
+    return merged
+
+
+class _Tree:
+    """The files in the order in which Hydra walks through them: the last of a defaults list first.
+
+    Attributes
+    ----------
+    parts
+        Package (a dotted name, empty for the whole) and content of each file.
+    choices
+        Those that were made, outside or by an ``override`` in a defaults list.
+    seen
+        Names of all that there are.
+    """
+
+    def __init__(self, conf: Path, choices: dict[str, str]) -> None:
+        self.parts: list[tuple[str, dict[str, Any]]] = []
+        self.choices = choices
+        self.seen: set[str] = set()
+        self._conf = conf
+        self._contents: dict[str, dict[str, Any]] = {}
+
+    def walk(self, name: str, package: str, before: tuple[str, ...]) -> None:
+        """Add a file and what it names; `before` are the files that led to it."""
+        content = dict(self._read(name))
+        defaults = content.pop("defaults", ["_self_"])
+        if name in before or not isinstance(defaults, list) or (content and "_self_" not in defaults):
+            raise Unusual(name)
+        folder = name.rpartition("/")[0]
+        entries = [_entry(default, folder, package) for default in defaults]
+        for entry in entries:
+            if entry.overrides:
+                # What was chosen further outside stays.
+                self.choices.setdefault(entry.choice, entry.file)
+        for entry in reversed(entries):
+            if entry.file == "_self_":
+                self.parts.append((package, content))
+            elif not entry.overrides:
+                if entry.choice in self.seen:
+                    raise Unusual(entry.choice)
+                if entry.choice:
+                    self.seen.add(entry.choice)
+                if file := self.choices.get(entry.choice, entry.file):
+                    self.walk(f"{entry.group}/{file}".lstrip("/"), entry.package, (*before, name))
+
+    def _read(self, name: str) -> dict[str, Any]:
+        if name not in self._contents:
+            try:
+                text = (self._conf / f"{name}.yaml").read_text(encoding="utf-8")
+                content = yaml.load(text, Loader=_Loader)
+            except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+                raise Unusual(name) from error
+            if not isinstance(content, dict | None) or "@package" in text:
+                raise Unusual(name)
+            self._contents[name] = content or {}
+        return self._contents[name]
+
+
+def _entry(default: Any, folder: str, package: str) -> _Entry:
+    """Read an entry of the defaults list of a file in `folder`, whose content goes to `package`."""
+    if isinstance(default, str):
+        path, at, own = default.partition("@")
+        group, slash, file = path.rpartition("/")
+        group = group or slash
+    elif isinstance(default, dict) and len(default) == 1 and all(isinstance(key, str) for key in default):
+        ((path, file),) = default.items()
+        group, at, own = path.removeprefix(_OVERRIDE).partition("@")
+        # An empty list is no file.
+        file = file or ""
+    else:
+        raise Unusual(str(default))
+    if not isinstance(file, str) or "$" in path + file or " " in group:
+        raise Unusual(str(default))
+    if own.startswith("_") and own != "_here_":
+        raise Unusual(str(default))
+    whole = group.strip("/") if group.startswith("/") else f"{folder}/{group}".strip("/")
+    inner = own if at else group.strip("/").replace("/", ".")
+    target = package if own == "_here_" else f"{package}.{inner}".strip(".")
+    choice = whole if target == whole.replace("/", ".") else f"{whole}@{target}"
+    return _Entry("" if isinstance(default, str) else choice, whole, file, target, path.startswith(_OVERRIDE))
+
+
+def _over(below: Any, above: Any) -> Any:
+    """A value over another: mappings are merged, all else replaces."""
+    if isinstance(above, dict):
+        if isinstance(below, list) or (isinstance(below, str) and "$" in below):
+            raise Unusual(below)
+        merged = dict(below) if isinstance(below, dict) else {}
+        for key, value in above.items():
+            merged[key] = _over(merged.get(key), value)
+        return merged
+    if isinstance(above, list) and isinstance(below, dict):
+        raise Unusual(above)
+    return below if above == _MISSING and below is not None else above
