@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
-from placecat import compute, paths, settings
+from placecat import compute, paths
 from placecat.compose import write_params
 from placecat.errors import PlacecatError, exiting
 
@@ -203,22 +203,15 @@ def _hydra(command: str, arguments: list[str]) -> None:
         application.main(arguments)
 
 
-def _write_params(overrides: Sequence[str]) -> None:
-    from placecat.thesis import tables
-
-    write_params(overrides)
-    tables.check(settings.load())
-
-
 def _params(options: argparse.Namespace) -> int:
-    _write_params(options.overrides)
+    write_params(options.overrides)
     return 0
 
 
 def _repro(options: argparse.Namespace) -> int:
     from placecat import repro, times
 
-    _write_params(options.overrides)
+    write_params(options.overrides)
     call, start = times.new_call(), time.perf_counter()
     status = repro.run(force=options.force, **{times.CALL: call})
     if status:

@@ -2,13 +2,13 @@
 
 import hashlib
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import yaml
 
-from placecat import files, inferred, paths, references, settings, signatures
+from placecat import files, inferred, paths, settings
 from placecat.errors import PlacecatError
 
 if TYPE_CHECKING:
@@ -140,8 +140,8 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
     Raises
     ------
     PlacecatError
-        As `found`, `compose`, and the checks of :mod:`placecat.schema`, :mod:`placecat.references` and
-        :mod:`placecat.signatures`; params.yaml stays as it was.
+        As `found`, `compose`, and the checks of :mod:`placecat.schema`, :mod:`placecat.references`,
+        :mod:`placecat.signatures` and :mod:`placecat.thesis.checks`; params.yaml stays as it was.
     """
     listing = paths.CONF / "found.yaml"
     if (paths.CONF / "config.yaml").is_file():
@@ -152,20 +152,33 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
         return
     with files.replacing(target) as temporary:
         temporary.write_text(compose(overrides), encoding="utf-8")
-        # Here, since pydantic is slow to import.
-        from placecat import schema
-
-        params = settings.load(temporary)
-        schema.check(params)
-        references.check(params)
-        signatures.check(params)
+        check(settings.load(temporary))
     files.write_text(_COMPOSED, _digest(overrides, target))
 
 
+def check(params: Mapping[str, Any]) -> None:
+    """Refuse settings that are wrong, together or each.
+
+    Raises
+    ------
+    PlacecatError
+        As :func:`write_params`.
+    """
+    # Here, since pydantic is slow to import.
+    from placecat import references, schema, signatures
+    from placecat.thesis import checks
+
+    schema.check(params)
+    references.check(params)
+    signatures.check(params)
+    checks.check(params)
+
+
 def _digest(overrides: Sequence[str], target: Path) -> str:
-    """Of all that params.yaml is composed of, and of itself."""
+    """Of all that params.yaml is composed of and checked against, and of itself."""
     content = hashlib.sha256(repr(list(overrides)).encode())
-    for path in [*sorted(paths.CONF.rglob("*.yaml")), target]:
+    read = [*paths.CONF.rglob("*.yaml"), *paths.TABLE_DEFINITIONS.rglob("*.yaml")]
+    for path in [*sorted(read), target]:
         own = path.read_bytes() if path.is_file() else b""
         # Another environment gives another value.
         if b"oc.env" in own:

@@ -1,4 +1,7 @@
-"""Writing results: under a temporary name first, then renamed, with the same bytes for the same content."""
+"""Writing results: under a temporary name first, then renamed, with the same bytes for the same content.
+
+NumPy and pandas are imported where they are needed, since commands that write settings only are to be quick.
+"""
 
 import hashlib
 import io
@@ -10,11 +13,10 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from placecat.errors import PlacecatError
 
 if TYPE_CHECKING:
+    import numpy as np
     import pandas as pd
 
 
@@ -86,19 +88,25 @@ def checksum(path: Path) -> str:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
-def write_array(path: Path, array: np.ndarray) -> None:
+def write_array(path: Path, array: "np.ndarray") -> None:
     """Write one array as ``.npy``, never with pickle."""
+    import numpy as np
+
     with replacing(path) as temporary:
         np.save(temporary, np.ascontiguousarray(array), allow_pickle=False)
 
 
-def read_array(path: Path, *, memory_map: bool = True) -> np.ndarray:
+def read_array(path: Path, *, memory_map: bool = True) -> "np.ndarray":
     """Read one ``.npy`` array, memory-mapped by default, never with pickle."""
+    import numpy as np
+
     return np.load(path, mmap_mode="r" if memory_map else None, allow_pickle=False)
 
 
-def write_arrays(path: Path, arrays: Mapping[str, np.ndarray]) -> None:
+def write_arrays(path: Path, arrays: Mapping[str, "np.ndarray"]) -> None:
     """Write named arrays as one ``.npz``, never with pickle."""
+    import numpy as np
+
     for name, array in arrays.items():
         if np.asarray(array).dtype.hasobject:
             raise TypeError(f"array {name!r} holds Python objects, which only pickle could write")
@@ -110,8 +118,10 @@ def write_arrays(path: Path, arrays: Mapping[str, np.ndarray]) -> None:
             archive.writestr(zipfile.ZipInfo(f"{name}.npy"), content.getvalue())
 
 
-def read_arrays(path: Path) -> dict[str, np.ndarray]:
+def read_arrays(path: Path) -> "dict[str, np.ndarray]":
     """Read all arrays of one ``.npz``, never with pickle."""
+    import numpy as np
+
     with np.load(path, allow_pickle=False) as archive:
         return {name: archive[name] for name in archive.files}
 

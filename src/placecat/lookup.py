@@ -174,13 +174,16 @@ def entries(package: str, dictionary: str) -> dict[str, tuple[str, str]]:
     """
     listed = {}
     for name in names(package, dictionary):
-        node = _statements(f"{package}.{name}")[dictionary]
-        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Dict):
-            for key, value in zip(node.value.keys, node.value.values, strict=True):
-                if isinstance(key, ast.Constant) and isinstance(value, ast.Tuple):
-                    last = value.elts[-1]
-                    listed[str(key.value)] = (name, last.id if isinstance(last, ast.Name) else "")
+        for key, value in _literal(package, name, dictionary).items():
+            if isinstance(value, ast.Tuple):
+                last = value.elts[-1]
+                listed[key] = (name, last.id if isinstance(last, ast.Name) else "")
     return listed
+
+
+def keys(package: str, name: str, dictionary: str) -> list[str]:
+    """List the keys of a dictionary that a module defines as a literal, without importing it."""
+    return list(_literal(package, name, dictionary))
 
 
 def forget() -> None:
@@ -233,6 +236,14 @@ def _parsed(file: Path, changed: int) -> dict[str, ast.stmt]:
         elif isinstance(node, ast.Assign):
             found |= {target.id: node for target in node.targets if isinstance(target, ast.Name)}
     return found
+
+
+def _literal(package: str, name: str, dictionary: str) -> dict[str, ast.expr]:
+    node = _statements(f"{package}.{name}")[dictionary]
+    if not isinstance(node, ast.Assign) or not isinstance(node.value, ast.Dict):
+        return {}
+    pairs = zip(node.value.keys, node.value.values, strict=True)
+    return {str(key.value): value for key, value in pairs if isinstance(key, ast.Constant)}
 
 
 def _resolve(full_name: str, name: str) -> _Definition | None:

@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat import paths, settings, signatures
-from placecat.evaluation.trials import expand
+from placecat import paths, settings
 from placecat.results.measured import Results
 from placecat.thesis import definitions, layouts
 from placecat.thesis.notes import Kind, Note, joined, without_empty
@@ -140,28 +139,3 @@ def _why_missing(key: tuple[str, str, str], dataset: Mapping[str, Any]) -> str:
     if column in map(layouts.place_column, dataset["classes"]):
         return "no tested frame shows this place"
     return "the data set has no such place"
-
-
-def check(params: Mapping[str, Any], root: Path = Path()) -> None:
-    """Refuse tables with an unknown layout, and trials with a classifier or settings that there are not.
-
-    Parameters
-    ----------
-    params, root
-        As for :func:`placecat.thesis.definitions.tables`.
-
-    Raises
-    ------
-    PlacecatError
-        As :func:`placecat.thesis.definitions.tables`, :func:`placecat.evaluation.trials.expand` and
-        :mod:`placecat.signatures`.
-    """
-    homes = list(settings.get(params, "dataset.homes"))
-    studies = definitions.studies(params, root).values()
-    of_studies = {name: table for study in studies for name, table in study.items()}
-    for name, table in {**definitions.tables(params, root), **of_studies}.items():
-        if table.get("layout") is not None or name not in of_studies:
-            layouts.check(table, name)
-    for name, table in of_studies.items():
-        for trial in expand(name, table, homes):
-            signatures.check_part(trial.settings, trial.name)
