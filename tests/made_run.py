@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pandas as pd
 
-from placecat import files, paths, settings, store
+from placecat import files, fold_file, paths, settings, store
 from placecat.cues.codebook import Codebook
 from placecat.training import protocol
 from placecat.vision.attention import compute_maps, find_regions
@@ -110,8 +110,8 @@ def proba(home, cue):
 
 def _write_cues(home):
     for cue in CUES:
-        seed = paths.NO_SEED if cue in ("gist", "spatial_pact") else paths.seed_folder(0)
-        files.write_array(paths.CUES / cue / "5-5-1" / home / seed / "test.npy", proba(home, cue))
+        seed = paths.NO_SEED if cue in ("gist", "spatial_pact") else paths.seed_name(0)
+        fold_file.write(fold_file.path_of(paths.CUES / cue / "5-5-1", home, seed), {"test": proba(home, cue)})
 
 
 def _write_codebook(fold, params):

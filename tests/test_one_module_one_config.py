@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import yaml
 
+from placecat import fold_file
 from project import HOMES, ROOT, SITES, SMALL, contents, repro, run
 from sketch import draw_homes
 from test_adding import BLOCKS
@@ -118,10 +119,10 @@ def test_one_module_and_one_file_make_a_cue(after):
     folder, _, ran = after
     assert {"features", "codebooks", "cues"} <= set(ran)
     for cue in ("brightness", "thumbnail_y"):
-        tests = sorted((folder / "data/cues" / cue / "5-5-1").rglob("test.npy"))
-        assert {path.parts[-3] for path in tests} == {"Home1"}
+        tests = sorted((folder / "data/cues" / cue / "5-5-1").glob("*.npz"))
+        assert {path.name.split(".")[0] for path in tests} == {"Home1"}
         for path in tests:
-            proba = np.load(path)
+            proba = fold_file.read(path, "test")
             assert proba.shape[1] == 5
             assert (proba >= 0).all()
             np.testing.assert_allclose(proba.sum(axis=1), 1)

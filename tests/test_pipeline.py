@@ -6,7 +6,7 @@ import shutil
 import pandas as pd
 import pytest
 
-from placecat import files
+from placecat import files, fold_file
 from project import HOMES, ROOT, SMALL, compose, contents, copy_project, light_conf, rendered, repro, run
 
 IDENTITY = ("-c", "user.name=test", "-c", "user.email=test@example.org")
@@ -190,13 +190,12 @@ def test_frame_by_frame_gives_the_bits_of_the_pipeline(reproduced, tmp_path, mon
         categorizer.reset()
         for image in read_frames(folder / HOMES, frames.iloc[part], size=categorizer.frame_size):
             decisions.append(categorizer.update(image))
-    place = f"{system}/Home4/seed-1"
     for stage, name, attribute in (
         ("integration", "test", "integrated"),
         ("smoothing", "hmm", "hmm"),
         ("smoothing", "delayed", "proba"),
     ):
-        expected = np.load(folder / "data" / stage / place / f"{name}.npy")
+        expected = fold_file.read(folder / "data" / stage / system / "Home4.seed-1.npz", name)
         np.testing.assert_array_equal([getattr(one, attribute) for one in decisions], expected)
 
 

@@ -21,6 +21,7 @@ PLUMBING = {
     "errors",
     "items",
     "files",
+    "fold_file",
     "parallel",
     "paths",
     "seeds",

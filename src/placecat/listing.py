@@ -1,6 +1,4 @@
-"""The frames and labels of a home, as the stage `sequences` listed them, and what each seed left."""
-
-from pathlib import Path
+"""The frames and labels of a home, as the stage `sequences` listed them."""
 
 import numpy as np
 import pandas as pd
@@ -39,14 +37,3 @@ def frame_size(home: str) -> tuple[int, int]:
     """(width, height) of a home's frames, in pixels."""
     facts = files.read_json(paths.sequences(home) / "home.json")
     return facts["width"], facts["height"]
-
-
-def seeded(folder: Path, seed: int | None) -> Path:
-    """The folder of one seed in `folder`; a result that nothing random has a part in serves every seed."""
-    fixed = folder / paths.seed_folder(None)
-    return fixed if fixed.exists() else folder / paths.seed_folder(seed)
-
-
-def seeds_in(folder: Path) -> list[str]:
-    """Names of the seeds that left something in `folder`: ``seed-0``, ``seed-1``, or ``no-seed`` alone."""
-    return sorted(path.name for path in folder.iterdir() if path.is_dir()) if folder.is_dir() else []

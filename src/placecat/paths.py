@@ -58,7 +58,7 @@ SCALE_GROWTH = Path("reports/scale_growth.csv")
 SCALE_FACTS = Path("reports/scale.json")
 PAGE = Path("reports/index.html")
 
-# Folder of what nothing random has a part in.
+# In names of what nothing random has a part in.
 NO_SEED = "no-seed"
 # In the folder of a home's features: that of a variant of its salient regions, and which frames have it.
 VARIANT = "variant_{}"
@@ -81,8 +81,8 @@ def features(home: str) -> Path:
     return (SITE_FEATURES if "/" in home else FEATURES) / home
 
 
-def seed_folder(seed: int | None) -> str:
-    """Folder of what was computed with one seed, or without any: `seed-0`, or `no-seed`."""
+def seed_name(seed: int | None) -> str:
+    """In names of what was computed with one seed, or without any: `seed-0`, or `no-seed`."""
     return NO_SEED if seed is None else f"seed-{seed}"
 
 
@@ -93,4 +93,4 @@ def codebook(name: str, training_set: str, seed: int) -> Path:
 
 def codebook_file(training_set: str, seed: int) -> str:
     """Name of the file of one training set and seed in a codebook's folder."""
-    return f"{training_set}.{seed_folder(seed)}.npz"
+    return f"{training_set}.{seed_name(seed)}.npz"

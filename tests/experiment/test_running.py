@@ -9,6 +9,7 @@ import pytest
 from made_experiments import SMALL, make_project, resolved
 from made_features import CLASSES, HOMES
 
+from placecat import fold_file, paths
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.experiment.running import compute
 from placecat.results.measured import from_scores
@@ -55,7 +56,7 @@ def test_an_experiment_on_a_split_is_the_cue_of_that_split(tmp_path, monkeypatch
     found = compute(resolved(*SMALL, "descriptor=hog", "descriptor.color=color_mv", data="site"))
     labels = pd.read_csv("data/site_sequences/site/robot/labels.csv")["class"]
     for seed in ("seed-0", "seed-1"):
-        proba = np.load(f"data/splits/site/cues/hog_y/robot/{seed}/test.npy")
+        proba = fold_file.read(paths.SPLITS / f"site/cues/hog_y/robot.{seed}.npz", "test")
         expected = confusion_matrix(labels, proba.argmax(axis=1), 4)
         np.testing.assert_array_equal(confusion(found, "robot", seed), expected)
 

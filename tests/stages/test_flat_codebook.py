@@ -3,6 +3,7 @@
 import numpy as np
 from made_features import PARAMS, make
 
+from placecat import fold_file
 from placecat.cues.codebook import Codebook
 from placecat.stages import codebooks, cues
 
@@ -28,7 +29,7 @@ def test_cues_decide_from_it(tmp_path, monkeypatch):
     codebooks.main()
     cues.main()
     for name in CLUSTERS:
-        proba = np.load(next((tmp_path / f"data/cues/{name}").rglob("test.npy")))
+        proba = fold_file.read(next((tmp_path / f"data/cues/{name}").rglob("*.npz")), "test")
         np.testing.assert_allclose(proba.sum(axis=1), 1)
         assert len(np.unique(proba.round(6), axis=0)) > 1
     (file,) = tmp_path.glob("data/codebooks/hog_y/*H1*.npz")

@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 from made_features import HOMES, PARAMS, make, run_stages
 
+from placecat import files
+
 MARKED = "H2"
 
 pytestmark = pytest.mark.slow
@@ -21,15 +23,21 @@ def runs(tmp_path_factory):
 
 
 # What models say of the test home: its frames may change that.
-APPLIED = ("test.npy", "tempered.npy")
+APPLIED = ("test", "tempered")
 
 
 def fitted_files(folder, home):
     """Everything fitted when `home` is the test home, and what fitted models say of training frames."""
-    codebooks = list(folder.glob(f"data/codebooks/*/without-{home}*.npz"))
-    cues = [path for path in folder.glob(f"data/cues/*/*/{home}/*/*") if path.name not in APPLIED]
-    fused = [path for path in folder.glob(f"data/integration/*/{home}/*/*") if path.name not in APPLIED]
-    return {path.relative_to(folder): path.read_bytes() for path in [*codebooks, *cues, *fused]}
+    kinds = (f"codebooks/*/without-{home}*.npz", f"cues/*/*/{home}.*.npz", f"integration/*/{home}.*.npz")
+    found = {}
+    for path in (path for kind in kinds for path in folder.glob(f"data/{kind}")):
+        place = path.relative_to(folder)
+        for name, array in files.read_arrays(path).items():
+            if name not in APPLIED:
+                found[place, name] = array.tobytes()
+        if path.with_suffix(".json").exists():
+            found[place, "facts"] = path.with_suffix(".json").read_bytes()
+    return found
 
 
 def test_what_is_fitted_for_the_marked_home_does_not_change(runs):
@@ -43,7 +51,7 @@ def test_the_marker_would_be_seen(runs):
     """With another test home the marked one trains: there the same files do change."""
     other = next(home for home in HOMES if home != MARKED)
     plain, marked = fitted_files(runs["plain"], other), fitted_files(runs["marked"], other)
-    changed = {name.parts[1] for name in plain if plain[name] != marked[name]}
+    changed = {name[0].parts[1] for name in plain if plain[name] != marked[name]}
     assert changed == {"codebooks", "cues", "integration"}
 
 
@@ -61,7 +69,7 @@ def test_the_transitions_do_not_come_from_the_test_home(runs, monkeypatch):
         "emission_counts": 1.0,
     }
     (plan,) = of_homes(PARAMS, "5-5-1", MARKED)
-    source = runs["plain"] / "data/integration/das" / MARKED / "seed-1"
+    source = runs["plain"] / f"data/integration/das/{MARKED}.seed-1.npz"
     results = []
     for name in ("plain", "marked"):
         monkeypatch.chdir(runs[name])
@@ -81,12 +89,15 @@ def test_results_do_not_depend_on_the_number_of_workers(runs, tmp_path, monkeypa
 
 
 def test_distributions_are_distributions(runs):
-    paths = [
-        path for name in ("test", "hmm", "delayed") for path in runs["plain"].glob(f"data/*/*/**/{name}.npy")
+    found = [
+        (path, array)
+        for kind in ("cues", "integration", "filtered", "smoothing", "splits")
+        for path in runs["plain"].glob(f"data/{kind}/**/*.npz")
+        for name, array in files.read_arrays(path).items()
+        if name in ("test", "hmm", "delayed")
     ]
-    assert len(paths) > 80
-    for path in paths:
-        proba = np.load(path)
+    assert len(found) > 80
+    for path, proba in found:
         assert proba.shape == (90, 4 if "splits" in path.parts else 3)
         np.testing.assert_allclose(proba.sum(axis=1), 1.0, atol=1e-9)
         assert (proba >= 0).all()

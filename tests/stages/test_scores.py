@@ -6,7 +6,7 @@ import pytest
 import yaml
 from made_features import CLASSES, HOMES, PARAMS, STUDIES, make
 
-from placecat import files, listing, paths, settings
+from placecat import files, fold_file, listing, paths, settings
 from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.evaluation.quality import home_quality
@@ -22,12 +22,15 @@ def folder(tmp_path, monkeypatch):
     make(tmp_path)
     monkeypatch.chdir(tmp_path)
     rng = np.random.default_rng(0)
+    drawn: dict = {}
     for source in sources(settings.load()).values():
         for home in source.homes:
             frames = len(listing.read_labels(source.listed(home)))
             for seed in ("seed-0", "seed-1"):
                 proba = rng.dirichlet(np.ones(len(source.classes)), frames)
-                files.write_array(source.array(home, seed), proba)
+                drawn.setdefault(source.file(home, seed), {})[source.name] = proba
+    for path, arrays in drawn.items():
+        fold_file.write(path, arrays)
     for name in STUDIES:
         files.write_csv(paths.TRIALS / name / "scores.csv", pd.DataFrame(columns=scores.SCORE_COLUMNS))
         files.write_csv(paths.TRIALS / name / "missing.csv", pd.DataFrame(columns=scores.MISSING_COLUMNS))
@@ -51,7 +54,7 @@ def test_every_result_has_its_numbers_in_every_home_with_every_seed(folder):
             truth = listing.read_labels(source.listed(home))
             assert (truth < 0).any()
             for seed in source.seeds():
-                proba = np.load(source.array(home, seed))
+                proba = source.array(home, seed)
                 parts = [slice(0, 50), slice(50, 90)]
                 expected = home_quality(truth, proba, parts, **OPTIONS)
                 row = table.loc[(name, home, seed)]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from made_features import HOMES, PARAMS, make
 
-from placecat import listing
+from placecat import fold_file, listing
 from placecat.fusion.smoothing import smooth
 from placecat.training import protocol
 from placecat.training.cue import Cue
@@ -38,23 +38,23 @@ def smoothed(rates):
         facts = paths.sequences(home) / "home.json"
         facts.write_text(json.dumps(json.loads(facts.read_text()) | {"fps": rate}))
     plan = of_homes(PARAMS, "5-5-1")[0]
-    return smooth_home(paths.CUES / "gist/5-5-1" / plan.test / "no-seed", plan, MODEL)
+    return smooth_home(paths.CUES / f"gist/5-5-1/{plan.test}.no-seed.npz", plan, MODEL)
 
 
 def test_frame_rates_are_those_of_the_homes(project, monkeypatch):
     from placecat import listing, paths
 
     monkeypatch.chdir(project)
-    place = paths.CUES / "gist/5-5-1/H1/no-seed"
+    place = paths.CUES / "gist/5-5-1/H1.no-seed.npz"
     walks = [listing.read_labels(home)[part] for home in HOMES[1:] for part in (slice(0, 50), slice(50, 90))]
     expected = smooth(
-        np.load(place / "test.npy"),
+        fold_file.read(place, "test"),
         [slice(0, 50), slice(50, 90)],
         frame_rate=25.0,
         training_sequences=walks,
         training_frame_rates=[5.0, 5.0, 10.0, 10.0, 5.0, 5.0],
-        training_proba=np.load(place / "cross_validated.npy"),
-        training_truth=np.load(place / "cross_validated_truth.npy"),
+        training_proba=fold_file.read(place, "cross_validated"),
+        training_truth=fold_file.read(place, "cross_validated_truth"),
         n_classes=3,
         **MODEL,
     )
@@ -78,7 +78,7 @@ def test_a_training_home_is_smoothed_with_statistics_of_the_others(project, monk
     monkeypatch.chdir(project)
     smoothed([5.0] * 4)
     plan = of_homes(PARAMS, "5-5-1")[0]
-    source = paths.CUES / "gist/5-5-1" / plan.test / "no-seed"
+    source = paths.CUES / f"gist/5-5-1/{plan.test}.no-seed.npz"
     frames, cue = PARAMS["protocol"]["cue_frames"], Cue.of(PARAMS, "gist")
     pairs = {home: (plan.test, home) for home in HOMES[1:]}
     unseen = {
@@ -93,7 +93,7 @@ def test_a_training_home_is_smoothed_with_statistics_of_the_others(project, monk
         (HOMES[0], home) for home in (*HOMES[1:], HOMES[0])
     ]
     last = HOMES[3]
-    held_out, truth = np.load(source / "cross_validated.npy"), np.load(source / "cross_validated_truth.npy")
+    held_out, truth = (fold_file.read(source, name) for name in ("cross_validated", "cross_validated_truth"))
     others = len(truth) - len(protocol.select_frames(listing.read_labels(last), **frames))
     expected = smooth(
         unseen[last],
@@ -111,6 +111,6 @@ def test_a_training_home_is_smoothed_with_statistics_of_the_others(project, monk
     assert judged[2][2:] == judge_home(last, expected["delayed"], 1e-6)
     tested = smoothed([5.0] * 4)["delayed"]
     assert judged[3][2:] == judge_home(plan.test, tested, 1e-6)
-    (source / "cross_validated.npy").unlink()
-    with pytest.raises(PlacecatError, match=r"cross_validated\.npy is missing"):
+    fold_file.write(source, {"test": fold_file.read(source, "test")})
+    with pytest.raises(PlacecatError, match="has no cross_validated"):
         judge()

@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 
 from made_results import PARAMS, ROOT, made, write_scores
-from placecat import files, paths, settings
+from placecat import files, fold_file, paths, settings
 from placecat.stages import tables
 from placecat.thesis import definitions
 from placecat.thesis.tables import tables_of
@@ -41,7 +41,7 @@ def prepare(folder):
     write_scores(paths.SCORES, results, [(LOST[0], home, "too few frames") for home in ("home_1", "home_6")])
     for home in PARAMS["dataset"]["homes"]:
         nu = {"nu": [0.2, 0.2, 0.175 if home == "home_2" else 0.2]}
-        files.write_json(paths.CUES / "gist/5-5-1" / home / "no-seed/facts.json", nu)
+        fold_file.write(fold_file.path_of(paths.CUES / "gist/5-5-1", home, paths.NO_SEED), {}, nu)
         # The second frame is the least informative, and has no label.
         labels = pd.DataFrame({"label": "x", "class": [0, -1, 1, 2]})
         files.write_csv(paths.sequences(home) / "labels.csv", labels)

@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 from made_features import CLASSES, HOMES, PARAMS, STUDIES, make, run_stages
 
-from placecat import cues
+from placecat import cues, fold_file
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.results.measured import from_scores
 
@@ -48,7 +48,7 @@ def test_a_trial_and_a_cue_of_the_same_settings_agree(folder):
     """The PCA trial is the cue `gist`: both are the nu-SVM on reduced Gist in the 5-5-1 scheme."""
     results = from_scores(*tables(folder), HOMES, CLASSES)
     for number, home in enumerate(HOMES):
-        proba = np.load(folder / f"data/cues/gist/5-5-1/{home}/no-seed/test.npy")
+        proba = fold_file.read(folder / f"data/cues/gist/5-5-1/{home}.no-seed.npz", "test")
         labels = pd.read_csv(folder / f"data/sequences/{home}/labels.csv")["class"]
         expected = confusion_matrix(labels, proba.argmax(axis=1), len(CLASSES))
         np.testing.assert_array_equal(results.of("trials/table_02/|PCA|").confusion[0, number], expected)
@@ -79,22 +79,22 @@ def test_no_split_learns_from_its_test_sequence(folder, tmp_path, monkeypatch):
     make(tmp_path)
     scored = mark_unscored(tmp_path, "data/site_features/site/robot", "data/site_sequences/site/robot")
     run_stages(tmp_path, monkeypatch)
-    files = list((folder / "data/splits").rglob("test.npy"))
+    files = list((folder / "data/splits").rglob("*.npz"))
     assert len(files) == 5
-    for path in files:
-        plain, marked = np.load(path), np.load(tmp_path / path.relative_to(folder))
-        np.testing.assert_array_equal(plain[scored], marked[scored])
-    changed = [
-        not np.array_equal(np.load(path), np.load(tmp_path / path.relative_to(folder))) for path in files
+    pairs = [
+        (fold_file.read(path, "test"), fold_file.read(tmp_path / path.relative_to(folder), "test"))
+        for path in files
     ]
-    assert any(changed)
+    for plain, marked in pairs:
+        np.testing.assert_array_equal(plain[scored], marked[scored])
+    assert any(not np.array_equal(plain, marked) for plain, marked in pairs)
 
 
 def test_extra_data_changes_what_the_integration_trains_on(folder):
     system = PARAMS["systems"]["vote"]
     assert system["extra"]
-    with_extra = np.load(folder / "data/integration/vote/H1/seed-0/cross_validated_truth.npy")
-    without = np.load(folder / "data/integration/das/H1/seed-0/cross_validated_truth.npy")
+    with_extra = fold_file.read(folder / "data/integration/vote/H1.seed-0.npz", "cross_validated_truth")
+    without = fold_file.read(folder / "data/integration/das/H1.seed-0.npz", "cross_validated_truth")
     labels = pd.read_csv(folder / "data/site_sequences/site/flip/labels.csv")["class"].to_numpy()
     # Places of the site are kitchen, office, bedroom, bathroom: numbered by name, the office left out.
     taken = labels[1::3]
@@ -104,8 +104,8 @@ def test_extra_data_changes_what_the_integration_trains_on(folder):
 
 def test_filtered_frames_repeat_the_last_accepted_decision(folder):
     information = np.load(folder / "data/features/H1/information.npy")
-    plain = np.load(folder / "data/cues/gist/5-5-1/H1/no-seed/test.npy")
-    held = np.load(folder / "data/filtered/informative/gist/H1/no-seed/test.npy")
+    plain = fold_file.read(folder / "data/cues/gist/5-5-1/H1.no-seed.npz", "test")
+    held = fold_file.read(folder / "data/filtered/informative/gist/H1.no-seed.npz", "test")
     rejected = np.flatnonzero(information < 0.3)
     rejected = rejected[(rejected > 0) & (rejected != 50)]
     assert len(rejected) > 10

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from made_features import PARAMS, make, run_stages
 
+from placecat import fold_file
 from placecat.training import system as systems
 from placecat.training.plan import of_homes
 
@@ -40,15 +41,16 @@ def test_a_system_is_that_of_the_stages(folder, monkeypatch, name, scheme):
     (plan,) = of_homes(PARAMS, scheme, "H2", extra=system.extra)
     tested = systems.train(plan, system, 1).test("H2")
     expected = {
-        "hog_y": f"cues/hog_y/{scheme}/H2/seed-1/test",
-        "gist": f"cues/gist/{scheme}/H2/no-seed/test",
-        "integration": f"integration/{name}/H2/seed-1/test",
-        "hmm": f"smoothing/{name}/H2/seed-1/hmm",
-        "delayed": f"smoothing/{name}/H2/seed-1/delayed",
+        "hog_y": (f"cues/hog_y/{scheme}/H2.seed-1.npz", "test"),
+        "gist": (f"cues/gist/{scheme}/H2.no-seed.npz", "test"),
+        "integration": (f"integration/{name}/H2.seed-1.npz", "test"),
+        "hmm": (f"smoothing/{name}/H2.seed-1.npz", "hmm"),
+        "delayed": (f"smoothing/{name}/H2.seed-1.npz", "delayed"),
     }
     assert tested.keys() == expected.keys()
-    for part, place in expected.items():
-        np.testing.assert_array_equal(tested[part], np.load(f"data/{place}.npy"), err_msg=part)
+    for part, (file, array) in expected.items():
+        expected_array = fold_file.read(Path("data") / file, array)
+        np.testing.assert_array_equal(tested[part], expected_array, err_msg=part)
 
 
 def test_the_page_prints_a_table_of_homes(tmp_path, monkeypatch, capsys):

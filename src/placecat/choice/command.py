@@ -7,7 +7,7 @@ from typing import Any
 
 import pandas as pd
 
-from placecat import conf_file, files, listing, parallel, paths, settings
+from placecat import conf_file, files, fold_file, parallel, paths, settings
 from placecat.choice.candidates import COLUMNS, changed, choose, combinations, label
 from placecat.choice.judging import Judgement, judge_cue, judge_system, left_out, predict_unseen
 from placecat.choice.smoothing import judge_smoothing
@@ -145,7 +145,7 @@ def _smoothing_tasks(options: Mapping[str, Any], params: Mapping[str, Any]) -> T
         for overrides in combinations(options["smoothing"]["grids"]):
             candidate = changed(model, overrides, "the smoothing")
             for plan in plans.of_homes(params, scheme):
-                source = listing.seeded(paths.CUES / name / scheme / plan.test, None)
+                source = fold_file.seeded(paths.CUES / name / scheme, plan.test, None)
                 task = candidate, source, plan, unseen[plan.test], smallest
                 tasks.append((name, label(overrides), task))
     return judge_smoothing, tasks

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import files
+from placecat import fold_file
 from placecat.choice.judging import Judgement, judge_home
 from placecat.errors import PlacecatError
 from placecat.training import plan as plans
@@ -33,7 +33,7 @@ def judge_smoothing(
     smoothing
         Settings of :func:`placecat.fusion.smoothing.fit`.
     source
-        Folder of what the stage `cues` left of the fold.
+        File of what the stage `cues` left of the fold.
     plan
         Of the fold.
     unseen
@@ -46,13 +46,12 @@ def judge_smoothing(
     PlacecatError
         If the cue was not cross-validated by home.
     """
-    path = source / "cross_validated.npy"
-    if not path.exists():
+    if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(
-            f"{path} is missing: smoothing is judged on cues with cross_validate on; run `dvc repro`"
+            f"{source} has no cross_validated: smoothing is judged on cues with cross_validate on; "
+            "run `dvc repro`"
         )
-    held_out = files.read_array(path, memory_map=False)
-    truth = files.read_array(source / "cross_validated_truth.npy", memory_map=False)
+    held_out, truth = (fold_file.read(source, name) for name in ("cross_validated", "cross_validated_truth"))
     homes = [part.home for part in plan.cues]
     home_of_frame = np.repeat(homes, [len(part.chosen()[0]) for part in plan.cues])
     judged = []

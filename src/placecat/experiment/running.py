@@ -64,7 +64,7 @@ def _of_home(outcomes: list[tuple[str, int | None, Outcome]]) -> dict[str, Any]:
     for test, seed, found in outcomes:
         if not isinstance(found, str):
             own = {"accuracy": home_accuracy(found), "confusion": found.tolist()}
-            folds.setdefault(test, {})[paths.seed_folder(seed)] = own
+            folds.setdefault(test, {})[paths.seed_name(seed)] = own
     accuracies = [own["accuracy"] for of_fold in folds.values() for own in of_fold.values()]
     return {
         "accuracy": None if reasons else float(np.mean(accuracies)),

@@ -11,7 +11,7 @@ import pandas as pd
 from placecat import files
 from placecat.experiment import output
 from placecat.experiment.options import TEST_HOME
-from placecat.paths import seed_folder
+from placecat.paths import seed_name
 
 HOME = "test_home"
 AVERAGE = "average"
@@ -59,7 +59,7 @@ class Ran:
                 for seed, own in fold.items():
                     by_seed.setdefault(seed, []).append(own["accuracy"])
         means = [float(np.mean(values)) for values in by_seed.values()]
-        is_random = bool(means) and seed_folder(None) not in by_seed
+        is_random = bool(means) and seed_name(None) not in by_seed
         return max(means) - min(means) if is_random else float("nan")
 
 

@@ -77,7 +77,8 @@ class Run:
             if not seeds:
                 raise PlacecatError(f"{result} was not computed: run `dvc repro` to make it")
             seed = seeds[0]
-        return np.asarray(self._array(source.array(home, seed)), np.float64)
+        self._need(source.file(home, seed))
+        return np.asarray(source.array(home, seed), np.float64)
 
     def labels(self, home: str) -> NDArray[np.int16]:
         """(frames,) class indices of a home in order of time, -1 for unlabelled."""

@@ -5,7 +5,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from placecat import listing, paths, settings
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import fold_file, paths, settings
 from placecat.training import protocol
 
 
@@ -25,11 +28,15 @@ class Source:
 
     def seeds(self) -> tuple[str, ...]:
         """Names of the seeds on disk."""
-        return tuple(listing.seeds_in(self.folder / self.homes[0]))
+        return tuple(fold_file.seeds_in(self.folder, self.homes[0]))
 
-    def array(self, home: str, seed: str) -> Path:
-        """File of the (frames, classes) distributions of a test home."""
-        return self.folder / home / seed / f"{self.name}.npy"
+    def file(self, home: str, seed: str) -> Path:
+        """File that has, among others, the array of a test home and seed."""
+        return fold_file.path_of(self.folder, home, seed)
+
+    def array(self, home: str, seed: str) -> NDArray[np.float64]:
+        """(frames, classes) distributions of a test home."""
+        return fold_file.read(self.file(home, seed), self.name)
 
     def listed(self, home: str) -> str:
         """The test home as `placecat.listing` takes it."""
@@ -81,7 +88,7 @@ def _of_split(name: str, split: Mapping[str, Any]) -> dict[str, Source]:
         found[f"splits/{name}/cues/{cue}"] = Source(root / "cues" / cue, "test", tests, name, places)
     arrays = {"integration": "test", "hmm": "hmm", "smoothing": "delayed"}
     for system in split["systems"]:
+        folder = root / "systems" / system
         for kind, array in arrays.items():
-            folder = root / ("smoothing" if kind == "hmm" else kind) / system
             found[f"splits/{name}/{kind}/{system}"] = Source(folder, array, tests, name, places)
     return found

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from placecat import cues, files, items, parallel, paths, settings, store
+from placecat import cues, files, fold_file, items, parallel, paths, settings, store
 from placecat.fusion.temperature import temper
 from placecat.stages import run
 from placecat.training import plan as plans
@@ -57,12 +57,11 @@ def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
                 if seed is not None:
                     clusters = paths.codebook(own["codebook"], plan.training_set, seed)
                 tasks.append((plan, cue, clusters, own["cross_validate"]))
-                places.append(folder / scheme / plan.test / paths.seed_folder(seed))
+                places.append(fold_file.path_of(folder / scheme, plan.test, paths.seed_name(seed)))
     results = parallel.in_parallel(apply, tasks, f"cue {name}")
     for place, result in zip(places, results, strict=True):
-        files.write_json(place / "facts.json", result.pop("facts"))
-        for array_name, array in result.items():
-            files.write_array(place / f"{array_name}.npy", array)
+        facts = result.pop("facts")
+        fold_file.write(place, result, facts)
 
 
 def apply(plan: plans.Plan, cue: Cue, clusters: Path | None, cross_validate: bool) -> dict[str, Any]:

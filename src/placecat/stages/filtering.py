@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from placecat import files, listing, parallel, paths, settings
+from placecat import files, fold_file, listing, parallel, paths, settings
 from placecat.fusion.information_filter import check, dropped, hold, threshold_of
 from placecat.results.measured import DROPPED_COLUMNS
 from placecat.stages import run
@@ -37,13 +37,12 @@ def main() -> None:
         for name, options in filters.items():
             for result, source in _sources(params, options).items():
                 for home in homes:
-                    for seed in listing.seeds_in(source / home):
-                        task = source / home / seed, home, thresholds[name, home]
-                        tasks[Path(name, result, home, seed)] = task
+                    for seed in fold_file.seeds_in(source, home):
+                        place = fold_file.path_of(source, home, seed)
+                        tasks[Path(name, result, place.name)] = place, home, thresholds[name, home]
         results = parallel.in_parallel(filter_home, list(tasks.values()), "information filter")
         for place, result in zip(tasks, results, strict=True):
-            for array_name, array in result.items():
-                files.write_array(folder / place / f"{array_name}.npy", array)
+            fold_file.write(folder / place, result)
         rows = [
             {"filter": name, "home": home}
             | dropped(_information(home), listing.read_labels(home), thresholds[name, home])
@@ -79,12 +78,12 @@ def _sources(params: Mapping[str, Any], options: Mapping[str, Any]) -> dict[str,
 
 def filter_home(source: Path, home: str, threshold: float) -> dict[str, np.ndarray]:
     """Give the filtered distributions of one home, and the statistics that smoothing needs."""
-    proba = files.read_array(source / "test.npy", memory_map=False)
+    proba = fold_file.read(source, "test")
     held = hold(proba, _information(home), threshold=threshold, sequences=listing.sequence_slices(home))
     found = {"test": held}
     for name in STATISTICS:
-        if (source / f"{name}.npy").exists():
-            found[name] = files.read_array(source / f"{name}.npy", memory_map=False)
+        if fold_file.has(source, name):
+            found[name] = fold_file.read(source, name)
     return found
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from placecat import files, items, parallel, paths, settings
+from placecat import fold_file, items, parallel, paths, settings
 from placecat.stages import run
 from placecat.training import plan as plans
 from placecat.training.integration import fuse, fused_parts
@@ -41,10 +41,8 @@ def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
     tasks = [(system, plan, seed) for plan in planned for seed in seeds]
     results = parallel.in_parallel(apply, tasks, f"integration {name}")
     for (_, plan, seed), result in zip(tasks, results, strict=True):
-        place = folder / plan.test / paths.seed_folder(seed)
-        files.write_json(place / "facts.json", result.pop("facts"))
-        for array_name, array in result.items():
-            files.write_array(place / f"{array_name}.npy", array)
+        facts = result.pop("facts")
+        fold_file.write(fold_file.path_of(folder, plan.test, paths.seed_name(seed)), result, facts)
 
 
 def apply(system: Mapping[str, Any], plan: plans.Plan, seed: int | None) -> dict[str, Any]:

@@ -65,7 +65,7 @@ def measure(source: Source, options: Mapping[str, Any]) -> tuple[Measured, Quali
     parts = {home: listing.sequence_slices(source.listed(home)) for home in source.homes}
     confusion, quality = [], []
     for seed in seeds:
-        probas = {home: files.read_array(source.array(home, seed), memory_map=False) for home in source.homes}
+        probas = {home: source.array(home, seed) for home in source.homes}
         confusion.append(
             [
                 confusion_matrix(labels[home], proba.argmax(axis=1), len(source.classes))
@@ -97,7 +97,7 @@ def measure_stays(source: Source) -> Measured:
     for seed in source.seeds():
         confusion = []
         for home, (labels, parts) in stays.items():
-            decided = files.read_array(source.array(home, seed), memory_map=False).argmax(axis=1)
+            decided = source.array(home, seed).argmax(axis=1)
             confusion += [confusion_matrix(labels[own], decided[own], len(source.classes)) for own in parts]
         by_seed.append(confusion)
     return Measured(tuple(names), source.seeds(), source.classes, np.array(by_seed))

@@ -1,8 +1,6 @@
 """Stage `smoothing`: the delayed hidden Markov model over the integrated decisions and over single cues."""
 
-from pathlib import Path
-
-from placecat import files, listing, parallel, paths, settings
+from placecat import files, fold_file, parallel, paths, settings
 from placecat.stages import run
 from placecat.training import plan as plans
 from placecat.training.integration import smoothing_settings
@@ -25,16 +23,15 @@ def main() -> None:
         sources[name] = (paths.FILTERED / name, scheme)
     model = smoothing_settings(params)
     tasks = [
-        (source / plan.test / seed, plan, model, Path(name) / plan.test / seed)
+        (fold_file.path_of(source, plan.test, seed), plan, model, name)
         for name, (source, scheme) in sources.items()
         for plan in plans.of_homes(params, scheme, tested)
-        for seed in listing.seeds_in(source / plan.test)
+        for seed in fold_file.seeds_in(source, plan.test)
     ]
     with files.replacing(paths.SMOOTHING) as folder:
         results = parallel.in_parallel(smooth_home, [task[:-1] for task in tasks], "smoothing")
-        for (*_, place), result in zip(tasks, results, strict=True):
-            for array_name, array in result.items():
-                files.write_array(folder / place / f"{array_name}.npy", array)
+        for (source, *_, name), result in zip(tasks, results, strict=True):
+            fold_file.write(folder / name / source.name, result)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import files, items, parallel, paths, settings, store
+from placecat import fold_file, items, parallel, paths, settings, store
 from placecat.stages import run
 from placecat.training import plan as plans
 from placecat.training.cue import Cue, train
@@ -63,14 +63,12 @@ def make(split: str, folder: Path, params: Mapping[str, Any]) -> None:
     fused = parallel.in_parallel(apply_system, system_tasks, f"integration of {split}")
     for (name, seed), (_, tested) in outputs.items():
         for part in plan.tested:
-            place = folder / "cues" / name / part.sequence / paths.seed_folder(seed)
-            files.write_array(place / "test.npy", tested[part.home])
+            place = fold_file.path_of(folder / "cues" / name, part.sequence, paths.seed_name(seed))
+            fold_file.write(place, {"test": tested[part.home]})
     for (system, seed), by_home in zip(system_keys, fused, strict=True):
         for part in plan.tested:
-            output, place = by_home[part.home], Path(system, part.sequence, paths.seed_folder(seed))
-            files.write_array(folder / "integration" / place / "test.npy", output["test"])
-            for name in ("hmm", "delayed"):
-                files.write_array(folder / "smoothing" / place / f"{name}.npy", output[name])
+            place = fold_file.path_of(folder / "systems" / system, part.sequence, paths.seed_name(seed))
+            fold_file.write(place, by_home[part.home])
 
 
 def apply_cue(plan: plans.Plan, cue: Cue, seed: int | None) -> tuple[Probabilities, Probabilities]:

@@ -42,7 +42,7 @@ def main() -> None:
     found: dict[str, dict[str, np.ndarray]] = {}
     done = parallel.in_parallel(compare, tasks, "toy problem")
     for task, (confusions, last) in zip(tasks, done, strict=True):
-        seed = paths.seed_folder(task.seed)
+        seed = paths.seed_name(task.seed)
         for name, counts in confusions.items():
             found.setdefault(f"toy/{name}", {})[seed] = counts
             if task.schemes is toy["schemes"]:

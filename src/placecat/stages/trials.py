@@ -115,7 +115,7 @@ def _collect(
                 measured.append((home, of_seeds))
         if measured:
             confusion = np.array([counts for _, counts in measured]).swapaxes(0, 1)
-            names = tuple(paths.seed_folder(seed) for seed in own_seeds)
+            names = tuple(paths.seed_name(seed) for seed in own_seeds)
             homes = tuple(home for home, _ in measured)
             scores += score_rows(trial.name, Measured(homes, names, tuple(classes), confusion))
     return pd.DataFrame(scores, columns=SCORE_COLUMNS), pd.DataFrame(missing, columns=MISSING_COLUMNS)
@@ -129,7 +129,7 @@ def _facts(trials: Sequence[Trial], outcomes: Mapping[tuple[str, str, int | None
             if key == trial.key() and home in trial.homes and "flat_sigmoids" in facts:
                 nu = facts.get("nu", [np.nan])
                 flat = sum(facts["flat_sigmoids"])
-                rows.append((trial.name, home, paths.seed_folder(seed), min(nu), max(nu), flat))
+                rows.append((trial.name, home, paths.seed_name(seed), min(nu), max(nu), flat))
     return pd.DataFrame(rows, columns=FACT_COLUMNS)
 
 

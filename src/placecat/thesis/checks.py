@@ -24,7 +24,6 @@ def check(params: Mapping[str, Any], root: Path = Path()) -> None:
         As :func:`placecat.thesis.definitions.tables`, :func:`placecat.evaluation.trials.expand` and
         :mod:`placecat.signatures`; of an unknown layout the nearest and all that there are.
     """
-    homes = list(settings.get(params, "dataset.homes"))
     studies = definitions.studies(params, root).values()
     of_studies = {name: table for study in studies for name, table in study.items()}
     valid = lookup.keys("placecat.thesis", "layouts", "LAYOUTS")
@@ -36,5 +35,5 @@ def check(params: Mapping[str, Any], root: Path = Path()) -> None:
                 f"{name}: the layout {layout!r} does not exist{question}: use one of {', '.join(valid)}"
             )
     for name, table in of_studies.items():
-        for trial in expand(name, table, homes):
+        for trial in expand(name, table, list(settings.get(params, "dataset.homes"))):
             signatures.check_part(trial.settings, trial.name)

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat import files, listing, paths, settings
+from placecat import files, fold_file, listing, paths, settings
 from placecat.errors import PlacecatError
 from placecat.evaluation.trials import expand
 from placecat.thesis import definitions
@@ -90,10 +90,10 @@ def _nu_of_cues(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
         asked = _asked(cue["classifier"])
         if asked is None:
             continue
-        for path in sorted((paths.CUES / name).glob("*/*/*/facts.json")):
-            nu = files.read_json(path).get("nu")
+        for path in sorted((paths.CUES / name).glob("*/*.npz")):
+            nu = fold_file.read_facts(path).get("nu")
             if nu:
-                scheme, home = path.parts[-4:-2]
+                scheme, home = path.parent.name, path.stem.rpartition(".")[0]
                 result = f"cues/{name}/{scheme}"
                 yield {"result": result, "home": home, "asked": asked, "lowest": min(nu), "highest": max(nu)}
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import files, listing, paths
+from placecat import fold_file, paths
 from placecat.errors import PlacecatError
 from placecat.training.integration import smooth
 from placecat.training.plan import Part, Plan
@@ -29,7 +29,7 @@ class CueResults:
     def __init__(self, system: Mapping[str, Any], test: str, seed: int | None) -> None:
         self._scheme = system["scheme"]
         self._places = {
-            cue: listing.seeded(paths.CUES / cue / self._scheme / test, seed) for cue in system["cues"]
+            cue: fold_file.seeded(paths.CUES / cue / self._scheme, test, seed) for cue in system["cues"]
         }
 
     def arrays(self, name: str) -> list[NDArray[Any]]:
@@ -42,13 +42,12 @@ class CueResults:
         """
         found = []
         for cue, place in self._places.items():
-            path = place / f"{name}.npy"
-            if not path.exists():
+            if not fold_file.has(place, name):
                 raise PlacecatError(
-                    f"{path} is missing: add {self._scheme} to cues.{cue}.schemes, or set cues.{cue}.extra "
-                    "where a system asks for extra training data, and run `dvc repro`"
+                    f"{place} has no {name}: add {self._scheme} to cues.{cue}.schemes, or set "
+                    f"cues.{cue}.extra where a system asks for extra training data, and run `dvc repro`"
                 )
-            found.append(files.read_array(path, memory_map=False))
+            found.append(fold_file.read(place, name))
         return found
 
     def outputs(self, plan: Plan, parts: Sequence[Part]) -> list[dict[str, NDArray[np.float64]]]:
@@ -72,7 +71,7 @@ class CueResults:
         """
         found = []
         for cue, place in self._places.items():
-            facts = files.read_json(place / "facts.json")
+            facts = fold_file.read_facts(place)
             if "temperature" not in facts:
                 raise PlacecatError(
                     f"cues.{cue} has no temperature: set cues.{cue}.cross_validate, and run `dvc repro`"
@@ -87,7 +86,7 @@ def smooth_home(source: Path, plan: Plan, model: Mapping[str, Any]) -> dict[str,
     Parameters
     ----------
     source
-        Folder of what a cue or a system left of the fold.
+        File of what a cue or a system left of the fold.
     model
         As for :func:`placecat.fusion.smoothing.fit`.
 
@@ -96,13 +95,12 @@ def smooth_home(source: Path, plan: Plan, model: Mapping[str, Any]) -> dict[str,
     PlacecatError
         Results without cross-validation.
     """
-    if not (source / "cross_validated.npy").exists():
+    if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(
-            f"{source / 'cross_validated.npy'} is missing: a cue in smoothing.cues must have a classifier "
+            f"{source} has no cross_validated: a cue in smoothing.cues must have a classifier "
             "that is cross-validated, such as nu_svm; take it out of the list, or run `dvc repro`"
         )
     proba, held_out, truth = (
-        files.read_array(source / f"{name}.npy", memory_map=False)
-        for name in ("test", "cross_validated", "cross_validated_truth")
+        fold_file.read(source, name) for name in ("test", "cross_validated", "cross_validated_truth")
     )
     return smooth(plan.test, proba, plan.integration, held_out, truth, model)

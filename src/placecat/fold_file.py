@@ -1,0 +1,64 @@
+"""What a cue or a system left of one test home and seed: named arrays in one file, and facts beside it.
+
+One file, since DVC takes about a millisecond for every folder that it looks through.
+"""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import files, paths
+
+
+def path_of(folder: Path, home: str, seed: str) -> Path:
+    """File of a test home and a seed, e.g. ``seed-0``, in the folder of a cue's or system's results."""
+    return folder / f"{home}.{seed}.npz"
+
+
+def seeded(folder: Path, home: str, seed: int | None) -> Path:
+    """The file of one seed; a result that nothing random has a part in serves every seed."""
+    fixed = path_of(folder, home, paths.NO_SEED)
+    return fixed if fixed.exists() else path_of(folder, home, paths.seed_name(seed))
+
+
+def seeds_in(folder: Path, home: str) -> list[str]:
+    """Names of the seeds that left something of a test home: ``seed-0``, ``seed-1``, or ``no-seed`` alone."""
+    parts = [path.stem.rpartition(".") for path in folder.glob("*.npz")]
+    return sorted(seed for of, _, seed in parts if of == home)
+
+
+def write(path: Path, arrays: Mapping[str, NDArray[Any]], facts: Mapping[str, Any] | None = None) -> None:
+    """Write the arrays, and facts where there are any."""
+    files.write_arrays(path, arrays)
+    if facts is not None:
+        files.write_json(path.with_suffix(".json"), facts)
+
+
+def has(path: Path, name: str) -> bool:
+    """Whether the file is there and has an array of this name."""
+    if not path.exists():
+        return False
+    with np.load(path, allow_pickle=False) as archive:
+        return name in archive
+
+
+def read(path: Path, name: str) -> NDArray[Any]:
+    """Read one array.
+
+    Raises
+    ------
+    FileNotFoundError, KeyError
+        As `has` tells.
+    """
+    with np.load(path, allow_pickle=False) as archive:
+        array: NDArray[Any] = archive[name]
+    return array
+
+
+def read_facts(path: Path) -> dict[str, Any]:
+    """Read the facts beside the arrays."""
+    facts: dict[str, Any] = files.read_json(path.with_suffix(".json"))
+    return facts
