@@ -53,9 +53,9 @@ def data_set(name: str) -> dict[str, Any]:
     return settings | {"root": ROOT / settings["root"]}
 
 
-def measure(dataset: Mapping[str, Any]) -> pd.DataFrame:
+def measure(dataset: Mapping[str, Any], every: int = EVERY) -> pd.DataFrame:
     """Accuracy of every classifier on every shortcut, in percent, in each home and in the mean."""
-    seen = [_see(dataset, home) for home in dataset["homes"]]
+    seen = [_see(dataset, home, every) for home in dataset["homes"]]
     truths = [truth for truth, _ in seen]
     n_classes = len(dataset["classes"])
     rows = {
@@ -68,11 +68,11 @@ def measure(dataset: Mapping[str, Any]) -> pd.DataFrame:
     return table.assign(average=table.mean(axis=1))
 
 
-def _see(dataset: Mapping[str, Any], name: str) -> tuple[NDArray[np.int16], Shortcuts]:
-    """Class and shortcuts of every third labelled frame of a home."""
+def _see(dataset: Mapping[str, Any], name: str, every: int) -> tuple[NDArray[np.int16], Shortcuts]:
+    """Class and shortcuts of labelled frames of a home."""
     home = open_home(dataset["layout"], dataset["root"], name, fps=dataset["fps"])
     truth = place_labels(home.frames["label"], dataset["classes"], dataset["ignored"], dataset["aliases"])
-    used = np.flatnonzero(truth >= 0)[::EVERY]
+    used = np.flatnonzero(truth >= 0)[::every]
     frames = read_frames(home.root, home.frames.iloc[used])
     seen = pd.DataFrame([_look(frame) for frame in frames])
     bits = np.log(frame_sizes(home.root / home.frames["source"][0]))

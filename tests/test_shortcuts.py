@@ -16,7 +16,8 @@ STAY = 30
 
 @pytest.mark.slow
 def test_no_shortcut_tells_the_rooms_of_the_homes():
-    table = measure(data_set("homes"))
+    # Frames that follow each other say the same.
+    table = measure(data_set("homes"), every=9)
     assert table.shape == (5 * 6, 6 + 1)
     assert table["average"].max() <= LIMIT, table[table["average"] > LIMIT].round(1).to_string()
 
