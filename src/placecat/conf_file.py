@@ -4,10 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-import yaml
-
 from placecat import settings
-from placecat.errors import PlacecatError
 
 
 def read(path: Path, names: Sequence[str]) -> dict[str, Any]:
@@ -18,14 +15,7 @@ def read(path: Path, names: Sequence[str]) -> dict[str, Any]:
     PlacecatError
         If it is missing or no YAML, or has an unknown setting or lacks one.
     """
-    try:
-        content = yaml.safe_load(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise PlacecatError(f"{path} is missing: run this in the project's folder") from None
-    except yaml.YAMLError as error:
-        raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None
-    if not isinstance(content, dict):
-        raise PlacecatError(f"{path} is empty: restore it from git")
+    content = settings.read_yaml(path, "run this in the project's folder, or restore it from git")
     settings.refuse_unknown(content, list(names), str(path))
     for name in names:
         settings.get(content, name)

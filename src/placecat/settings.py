@@ -15,17 +15,26 @@ Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 def load(path: Path = paths.PARAMS) -> dict[str, Any]:
-    """Read the composed settings."""
+    """Read the composed settings; raises as :func:`read_yaml`."""
+    return read_yaml(path, "run `placecat params` in the project's folder to write it")
+
+
+def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]:
+    """Read a YAML file that has named values.
+
+    Raises
+    ------
+    PlacecatError
+        If it is missing, no YAML or has no names; the message ends in the remedy.
+    """
     try:
         content = yaml.load(path.read_text(encoding="utf-8"), Loader=Loader)
     except FileNotFoundError:
-        raise PlacecatError(
-            f"{path} is missing: run `placecat params` in the project's folder to write it"
-        ) from None
-    except yaml.YAMLError as error:
+        raise PlacecatError(f"{path} is missing: {remedy}") from None
+    except (yaml.YAMLError, UnicodeDecodeError) as error:
         raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None
     if not isinstance(content, dict):
-        raise PlacecatError(f"{path} is empty: run `placecat params` to write it again")
+        raise PlacecatError(f"{path} is empty: {remedy}")
     return content
 
 

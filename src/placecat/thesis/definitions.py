@@ -9,8 +9,6 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import yaml
-
 from placecat import paths, settings
 from placecat.errors import PlacecatError
 
@@ -131,17 +129,7 @@ def _filled(value: Any, inherited: Any, root: Path, before: tuple[Path, ...]) ->
 
 
 def _yaml(path: Path) -> dict[str, Any]:
-    try:
-        content = yaml.load(path.read_text(encoding="utf-8"), Loader=settings.Loader)
-    except FileNotFoundError:
-        raise PlacecatError(
-            f"{path} is missing: restore it from git, or mend the `{LIKE}` that names it"
-        ) from None
-    except yaml.YAMLError as error:
-        raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None
-    if not isinstance(content, dict):
-        raise PlacecatError(f"{path} is empty: give it the keys of the files beside it")
-    return content
+    return settings.read_yaml(path, f"restore it from git, or mend the `{LIKE}` that names it")
 
 
 def _is_set(params: Mapping[str, Any], name: str) -> bool:
