@@ -23,6 +23,7 @@ PLUMBING = {
     "files",
     "parallel",
     "paths",
+    "ranges",
     "seeds",
     "settings",
     "listing",
