@@ -24,6 +24,7 @@ PLUMBING = {
     "fold_file",
     "parallel",
     "paths",
+    "ranges",
     "seeds",
     "settings",
     "listing",

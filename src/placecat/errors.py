@@ -13,6 +13,9 @@ class PlacecatError(ValueError):
     prints the message without a traceback and exits with status 1.
     """
 
+    def __init__(self, message: str) -> None:
+        super().__init__(printable(message))
+
 
 class NotComputable(PlacecatError):
     """These data cannot give this number, whatever the settings: a table says so in its place."""
@@ -31,6 +34,18 @@ def exiting() -> Iterator[None]:
         sys.exit(f"placecat: {error}")
     except KeyboardInterrupt:
         sys.exit(130)
+
+
+def printable(text: str) -> str:
+    """Write what a terminal would obey, or could not show, as Python writes it, e.g. ``\\x1b``; lines stay.
+
+    Titles, labels and names of files may hold such characters, and a message names them.
+    """
+    if text.isprintable():
+        return text
+    return "".join(
+        one if one.isprintable() or one in "\n\t" else one.encode("unicode_escape").decode() for one in text
+    )
 
 
 def did_you_mean(name: object, valid: Iterable[str], before: str = "; ") -> str:

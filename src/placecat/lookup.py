@@ -6,16 +6,22 @@ settings their functions and classes take, is read from their source: to import 
 """
 
 import ast
+import builtins
 import importlib
 import importlib.util
 import pkgutil
 import sys
+import typing
+from collections import abc
 from collections.abc import Collection, Iterator
 from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+import annotated_types
+
+from placecat import ranges
 from placecat.errors import PlacecatError, did_you_mean
 
 
@@ -142,19 +148,28 @@ def parameters(package: str, name: str, definition: str) -> dict[str, bool]:
     dict
         Name to whether it must be given, in the order written; empty where the module has no such definition.
     """
-    found = _resolve(f"{package}.{name}", definition)
+    found = _taking(package, name, definition)
+    return {} if found is None else {argument.arg: needed for argument, needed in _settings(found)}
+
+
+def types(package: str, name: str, definition: str) -> dict[str, Any]:
+    """Give the types of the settings that a function or class takes, without importing it.
+
+    Parameters
+    ----------
+    package, name, definition
+        As for :func:`parameters`.
+
+    Returns
+    -------
+    dict
+        Name to type, with its range where it has one (:mod:`placecat.ranges`); Any for one of
+        more than Python's types, :mod:`typing`, the ranges and names that modules of this package list.
+    """
+    found = _taking(package, name, definition)
     if found is None:
         return {}
-    if isinstance(found.node, ast.ClassDef):
-        for one in _ancestors(found):
-            for node in one.node.body:
-                if isinstance(node, ast.FunctionDef) and node.name == "__init__":
-                    positional = node.args.args[1:]
-                    given = len(positional) - len(node.args.defaults)
-                    own = {argument.arg: index < given for index, argument in enumerate(positional)}
-                    return own | _keyword_only(node.args)
-        return {}
-    return _keyword_only(found.node.args)
+    return {argument.arg: _type(found.module, argument.annotation) for argument, _ in _settings(found)}
 
 
 def entries(package: str, dictionary: str) -> dict[str, tuple[str, str]]:
@@ -284,6 +299,59 @@ def _is_abstract(node: ast.ClassDef) -> bool:
     )
 
 
-def _keyword_only(arguments: ast.arguments) -> dict[str, bool]:
-    pairs = zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True)
-    return {argument.arg: default is None for argument, default in pairs}
+def _taking(package: str, name: str, definition: str) -> _Definition | None:
+    """The function that takes the settings of a function or class: it, or an ``__init__``."""
+    found = _resolve(f"{package}.{name}", definition)
+    if found is None or isinstance(found.node, ast.FunctionDef):
+        return found
+    for one in _ancestors(found):
+        for node in one.node.body:
+            if isinstance(node, ast.FunctionDef) and node.name == "__init__":
+                return _Definition(one.module, node)
+    return None
+
+
+def _settings(found: _Definition) -> Iterator[tuple[ast.arg, bool]]:
+    """Parameters that are settings, each with whether it must be given."""
+    node = found.node
+    assert isinstance(node, ast.FunctionDef)
+    if node.name == "__init__":
+        positional = node.args.args[1:]
+        given = len(positional) - len(node.args.defaults)
+        yield from ((argument, index < given) for index, argument in enumerate(positional))
+    for argument, default in zip(node.args.kwonlyargs, node.args.kw_defaults, strict=True):
+        yield argument, default is None
+
+
+class _Names(dict[str, Any]):
+    """What the names in an annotation mean: types, ranges, and constants of modules of this package."""
+
+    def __init__(self, module: str) -> None:
+        super().__init__(vars(typing) | vars(abc) | vars(builtins) | vars(annotated_types) | vars(ranges))
+        self.module = module
+
+    def __missing__(self, name: str) -> Any:
+        node = _statements(self.module).get(name)
+        if isinstance(node, ast.Assign):
+            # Of a dictionary the keys are names, and its values may be anything.
+            is_table = isinstance(node.value, ast.Dict)
+            return [_value(key, self) for key in node.value.keys] if is_table else _value(node.value, self)
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("placecat"):
+            original = next(alias.name for alias in node.names if (alias.asname or alias.name) == name)
+            return _Names(str(node.module))[original]
+        raise KeyError(name)
+
+
+def _type(module: str, annotation: ast.expr | None) -> Any:
+    if annotation is None:
+        return Any
+    try:
+        return _value(annotation, _Names(module))
+    except (AttributeError, KeyError, NameError, TypeError):
+        return Any
+
+
+def _value(node: ast.expr | None, names: _Names) -> Any:
+    # Of this program's own source.
+    assert node is not None
+    return eval(compile(ast.Expression(node), "<annotation>", "eval"), {"__builtins__": {}}, names)

@@ -1,27 +1,28 @@
-"""Names in the settings that stand for code: each is there, and takes the settings beside it.
+"""Names in the settings that stand for code: each is there, and takes what is set beside it.
 
 Checked when settings are composed, before any stage runs, without importing the code.
 """
 
 from collections.abc import Mapping
-from typing import Any
+from functools import lru_cache
+from typing import Any, NamedTuple, get_type_hints
 
-from placecat import lookup
+from pydantic import TypeAdapter
+
+from placecat import lookup, schema
 from placecat.errors import SettingError, did_you_mean
-from placecat.schema.sections import Regions
+from placecat.schema.sections import Dataset, Regions
 from placecat.settings import refuse_unknown
 
 SEQUENCES, READER = "placecat.sequences", ("list_homes", "read_home")
 CUES, LEARNING = "placecat.cues", "placecat.learning"
 FIGURES = "placecat.report.figures"
-# A variant has some of them.
-OF_REGIONS = dict.fromkeys(Regions.model_fields, False)
 # Parameters of estimators that the code gives, so that no setting does.
 GIVEN = frozenset({"base", "codebook", "n_clusters", "n_values", "n_jobs", "seed"})
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse what names no code, and settings that the named code does not take or lacks.
+    """Refuse what names no code, settings that the named code does not take or lacks, and impossible values.
 
     Parameters
     ----------
@@ -39,7 +40,7 @@ def check(params: Mapping[str, Any]) -> None:
         for name, entry in entries.items():
             _check_descriptor(kind, name, entry)
     for name, variant in (params.get("region_variants") or {}).get("variants", {}).items():
-        _check(variant["regions"], OF_REGIONS, f"region_variants.variants.{name}.regions")
+        _check(variant["regions"], _of_regions(), f"region_variants.variants.{name}.regions")
     _check_figures(params.get("figures") or {})
 
 
@@ -62,8 +63,10 @@ def check_part(content: Any, where: str) -> None:
     if not isinstance(content, Mapping):
         return
     if "layout" in content:
-        # Its settings are those of all layouts and its own (`placecat.schema`).
-        lookup.require(SEQUENCES, content["layout"], f"{where}.layout", *READER)
+        layout = lookup.require(SEQUENCES, content["layout"], f"{where}.layout", *READER)
+        # Those of all layouts are checked by `placecat.schema`.
+        own = {name: value for name, value in content.items() if name not in Dataset.model_fields}
+        _check(own, _taken(SEQUENCES, layout, "read_home"), where)
     elif "model" in content:
         _check_classifier(content, where)
     if "tree" in content:
@@ -97,21 +100,19 @@ def check_estimator(options: Mapping[str, Any], where: str) -> str:
     own = dict(options)
     name = own.pop("name")
     class_name = lookup.estimator(LEARNING, name, f"{where}.name")
-    taken = lookup.parameters(LEARNING, name, class_name)
-    _check(own, {setting: False for setting in taken if setting not in GIVEN}, where)
+    _check(own, _optional(LEARNING, name, class_name), where)
     return class_name
 
 
 def _check_classifier(options: Mapping[str, Any], where: str) -> None:
     own = dict(options)
     model = lookup.require(CUES, own.pop("model"), f"{where}.model", "fit")
-    _check(own, lookup.parameters(CUES, model, "fit"), where)
+    _check(own, _taken(CUES, model, "fit"), where)
     for part in ("base", "scheme"):
         if part in own:
             check_estimator(own[part], f"{where}.{part}")
     if isinstance(own.get("reduction"), Mapping):
-        taken = lookup.parameters(LEARNING, "spatial_pca", "SpatialPCA")
-        _check(own["reduction"], taken, f"{where}.reduction")
+        _check(own["reduction"], _optional(LEARNING, "spatial_pca", "SpatialPCA"), f"{where}.reduction")
 
 
 def _check_descriptor(kind: str, name: str, entry: Mapping[str, Any]) -> None:
@@ -119,7 +120,7 @@ def _check_descriptor(kind: str, name: str, entry: Mapping[str, Any]) -> None:
     # A variant says of which module it is.
     module = own.pop("descriptor", name)
     lookup.require(f"placecat.vision.{kind}", module, f"{where}: {kind} descriptor", "describe")
-    _check(own, lookup.parameters(f"placecat.vision.{kind}", module, "describe"), where)
+    _check(own, _taken(f"placecat.vision.{kind}", module, "describe"), where)
 
 
 def _check_figures(figures: Mapping[str, Any]) -> None:
@@ -131,11 +132,42 @@ def _check_figures(figures: Mapping[str, Any]) -> None:
         if name not in drawn:
             question = did_you_mean(name, drawn)
             raise SettingError(f"figures: {name!r} does not exist{question}: use one of {', '.join(drawn)}")
-        _check(own, lookup.parameters(FIGURES, *drawn[name]), f"figures.{name}")
+        _check(own, _taken(FIGURES, *drawn[name]), f"figures.{name}")
 
 
-def _check(options: Mapping[str, Any], taken: Mapping[str, bool], where: str) -> None:
+class _Setting(NamedTuple):
+    """What is known of a setting: whether it must be given, and what checks its values."""
+
+    is_needed: bool
+    values: TypeAdapter[Any]
+
+
+@lru_cache
+def _taken(package: str, name: str, definition: str) -> dict[str, _Setting]:
+    """The settings of a function or class, see :func:`placecat.lookup.parameters`."""
+    needed = lookup.parameters(package, name, definition)
+    kinds = lookup.types(package, name, definition)
+    return {setting: _Setting(needed[setting], schema.of_type(kinds[setting])) for setting in needed}
+
+
+@lru_cache
+def _optional(package: str, name: str, definition: str) -> dict[str, _Setting]:
+    """The settings of an estimator: all have defaults."""
+    taken = _taken(package, name, definition)
+    return {name: one._replace(is_needed=False) for name, one in taken.items() if name not in GIVEN}
+
+
+@lru_cache
+def _of_regions() -> dict[str, _Setting]:
+    """Those of salient regions, of which a variant has some."""
+    kinds = get_type_hints(Regions, include_extras=True)
+    return {name: _Setting(False, schema.of_type(kinds[name])) for name in Regions.model_fields}
+
+
+def _check(options: Mapping[str, Any], taken: Mapping[str, _Setting], where: str) -> None:
     refuse_unknown(options, list(taken), where)
-    for name, needed in taken.items():
-        if needed and name not in options:
+    for name, setting in taken.items():
+        if name in options:
+            schema.check_value(options[name], setting.values, f"{where}.{name}")
+        elif setting.is_needed:
             raise SettingError(f"{where} has no setting {name!r}, which it needs")

@@ -51,7 +51,7 @@ def test_a_wrong_setting_is_refused_with_the_right_ones(project, override, messa
         (["classifier=nu_svm", "classifier.reduction={cells: 3, components: 2}"], "cannot be divided into 3"),
         (["classifier=nu_svm", "classifier.reduction={cells: 4, componnts: 2}"], "did you mean 'components'"),
         (["classifier=nu_svm", "codebook.cells=4"], "for classifiers on clusters, not for nu_svm"),
-        (["classifier=nu_svm", "classifier.base.nu=2"], "nu = 2 is outside"),
+        (["classifier=nu_svm", "classifier.base.nu=2"], r"base\.nu=2: it must be less than or equal to 1"),
         (["codebook.cells=3"], "use one of 1, 2, 4, 8, 16"),
         (["classifier=knn", "codebook.cells=4"], "use 1"),
         (["classifier=knn", "+classifier.reduction={cells: 4}"], "no setting 'reduction'"),

@@ -15,6 +15,7 @@ from placecat.cues.model import CueModel
 from placecat.errors import PlacecatError
 from placecat.learning.activations import activations
 from placecat.learning.discriminative import discriminative_codewords
+from placecat.ranges import Count, PositiveShare
 
 #: Whether it decides from sets of regions alone, never from whole frames.
 OF_REGIONS_ONLY = True
@@ -61,8 +62,8 @@ def fit(
     classes: Sequence[str],
     *,
     cue: Mapping[str, Any],
-    clusters: int,
-    keep: float,
+    clusters: Count,
+    keep: PositiveShare,
 ) -> DiscriminativeRegionsCue:
     """Choose codewords on the training frames, then train a cue on the regions that have them.
 

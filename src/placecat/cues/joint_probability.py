@@ -11,6 +11,7 @@ from placecat.cues.codebook import Codebook
 from placecat.cues.descriptors import Descriptors
 from placecat.errors import PlacecatError
 from placecat.learning.activations import activations
+from placecat.ranges import Count
 
 
 class JointProbabilityCue:
@@ -42,7 +43,7 @@ def fit(
     classes: Sequence[str],
     *,
     base: Mapping[str, Any],
-    clusters: int,
+    clusters: Count,
 ) -> JointProbabilityCue:
     """Train a joint model.
 

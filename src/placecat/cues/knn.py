@@ -10,6 +10,7 @@ from placecat.cues import estimators
 from placecat.cues.codebook import Codebook
 from placecat.cues.descriptors import Descriptors
 from placecat.errors import PlacecatError
+from placecat.ranges import Count
 
 
 class NearestNeighboursCue:
@@ -34,7 +35,7 @@ def fit(
     classes: Sequence[str],
     *,
     base: Mapping[str, Any],
-    clusters: int,
+    clusters: Count,
 ) -> NearestNeighboursCue:
     """Train the modified nearest neighbours on every region (or frame) with its frame's label."""
     if codebook is None:

@@ -1,7 +1,7 @@
 """Two-class classifiers, one a place, combined to a distribution (thesis 3.3.1.2, Figure 8)."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,8 +10,9 @@ from placecat.cues import estimators
 from placecat.cues.codebook import Codebook
 from placecat.cues.descriptors import Descriptors
 from placecat.cues.model import product_of_rows
-from placecat.learning.scaling import KernelScaling
+from placecat.learning.scaling import KINDS, KernelScaling
 from placecat.learning.spatial_pca import SpatialPCA
+from placecat.ranges import Count, OneOf, Positive
 
 
 class OneAgainstAllCue:
@@ -51,10 +52,10 @@ def fit(
     *,
     base: Mapping[str, Any],
     scheme: Mapping[str, Any],
-    scaling: str,
-    gamma_scale: float = 1.0,
+    scaling: Annotated[str, OneOf(KINDS)],
+    gamma_scale: Positive = 1.0,
     reduction: Mapping[str, Any] | None = None,
-    max_rows: int | None = None,
+    max_rows: Count | None = None,
 ) -> OneAgainstAllCue:
     """Train one two-class classifier a place and the scheme that combines them.
 

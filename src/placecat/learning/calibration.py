@@ -17,8 +17,10 @@ from placecat.learning.two_class import TwoClassBase
 
 logger = logging.getLogger(__name__)
 
-SAMPLES, CONSECUTIVE = "samples", "consecutive"
-CENTRED, AVERAGED = "homes_centred", "homes_averaged"
+SAMPLES = "samples"
+CONSECUTIVE = "consecutive"
+CENTRED = "homes_centred"
+AVERAGED = "homes_averaged"
 CALIBRATIONS = (SAMPLES, CONSECUTIVE, CENTRED, AVERAGED)
 
 Fold = tuple[NDArray[np.intp], NDArray[np.intp]]

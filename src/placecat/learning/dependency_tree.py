@@ -1,5 +1,7 @@
 """The optimal first-order dependency tree over codewords (thesis equation 11)."""
 
+from typing import Annotated
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -12,7 +14,8 @@ from placecat.learning.contingency import (
     run_lengths,
     value_counts,
 )
-from placecat.learning.discrete_bayes import DiscreteBayes
+from placecat.learning.discrete_bayes import PRIORS, DiscreteBayes
+from placecat.ranges import Index, OneOf, Positive
 
 # Largest table of pair counts kept in full (32 MB); beyond, only the pairs that occur.
 _DENSE_CELLS = 1 << 22
@@ -69,7 +72,11 @@ class DependencyTree(DiscreteBayes):
     """
 
     def __init__(
-        self, alpha: float = 1.0, n_values: int | None = None, prior: str = "uniform", root: int = 0
+        self,
+        alpha: Positive = 1.0,
+        n_values: int | None = None,
+        prior: Annotated[str, OneOf(PRIORS)] = "uniform",
+        root: Index = 0,
     ) -> None:
         self.alpha = alpha
         self.n_values = n_values

@@ -12,6 +12,8 @@ from sklearn.utils.validation import check_array, check_is_fitted, column_or_1d
 
 from placecat.errors import PlacecatError
 
+PRIORS = ("uniform", "frequency")
+
 
 class DiscreteBayes(ClassifierMixin, BaseEstimator):
     """Bayes' rule (thesis equation 10) over a model of p(c_1 = q_1, ..., c_V = q_V | l_i).
@@ -48,7 +50,7 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
             raise PlacecatError(
                 f"alpha={self.alpha}: use a number above 0, or a value never seen in a class vetoes the class"
             )
-        if self.prior not in ("uniform", "frequency"):
+        if self.prior not in PRIORS:
             raise PlacecatError(f"prior={self.prior!r} is unknown: use 'uniform' or 'frequency'")
         if self.n_values is not None and self.n_values < 2:
             raise PlacecatError(f"n_values={self.n_values}: a variable needs at least 2 values")

@@ -11,6 +11,7 @@ from threadpoolctl import threadpool_limits
 
 from placecat.errors import NotComputable, PlacecatError
 from placecat.learning.nearest import nearest_centers
+from placecat.ranges import Count
 
 
 class FlatKMeans(BaseEstimator):
@@ -46,7 +47,7 @@ class FlatKMeans(BaseEstimator):
     True
     """
 
-    def __init__(self, numbers: Sequence[int] = (46,), max_iter: int = 11, seed: int = 0) -> None:
+    def __init__(self, numbers: Sequence[int] = (46,), max_iter: Count = 11, seed: int = 0) -> None:
         self.numbers = numbers
         self.max_iter = max_iter
         self.seed = seed

@@ -2,15 +2,17 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Self
+from typing import Annotated, Any, Self
 
 import numpy as np
+from annotated_types import Interval
 from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator, ClassifierMixin
 
 from placecat.errors import PlacecatError
 from placecat.learning.kernels import check_samples, encode_two_classes
 from placecat.learning.platt import apply_sigmoid
+from placecat.ranges import Count, PositiveShare
 
 
 @dataclass(frozen=True)
@@ -162,7 +164,12 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
     own_sigmoid: tuple[float, float] | None = (-2.0, 0.0)
     prefers_own_sigmoid = True
 
-    def __init__(self, n_rounds: int = 50, max_bins: int = 256, weight_trim: float = 0.95) -> None:
+    def __init__(
+        self,
+        n_rounds: Count = 50,
+        max_bins: Annotated[int, Interval(ge=2, le=2**16)] = 256,
+        weight_trim: PositiveShare = 0.95,
+    ) -> None:
         self.n_rounds = n_rounds
         self.max_bins = max_bins
         self.weight_trim = weight_trim

@@ -13,6 +13,7 @@ from threadpoolctl import threadpool_limits
 from placecat.errors import NotComputable, PlacecatError
 from placecat.learning.kmeans_split import make_root, split_node
 from placecat.learning.nearest import nearest_centers
+from placecat.ranges import Count, Two
 
 
 def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
@@ -112,7 +113,7 @@ class HierarchicalKMeans(BaseEstimator):
     training_nodes_: NDArray[np.int32] | None = None
 
     def __init__(
-        self, branching: int = 16, max_clusters: int = 991, max_iter: int = 11, seed: int = 0
+        self, branching: Two = 16, max_clusters: Count = 991, max_iter: Count = 11, seed: int = 0
     ) -> None:
         self.branching = branching
         self.max_clusters = max_clusters

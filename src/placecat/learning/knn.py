@@ -1,6 +1,6 @@
 """The thesis's modified K-nearest neighbours: class frequencies of clusters (section 3.3.1.1)."""
 
-from typing import Any, Self
+from typing import Annotated, Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,7 +13,9 @@ from placecat.errors import PlacecatError
 from placecat.learning.activations import check_regions, frame_blocks
 from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
 from placecat.learning.nearest import nearest_centers
+from placecat.ranges import Count, NonNegative, OneOf
 
+CLASS_WEIGHTINGS = ("once", "per_region")
 # Floats of one block of differences between points and their neighbours.
 _BLOCK = 1 << 20
 
@@ -78,9 +80,9 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     def __init__(
         self,
         n_clusters: int = 196,
-        n_neighbors: int = 1,
-        smoothing: float = 1.0,
-        class_weighting: str = "per_region",
+        n_neighbors: Count = 1,
+        smoothing: NonNegative = 1.0,
+        class_weighting: Annotated[str, OneOf(CLASS_WEIGHTINGS)] = "per_region",
         codebook: HierarchicalKMeans | None = None,
         seed: int = 0,
     ) -> None:
@@ -132,7 +134,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
             )
         if not self.smoothing >= 0:
             raise PlacecatError(f"smoothing={self.smoothing} is negative: use 0 or more")
-        if self.class_weighting not in ("once", "per_region"):
+        if self.class_weighting not in CLASS_WEIGHTINGS:
             raise PlacecatError(
                 f"class_weighting={self.class_weighting!r} is unknown: use 'once' or 'per_region'"
             )

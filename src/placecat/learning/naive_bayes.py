@@ -1,11 +1,14 @@
 """Naive Bayes over codewords (thesis equation 12)."""
 
+from typing import Annotated
+
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat.learning.contingency import value_counts
-from placecat.learning.discrete_bayes import DiscreteBayes
+from placecat.learning.discrete_bayes import PRIORS, DiscreteBayes
 from placecat.learning.products import row_products
+from placecat.ranges import OneOf, Positive
 
 # Table look-ups made at once.
 _BLOCK = 1 << 18
@@ -50,7 +53,12 @@ class NaiveBayes(DiscreteBayes):
     [[0.818, 0.182]]
     """
 
-    def __init__(self, alpha: float = 1.0, n_values: int | None = None, prior: str = "uniform") -> None:
+    def __init__(
+        self,
+        alpha: Positive = 1.0,
+        n_values: int | None = None,
+        prior: Annotated[str, OneOf(PRIORS)] = "uniform",
+    ) -> None:
         self.alpha = alpha
         self.n_values = n_values
         self.prior = prior

@@ -1,7 +1,7 @@
 """Two-class nu-SVM with RBF kernel on a shared Gram matrix."""
 
 import logging
-from typing import Self
+from typing import Annotated, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,6 +9,7 @@ from sklearn.base import BaseEstimator, ClassifierMixin
 
 from placecat.errors import PlacecatError
 from placecat.learning.kernel_machine import KernelMachine
+from placecat.ranges import OneOf, Positive, PositiveShare
 
 logger = logging.getLogger(__name__)
 
@@ -87,11 +88,11 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
 
     def __init__(
         self,
-        gamma: float = 2.0,
-        nu: float = 0.2,
-        nu_policy: str = "lower",
-        tol: float = 1e-3,
-        cache_mb: float = 400.0,
+        gamma: Positive = 2.0,
+        nu: PositiveShare = 0.2,
+        nu_policy: Annotated[str, OneOf(POLICIES)] = "lower",
+        tol: Positive = 1e-3,
+        cache_mb: Positive = 400.0,
     ) -> None:
         self.gamma = gamma
         self.nu = nu

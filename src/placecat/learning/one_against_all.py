@@ -1,14 +1,17 @@
 """One two-class classifier a class, and the parallel probabilistic scheme that combines them."""
 
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator, ClassifierMixin
 
 from placecat.errors import PlacecatError
+from placecat.learning.calibration import CALIBRATIONS
 from placecat.learning.multi_class import MultiClass
 from placecat.learning.products import sum_products
+from placecat.learning.two_class import SIGMOID_WEIGHTS, SIGMOIDS
+from placecat.ranges import NonNegative, OneOf, Two
 
 COMBINATIONS = ("parallel", "certainty")
 RELIABILITIES = ("hard", "soft")
@@ -102,16 +105,16 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     def __init__(
         self,
         base: Any = None,
-        calibration: str = "samples",
-        sigmoid: str = "auto",
-        sigmoid_weights: str = "none",
-        combination: str = "parallel",
+        calibration: Annotated[str, OneOf(CALIBRATIONS)] = "samples",
+        sigmoid: Annotated[str, OneOf(SIGMOIDS)] = "auto",
+        sigmoid_weights: Annotated[str, OneOf(SIGMOID_WEIGHTS)] = "none",
+        combination: Annotated[str, OneOf(COMBINATIONS)] = "parallel",
         exclusive: bool = True,
-        reliability: str = "soft",
-        reliability_smoothing: float = 1.0,
-        prior: str = "uniform",
-        uncertainty: float = 0.0,
-        folds: int = 5,
+        reliability: Annotated[str, OneOf(RELIABILITIES)] = "soft",
+        reliability_smoothing: NonNegative = 1.0,
+        prior: Annotated[str, OneOf(PRIORS)] = "uniform",
+        uncertainty: NonNegative = 0.0,
+        folds: Two = 5,
         n_jobs: int | None = None,
     ) -> None:
         self.base = base

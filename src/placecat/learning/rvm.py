@@ -13,6 +13,7 @@ from placecat.errors import PlacecatError
 from placecat.learning.kernel_machine import KernelMachine
 from placecat.learning.platt import apply_sigmoid
 from placecat.learning.single_thread import single_blas_thread
+from placecat.ranges import Count, Positive
 
 logger = logging.getLogger(__name__)
 
@@ -78,7 +79,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     gram_dtype = np.float32
 
     def __init__(
-        self, gamma: float = 2.0, tol: float = 1e-5, max_iter: int = 200, candidates: int = 100
+        self, gamma: Positive = 2.0, tol: Positive = 1e-5, max_iter: Count = 200, candidates: Count = 100
     ) -> None:
         self.gamma = gamma
         self.tol = tol

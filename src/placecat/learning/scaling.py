@@ -1,6 +1,6 @@
 """Scaling of descriptors before the kernel: it sets the scale on which gamma acts."""
 
-from typing import Self
+from typing import Annotated, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -9,6 +9,7 @@ from sklearn.base import BaseEstimator, TransformerMixin
 from placecat.errors import PlacecatError
 from placecat.learning.kernels import check_samples
 from placecat.learning.products import squared_lengths
+from placecat.ranges import OneOf, Positive
 
 KINDS = ("none", "minmax", "standard", "root", "distance", "unit")
 
@@ -55,7 +56,7 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     [[0.0, 0.0], [1.0, 0.0]]
     """
 
-    def __init__(self, kind: str = "standard", gamma_scale: float = 1.0) -> None:
+    def __init__(self, kind: Annotated[str, OneOf(KINDS)] = "standard", gamma_scale: Positive = 1.0) -> None:
         self.kind = kind
         self.gamma_scale = gamma_scale
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,8 +10,10 @@ from scipy.special import expit
 from sklearn.base import BaseEstimator, ClassifierMixin
 
 from placecat.errors import PlacecatError
-from placecat.learning.calibration import FittedProblem, Problem
+from placecat.learning.calibration import CALIBRATIONS, FittedProblem, Problem
 from placecat.learning.multi_class import MultiClass
+from placecat.learning.two_class import SIGMOID_WEIGHTS, SIGMOIDS
+from placecat.ranges import OneOf, Two
 
 ORDERS = ("balanced_accuracy", "error")
 TRAINING = ("all", "remaining")
@@ -75,14 +77,14 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     def __init__(
         self,
         base: Any = None,
-        calibration: str = "samples",
-        sigmoid: str = "auto",
-        sigmoid_weights: str = "none",
-        order: str = "balanced_accuracy",
-        training: str = "all",
-        decision: str = "sign",
-        output: str = "product",
-        folds: int = 5,
+        calibration: Annotated[str, OneOf(CALIBRATIONS)] = "samples",
+        sigmoid: Annotated[str, OneOf(SIGMOIDS)] = "auto",
+        sigmoid_weights: Annotated[str, OneOf(SIGMOID_WEIGHTS)] = "none",
+        order: Annotated[str, OneOf(ORDERS)] = "balanced_accuracy",
+        training: Annotated[str, OneOf(TRAINING)] = "all",
+        decision: Annotated[str, OneOf(DECISIONS)] = "sign",
+        output: Annotated[str, OneOf(OUTPUTS)] = "product",
+        folds: Two = 5,
         n_jobs: int | None = None,
     ) -> None:
         self.base = base

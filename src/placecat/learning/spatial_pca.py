@@ -10,6 +10,7 @@ from placecat.errors import NotComputable, PlacecatError
 from placecat.learning.kernels import check_samples
 from placecat.learning.products import row_products
 from placecat.learning.single_thread import single_blas_thread
+from placecat.ranges import AtLeastOne, Count
 
 
 class SpatialPCA(TransformerMixin, BaseEstimator):
@@ -55,7 +56,11 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
     """
 
     def __init__(
-        self, cells: int = 16, components: int | None = 64, factor: float | None = None, whiten: bool = False
+        self,
+        cells: Count = 16,
+        components: Count | None = 64,
+        factor: AtLeastOne | None = None,
+        whiten: bool = False,
     ) -> None:
         self.cells = cells
         self.components = components

@@ -3,16 +3,19 @@
 from collections.abc import Mapping
 from typing import Any
 
-from pydantic import ValidationError
+from pydantic import ConfigDict, TypeAdapter, ValidationError
 
-from placecat.errors import PlacecatError, did_you_mean
-from placecat.schema.sections import Experiment, Params, Section
+from placecat.errors import SettingError, did_you_mean, printable
+from placecat.schema.experiment import Experiment
+from placecat.schema.sections import Params, Section
 
-__all__ = ["Experiment", "Params", "check"]
+__all__ = ["Experiment", "Params", "check", "check_value", "of_type"]
+
+_SHOWN = 80
 
 
 def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
-    """Refuse a setting that nothing reads, that is missing, or that is of another type.
+    """Refuse a setting that nothing reads, that is missing, of another type or out of its range.
 
     Parameters
     ----------
@@ -29,23 +32,48 @@ def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
     try:
         model.model_validate(content)
     except ValidationError as error:
-        raise PlacecatError(_told(content, error)) from None
+        raise SettingError(_told(content, error)) from None
 
 
-def _told(content: Mapping[str, Any], error: ValidationError) -> str:
+def check_value(value: Any, adapter: TypeAdapter[Any], where: str) -> None:
+    """Refuse a value that is of another type or out of its range.
+
+    Parameters
+    ----------
+    value
+        Of a setting.
+    adapter
+        Of its type (see :func:`of_type`).
+    where
+        What a message calls it: its dotted name.
+
+    Raises
+    ------
+    PlacecatError
+        Naming it and what is right.
+    """
+    try:
+        adapter.validate_python(value)
+    except ValidationError as error:
+        raise SettingError(_told({where: value}, error, (where,))) from None
+
+
+def of_type(kind: Any) -> TypeAdapter[Any]:
+    """Give what checks values of a type: strictly, and without NaN and infinity."""
+    return TypeAdapter(kind, config=ConfigDict(strict=True, allow_inf_nan=False))
+
+
+def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str, ...] = ()) -> str:
     """The first mistake in one line."""
     errors = error.errors(include_url=False)
-    # Where a value may be of several kinds, the name of the kind is a part of the place.
-    place: list[str] = []
-    here: Any = content
-    part: Any
-    for part in errors[0]["loc"]:
-        if isinstance(here, Mapping | list) and _has(here, part):
-            place.append(str(part))
-            here = here[part]
-    dotted, kind = ".".join(place), errors[0]["type"]
+    places = [_place(content, (*before, *one["loc"])) for one in errors]
+    # Where a value may be of several kinds, the kind that it comes nearest to.
+    same = [number for number, place in enumerate(places) if place[: len(places[0])] == places[0]]
+    first = max(same, key=lambda number: (len(places[number]), not errors[number]["type"].endswith("_type")))
+    place, told = places[first], errors[first]
+    dotted, kind, value = ".".join(place), told["type"], told["input"]
     if kind == "missing":
-        return f"{dotted or 'the settings'} has no setting {errors[0]['loc'][-1]!r}, which it needs"
+        return f"{dotted or 'the settings'} has no setting {told['loc'][-1]!r}, which it needs"
     if kind == "extra_forbidden":
         *parents, name = place
         unknown = {str(one["loc"][-1]) for one in errors if one["type"] == kind}
@@ -55,8 +83,34 @@ def _told(content: Mapping[str, Any], error: ValidationError) -> str:
         valid = [str(key) for key in around if key not in unknown]
         where, question = ".".join(parents) or "the whole", did_you_mean(name, valid)
         return f"{where} has no setting {name!r}{question} (it has {', '.join(valid)})"
-    return f"{dotted}={errors[0]['input']}: {errors[0]['msg']}"
+    said = (
+        told["msg"]
+        .removeprefix("Value error, ")
+        .replace("Input should be", "it must be")
+        .replace("dictionary", "mapping")
+    )
+    if kind == "string_type" and isinstance(value, int | float):
+        said = f"text is needed here, and YAML reads this as a number: write '{value}', with quotes"
+    # A key is named, since it is what is wrong.
+    is_shown = told["loc"][-1:] == ("[key]",) or not isinstance(value, Mapping)
+    return f"{dotted}={_short(value)}: {said}" if is_shown else f"{dotted}: {said}"
+
+
+def _place(content: Any, loc: tuple[Any, ...]) -> tuple[str, ...]:
+    """Where a mistake is. Where a value may be of several kinds, the name of the kind is a part of `loc`."""
+    place: list[str] = []
+    for part in loc:
+        if isinstance(content, Mapping | list) and _has(content, part):
+            place.append(str(part))
+            content = content[part]
+    return tuple(place)
 
 
 def _has(here: Any, part: Any) -> bool:
     return part in here if isinstance(here, Mapping) else isinstance(part, int) and part < len(here)
+
+
+def _short(value: Any) -> str:
+    """A value as YAML writes most of them; the middle of a long one is left out."""
+    text = printable(str(value).replace("\n", "\\n"))
+    return text if len(text) <= _SHOWN else f"{text[: _SHOWN // 2]}...{text[-_SHOWN // 2 :]}"

@@ -1,42 +1,58 @@
-"""What each section of params.yaml and an experiment have: names and types.
+"""What each section of params.yaml has: names, types and ranges.
 
 Settings of classifiers, estimators, descriptors and figures are the parameters of their functions, of which
-:mod:`placecat.signatures` knows. Ranges are checked where the numbers are used.
+:mod:`placecat.signatures` knows.
 """
 
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
+from annotated_types import Interval, MinLen
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from placecat import lookup
+from placecat.ranges import (
+    Count,
+    Index,
+    NonNegative,
+    PartShare,
+    Pixels,
+    Positive,
+    Seed,
+    Share,
+    Two,
+)
+from placecat.schema.names import Distinct, FileName, Key, Label, Text
+from placecat.schema.numbers import Level, Levels, Odd, Window
 
 # Settings of a function.
 Own = dict[str, Any]
-# YAML reads names such as 2 as numbers.
-Name = str | int
+Seeds = Annotated[Distinct[Seed], MinLen(1)]
+Schemes = Annotated[Distinct[Literal["5-5-1", "4-5-1"]], MinLen(1)]
+# Names of cues, descriptors and so on; :mod:`placecat.references` knows whether they are there.
+Keys = Distinct[Key]
 
 
 class Section(BaseModel):
     """A mapping with these settings and no other, of these types."""
 
-    model_config = ConfigDict(extra="forbid", strict=True)
+    model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
 
 
 class Dataset(Section):
     """conf/dataset."""
 
-    name: Name
-    title: Name
-    thesis_data: str | None
+    name: Label
+    title: Text
+    thesis_data: Label | None
     layout: str
-    root: Name
-    homes: list[Name]
-    fps: float | None
-    camera: Name | dict[Name, Name]
-    classes: list[str]
-    ignored: list[str]
-    aliases: dict[Name, str]
+    root: Text
+    homes: Annotated[Distinct[FileName], MinLen(1)]
+    fps: Annotated[float, Interval(gt=0, le=1000)] | None
+    camera: Label | dict[FileName, Label]
+    classes: Annotated[Distinct[Label], MinLen(2)]
+    ignored: Distinct[Label]
+    aliases: dict[Label, Label]
     require_all_classes: bool
 
     @model_validator(mode="before")
@@ -52,47 +68,47 @@ class Dataset(Section):
 class Attention(Section):
     """conf/attention."""
 
-    scales: list[int]
-    radii: list[int]
+    scales: Levels
+    radii: Annotated[Distinct[Count], MinLen(1)]
     clip_color: bool
-    gabor_size: int
-    gabor_sigma: float
-    gabor_wavelength: float
-    gabor_aspect: float
-    gabor_phase: float | None
+    gabor_size: Odd
+    gabor_sigma: Positive
+    gabor_wavelength: Positive
+    gabor_aspect: Positive
+    gabor_phase: Annotated[float, Interval(ge=-7, le=7)] | None
     use_residual: bool
-    residual_box: int
-    residual_sigma: float
-    residual_width: int | None
-    residual_floor: float
+    residual_box: Odd
+    residual_sigma: NonNegative
+    residual_width: Two | None
+    residual_floor: Positive
 
 
 class Regions(Section):
     """conf/regions."""
 
-    max_regions: int
-    scale_distance: float
-    min_distance: float
-    fusion_scale: int
-    maximum_window: int
-    intensity_unit: float
-    color_unit: float
-    orientation_unit: float
-    residual_unit: float
+    max_regions: Count
+    scale_distance: NonNegative
+    min_distance: NonNegative
+    fusion_scale: Annotated[int, Interval(ge=0, le=16)]
+    maximum_window: Window
+    intensity_unit: Positive
+    color_unit: Positive
+    orientation_unit: Positive
+    residual_unit: Positive
     use_residual: bool
 
 
 class Frames(Section):
     """Every ``step``-th frame from ``offset``."""
 
-    offset: int
-    step: int
+    offset: Index
+    step: Count
 
 
 class Variant(Section):
     """A variant of the salient regions."""
 
-    scales: list[int] | None
+    scales: Levels | None
     regions: Own
 
 
@@ -100,94 +116,94 @@ class RegionVariants(Section):
     """conf/region_variants."""
 
     frames: Frames
-    descriptors: list[str]
-    variants: dict[str, Variant]
+    descriptors: Keys
+    variants: dict[Key, Variant]
 
 
 class Information(Section):
     """conf/information."""
 
-    fine: int
-    coarse: int | None
-    unit: float
+    fine: Level
+    coarse: Level | None
+    unit: Positive
 
 
 class Tracking(Section):
     """conf/tracking."""
 
-    descriptors: list[str]
-    max_regions: int
-    width: int
-    window: int
-    levels: int
-    iterations: int
-    epsilon: float
-    min_eigenvalue: float
-    forward_backward: float
-    scale_distance: float
-    min_distance: float
+    descriptors: Keys
+    max_regions: Count
+    width: Pixels
+    window: Window
+    levels: Annotated[int, Interval(ge=0, le=16)]
+    iterations: Count
+    epsilon: Positive
+    min_eigenvalue: NonNegative
+    forward_backward: Positive
+    scale_distance: NonNegative
+    min_distance: NonNegative
 
 
 class Extra(Section):
     """Further training data."""
 
-    split: str
-    sequences: list[Name]
+    split: Key
+    sequences: Annotated[Distinct[FileName], MinLen(1)]
 
 
 class Protocol(Section):
     """conf/protocol."""
 
-    schemes: list[str]
-    test_homes: Name | list[Name]
+    schemes: Schemes
+    test_homes: str | Annotated[Distinct[FileName], MinLen(1)]
     cue_frames: Frames
     integration_frames: Frames
-    seeds: list[int]
+    seeds: Seeds
     extra: Extra | None
 
 
 class Smoothing(Section):
     """conf/smoothing."""
 
-    delay_seconds: float
-    evidence: str
-    evidence_seconds: float
-    reliability: str
-    transition_counts: float
-    emission_counts: float
-    cues: list[str]
-    filtered: list[str]
+    delay_seconds: NonNegative
+    evidence: Literal["hard", "soft"]
+    evidence_seconds: Positive
+    reliability: Literal["hard", "soft"]
+    transition_counts: Positive
+    emission_counts: Positive
+    cues: Keys
+    filtered: Distinct[str]
 
 
 class Model(Section):
     """conf/model."""
 
-    system: str
-    seed: int
+    system: Key
+    seed: Seed
 
 
 class Points(Section):
     """Of the circles."""
 
-    radius: float
-    inside: float
+    radius: Positive
+    inside: Annotated[float, Interval(gt=0, lt=0.785)]
 
 
 class Sensitivity(Section):
     """Variants of the circles."""
 
-    seeds: list[int]
-    radii: list[float]
-    decisions: list[str]
+    seeds: Seeds
+    radii: Annotated[Distinct[Positive], MinLen(1)]
+    decisions: Annotated[Distinct[Literal["sign", "probability", "product"]], MinLen(1)]
 
 
 class Toy(Section):
     """conf/toy."""
 
-    schemes: dict[str, Own]
-    training: int
-    testing: int
-    seeds: list[int]
+    schemes: dict[Key, Own]
+    training: Count
+    testing: Count
+    seeds: Seeds
     points: Points
     sensitivity: Sensitivity
 
@@ -195,14 +211,14 @@ class Toy(Section):
 class Verdict(Section):
     """conf/verdict."""
 
-    level: float
-    resamples: int
-    minimum_units: int
-    few_homes: int
-    about: float
-    margin: float
-    noticeable: float
-    rare: float
+    level: PartShare
+    resamples: Count
+    minimum_units: Count
+    few_homes: Index
+    about: Share
+    margin: NonNegative
+    noticeable: NonNegative
+    rare: Share
 
 
 class Local(Section):
@@ -215,40 +231,40 @@ class Dask(Section):
     """conf/compute/dask.yaml."""
 
     kind: Literal["dask"]
-    scheduler: str
-    wait: float
-    may_differ: list[str]
+    scheduler: Text
+    wait: Positive
+    may_differ: Distinct[str]
 
 
 class Reproducibility(Section):
     """conf/reproducibility."""
 
-    tolerance: float
+    tolerance: NonNegative
 
 
 class Probabilities(Section):
     """conf/probabilities."""
 
-    bins: int
-    smallest: float
+    bins: Count
+    smallest: PartShare
 
 
 class Descriptors(Section):
     """conf/descriptor."""
 
-    local: dict[str, Own] = {}
-    holistic: dict[str, Own] = {}
+    local: dict[Key, Own] = {}
+    holistic: dict[Key, Own] = {}
 
 
 class Descriptor(Section):
     """By which a cue or codebook knows a descriptor."""
 
     kind: Literal["local", "holistic"]
-    name: str
+    name: Key
     y_pos: bool | None = None
-    y_weight: float | None = None
-    color: str | None = None
-    max_regions: int | None = None
+    y_weight: NonNegative | None = None
+    color: Key | None = None
+    max_regions: Count | None = None
     tracked: bool | None = None
 
 
@@ -257,16 +273,16 @@ class Codebook(Section):
 
     descriptor: Descriptor
     tree: Own
-    schemes: list[str]
-    cells: int
+    schemes: Schemes
+    cells: Count
 
 
 class Cue(Section):
     """A file of conf/cue."""
 
-    title: Name
-    codebook: str | None
-    schemes: list[str]
+    title: Text
+    codebook: Key | None
+    schemes: Schemes
     cross_validate: bool
     extra: bool
     classifier: Own
@@ -276,35 +292,41 @@ class Cue(Section):
 class Integrator(Section):
     """A file of conf/integrator."""
 
-    method: str
+    method: Literal["das", "vote_distribution", "vote_decision"]
     classifier: Own | None = None
 
 
 class System(Section):
     """A file of conf/system."""
 
-    title: Name
-    scheme: str
+    title: Text
+    scheme: Literal["5-5-1", "4-5-1"]
     temperature: bool
     extra: bool
-    cues: list[str]
+    cues: Annotated[Keys, MinLen(1)]
     integrator: Integrator
 
 
 class Filter(Section):
     """A file of conf/filter."""
 
-    threshold: float | None
-    share: float | None
-    cues: list[str]
-    systems: list[str]
+    threshold: NonNegative | None
+    share: PartShare | None
+    cues: Keys
+    systems: Keys
+
+    @model_validator(mode="after")
+    def _one_of_both(self) -> "Filter":
+        if (self.threshold is None) == (self.share is None):
+            raise ValueError("it needs either a threshold or a share: set the other one to null")
+        return self
 
 
 class Part(Section):
     """A training sequence of a split."""
 
-    sequence: Name
-    places: list[str] | None
+    sequence: FileName
+    places: Annotated[Distinct[Label], MinLen(1)] | None
 
 
 class Split(Section):
@@ -312,24 +334,24 @@ class Split(Section):
 
     dataset: Dataset
     integrator: Integrator
-    descriptors: dict[Literal["local", "holistic"], list[str]]
-    cue_parts: list[Part]
-    integration_parts: list[Part]
-    test: list[Name]
-    systems: dict[str, list[str]]
+    descriptors: dict[Literal["local", "holistic"], Keys]
+    cue_parts: Annotated[list[Part], MinLen(1)]
+    integration_parts: Annotated[list[Part], MinLen(1)]
+    test: Annotated[Distinct[FileName], MinLen(1)]
+    systems: dict[Key, Annotated[Keys, MinLen(1)]]
 
 
 class Example(Section):
     """What Figures 2 to 7 show."""
 
-    home: int | None = None
-    frame: int | None = None
+    home: Count | None = None
+    frame: Index | None = None
 
 
 class Figures(BaseModel):
     """conf/figures; each figure has settings of its own."""
 
-    model_config = ConfigDict(extra="allow", strict=True)
+    model_config = ConfigDict(extra="allow", strict=True, allow_inf_nan=False)
     __pydantic_extra__: dict[str, Own]
 
     example: Example = Example()
@@ -354,44 +376,8 @@ class Params(Section):
     probabilities: Probabilities | None = None
     figures: Figures | None = None
     descriptors: Descriptors | None = None
-    codebooks: dict[str, Codebook] = {}
-    cues: dict[str, Cue] = {}
-    systems: dict[str, System] = {}
-    filters: dict[str, Filter] = {}
-    splits: dict[str, Split] = {}
-
-
-class ExperimentFrames(Section):
-    """Of an experiment; None: as in params.yaml."""
-
-    offset: int | None
-    step: int | None
-
-
-class ExperimentCodebook(Section):
-    """Of an experiment; None: as usual for the classifier."""
-
-    cells: int | None
-    tree: Own
-
-
-class Limits(Section):
-    """What an experiment may need unasked."""
-
-    kernel_rows: int
-
-
-class Experiment(Section):
-    """conf/experiment.yaml."""
-
-    descriptor: Descriptor
-    classifier: Own
-    data: str
-    test_home: Name | list[Name]
-    judge: Literal["test_home", "training_homes"]
-    frames: ExperimentFrames
-    seeds: int | list[int] | None
-    codebook: ExperimentCodebook
-    cells_of_frames: dict[str, int]
-    limits: Limits
-    track: bool
+    codebooks: dict[Key, Codebook] = {}
+    cues: dict[Key, Cue] = {}
+    systems: dict[Key, System] = {}
+    filters: dict[Key, Filter] = {}
+    splits: dict[Key, Split] = {}

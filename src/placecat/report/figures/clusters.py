@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from placecat import seeds, settings
 from placecat.drawing.palette import place_colors, place_title
 from placecat.errors import PlacecatError, SettingError
+from placecat.ranges import Count, Index
 from placecat.report.figures.panels import Sheet, frame_in
 from placecat.report.figures.shares import place_legend, share_bar
 from placecat.report.figures.training import training_regions
@@ -67,7 +68,9 @@ def draw_cluster(run: Run, rank: int, *, by_contrast: bool) -> Figure:
     )
 
 
-def _draw(run: Run, rank: int, by_contrast: bool, *, cue: str, home: int, patches: int, apart: int) -> Figure:
+def _draw(
+    run: Run, rank: int, by_contrast: bool, *, cue: str, home: Count, patches: Count, apart: Index
+) -> Figure:
     test = home_of(run, home)
     largest = _largest(run, cue, test)
     if len(largest) < rank:

@@ -5,6 +5,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from placecat.drawing import palette
+from placecat.ranges import Count
 from placecat.report.figures.panels import Sheet, draw_regions, show_frame, show_map
 from placecat.report.run import Run
 from placecat.vision.regions import radius
@@ -16,7 +17,7 @@ TITLE = (
 WIDTH, GAP, FOOT = 3.5, 0.1, 0.3
 
 
-def draw(run: Run, *, regions: int) -> Figure:
+def draw(run: Run, *, regions: Count) -> Figure:
     """Draw the figure."""
     home, index = run.example
     frame, fused = run.frame(home, index), run.saliency(home, index)

@@ -17,6 +17,7 @@ from placecat.drawing.palette import INK, place_colors, place_title
 from placecat.errors import PlacecatError, SettingError
 from placecat.learning.knn import ModifiedKNN
 from placecat.learning.nearest import nearest_centers
+from placecat.ranges import Count, Index
 from placecat.report.figures.panels import Sheet, draw_regions, show_frame
 from placecat.report.figures.shares import place_legend, share_rows
 from placecat.report.figures.training import TrainingRegions, training_regions
@@ -55,7 +56,14 @@ class Query:
 
 
 def draw(
-    run: Run, *, codebook: str, clusters: int, home: int, frame: int | None, regions: int, points: int
+    run: Run,
+    *,
+    codebook: str,
+    clusters: Count,
+    home: Count,
+    frame: Index | None,
+    regions: Count,
+    points: Index,
 ) -> Figure:
     """Draw the figure; settings in ``figures.figure_09``."""
     test = home_of(run, home)

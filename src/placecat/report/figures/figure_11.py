@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from placecat.drawing import palette
 from placecat.errors import SettingError
+from placecat.ranges import Count, Index, Two
 from placecat.report.figures.segment import most_smoothed, stretches
 from placecat.report.run import Run, home_of
 
@@ -30,7 +31,7 @@ LUMINANCE = np.array([0.299, 0.587, 0.114])
 
 
 def draw(
-    run: Run, *, home: int | None, start: int | None, frames: int, classifier: str, hmm: str, delayed: str
+    run: Run, *, home: Count | None, start: Index | None, frames: Two, classifier: str, hmm: str, delayed: str
 ) -> Figure:
     """Three panels below each other; settings in ``figures.figure_11``."""
     if frames < 2:

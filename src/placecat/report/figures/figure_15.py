@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from placecat.drawing import palette
 from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import home_accuracy
+from placecat.ranges import Count
 from placecat.report.run import Run, home_of
 
 TITLE = (
@@ -23,7 +24,7 @@ WIDTH = 6.5
 DARK = 55.0
 
 
-def draw(run: Run, *, home: int, panels: Mapping[str, str]) -> Figure:
+def draw(run: Run, *, home: Count, panels: Mapping[str, str]) -> Figure:
     """One matrix a panel; settings in ``figures.figure_15``."""
     chosen = home_of(run, home)
     drawn = Figure(figsize=(WIDTH, WIDTH / len(panels) + 0.3))

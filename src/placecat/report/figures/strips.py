@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from placecat.drawing import palette
 from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
+from placecat.ranges import Count
 from placecat.report.figures.segment import stretches
 from placecat.report.run import Run, home_of
 
@@ -33,7 +34,7 @@ BELOW = 0.6
 DASHES = (0, (3, 2))
 
 
-def of_home(run: Run, *, home: int, panels: Mapping[str, str]) -> Figure:
+def of_home(run: Run, *, home: Count, panels: Mapping[str, str]) -> Figure:
     """The strips of one home, given by its number from 1; see :func:`figure`."""
     return figure(run, [home_of(run, home)], panels)
 

@@ -1,13 +1,14 @@
 """CENTRIST of whole frames: census histograms in the cells of a grid."""
 
-from typing import Any
+from typing import Annotated, Any
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.vision.census import cell_histograms, census, check_kernel, laplacian
+from placecat.ranges import OneOf, Pixels
+from placecat.vision.census import LAPLACIANS, cell_histograms, census, check_kernel, laplacian
 from placecat.vision.maps import FrameMaps
 
 # The fields of `FrameMaps` that it reads.
@@ -22,10 +23,10 @@ def describe(
     frame: NDArray[np.uint8],
     maps: FrameMaps,
     *,
-    width: int | None = 320,
-    image: str = "laplacian",
-    kernel: str = "cross",
-    interpolation: str = "area",
+    width: Pixels | None = 320,
+    image: Annotated[str, OneOf(IMAGES)] = "laplacian",
+    kernel: Annotated[str, OneOf(LAPLACIANS)] = "cross",
+    interpolation: Annotated[str, OneOf(INTERPOLATIONS)] = "area",
 ) -> NDArray[np.float32]:
     """Describe a frame by the census histograms of its Laplacian in a 4x4 grid (thesis 3.2, 4.3).
 

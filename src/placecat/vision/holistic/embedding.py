@@ -1,12 +1,15 @@
 """Embedding: what a pretrained network makes of a frame. An addition: the thesis has no such cue."""
 
 from collections.abc import Sequence
+from typing import Annotated
 
 import cv2
 import numpy as np
+from annotated_types import Len
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
+from placecat.ranges import NonNegative, OneOf, Positive, Side
 from placecat.vision import networks
 from placecat.vision.maps import FrameMaps
 from placecat.vision.networks import efficientnet_lite0
@@ -28,12 +31,12 @@ def describe(
     maps: FrameMaps,
     *,
     network: str = "efficientnet_lite0",
-    width: int = 224,
-    height: int = 224,
-    mean: Sequence[float] = MEAN,
-    std: Sequence[float] = STD,
+    width: Side = 224,
+    height: Side = 224,
+    mean: Annotated[Sequence[NonNegative], Len(3, 3)] = MEAN,
+    std: Annotated[Sequence[Positive], Len(3, 3)] = STD,
     output: str | None = None,
-    pool: str | None = None,
+    pool: Annotated[str, OneOf(POOLS)] | None = None,
     sha256: str | None = None,
 ) -> NDArray[np.float32]:
     """Describe a frame by the pooled features of a pretrained network.

@@ -1,12 +1,15 @@
 """CENTRIST of salient regions: a histogram of their census transform."""
 
+from typing import Annotated
+
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
+from placecat.ranges import OneOf
 from placecat.vision.census import LAPLACIANS, census, check_kernel, histograms
 from placecat.vision.maps import FrameMaps
-from placecat.vision.patches import cut, region_side, to_bytes
+from placecat.vision.patches import BORDERS, cut, region_side, to_bytes
 
 # The fixed unit of `concatenate`: the total standard deviation over regions of indoor frames, rounded.
 SPREAD = 0.3
@@ -20,10 +23,10 @@ def describe(
     maps: FrameMaps,
     regions: NDArray[np.float32],
     *,
-    image: str = "intensity",
-    kernel: str = "cross",
+    image: Annotated[str, OneOf(IMAGES)] = "intensity",
+    kernel: Annotated[str, OneOf(LAPLACIANS)] = "cross",
     quantise: bool = True,
-    border: str = "replicate",
+    border: Annotated[str, OneOf(BORDERS)] = "replicate",
 ) -> NDArray[np.float32]:
     """Describe regions by the histogram of their census codes (thesis 3.1.2).
 

@@ -1,14 +1,15 @@
 """Histogram of oriented gradients of salient regions."""
 
-from typing import Any
+from typing import Annotated, Any
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
+from placecat.ranges import OneOf
 from placecat.vision.maps import FrameMaps
-from placecat.vision.patches import cut, region_side, to_bytes
+from placecat.vision.patches import BORDERS, cut, region_side, to_bytes
 
 # The fixed unit of `concatenate`: the total standard deviation over regions of indoor frames, rounded.
 SPREAD = 0.7
@@ -26,7 +27,11 @@ _COLUMNS = 5
 
 
 def describe(
-    maps: FrameMaps, regions: NDArray[np.float32], *, interpolation: str = "linear", border: str = "replicate"
+    maps: FrameMaps,
+    regions: NDArray[np.float32],
+    *,
+    interpolation: Annotated[str, OneOf(INTERPOLATIONS)] = "linear",
+    border: Annotated[str, OneOf(BORDERS)] = "replicate",
 ) -> NDArray[np.float32]:
     """Describe regions by OpenCV's HOG: window 64, block 64, stride 32, cell 16, 8 bins (thesis 3.1.2).
 

@@ -1,12 +1,15 @@
 """Mean and variance of the orientation maps in salient regions."""
 
+from typing import Annotated
+
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
+from placecat.ranges import Index, OneOf
 from placecat.vision.grid import mean_variance
 from placecat.vision.maps import FrameMaps
-from placecat.vision.patches import cut, region_side
+from placecat.vision.patches import BORDERS, cut, region_side
 
 # The fixed unit of `concatenate`: the total standard deviation over regions of indoor frames, rounded.
 SPREAD = 65.0
@@ -15,7 +18,11 @@ MAPS = ("orientation",)
 
 
 def describe(
-    maps: FrameMaps, regions: NDArray[np.float32], *, grid: int = 3, border: str = "replicate"
+    maps: FrameMaps,
+    regions: NDArray[np.float32],
+    *,
+    grid: Index = 3,
+    border: Annotated[str, OneOf(BORDERS)] = "replicate",
 ) -> NDArray[np.float32]:
     """Describe regions by means and variances of the orientation maps (thesis 3.1.2).
 

@@ -1,15 +1,16 @@
 """One SIFT descriptor for each salient region."""
 
 from functools import lru_cache
-from typing import Any
+from typing import Annotated, Any
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
+from placecat.ranges import OneOf
 from placecat.vision.maps import FrameMaps
-from placecat.vision.patches import cut, region_side
+from placecat.vision.patches import BORDERS, cut, region_side
 
 # The fixed unit of `concatenate`: the total standard deviation over regions of indoor frames, rounded.
 SPREAD = 430.0
@@ -24,7 +25,11 @@ ANGLE_BINS = 36
 
 
 def describe(
-    maps: FrameMaps, regions: NDArray[np.float32], *, orientation: str = "upright", border: str = "replicate"
+    maps: FrameMaps,
+    regions: NDArray[np.float32],
+    *,
+    orientation: Annotated[str, OneOf(ORIENTATIONS)] = "upright",
+    border: Annotated[str, OneOf(BORDERS)] = "replicate",
 ) -> NDArray[np.float32]:
     """Describe each region by one SIFT descriptor whose 4x4 cells cover it (thesis 3.1.2).
 

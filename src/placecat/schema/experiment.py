@@ -1,0 +1,44 @@
+"""What an experiment has (conf/experiment.yaml): names, types and ranges."""
+
+from typing import Literal
+
+from placecat.ranges import Count, Index, Seed
+from placecat.schema.names import Key
+from placecat.schema.sections import Descriptor, Own, Section, Seeds
+
+
+class ExperimentFrames(Section):
+    """Of an experiment; None: as in params.yaml."""
+
+    offset: Index | None
+    step: Count | None
+
+
+class ExperimentCodebook(Section):
+    """Of an experiment; None: as usual for the classifier."""
+
+    cells: Count | None
+    tree: Own
+
+
+class Limits(Section):
+    """What an experiment may need unasked."""
+
+    kernel_rows: Count
+
+
+class Experiment(Section):
+    """conf/experiment.yaml."""
+
+    descriptor: Descriptor
+    classifier: Own
+    data: Key
+    # However it is spelled, 1 for Home1 too.
+    test_home: str | int | list[str | int]
+    judge: Literal["test_home", "training_homes"]
+    frames: ExperimentFrames
+    seeds: Seed | Seeds | None
+    codebook: ExperimentCodebook
+    cells_of_frames: dict[Key, Count]
+    limits: Limits
+    track: bool

@@ -1,0 +1,68 @@
+"""Names and texts in the settings: what may name a file, what may be a label or a title."""
+
+import re
+from collections.abc import Hashable
+from typing import Annotated, TypeVar
+
+from pydantic import AfterValidator
+
+_Item = TypeVar("_Item", bound=Hashable)
+# Of a file's 255 bytes some are left for the ending and for what stands before the name.
+_LONGEST_NAME, _LONGEST_TEXT = 200, 4000
+_KEY = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_-]*")
+# What `protocol.test_homes` says instead of a name.
+_RESERVED = ("all",)
+
+
+def _text(text: str) -> str:
+    if not text.strip():
+        raise ValueError("it is empty")
+    if not text.isprintable():
+        raise ValueError("it has a character that cannot be printed: rename it")
+    if len(text.encode()) > _LONGEST_TEXT:
+        raise ValueError(f"it is longer than {_LONGEST_TEXT} bytes")
+    return text
+
+
+def _short(text: str) -> str:
+    if len(_text(text).encode()) > _LONGEST_NAME:
+        raise ValueError(f"it is longer than {_LONGEST_NAME} bytes: give it a shorter name")
+    if text != text.strip():
+        raise ValueError("it begins or ends with a space")
+    return text
+
+
+def _file_name(text: str) -> str:
+    _short(text)
+    if "/" in text or "\\" in text:
+        raise ValueError("it is the name of a file or folder, so that it must not have / or \\")
+    if text.startswith((".", "-")):
+        raise ValueError("it is the name of a file or folder, so that it must not begin with . or -")
+    if text in _RESERVED:
+        raise ValueError(f"{text!r} stands for all of them: rename it")
+    return text
+
+
+def _key(text: str) -> str:
+    if not _KEY.fullmatch(text):
+        raise ValueError("it is a part of dotted names: use only the letters a to z, digits, _ and -")
+    return _file_name(text)
+
+
+def _distinct(items: list[_Item]) -> list[_Item]:
+    for number, item in enumerate(items):
+        if item in items[:number]:
+            raise ValueError(f"it has {item!r} twice")
+    return items
+
+
+Text = Annotated[str, AfterValidator(_text)]
+"""A title or the path of a folder."""
+Label = Annotated[str, AfterValidator(_short)]
+"""A place, a camera, a word in a table."""
+FileName = Annotated[str, AfterValidator(_file_name)]
+"""A home, a sequence: it names files and folders."""
+Key = Annotated[str, AfterValidator(_key)]
+"""A cue, a codebook, a system: it names files and is a part of dotted names."""
+Distinct = Annotated[list[_Item], AfterValidator(_distinct)]
+"""A list without an item twice."""

@@ -1,0 +1,155 @@
+"""Every setting has a type and a range: what cannot be meant is refused at once."""
+
+import copy
+import math
+from pathlib import Path
+
+import pytest
+
+from placecat import schema, settings, signatures
+from placecat.errors import PlacecatError
+from test_schema import at
+
+ROOT = Path(__file__).resolve().parents[1]
+PARAMS = settings.load(ROOT / "params.yaml")
+# Their entries have the same settings.
+GROUPS = ("codebooks", "cues", "systems", "filters", "splits", "variants", "schemes", "local", "holistic")
+# What may be null, and what null then means.
+MAY_BE_NULL = {
+    "codebooks.*.descriptor.y_weight": "as the descriptor has it",
+    "codebooks.*.descriptor.max_regions": "all of them",
+    "cues.*.classifier.reduction.components": "a factor instead",
+    "descriptors.holistic.*.width": "the frame's own width",
+    "filters.*.share": "a threshold instead",
+    "filters.*.threshold": "a share instead",
+}
+WRONG = [math.nan, math.inf, -math.inf, -1e9, -(10**9), "abc", [], {}, True, None, 10**400]
+
+
+def leaves(content, place=()):
+    if isinstance(content, dict):
+        for key, value in content.items():
+            yield from leaves(value, (*place, key))
+    elif isinstance(content, list):
+        for number, value in enumerate(content[:1]):
+            yield from leaves(value, (*place, number))
+    elif isinstance(content, int | float) and not isinstance(content, bool):
+        yield place
+
+
+def numbers():
+    """Each number once: that of the first entry stands for the others of its group."""
+    found = {}
+    for place in leaves(PARAMS):
+        in_group = [number > 0 and place[number - 1] in GROUPS for number in range(len(place))]
+        general = tuple("*" if grouped else part for part, grouped in zip(place, in_group, strict=True))
+        # Other classifiers have other settings.
+        found.setdefault(general, place)
+    return {".".join(map(str, general)): place for general, place in found.items()}
+
+
+NUMBERS = numbers()
+
+
+def check(params):
+    schema.check(params)
+    signatures.check(params)
+
+
+def changed(place, value):
+    """The section of a setting, with another value of it."""
+    section = {place[0]: copy.deepcopy(PARAMS[place[0]])}
+    parent = section
+    for part in place[:-1]:
+        parent = parent[part]
+    parent[place[-1]] = value
+    return section
+
+
+def test_there_are_numbers_and_no_exception_is_superfluous():
+    assert len(NUMBERS) > 90
+    assert set(MAY_BE_NULL) < set(NUMBERS)
+
+
+@pytest.mark.parametrize("name", NUMBERS)
+def test_a_number_is_refused_that_cannot_be_meant(name):
+    place = NUMBERS[name]
+    check({place[0]: PARAMS[place[0]]})
+    for value in WRONG:
+        if value is None and name in MAY_BE_NULL:
+            continue
+        with pytest.raises(PlacecatError) as caught:
+            check(changed(place, value))
+        assert str(caught.value).startswith(".".join(map(str, place))), (value, str(caught.value))
+        assert "\n" not in str(caught.value)
+        assert len(str(caught.value)) < 300
+
+
+@pytest.mark.parametrize("name", MAY_BE_NULL)
+def test_null_is_allowed_where_it_means_something(name):
+    other = {"filters.*.threshold": ("share", 0.1), "filters.*.share": ("threshold", 0.1)}.get(name)
+    section = changed(NUMBERS[name], None)
+    if other:
+        at(section, ".".join(map(str, NUMBERS[name][:-1])))[other[0]] = other[1]
+    check(section)
+
+
+def values():
+    """Each wrong value of a setting that is no number, with what the message says."""
+    yield "dataset.homes", "banana", "list"
+    yield "dataset.homes", [], "at least 1"
+    yield "dataset.homes", ["home_1", "home_2", "home_1"], "'home_1' twice"
+    for name in (
+        "/etc",
+        "..",
+        ".git",
+        "-n",
+        "a/b",
+        "a\\b",
+        "a\0b",
+        "a\x1b[2J",
+        "all",
+        " a",
+        "",
+        "x" * 248,
+        "\udce9",
+    ):
+        yield "dataset.homes", ["home_1", name], r"dataset\.homes\.1="
+    for name in (1, 7.5, True, None, ["home_1"]):
+        yield "dataset.homes", [name], r"dataset\.homes\.0="
+    yield "dataset.homes", [1], "write '1', with quotes"
+    yield "dataset.classes", ["kitchen", "kitchen"], "twice"
+    yield "dataset.classes", ["kitchen"], "at least 2"
+    yield "dataset.root", "", "empty"
+    yield "dataset.title", "a\x1b]0;b\x07", "printed"
+    yield "dataset.layout", "../video", "does not exist"
+    yield "protocol.schemes", ["5-5-2"], "'5-5-1' or '4-5-1'"
+    yield "protocol.seeds", [], "at least 1"
+    yield "protocol.seeds", [0, 0], "0 twice"
+    yield "protocol.test_homes", [], "at least 1"
+    yield "protocol.test_homes", ["home_1", "home_1"], "twice"
+    yield "smoothing.evidence", "firm", "'hard' or 'soft'"
+    yield "attention.gabor_size", 8, "odd"
+    yield "attention.scales", [3, 2], "ascending"
+    yield "cues.gist.classifier.scaling", "log", "'minmax'"
+    yield "cues.gist.classifier.scheme.calibration", "homes", "'homes_centred'"
+    yield "cues.gist.classifier.base.nu_policy", None, "'lower' or 'refuse'"
+    yield "descriptors.local.hog.interpolation", "area", "'cubic'"
+    yield "figures.figure_15.panels", "integration", "mapping"
+    yield "codebooks", {"a.b": PARAMS["codebooks"]["hog_y"]}, "only the letters"
+    yield "filters.tenth.threshold", 0.1, "either a threshold or a share"
+
+
+@pytest.mark.parametrize(("name", "value", "message"), list(values()))
+def test_another_setting_is_refused_that_cannot_be_meant(name, value, message):
+    with pytest.raises(PlacecatError, match=message) as caught:
+        check(changed([int(part) if part.isdigit() else part for part in name.split(".")], value))
+    assert "\n" not in str(caught.value)
+    assert len(str(caught.value)) < 300
+
+
+@pytest.mark.parametrize(
+    "name", ["Flat A", "o'hara", "R&D", "$HOME", "home 1;touch PWNED", "H\u00e4user", '"', "{{ a }}"]
+)
+def test_a_home_may_have_any_name_that_a_folder_can_have(name):
+    check(changed(("dataset", "homes"), [name]))
