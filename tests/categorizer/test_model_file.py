@@ -1,12 +1,18 @@
+import hashlib
+import io
 import json
+import resource
+import struct
 import zipfile
+from collections import Counter
 
+import mutants
 import numpy as np
 import pytest
 from made_system import frames, make_system
 
 from placecat import __version__
-from placecat.categorizer import Categorizer, model_file
+from placecat.categorizer import Categorizer, archive, model_file
 from placecat.errors import PlacecatError
 
 
@@ -59,26 +65,78 @@ def test_the_card_says_what_a_person_should_know(file):
         assert part in text
 
 
-def rewrite(file, name, change, compression=zipfile.ZIP_STORED):
-    with zipfile.ZipFile(file) as archive:
-        members = {member: archive.read(member) for member in archive.namelist()}
+def rewrite(file, name, change):
+    """Change one member; the checksum is right again."""
+    with zipfile.ZipFile(file) as opened:
+        members = {member: opened.read(member) for member in opened.namelist()}
     members[name] = change(members[name])
-    with zipfile.ZipFile(file, "w") as archive:
-        for member, content in members.items():
-            if content is not None:
-                archive.writestr(member, content, compress_type=compression if member == name else None)
+    archive.write(file, {member: content for member, content in members.items() if content is not None})
+
+
+def reseal(file, *, compression=zipfile.ZIP_STORED, twice=(), comment=None):
+    """Write the archive by other means, with a right checksum."""
+    with zipfile.ZipFile(file) as opened:
+        members = [(member, opened.read(member)) for member in opened.namelist()]
+    with zipfile.ZipFile(file, "w", compression) as opened:
+        opened.comment = archive._MARK + bytes(archive._DIGITS) if comment is None else comment
+        for member, content in members:
+            opened.writestr(member, content)
+            if member in twice:
+                with pytest.warns(UserWarning, match="Duplicate"):
+                    opened.writestr(member, content)
+    if comment is None:
+        seal(file)
+
+
+def seal(file):
+    content = file.read_bytes()[: -archive._DIGITS]
+    file.write_bytes(content + hashlib.sha256(content).hexdigest().encode())
+
+
+def larger(file, member, size):
+    """Make the archive's directory say that a member is so large."""
+    with zipfile.ZipFile(file) as opened:
+        before = opened.getinfo(member).file_size
+    content = file.read_bytes()
+    at = content.rindex(b"PK\x01\x02", 0, content.rindex(member.encode()))
+    start, sizes = content[: at + 20], struct.pack("<II", before, before)
+    assert content[at + 20 : at + 28] == sizes
+    file.write_bytes(start + struct.pack("<II", size, size) + content[at + 28 :])
+    seal(file)
 
 
 def change_json(**changes):
     return lambda content: json.dumps(json.loads(content) | changes).encode()
 
 
-def object_array(_):
-    import io
+def change_part(*path, value):
+    """Change one value within the JSON of system.json."""
 
+    def change(content):
+        whole = json.loads(content)
+        here = whole
+        for key in path[:-1]:
+            here = here[key]
+        assert path[-1] in here if isinstance(here, dict) else True
+        here[path[-1]] = value
+        return json.dumps(whole).encode()
+
+    return change
+
+
+def object_array(_):
     buffer = io.BytesIO()
     np.save(buffer, np.array([print], dtype=object), allow_pickle=True)
     return buffer.getvalue()
+
+
+def header(text):
+    """An array whose header says this."""
+    padded = text.encode().ljust(117) + b"\n"
+    return lambda _: b"\x93NUMPY\x01\x00" + struct.pack("<H", len(padded)) + padded + bytes(8)
+
+
+MODEL = ("cues", 0, "model", "state")
 
 
 @pytest.mark.parametrize(
@@ -86,17 +144,63 @@ def object_array(_):
     [
         (lambda file: file.unlink(), "placecat train"),
         (lambda file: file.write_bytes(b"no zip"), "no model"),
-        (lambda file: file.write_bytes(file.read_bytes()[:5000]), "no model"),
+        (lambda file: file.write_bytes(file.read_bytes()[:5000]), "no model.* cut off"),
         (lambda file: file.write_bytes(file.read_bytes().replace(b"\x93NUMPY", b"\x93NUMPX", 1)), "damaged"),
+        (lambda file: reseal(file, comment=b""), "made by an earlier placecat: train it again"),
         (lambda file: rewrite(file, "card.json", change_json(format=99)), "format 99"),
         (lambda file: rewrite(file, "card.json", change_json(placecat="9.3.0")), "placecat 9.3.0"),
+        (lambda file: rewrite(file, "card.json", change_json(format=None)), "does not say its version"),
+        (lambda file: rewrite(file, "card.json", change_json(classes=["a", "a", "b"])), "named twice"),
+        (lambda file: rewrite(file, "card.json", change_json(classes=["a", "b"])), "not for 2 places"),
+        (lambda file: rewrite(file, "card.json", change_json(frame_sizes=[[320, 10**9]])), "frame_sizes"),
+        (lambda file: rewrite(file, "card.json", change_json(fps=[float("nan")])), "NaN is no number"),
         (lambda file: rewrite(file, "card.json", lambda _: None), "card.json"),
         (lambda file: rewrite(file, "system.json", lambda _: b"{}"), "damaged"),
         (lambda file: rewrite(file, "system.json", lambda _: b"[1"), "damaged"),
-        (lambda file: rewrite(file, "system.json", change_json(smoothing=[1])), "other kinds"),
-        (lambda file: rewrite(file, "arrays/0000.npy", lambda _: None), "0000.npy"),
+        (lambda file: rewrite(file, "system.json", lambda _: b"[" * 10**5), "damaged"),
+        (
+            lambda file: rewrite(file, "system.json", change_json(smoothing={"$": "float", "text": "1"})),
+            "kinds",
+        ),
+        (lambda file: rewrite(file, "system.json", change_json(arrays=10**9)), "arrays"),
+        (
+            lambda file: rewrite(
+                file, "system.json", change_part("vision", "attention", value={"gabor_size": 10**9})
+            ),
+            "gabor_size",
+        ),
+        (
+            lambda file: rewrite(
+                file, "system.json", change_part(*MODEL, "scheme", "state", "folds", value=-3)
+            ),
+            "folds of a OneAgainstAll",
+        ),
+        (
+            lambda file: rewrite(
+                file, "system.json", change_part("integrator", "state", "method", value="os")
+            ),
+            "method of a Integrator",
+        ),
+        (
+            lambda file: rewrite(
+                file, "system.json", change_part("smoothing", "state", "frame_rate", value=0.0)
+            ),
+            "frame_rate of a SmoothingModel",
+        ),
+        (lambda file: rewrite(file, "arrays/0000.npy", lambda _: None), "0000.npy|other members"),
         (lambda file: rewrite(file, "arrays/0000.npy", object_array), "damaged"),
-        (lambda file: rewrite(file, "arrays/0001.npy", lambda c: c, zipfile.ZIP_DEFLATED), "compressed"),
+        (
+            lambda file: rewrite(
+                file,
+                "arrays/0000.npy",
+                header("{'descr': '<f8', 'fortran_order': False, 'shape': (10000, 1000000), }"),
+            ),
+            "it says 80000000000 bytes, and has 8",
+        ),
+        (lambda file: rewrite(file, "arrays/0000.npy", header("(" * 100)), "0000.npy has no header"),
+        (lambda file: reseal(file, compression=zipfile.ZIP_DEFLATED), "compressed"),
+        (lambda file: reseal(file, twice=["arrays/0003.npy"]), "two of its members"),
+        (lambda file: larger(file, "arrays/0003.npy", 2**31), "more bytes than the file has"),
     ],
 )
 def test_what_is_no_model_of_this_version_is_refused(file, damage, message):
@@ -104,6 +208,39 @@ def test_what_is_no_model_of_this_version_is_refused(file, damage, message):
     with pytest.raises(PlacecatError, match=message) as refused:
         model_file.read(file)
     assert str(file) in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+def test_a_file_that_may_not_be_read_gives_one_message(file, monkeypatch):
+    def refuse(*_, **__):
+        raise PermissionError(13, "Permission denied", str(file))
+
+    monkeypatch.setattr("pathlib.Path.open", refuse)
+    with pytest.raises(PlacecatError, match=r"model\.placecat, the model, cannot be read: Permission denied"):
+        model_file.read(file)
+
+
+def test_a_model_is_tried_before_use(file):
+    """Parts that are right, each by itself, but made for other frames."""
+    rewrite(file, "system.json", change_part("cues", 1, "descriptor", "y_pos", value=False))
+    with pytest.raises(PlacecatError, match=r"model\.placecat is damaged.*dimensions"):
+        Categorizer.load(file)
+
+
+@pytest.mark.parametrize("is_forged", [False, True], ids=["damaged", "forged"])
+def test_mutants_are_refused_or_as_good_as_before(file, is_forged):
+    shown = frames(2)
+    expected = mutants.decisions(file, shown)
+    intact, counts = file.read_bytes(), Counter()
+    for seed in range(50):
+        rng = np.random.default_rng(seed)
+        file.write_bytes(intact if is_forged else mutants.damaged(intact, rng))
+        if is_forged:
+            mutants.forged(file, rng)
+        counts[mutants.outcome(file, shown, expected, is_forged=is_forged)] += 1
+    assert set(counts) <= {"refused", "same", "other"}, counts
+    assert counts["refused"] >= 15, counts
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss < 2**20, "more than 1 GB"
 
 
 def test_other_classes_are_refused(file):

@@ -8,6 +8,7 @@ from placecat.errors import PlacecatError
 from placecat.fusion.smoothing import SmoothingModel
 from placecat.learning.naive_bayes import NaiveBayes
 from placecat.learning.nu_svm import NuSVM
+from placecat.learning.one_against_all import OneAgainstAll
 
 
 def through(value):
@@ -44,8 +45,8 @@ def test_models_come_back():
     codes, labels = rng.integers(0, 2, (60, 9)), np.repeat([0, 1, 2], 20)
     bayes = NaiveBayes(n_values=2).fit(codes, labels)
     np.testing.assert_array_equal(through(bayes).predict_proba(codes), bayes.predict_proba(codes))
-    svm = NuSVM(gamma=0.3, nu=0.4).fit(codes, labels == 1)
-    np.testing.assert_array_equal(through(svm).decision_function(codes), svm.decision_function(codes))
+    svm = OneAgainstAll(NuSVM(gamma=0.3, nu=0.4)).fit(codes, labels)
+    np.testing.assert_array_equal(through(svm).predict_proba(codes), svm.predict_proba(codes))
     smoothing = through(SmoothingModel(np.eye(2), np.eye(2), "hard", 1.0, 0.1, 5.0))
     assert (smoothing.delay_seconds, smoothing.frame_rate) == (0.1, 5.0)
 

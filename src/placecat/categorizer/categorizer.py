@@ -13,11 +13,15 @@ from threadpoolctl import ThreadpoolController
 
 from placecat import cue_input
 from placecat.categorizer import model_file
+from placecat.categorizer.checks import check_distribution
 from placecat.categorizer.system import TrainedSystem
 from placecat.errors import PlacecatError
 from placecat.fusion.smoothing import Smoother
 from placecat.vision.frame import check, describe_frame
 from placecat.vision.tracking import RegionTracker
+
+# Height, width and channels of the frame that a model is tried with.
+_TRIAL = (256, 256, 3)
 
 
 @dataclass(frozen=True)
@@ -124,7 +128,14 @@ class Categorizer:
                 f"{path} tells {', '.join(known)} apart, not {', '.join(classes)}: use these classes in this "
                 "order, or train a model for yours"
             )
-        return cls(system)
+        try:
+            categorizer = cls(system)
+            categorizer._try()
+        # Whatever goes wrong with a file that someone may have made by hand.
+        except Exception as error:
+            said = " ".join(str(error).split())[:300]
+            raise PlacecatError(f"{path} is damaged, or no model of placecat: {said}") from None
+        return categorizer
 
     @property
     def frame_size(self) -> tuple[int, int]:
@@ -159,6 +170,17 @@ class Categorizer:
             If the frame is of another size or type, or the time negative or not finite.
         """
         self._check(frame)
+        return self._decide(frame, seconds)
+
+    def _try(self) -> None:
+        """Name the place of noise, and forget it: all parts fit one another, and the frames."""
+        frame = np.random.default_rng(0).integers(0, 256, _TRIAL, np.uint8)
+        decision = self._decide(frame, None)
+        for proba in (*decision.cues.values(), decision.integrated, decision.hmm, decision.proba):
+            check_distribution(proba, len(self.classes))
+        self.reset()
+
+    def _decide(self, frame: NDArray[np.uint8], seconds: float | None) -> Decision:
         with self._blas.limit(limits=1, user_api="blas"):
             arrays, followed = self._describe(frame)
             cues = {}

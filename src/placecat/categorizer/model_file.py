@@ -1,14 +1,13 @@
-"""One file for a trained system: a zip archive of JSON and arrays, with a card that people can read."""
+"""One file for a trained system: an archive of JSON and arrays, with a card that people can read."""
 
-import io
 import json
-import zipfile
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from placecat import __version__, cue_input, files
+from placecat import __version__
+from placecat.categorizer import archive, checks
 from placecat.categorizer.plain import from_plain, to_plain
 from placecat.categorizer.system import TrainedCue, TrainedSystem
 from placecat.errors import PlacecatError
@@ -17,7 +16,7 @@ from placecat.fusion.smoothing import SmoothingModel
 from placecat.templates import environment
 
 # Raise it when what is stored changes its meaning.
-FORMAT = 2
+FORMAT = 3
 _CARD, _TEXT, _SYSTEM = "card.json", "card.md", "system.json"
 
 
@@ -34,58 +33,49 @@ def write(path: Path, system: TrainedSystem) -> None:
         "integrator": to_plain(system.integrator, arrays),
         "smoothing": to_plain(system.smoothing, arrays),
     }
-    texts = {
+    members = {
         _CARD: json.dumps(system.card, indent=1),
         _TEXT: environment("placecat.categorizer").get_template("model_card.md.j2").render(card=system.card),
         _SYSTEM: json.dumps(content | {"arrays": len(arrays)}),
     }
-    with files.replacing(path) as temporary, zipfile.ZipFile(temporary, "w") as archive:
-        for name, text in texts.items():
-            archive.writestr(zipfile.ZipInfo(name), text)
-        for number, array in enumerate(arrays):
-            buffer = io.BytesIO()
-            np.lib.format.write_array(
-                buffer, np.ascontiguousarray(array).reshape(array.shape), allow_pickle=False
-            )
-            archive.writestr(zipfile.ZipInfo(_array_name(number)), buffer.getvalue())
+    archive.write(
+        path,
+        {name: text.encode() for name, text in members.items()}
+        | {_array_name(number): archive.array_content(array) for number, array in enumerate(arrays)},
+    )
 
 
 def read(path: Path) -> TrainedSystem:
-    """Read a trained system. Nothing in the file is executed.
+    """Read a trained system. Nothing in the file is executed, and nothing built before it is checked.
 
     Raises
     ------
     PlacecatError
-        If the file is missing, damaged, no model, or of another version.
+        If the file is missing, cannot be opened, is damaged, no model, or of another version.
     """
-    with _open(path) as archive:
-        card = _card(path, archive)
+    with archive.opened(path) as members:
+        card = _json(members, _CARD)
+        _check_version(path, members, card)
+        content = _json(members, _SYSTEM)
         try:
-            content = json.loads(_member(archive, _SYSTEM))
-            arrays = [
-                np.lib.format.read_array(
-                    io.BytesIO(_member(archive, _array_name(number))), allow_pickle=False
-                )
-                for number in range(int(content["arrays"]))
-            ]
+            checks.check_card(card)
+            checks.check_content(content)
+            names = [_array_name(number) for number in range(content["arrays"])]
+            if set(members.names) != {_CARD, _TEXT, _SYSTEM, *names}:
+                raise PlacecatError(f"it should have {len(names)} arrays, and has other members")
+            arrays = [members.array(name) for name in names]
             cues = tuple(
                 TrainedCue(own["name"], own["descriptor"], from_plain(own["model"], arrays))
                 for own in content["cues"]
             )
-            for cue in cues:
-                cue_input.check(cue.descriptor)
-            system = TrainedSystem(
-                card,
-                content["vision"],
-                content["tracking"],
-                cues,
-                from_plain(content["integrator"], arrays),
-                from_plain(content["smoothing"], arrays),
-            )
-        except (PlacecatError, KeyError, TypeError, ValueError) as error:
-            raise PlacecatError(f"{path} is damaged, or no model of placecat: {error}") from None
-    if not isinstance(system.integrator, Integrator) or not isinstance(system.smoothing, SmoothingModel):
-        raise PlacecatError(f"{path} is damaged, or no model of placecat: its parts are of other kinds")
+            integrator = from_plain(content["integrator"], arrays)
+            smoothing = from_plain(content["smoothing"], arrays)
+            if not isinstance(integrator, Integrator) or not isinstance(smoothing, SmoothingModel):
+                raise PlacecatError("its parts are of other kinds")
+            system = TrainedSystem(card, content["vision"], content["tracking"], cues, integrator, smoothing)
+            checks.check_system(system)
+        except (PlacecatError, RecursionError) as error:
+            raise members.damaged(error) from None
     return system
 
 
@@ -93,39 +83,32 @@ def _array_name(number: int) -> str:
     return f"arrays/{number:04d}.npy"
 
 
-def _open(path: Path) -> zipfile.ZipFile:
-    if not path.is_file():
-        raise PlacecatError(f"there is no model {path}: `make repro` or `placecat train` makes one")
+def _json(members: archive.Archive, name: str) -> Any:
     try:
-        return zipfile.ZipFile(path)
-    except (zipfile.BadZipFile, OSError) as error:
-        raise PlacecatError(f"{path} is no model of placecat, or damaged: {error}") from None
+        return json.loads(members.content(name), parse_constant=_refuse)
+    except (ValueError, RecursionError) as error:
+        if isinstance(error, PlacecatError):
+            raise
+        raise members.damaged(f"its member {name} cannot be read ({error})") from None
 
 
-def _member(archive: zipfile.ZipFile, name: str) -> bytes:
-    try:
-        # Stored as it is, so that a small file cannot unpack to a huge one.
-        if archive.getinfo(name).compress_type != zipfile.ZIP_STORED:
-            raise PlacecatError(f"its member {name} is compressed")
-        return archive.read(name)
-    except KeyError:
-        raise PlacecatError(f"it has no member {name}") from None
-    except (zipfile.BadZipFile, EOFError, OSError) as error:
-        raise PlacecatError(f"its member {name} cannot be read ({error})") from None
+def _refuse(constant: str) -> None:
+    raise ValueError(f"{constant} is no number")
 
 
-def _card(path: Path, archive: zipfile.ZipFile) -> dict[str, Any]:
-    try:
-        card = json.loads(_member(archive, _CARD))
-        stored, version = card["format"], str(card["placecat"])
-    except (PlacecatError, KeyError, TypeError, ValueError) as error:
-        raise PlacecatError(f"{path} is no model of placecat, or damaged: {error}") from None
+def _check_version(path: Path, members: archive.Archive, card: Any) -> None:
+    if (
+        not isinstance(card, dict)
+        or type(card.get("format")) is not int
+        or not isinstance(card.get("placecat"), str)
+    ):
+        raise members.damaged("its card does not say its version")
+    stored, version = card["format"], card["placecat"]
     if stored != FORMAT or _series(version) != _series(__version__):
         raise PlacecatError(
-            f"{path} was made by placecat {version} (format {stored}), this is placecat {__version__} "
-            f"(format {FORMAT}): train it again with `placecat train`, or use the version that made it"
+            f"{path} was made by placecat {version[:40]} (format {stored}), this is placecat {__version__} "
+            f"(format {FORMAT}): {archive.TRAIN_AGAIN}, or use the version that made it"
         )
-    return card
 
 
 def _series(version: str) -> list[str]:

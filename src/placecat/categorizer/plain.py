@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat import cues, fusion, learning, lookup
+from placecat.categorizer import fields
 from placecat.errors import PlacecatError
 
 _PACKAGES = (learning, cues, fusion)
@@ -64,7 +65,7 @@ def from_plain(plain: Any, arrays: Sequence[NDArray[Any]]) -> Any:
     Raises
     ------
     PlacecatError
-        If something is described that a trained model cannot hold.
+        If something is described that a trained model cannot hold, or whose parts do not fit one another.
     """
     if plain is None or isinstance(plain, bool | int | float | str):
         return plain
@@ -75,7 +76,12 @@ def from_plain(plain: Any, arrays: Sequence[NDArray[Any]]) -> Any:
         if kind == "float":
             return float(plain["text"])
         if kind in ("array", "scalar"):
-            array = arrays[plain["index"]]
+            index = plain["index"]
+            if type(index) is not int or not 0 <= index < len(arrays):
+                raise PlacecatError(
+                    f"a part of the model is array {index!r}, of which there are {len(arrays)}"
+                )
+            array = arrays[index]
             return array if kind == "array" else array[()]
         if kind == "tuple":
             return tuple(from_plain(item, arrays) for item in plain["items"])
@@ -85,7 +91,9 @@ def from_plain(plain: Any, arrays: Sequence[NDArray[Any]]) -> Any:
             return _rebuild(
                 plain["class"], {name: from_plain(item, arrays) for name, item in plain["state"].items()}
             )
-    except (KeyError, IndexError, TypeError, ValueError, AttributeError) as error:
+    except PlacecatError:
+        raise
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise PlacecatError(f"a part of the model cannot be read ({error!r})") from None
     raise PlacecatError(f"a part of the model is of the unknown kind {kind!r}")
 
@@ -96,6 +104,7 @@ def _rebuild(name: str, state: dict[str, Any]) -> Any:
         raise PlacecatError(f"a part of the model is a {name}, which this version of placecat does not have")
     if not all(attribute.isidentifier() and not attribute.startswith("__") for attribute in state):
         raise PlacecatError(f"a part of the model, a {name}, has an attribute that cannot be one")
+    fields.check(kind.__name__, state)
     rebuilt: Any = object.__new__(kind)
     # Past __setattr__, which frozen classes refuse.
     rebuilt.__dict__.update(state)

@@ -1,0 +1,165 @@
+"""A zip archive that ends with a checksum of all before it; what it holds is checked before it is read."""
+
+import hashlib
+import io
+import math
+import os
+import re
+import zipfile
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import files
+from placecat.errors import PlacecatError
+
+# It is the comment of the archive, the last that a zip file has, so that other programs can open it.
+_MARK = b"placecat sha256 "
+_DIGITS = 2 * hashlib.sha256().digest_size
+# What `array_content` writes before the values; NumPy's own reader takes more, and evaluates it.
+_HEADER = re.compile(
+    rb"\x93NUMPY\x01\x00..\{'descr': '([<|][biufU][0-9]{1,6})', 'fortran_order': False, "
+    rb"'shape': \(((?:[0-9]{1,15}(?:,|, )?){0,8})\), \} *\n",
+    re.DOTALL,
+)
+TRAIN_AGAIN = "train it again with `placecat train`"
+
+
+def write(path: Path, members: Mapping[str, bytes]) -> None:
+    """Write an archive; the same members give the same bytes."""
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as archive:
+        archive.comment = _MARK + b"0" * _DIGITS
+        for name, content in members.items():
+            archive.writestr(zipfile.ZipInfo(name), content)
+    sealed = buffer.getvalue()[:-_DIGITS]
+    with files.replacing(path) as temporary:
+        temporary.write_bytes(sealed + hashlib.sha256(sealed).hexdigest().encode())
+
+
+@contextmanager
+def opened(path: Path) -> Iterator["Archive"]:
+    """Open an archive whose checksum is right.
+
+    Raises
+    ------
+    PlacecatError
+        If it cannot be opened, is no such archive, or has changed since it was written.
+    """
+    try:
+        if not path.is_file():
+            raise PlacecatError(f"there is no model {path}: `make repro` or `placecat train` makes one")
+        with path.open("rb") as file:
+            _check_seal(path, file)
+            try:
+                archive = zipfile.ZipFile(file)
+            # What the module raises for bad numbers in headers.
+            except (zipfile.BadZipFile, NotImplementedError, OSError, ValueError) as error:
+                raise PlacecatError(f"{path} is no model of placecat, or damaged: {error}") from None
+            with archive:
+                yield Archive(path, archive)
+    except OSError as error:
+        raise PlacecatError(f"{path}, the model, cannot be read: {error.strerror or error}") from None
+
+
+class Archive:
+    """The members of an archive.
+
+    Raises
+    ------
+    PlacecatError
+        If members are compressed, encrypted, named twice, or claim more bytes together than the file has.
+    """
+
+    def __init__(self, path: Path, archive: zipfile.ZipFile) -> None:
+        self._path = path
+        self._archive = archive
+        infos = archive.infolist()
+        self.names = [info.filename for info in infos]
+        # A small file cannot unpack to a huge one: all is stored as it is, and no byte is read twice.
+        for info in infos:
+            if info.compress_type != zipfile.ZIP_STORED or info.flag_bits & 1:
+                raise self.damaged(f"its member {info.filename!r} is compressed or encrypted")
+        if sum(max(info.file_size, info.compress_size) for info in infos) > path.stat().st_size:
+            raise self.damaged("its members claim more bytes than the file has")
+        if len(set(self.names)) < len(self.names):
+            raise self.damaged("two of its members have one name")
+
+    def damaged(self, why: object) -> PlacecatError:
+        """The error that says what is wrong with the file."""
+        said = " ".join(str(why).split())
+        return PlacecatError(f"{self._path} is damaged, or no model of placecat: {said[:300]}")
+
+    def content(self, name: str) -> bytes:
+        """Read a member; PlacecatError if it is missing or its own checksum is wrong."""
+        if name not in self.names:
+            raise self.damaged(f"it has no member {name}")
+        try:
+            return self._archive.read(name)
+        except (
+            zipfile.BadZipFile,
+            NotImplementedError,
+            EOFError,
+            OSError,
+            ValueError,
+            RuntimeError,
+        ) as error:
+            raise self.damaged(f"its member {name} cannot be read ({error})") from None
+
+    def array(self, name: str) -> NDArray[np.generic]:
+        """Read a member that is an array (``.npy``) of numbers, truth values or text, never with pickle.
+
+        Raises
+        ------
+        PlacecatError
+            If it is no such array, or its header does not fit its bytes.
+        """
+        content = self.content(name)
+        header = _HEADER.match(content)
+        if header is None:
+            raise self.damaged(f"{name} has no header of an array")
+        data = content[header.end() :]
+        try:
+            kind, shape = np.dtype(header[1].decode()), tuple(map(int, re.findall(rb"[0-9]+", header[2])))
+            # Before any memory is taken.
+            size = math.prod(shape) * kind.itemsize
+            if size != len(data) or not kind.itemsize:
+                raise ValueError(f"it says {size} bytes, and has {len(data)}")
+            return np.frombuffer(data, kind).reshape(shape).copy() if size else np.zeros(shape, kind)
+        except (ValueError, TypeError) as error:
+            raise self.damaged(f"the header of {name} is wrong ({error})") from None
+
+
+def array_content(array: NDArray[np.generic]) -> bytes:
+    """What :meth:`Archive.array` reads."""
+    buffer = io.BytesIO()
+    # ascontiguousarray makes a vector of a number.
+    plain = np.ascontiguousarray(array).reshape(array.shape)
+    np.lib.format.write_array(buffer, plain, version=(1, 0), allow_pickle=False)
+    return buffer.getvalue()
+
+
+def _check_seal(path: Path, file: BinaryIO) -> None:
+    size = os.fstat(file.fileno()).st_size
+    file.seek(max(0, size - len(_MARK) - _DIGITS))
+    end = file.read()
+    if not end.startswith(_MARK):
+        if zipfile.is_zipfile(file):
+            raise PlacecatError(
+                f"{path} does not end with its checksum: it was changed, or made by an earlier placecat: "
+                f"{TRAIN_AGAIN}"
+            )
+        raise PlacecatError(f"{path} is no model of placecat, or cut off: {TRAIN_AGAIN}")
+    file.seek(0)
+    digest, left = hashlib.sha256(), size - _DIGITS
+    while left and (part := file.read(min(left, 1 << 20))):
+        digest.update(part)
+        left -= len(part)
+    if digest.hexdigest().encode() != end[len(_MARK) :]:
+        raise PlacecatError(
+            f"{path} is damaged: its checksum is not that of its contents; restore the file, or {TRAIN_AGAIN}"
+        )

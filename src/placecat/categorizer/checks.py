@@ -1,0 +1,161 @@
+"""What a model file holds beside its objects: the card, the settings, and how the parts fit together."""
+
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import Field, StringConstraints
+
+from placecat import cue_input, schema
+from placecat.categorizer.system import TrainedSystem
+from placecat.errors import PlacecatError
+from placecat.schema.sections import Section
+from placecat.vision.frame import check as check_vision
+
+# More would need more memory than a frame should: no setting of the vision is near it.
+_MOST = 4096
+_SIDE = Annotated[int, Field(ge=1, le=2**14)]
+_Name = Annotated[str, StringConstraints(min_length=1, max_length=1000)]
+_Count = Annotated[int, Field(ge=0)]
+_Rate = Annotated[float, Field(gt=0, allow_inf_nan=False)]
+Settings = dict[str, Any]
+
+
+class TrainingFrames(Section):
+    """Numbers of training frames."""
+
+    cues: _Count
+    integration: _Count
+
+
+class Data(Section):
+    """What the system was trained on."""
+
+    title: str | int
+    version: str
+    homes: list[str | int]
+    left_out: str | int
+    frames: TrainingFrames
+
+
+class Card(Section):
+    """The card, see :func:`placecat.categorizer.card.make_card`."""
+
+    format: int
+    placecat: str
+    title: str
+    data: Data
+    classes: Annotated[list[_Name], Field(min_length=2)]
+    frame_sizes: Annotated[
+        list[Annotated[list[_SIDE], Field(min_length=2, max_length=2)]], Field(min_length=1)
+    ]
+    fps: list[_Rate]
+    accuracy: dict[str, float]
+    settings: Settings
+    versions: dict[str, str]
+
+
+class Cue(Section):
+    """One cue."""
+
+    name: _Name
+    descriptor: Settings
+    model: Settings
+
+
+class Vision(Section):
+    """Settings of :func:`placecat.vision.frame.describe_frame`."""
+
+    attention: Settings
+    regions: Settings
+    information: Settings
+    local: dict[str, Settings]
+    holistic: dict[str, Settings]
+
+
+class Content(Section):
+    """All but the card; objects and arrays as :mod:`placecat.categorizer.plain` writes them."""
+
+    vision: Vision
+    tracking: Settings | None
+    cues: Annotated[list[Cue], Field(min_length=1)]
+    integrator: Settings
+    smoothing: Settings
+    arrays: Annotated[int, Field(ge=0, le=9999)]
+
+
+class LocalDescriptor(Section):
+    """What a cue sees of regions."""
+
+    kind: Literal["local"]
+    name: _Name
+    y_pos: bool
+    y_weight: Annotated[float, Field(allow_inf_nan=False)]
+    color: _Name | None
+    max_regions: Annotated[int, Field(ge=1, le=_MOST)]
+    tracked: bool = False
+
+
+class HolisticDescriptor(Section):
+    """What a cue sees of whole frames."""
+
+    kind: Literal["holistic"]
+    name: _Name
+
+
+def check_card(card: Mapping[str, Any]) -> None:
+    """Refuse a card with other fields than it should have, or of other types."""
+    schema.check(card, Card)
+    if len(set(card["classes"])) < len(card["classes"]):
+        raise PlacecatError("classes: a place is named twice")
+
+
+def check_content(content: Any) -> None:
+    """Refuse what :func:`placecat.categorizer.model_file.write` does not write."""
+    if not isinstance(content, dict):
+        raise PlacecatError("its content is no mapping")
+    schema.check(content, Content)
+    check_vision(content["vision"])
+    _check_sizes(content["vision"], "vision")
+    _check_sizes(content["tracking"], "tracking")
+    for cue in content["cues"]:
+        descriptor = cue["descriptor"]
+        schema.check(descriptor, LocalDescriptor if descriptor.get("kind") == "local" else HolisticDescriptor)
+        cue_input.check(descriptor)
+
+
+def check_system(system: TrainedSystem) -> None:
+    """Refuse parts that are for other numbers of places or cues."""
+    n_classes, names = len(system.card["classes"]), [cue.name for cue in system.cues]
+    if len(set(names)) < len(names):
+        raise PlacecatError("a cue is named twice")
+    if any(cue.descriptor.get("tracked", False) for cue in system.cues) != (system.tracking is not None):
+        raise PlacecatError("settings of the tracking do not fit the cues")
+    if system.smoothing.transition.shape != (n_classes, n_classes):
+        raise PlacecatError(f"its smoothing is not for {n_classes} places")
+    temperatures = system.integrator.temperatures
+    if temperatures is not None and temperatures.shape != (len(names),):
+        raise PlacecatError(f"its temperatures are not those of {len(names)} cues")
+
+
+def check_distribution(proba: Any, n_classes: int) -> None:
+    """Refuse anything but (n_classes,) probabilities that sum to 1."""
+    values = np.asarray(proba)
+    if values.shape != (n_classes,) or not np.isfinite(values).all():
+        raise PlacecatError(f"it does not give a distribution over {n_classes} places")
+    if values.min() < 0 or abs(values.sum() - 1.0) > 1e-6:
+        raise PlacecatError("its probabilities do not sum to 1")
+
+
+def _check_sizes(value: Any, place: str) -> None:
+    """Refuse numbers of the settings that would need too much memory."""
+    if isinstance(value, Mapping):
+        for name, own in value.items():
+            _check_sizes(own, f"{place}.{name}")
+    elif isinstance(value, list):
+        if len(value) > _MOST:
+            raise PlacecatError(f"{place} has {len(value)} values, more than {_MOST}")
+        for own in value:
+            _check_sizes(own, place)
+    elif isinstance(value, int | float) and not -_MOST <= value <= _MOST:
+        raise PlacecatError(f"{place} is beyond {_MOST}")

@@ -1,0 +1,163 @@
+"""Kinds of fields of a trained model: each refuses a value of another type, range or shape."""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+# The sizes that one object's fields share, by a letter; the first field to name one sets it.
+Sizes = dict[str, int]
+# Raises ValueError if a value is wrong.
+Field = Callable[[Any, Sizes], None]
+_LARGE = 10**15
+
+
+def number(low: float = -_LARGE, high: float = _LARGE, *, above: float = -math.inf) -> Field:
+    """A finite number, `low` to `high`, and more than `above`."""
+
+    def field(value: Any, sizes: Sizes) -> None:
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            raise ValueError(f"is no number, but {_short(value)}")
+        if not (low <= value <= high and value > above):
+            raise ValueError(f"is {_short(value)}, which is out of range")
+
+    return field
+
+
+def whole(low: int = 0, high: int = _LARGE, *, side: str = "") -> Field:
+    """A whole number; the size that a `side` means, if it has a name."""
+
+    def field(value: Any, sizes: Sizes) -> None:
+        if type(value) is not int or not low <= value <= high:
+            raise ValueError(f"is {_short(value)}, and no whole number from {low} to {high}")
+        if side:
+            _same(value, side, sizes)
+
+    return field
+
+
+def truth(value: Any, sizes: Sizes) -> None:
+    """True or false."""
+    if type(value) is not bool:
+        raise ValueError(f"is neither true nor false, but {_short(value)}")
+
+
+def one_of(*valid: str) -> Field:
+    """One of some words."""
+
+    def field(value: Any, sizes: Sizes) -> None:
+        if not isinstance(value, str) or value not in valid:
+            raise ValueError(f"is {_short(value)}, none of {', '.join(valid)}")
+
+    return field
+
+
+def optional(other: Field) -> Field:
+    """None, or another field."""
+
+    def field(value: Any, sizes: Sizes) -> None:
+        if value is not None:
+            other(value, sizes)
+
+    return field
+
+
+def array(
+    kind: str,
+    *sides: int | str | None,
+    low: float = -math.inf,
+    high: float = math.inf,
+    below: str = "",
+    nan: bool = False,
+) -> Field:
+    """An array of some sides.
+
+    Parameters
+    ----------
+    kind
+        ``i``, ``f`` or ``b``: whole numbers, floating-point numbers, truth values.
+    *sides
+        A number, the letter of a size, or None for any length.
+    low, high
+        Of its values, which are finite.
+    below
+        The letter of a size that all values are below.
+    nan
+        Whether NaN may be among the values.
+    """
+
+    def field(value: Any, sizes: Sizes) -> None:
+        if not isinstance(value, np.ndarray) or value.dtype.kind not in kind or value.ndim != len(sides):
+            raise ValueError(f"is no array of the type {kind} with {len(sides)} sides")
+        for length, side in zip(value.shape, sides, strict=True):
+            if isinstance(side, str):
+                _same(length, side, sizes)
+            elif side is not None and length != side:
+                raise ValueError(f"has the shape {value.shape}, not {sides}")
+        if value.dtype.kind == "b" or not value.size:
+            return
+        if value.dtype.kind == "f" and not (np.isfinite(value) | (np.isnan(value) & nan)).all():
+            raise ValueError("holds numbers that are not finite")
+        least, most = np.nanmin(value), np.nanmax(value)
+        if least < low or most > high or (below and most >= sizes[below]):
+            raise ValueError(f"holds numbers out of range, {least} to {most}")
+
+    return field
+
+
+def several(item: Field, *, least: int = 0, side: str = "") -> Field:
+    """A list or tuple."""
+
+    def field(value: Any, sizes: Sizes) -> None:
+        if not isinstance(value, list | tuple) or len(value) < least:
+            raise ValueError(f"is no list of {least} or more")
+        if side:
+            _same(len(value), side, sizes)
+        for one in value:
+            item(one, sizes)
+
+    return field
+
+
+def by_number(item: Field) -> Field:
+    """A mapping from whole numbers."""
+
+    def field(value: Any, sizes: Sizes) -> None:
+        if not isinstance(value, dict) or not all(type(key) is int for key in value):
+            raise ValueError("is no mapping of numbers")
+        for one in value.values():
+            item(one, sizes)
+
+    return field
+
+
+def anything(value: Any, sizes: Sizes) -> None:
+    """What no prediction reads."""
+
+
+def mapping(value: Any, sizes: Sizes) -> None:
+    """Any mapping."""
+    if not isinstance(value, dict):
+        raise ValueError("is no mapping")
+
+
+def having(*methods: str) -> Field:
+    """An object of a model, checked by itself, with these methods."""
+
+    def field(value: Any, sizes: Sizes) -> None:
+        if not all(callable(getattr(value, name, None)) for name in methods):
+            raise ValueError(f"is of a kind without {', '.join(methods)}")
+
+    return field
+
+
+def _same(length: int, side: str, sizes: Sizes) -> None:
+    if sizes.setdefault(side, length) != length:
+        raise ValueError(f"has a side of {length} where others have {sizes[side]}")
+
+
+def _short(value: Any) -> str:
+    # A whole number may have more digits than Python writes.
+    said = repr(value) if not isinstance(value, int) or abs(value) < _LARGE else "a very large number"
+    return said if len(said) < 80 else f"{said[:80]}..."

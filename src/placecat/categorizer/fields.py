@@ -1,0 +1,303 @@
+"""What the objects of a trained model hold: the fields of each class, their types, ranges and shapes.
+
+A class that is not listed, such as a classifier that was added, is taken as it is: `Categorizer.load` tries
+every model before use.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from placecat.categorizer.field_kinds import (
+    Field,
+    Sizes,
+    anything,
+    array,
+    by_number,
+    having,
+    mapping,
+    number,
+    one_of,
+    optional,
+    several,
+    truth,
+    whole,
+)
+from placecat.errors import PlacecatError
+from placecat.fusion.integrate import METHODS
+from placecat.learning.calibration import CALIBRATIONS
+from placecat.learning.nu_svm import POLICIES
+from placecat.learning.one_against_all import COMBINATIONS, PRIORS, RELIABILITIES
+from placecat.learning.scaling import KINDS
+from placecat.learning.sequential import DECISIONS, ORDERS, OUTPUTS, TRAINING
+from placecat.learning.two_class import SIGMOID_WEIGHTS, SIGMOIDS
+
+
+def check(class_name: str, state: Mapping[str, Any]) -> None:
+    """Refuse the fields of an object that do not fit its class or one another.
+
+    Parameters
+    ----------
+    class_name
+        As ``NuSVM``.
+    state
+        Its attributes.
+
+    Raises
+    ------
+    PlacecatError
+        Naming the class and the attribute.
+    """
+    fields = FIELDS.get(class_name)
+    if fields is None:
+        return
+    different = sorted(set(fields) ^ set(state))
+    if different:
+        raise PlacecatError(f"a {class_name} has other attributes than it should ({', '.join(different)})")
+    sizes: Sizes = {}
+    for name, field in fields.items():
+        try:
+            field(state[name], sizes)
+        except ValueError as error:
+            raise PlacecatError(f"{name} of a {class_name} {error}") from None
+    relation = RELATIONS.get(class_name)
+    if relation is not None and not relation(state, sizes):
+        raise PlacecatError(f"the attributes of a {class_name} do not fit one another")
+
+
+_PROBABILITY = {"low": 0.0, "high": 1.0}
+_CUE = having("predict_proba")
+_SEED = whole(0, 2**64)
+
+
+def _classes(value: Any, sizes: Sizes) -> None:
+    """Class numbers: all of them, since columns of probabilities are found by them."""
+    array("iu", "K")(value, sizes)
+    if not np.array_equal(value, np.arange(len(value))):
+        raise ValueError("are not the numbers from 0")
+
+
+_MULTI_CLASS: dict[str, Field] = {
+    "base": anything,
+    "calibration": one_of(*CALIBRATIONS),
+    "sigmoid": one_of(*SIGMOIDS),
+    "sigmoid_weights": one_of(*SIGMOID_WEIGHTS),
+    "folds": whole(2),
+    "n_jobs": optional(whole(-1024)),
+    "classes_": _classes,
+    "n_features_in_": whole(1),
+    "scorer_": having("decisions"),
+    "sigmoid_": array("f", "M", 2),
+    "machine_class_": array("i", "M", low=0, below="K"),
+    "flat_": array("i", "K", low=0),
+    "nu_": array("f", "K", low=0, nan=True),
+    "fold_nu_": several(array("f", None, low=0, nan=True), side="K"),
+}
+_BAYES: dict[str, Field] = {
+    "alpha": number(above=0),
+    "n_values": optional(whole(2)),
+    "prior": one_of("uniform", "frequency"),
+    "n_features_in_": whole(1, side="V"),
+    "n_values_": whole(2, side="Q"),
+    "classes_": _classes,
+    "class_count_": array("i", "K", low=0),
+    "class_log_prior_": array("f", "K", high=0),
+}
+
+FIELDS: dict[str, dict[str, Field]] = {
+    "SmoothingModel": {
+        "transition": array("f", "K", "K", **_PROBABILITY),
+        "emission": array("f", "K", "K", **_PROBABILITY),
+        "evidence": one_of("hard", "soft"),
+        "evidence_seconds": number(above=0),
+        "delay_seconds": number(0),
+        "frame_rate": number(above=0),
+    },
+    "Integrator": {
+        "method": one_of(*METHODS),
+        "model": optional(_CUE),
+        "temperatures": optional(array("f", "C", low=1e-6)),
+    },
+    "JointProbabilityCue": {
+        "codebook": having("words"),
+        "clusters": whole(2),
+        "estimator": _CUE,
+        "facts": mapping,
+    },
+    "NearestNeighboursCue": {"estimator": having("predict_proba", "predict_proba_sets"), "facts": mapping},
+    "OneAgainstAllCue": {
+        "steps": several(having("transform"), least=1),
+        "scheme": _CUE,
+        "facts": mapping,
+    },
+    "DiscriminativeRegionsCue": {
+        "codebook": having("words"),
+        "kept": array("b", "N"),
+        "cue": _CUE,
+        "facts": mapping,
+    },
+    "Codebook": {"trees": several(having("assign", "centers"), least=1), "of_sets": truth},
+    "HierarchicalKMeans": {
+        "branching": whole(2),
+        "max_clusters": whole(1),
+        "max_iter": whole(1),
+        "seed": _SEED,
+        "n_features_in_": whole(1, side="D"),
+        "node_centers_": array("f", "N", "D"),
+        "node_sizes_": array("i", "N", low=0),
+        "node_sse_": array("f", "N", low=0),
+        "split_nodes_": array("i", "S", low=0, below="N"),
+        "max_clusters_": whole(1),
+    },
+    "FlatKMeans": {
+        "numbers": several(whole(1)),
+        "max_iter": whole(1),
+        "seed": _SEED,
+        "n_features_in_": whole(1, side="D"),
+        "n_points_": whole(1),
+        "centers_": by_number(lambda value, sizes: array("f", len(value), "D")(value, sizes)),
+    },
+    "NaiveBayes": _BAYES | {"feature_log_prob_": array("f", "K", "V", "Q", high=0)},
+    "DependencyTree": _BAYES
+    | {
+        "root": whole(0),
+        "parents_": array("i", "K", "V", low=-1, below="V"),
+        "_log_parents": array("f", "K", "V", "Q"),
+        "_is_dense": truth,
+        "_pair_keys": several(array("iu", None, low=0)),
+        "_pair_logs": several(array("f", None), side="K"),
+    },
+    "ModifiedKNN": {
+        "n_clusters": whole(1, side="N"),
+        "n_neighbors": whole(1),
+        "smoothing": number(0),
+        "class_weighting": one_of("once", "per_region"),
+        "seed": _SEED,
+        "classes_": _classes,
+        "frequencies_": array("i", "N", "K", low=0),
+        "centers_": array("f", "N", "D"),
+        "n_features_in_": whole(1, side="D"),
+    },
+    "KernelScaling": {
+        "kind": one_of(*KINDS),
+        "gamma_scale": number(above=0),
+        "n_features_in_": whole(1, side="D"),
+        "offset_": array("f", "D"),
+        "factor_": array("f", "D", low=0),
+    },
+    "SpatialPCA": {
+        "cells": whole(1, side="C"),
+        "components": optional(whole(1)),
+        "factor": optional(number(above=0)),
+        "whiten": truth,
+        "n_features_in_": whole(1),
+        "mean_": array("f", "C", "W"),
+        "components_": array("f", "C", "P", "W"),
+        "explained_variance_": array("f", "C", "P", low=0),
+        "explained_variance_ratio_": array("f", "C", "P", low=0),
+    },
+    "OneAgainstAll": _MULTI_CLASS
+    | {
+        "combination": one_of(*COMBINATIONS),
+        "exclusive": truth,
+        "reliability": one_of(*RELIABILITIES),
+        "reliability_smoothing": number(0),
+        "prior": one_of(*PRIORS),
+        "uncertainty": number(0),
+        "prior_": array("f", "K", **_PROBABILITY),
+        "reliability_": array("f", "K", "K", **_PROBABILITY),
+        "posterior_": array("f", "K", "K", **_PROBABILITY),
+    },
+    "Sequential": _MULTI_CLASS
+    | {
+        "order": one_of(*ORDERS),
+        "training": one_of(*TRAINING),
+        "decision": one_of(*DECISIONS),
+        "output": one_of(*OUTPUTS),
+        "strength_": array("f", "K", **_PROBABILITY),
+        "order_": array("i", "K", low=0, below="K"),
+    },
+    "NuSVM": {
+        "gamma": number(above=0),
+        "nu": number(0, 1),
+        "nu_policy": one_of(*POLICIES),
+        "tol": number(above=0),
+        "cache_mb": number(above=0),
+    },
+    "RVM": {
+        "gamma": number(above=0),
+        "tol": number(above=0),
+        "max_iter": whole(1),
+        "candidates": whole(1),
+    },
+    "GentleAdaBoost": {"n_rounds": whole(1), "max_bins": whole(2), "weight_trim": number(0, 1)},
+    "KernelExpansion": {
+        "support_vectors": array("f", "S", "D"),
+        "coef": array("f", "S", "M"),
+        "intercept": array("f", "M"),
+        "gamma": number(above=0),
+    },
+    "StumpEnsembles": {
+        "width": whole(1, side="D"),
+        "feature": array("i", "M", "T", low=0, below="D"),
+        "threshold": array("f", "M", "T"),
+        "low": array("f", "M", "T"),
+        "high": array("f", "M", "T"),
+    },
+}
+
+
+def _are_distributions(rows: Any) -> bool:
+    return bool(np.allclose(rows.sum(axis=-1), 1.0, atol=1e-6))
+
+
+def _fit_tree(state: Mapping[str, Any], sizes: Sizes) -> bool:
+    branching, splits, nodes = state["branching"], sizes["S"], np.arange(sizes["S"])
+    # A node is split after it was made, and once.
+    made = (state["split_nodes_"] < 1 + branching * nodes).all()
+    return bool(
+        sizes["N"] == 1 + branching * splits
+        and state["max_clusters_"] == 1 + (branching - 1) * splits
+        and made
+        and len(np.unique(state["split_nodes_"])) == splits
+    )
+
+
+def _fit_machines(state: Mapping[str, Any], sizes: Sizes) -> bool:
+    machines = state["machine_class_"]
+    every_class = np.array_equal(np.unique(machines), np.arange(sizes["K"]))
+    scorer = state["scorer_"]
+    count = len(getattr(scorer, "intercept", getattr(scorer, "feature", machines)))
+    return bool(every_class and (np.diff(machines) >= 0).all() and count == len(machines))
+
+
+def _fit_pairs(state: Mapping[str, Any], sizes: Sizes) -> bool:
+    cells = sizes["V"] * sizes["Q"] ** 2
+    keys, logs = state["_pair_keys"], state["_pair_logs"]
+    roots = state["parents_"] < 0
+    if state["root"] >= sizes["V"] or not (roots.sum(axis=1) == 1).all() or not roots[:, state["root"]].all():
+        return False
+    if state["_is_dense"]:
+        return all(len(own) == cells for own in logs)
+    return [len(own) for own in keys] == [len(own) for own in logs] and all(
+        len(own) and (np.diff(own) > 0).all() and own[-1] < cells for own in keys
+    )
+
+
+# What sides alone do not say.
+RELATIONS: dict[str, Callable[[Mapping[str, Any], Sizes], bool]] = {
+    "SmoothingModel": lambda state, _: all(
+        _are_distributions(state[name]) for name in ("transition", "emission")
+    ),
+    "Integrator": lambda state, _: (state["model"] is None) == (state["method"] != "das"),
+    "HierarchicalKMeans": _fit_tree,
+    "FlatKMeans": lambda state, _: all(len(own) == key for key, own in state["centers_"].items()),
+    "DependencyTree": _fit_pairs,
+    "ModifiedKNN": lambda state, sizes: state["n_neighbors"] <= sizes["N"],
+    "SpatialPCA": lambda state, sizes: state["n_features_in_"] == sizes["C"] * sizes["W"],
+    "OneAgainstAll": lambda state, sizes: _fit_machines(state, sizes) and bool(state["sigmoid_"].size),
+    "Sequential": lambda state, sizes: (
+        _fit_machines(state, sizes) and len(np.unique(state["order_"])) == sizes["K"]
+    ),
+}
