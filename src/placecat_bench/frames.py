@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from placecat import settings
 from placecat.errors import PlacecatError
-from placecat.sequences.base import open_video
+from placecat.sequences.recording import Recording
 from placecat.stages.features import feature_options
 from placecat.vision.attention import compute_maps, find_regions
 from placecat.vision.maps import FrameMaps
@@ -85,13 +85,9 @@ def with_regions(frames: Sequence[Image], count: int = REGIONS) -> list[Describe
 
 
 def _frame(video: Path) -> Image:
-    capture = open_video(video)
-    try:
-        position = int(capture.get(cv2.CAP_PROP_FRAME_COUNT)) // 3
-        capture.set(cv2.CAP_PROP_POS_FRAMES, position)
-        done, image = capture.read()
-    finally:
-        capture.release()
-    if not done:
-        raise PlacecatError(f"{video}: frame {position + 1} cannot be read; restore the file")
-    return np.asarray(image, np.uint8)
+    recording = Recording(video)
+    number = recording.count // 3 + 1
+    for picture in recording.pictures():
+        if picture.number == number:
+            return picture.image()
+    raise PlacecatError(f"{video}: frame {number} cannot be read; restore the file")

@@ -10,9 +10,12 @@ from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 from placecat.predict.frame import Frame, Source
+from placecat.sequences.timing import MOST_RATE
 
-# Assumed of a camera that does not say.
+# Assumed of a camera that does not say, or says what cannot be, as streams do (90,000).
 USUAL_FPS = 30.0
+# Failures to read in a row after which a camera counts as gone, and the wait after each, in seconds.
+_FAILURES, _PAUSE = 10, 0.05
 PATIENCE = 10.0
 """Seconds without a frame after which a camera counts as gone."""
 
@@ -73,8 +76,7 @@ class Camera(Source):
             raise PlacecatError(f"{title} can be opened, but gives no frame: is it used elsewhere?")
         self.size = (first.shape[1], first.shape[0])
         known = self._capture.get(cv2.CAP_PROP_FPS)
-        rate = fps if fps is not None else known
-        self.fps = float(rate) if np.isfinite(rate) and rate > 0 else USUAL_FPS
+        self.fps = fps if fps is not None else known if 0 < known <= MOST_RATE else USUAL_FPS
         self._news = threading.Condition()
         self._newest: tuple[NDArray[np.uint8], float] | None = None
         self._delivered = 0
@@ -109,10 +111,17 @@ class Camera(Source):
             self._news.wait(0.2)
 
     def _read(self) -> None:
+        failures = 0
         while not self._is_over:
             done, image = self._capture.read()
+            if not done or image is None:
+                failures += 1
+                if failures < _FAILURES:
+                    time.sleep(_PAUSE)
+                    continue
             with self._news:
                 if done and image is not None:
+                    failures = 0
                     self._newest = (image, time.monotonic())  # type: ignore[assignment]
                     self._delivered += 1
                 else:

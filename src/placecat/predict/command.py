@@ -75,7 +75,9 @@ def predict_command(options: Options) -> int:
     labels = None
     if options.labels is not None:
         count = source.exact_count()
-        labels = truth.read(options.labels, count, source.fps, categorizer.classes, options.ignore)
+        labels = truth.read(
+            options.labels, count, source.fps, categorizer.classes, options.ignore, source.starts()
+        )
     _announce(options, source, chosen, categorizer)
     with files.replacing(folder) as temporary:
         temporary.mkdir()
@@ -138,7 +140,10 @@ def _total(source: Source, wish: Wish) -> int | None:
     """Number of frames to categorize, probably; None where it is not known."""
     total = source.count()
     if total is not None and wish.seconds is not None:
-        total = min(total, int(np.ceil(wish.seconds * source.fps)))
+        if (starts := source.starts()) is None:
+            total = min(total, int(np.ceil(wish.seconds * source.fps)))
+        else:
+            total = int(np.searchsorted(starts[:-1], wish.seconds))
     return None if total is None else -(-total // wish.every)
 
 
@@ -159,7 +164,14 @@ def _summary(
     prediction: Prediction,
     agreement: dict[str, Any] | None,
 ) -> dict[str, Any]:
-    card = categorizer.card
+    card, damage = categorizer.card, source.damage()
+    # Of whole footage nothing.
+    odd = {
+        "lost_frames": list(damage.lost),
+        "damaged_frames": list(damage.damaged),
+        "turned_frames": list(prediction.turned),
+        "notes": _notes(source, prediction),
+    }
     return {
         "source": without_password(options.source),
         "camera": source.is_live,
@@ -169,7 +181,20 @@ def _summary(
         "frame_size": list(chosen.source),
         "kept": list(chosen.kept),
         "scaled_to": list(chosen.target),
+        **{name: value for name, value in odd.items() if value},
     } | report.facts(prediction, agreement)
+
+
+def _notes(source: Source, prediction: Prediction) -> list[str]:
+    """What is odd about the footage that was read."""
+    notes = [source.damage().note]
+    if prediction.turned:
+        first, count = prediction.turned[0], len(prediction.turned)
+        notes.append(
+            f"{count} frames from frame {first} on have another size than the first (the phone was turned?): "
+            "of them the middle is taken"
+        )
+    return [note for note in notes if note]
 
 
 def _print(
@@ -180,8 +205,8 @@ def _print(
     speed: Speed,
     agreement: dict[str, Any] | None,
 ) -> None:
-    if options.seconds is None and source.warning():
-        print(f"placecat: note: {source.warning()}", file=sys.stderr)
+    for note in _notes(source, prediction):
+        print(f"placecat: note: {note}", file=sys.stderr)
     print("\nShare of time:")
     print("\n".join(report.shares(prediction)))
     print("\nSegments:")

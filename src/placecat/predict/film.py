@@ -42,7 +42,7 @@ class Film:
                 "leave out --video, or try the other of --video and --webm"
             )
 
-    def add(self, picture: NDArray[np.uint8], seconds: float | None = None) -> None:
+    def add(self, picture: NDArray[np.uint8], seconds: float) -> None:
         """Add a picture.
 
         Parameters
@@ -50,10 +50,9 @@ class Film:
         picture
             (height, width, 3) uint8, BGR.
         seconds
-            When it was taken: it is repeated up to this time, so that the film runs as time did; None
-            adds it once.
+            When it was taken: it is repeated up to this time, so that the film runs as time did.
         """
-        times = 1 if seconds is None else round(seconds * self._fps) + 1 - self._count
+        times = round(seconds * self._fps) + 1 - self._count
         for _ in range(times):
             self._writer.write(picture)
         self._count += max(times, 0)

@@ -38,12 +38,16 @@ class Fit:
         Parameters
         ----------
         frame
-            (H, W, 3) uint8 of the size `source`.
+            (H, W, 3) uint8 of the size `source`; of another, where a phone was turned, the middle of the
+            shape of `target` is taken.
 
         Returns
         -------
         (H', W', 3) uint8 of the size `target`; the frame itself if that is its size.
         """
+        size = (frame.shape[1], frame.shape[0])
+        if size != self.source:
+            return Fit(size, _middle(size, self.target), self.target)(frame)
         if self.source == self.target:
             return frame
         left, top = ((have - keep) // 2 for have, keep in zip(self.source, self.kept, strict=True))

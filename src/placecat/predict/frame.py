@@ -1,7 +1,7 @@
 """Footage, and a frame of it."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,6 +30,25 @@ class Frame:
     image: NDArray[np.uint8]
 
 
+@dataclass(frozen=True)
+class Damage:
+    """What footage lacks.
+
+    Attributes
+    ----------
+    lost
+        Numbers of frames that cannot be decoded.
+    damaged
+        Numbers of frames that were decoded with errors.
+    note
+        In words; may be empty.
+    """
+
+    lost: Sequence[int] = ()
+    damaged: Sequence[int] = ()
+    note: str = ""
+
+
 class Source(ABC):
     """Footage.
 
@@ -42,7 +61,7 @@ class Source(ABC):
     fps
         Frames a second of the footage.
     size
-        (width, height) in pixels of its first frame.
+        (width, height) in pixels of its first frame; others may differ, where a phone was turned.
     reached
         Number of the last frame that was looked at, from 1; 0 before the first.
     """
@@ -71,6 +90,10 @@ class Source(ABC):
             Of a camera.
         """
 
-    def warning(self) -> str:
-        """What is odd about the footage that was read; may be empty."""
-        return ""
+    def starts(self) -> NDArray[np.float64] | None:
+        """Seconds at which each frame starts and the last one ends; None if they come evenly or live."""
+        return None
+
+    def damage(self) -> Damage:
+        """What of the frames passed is lost or damaged."""
+        return Damage()

@@ -31,6 +31,10 @@ class Prediction:
         (n, K) float64, smoothed: what decides.
     integrated
         (n, K) float64, of each frame alone.
+    end
+        Seconds at which the last frame ends; None if it lasts as long as frames do.
+    turned
+        Numbers of the frames of another size than the first.
     """
 
     classes: tuple[str, ...]
@@ -41,6 +45,8 @@ class Prediction:
     names: Sequence[str]
     proba: NDArray[np.float64]
     integrated: NDArray[np.float64]
+    end: float | None = None
+    turned: Sequence[int] = ()
 
     @property
     def decision(self) -> NDArray[np.int64]:
@@ -61,7 +67,7 @@ class Prediction:
     def ends(self) -> NDArray[np.float64]:
         """(n,) seconds at which each frame gives way to the next."""
         step = float(np.median(np.diff(self.seconds))) if len(self.seconds) > 1 else 1 / self.fps
-        return np.append(self.seconds[1:], self.seconds[-1] + step)
+        return np.append(self.seconds[1:], self.seconds[-1] + step if self.end is None else self.end)
 
     def segments(self) -> list[Segment]:
         """Consecutive frames of one place, in frames of the footage; they cover it without a gap.

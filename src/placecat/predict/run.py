@@ -116,10 +116,14 @@ def run(
         start = time.perf_counter()
         # The first frame stands for its time in the footage.
         seen = -1.0 / speed.wanted
+        end, turned = None, []
         try:
             for raw in frames:
                 if wish.seconds is not None and raw.seconds >= wish.seconds:
+                    end = raw.seconds
                     break
+                if raw.image.shape[1::-1] != tuple(source.size):
+                    turned.append(raw.number)
                 frame = Frame(raw.number, raw.seconds, raw.file, fit(raw.image))
                 before = time.perf_counter()
                 decision = system.update(frame.image, frame.seconds - seen)
@@ -127,7 +131,7 @@ def run(
                 speed.categorizing += time.perf_counter() - before
                 if film is not None:
                     label = _label(wish.truth, frame.number, system.classes)
-                    film.add(annotator(frame, decision, label), frame.seconds if source.is_live else None)
+                    film.add(annotator(frame, decision, label), frame.seconds)
                 # One step, so that Ctrl-C leaves no half of a row.
                 rows.append((frame.number, frame.seconds, frame.file, decision.proba, decision.integrated))
                 speed.frames, speed.seconds = len(rows), time.perf_counter() - start
@@ -140,6 +144,9 @@ def run(
         raise PlacecatError("no frame was taken: give a longer --seconds")
     numbers, seconds, names, proba, integrated = zip(*rows, strict=True)
     last = source.reached if wish.seconds is None else numbers[-1]
+    starts = source.starts()
+    if end is None and starts is not None:
+        end = float(starts[-1])
     prediction = Prediction(
         classes=system.classes,
         fps=source.fps,
@@ -149,6 +156,8 @@ def run(
         names=names if names[0] else (),
         proba=np.stack(proba),
         integrated=np.stack(integrated),
+        end=end,
+        turned=turned,
     )
     return prediction, speed, was_stopped
 

@@ -2,25 +2,22 @@
 
 import re
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 from placecat.predict.camera import Camera
-from placecat.predict.frame import Frame, Source
+from placecat.predict.frame import Damage, Frame, Source
 from placecat.sequences import folder as image_folder
 from placecat.sequences import video
-from placecat.sequences.base import open_video, read_image
+from placecat.sequences.base import read_image
 from placecat.sequences.folders import natural
+from placecat.sequences.recording import Recording
 
 _CAMERA = re.compile(r"camera(?::([0-9]{1,4}))?")
 _STREAM = re.compile(r"(rtsps?|https?)://.+", re.IGNORECASE)
-# A container's number of frames is an estimate; a file that ends this much earlier is cut off.
-_WHOLE = 0.95
 
 
 def without_password(text: str) -> str:
@@ -78,59 +75,34 @@ class Video(Source):
                 f"`ffmpeg -i {path.name} {path.stem}.mp4`; images go into a folder"
             )
         self.name = path.stem
-        self._path = path
-        with self._opened() as capture:
-            done, first = capture.read()
-            known = capture.get(cv2.CAP_PROP_FPS)
-            self._announced = int(capture.get(cv2.CAP_PROP_FRAME_COUNT))
-        if not done:
-            raise PlacecatError(f"{path}: the video has no readable frame; restore or convert it")
-        rate = fps if fps is not None else known
-        if not (np.isfinite(rate) and rate > 0):
-            raise PlacecatError(f"{path}: the video does not say its frame rate: give it with --fps")
-        self.fps = float(rate)
-        self.size = (first.shape[1], first.shape[0])
+        self._recording = Recording(path)
+        self._timing = self._recording.timing(fps, "--fps")
+        self.fps = self._timing.fps
+        self.size = self._recording.size()
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first of each `every` frames."""
-        self.reached = 0
-        with self._opened() as capture:
-            while capture.grab():
-                self.reached += 1
-                if (self.reached - 1) % every:
-                    continue
-                done, image = capture.retrieve()
-                if not done or image is None:
-                    raise PlacecatError(
-                        f"{self._path}: frame {self.reached} cannot be decoded; restore the file"
-                    )
-                yield Frame(self.reached, (self.reached - 1) / self.fps, "", image)  # type: ignore[arg-type]
+        """Decode the first of each `every` frames; where that is lost, the next."""
+        self.reached, last = 0, -1
+        for picture in self._recording.pictures():
+            self.reached = number = picture.number
+            if (number - 1) // every > last:
+                last = (number - 1) // every
+                yield Frame(number, float(self._timing.seconds[number - 1]), "", picture.image())
+        self.reached = self._recording.count
 
-    @contextmanager
-    def _opened(self) -> Iterator[cv2.VideoCapture]:
-        capture = open_video(self._path)
-        try:
-            yield capture
-        finally:
-            capture.release()
+    def count(self) -> int:
+        """Number of frames, lost ones included."""
+        return self._recording.count
 
-    def count(self) -> int | None:
-        """Number of frames as the container has it, often an estimate."""
-        return self._announced if self._announced > 0 else None
+    exact_count = count
 
-    def exact_count(self) -> int:
-        """Number of frames, by passing over the whole video."""
-        with self._opened() as capture:
-            return sum(1 for _ in iter(capture.grab, False))
+    def starts(self) -> NDArray[np.float64] | None:
+        """Seconds at which each frame starts and the last one ends; None if they come evenly."""
+        return None if self._timing.is_even else np.append(self._timing.seconds, self._timing.end)
 
-    def warning(self) -> str:
-        """Whether the file ends long before its header says; only after all its frames were taken."""
-        if self.reached >= _WHOLE * self._announced:
-            return ""
-        return (
-            f"{self._path}: only {self.reached} of the {self._announced} frames that the file announces can "
-            "be read; it may be cut off or damaged"
-        )
+    def damage(self) -> Damage:
+        """What of the frames passed is lost or damaged."""
+        return Damage(self._recording.lost, self._recording.damaged, self._recording.note())
 
 
 class Folder(Source):

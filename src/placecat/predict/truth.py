@@ -16,7 +16,12 @@ UNSCORED = "transition"
 
 
 def read(
-    path: Path, count: int, fps: float, classes: Sequence[str], ignored: Collection[str]
+    path: Path,
+    count: int,
+    fps: float,
+    classes: Sequence[str],
+    ignored: Collection[str],
+    starts: NDArray[np.float64] | None = None,
 ) -> NDArray[np.int16]:
     """Read the labels of all frames of the footage.
 
@@ -30,6 +35,8 @@ def read(
         What the model tells apart.
     ignored
         Labels beside `UNSCORED` of frames that are not scored.
+    starts
+        Times of frames that do not come evenly (`placecat.sequences.labels.read_label_csv`).
 
     Returns
     -------
@@ -42,7 +49,7 @@ def read(
     """
     if not path.is_file():
         raise PlacecatError(f"{path}: no such label file; correct --labels, or leave it out")
-    labels, lines = read_label_csv(path, count, fps, "the footage")
+    labels, lines = read_label_csv(path, count, fps, "the footage", starts)
     numbers = {UNSCORED: -1} | dict.fromkeys(ignored, -1) | {name: i for i, name in enumerate(classes)}
     for label, line in zip(labels, lines, strict=True):
         if label not in numbers:

@@ -10,6 +10,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
+from placecat.sequences.recording import Picture, Recording
 
 COLUMNS = ("sequence", "number", "source", "position", "seconds", "label")
 """The columns of `Home.frames`."""
@@ -35,13 +36,20 @@ class Home:
         One row a frame, in order, indexed 0, 1, ...: ``sequence`` (str: the floor of a VPC home, the sequence
         folder of COLD, "1" for a video or a folder), ``number`` (int32, from 1 in each sequence), ``source``
         (str, POSIX path relative to `root`: an image or the video file), ``position`` (int32, frame position
-        in the video from 0; -1 for an image file), ``seconds`` (float64, since the start of the sequence) and
+        in the video from 0, those that are lost counted; -1 for an image file), ``seconds`` (float64, since
+        the start of the sequence) and
         ``label`` (str as in the label file; "" when there is none).
     label_files
         Sequence to its label file, relative to `root`; empty when there is none.
     label_lines
         (frames,) int32, the line of the label file that gave each frame its label, from 1; 0 when there is
         none.
+    lost
+        Numbers of frames that cannot be decoded: they have no row.
+    damaged
+        Numbers of frames that were decoded with errors.
+    note
+        What is missing or damaged, in words; may be empty.
     """
 
     name: str
@@ -53,6 +61,9 @@ class Home:
     frames: pd.DataFrame
     label_files: Mapping[str, str]
     label_lines: NDArray[np.int32]
+    lost: Sequence[int] = ()
+    damaged: Sequence[int] = ()
+    note: str = ""
 
     def __post_init__(self) -> None:
         if list(self.frames.columns) != list(COLUMNS):
@@ -96,9 +107,9 @@ def read_frames(
 ) -> Iterator[NDArray[np.uint8]]:
     """Decode frames in the order of the rows.
 
-    A video is decoded from its start and frames between rows are passed over; a row that lies before the
-    last one re-opens the file. The file is never asked to seek: containers answer with a nearby frame without
-    saying so. Rows in increasing position cost one pass.
+    A video is decoded from its start (`placecat.sequences.recording`) and frames between rows are passed
+    over; a row that lies before the last one starts again. The file is never asked to seek: containers answer
+    with a nearby frame without saying so. Rows in increasing position cost one pass.
 
     Parameters
     ----------
@@ -167,51 +178,35 @@ def read_image(path: Path) -> NDArray[np.uint8]:
     return image  # type: ignore[return-value]
 
 
-def open_video(path: Path) -> cv2.VideoCapture:
-    """Open a video file, of any format that OpenCV's FFmpeg reads, at its first frame; to be released.
-
-    Raises
-    ------
-    PlacecatError
-        If the file is missing or not a video.
-    """
-    if not path.is_file():
-        raise PlacecatError(f"{path}: the video is missing; restore it, or correct dataset.homes.")
-    # FFmpeg only: other backends read file names with digits as image series.
-    capture = cv2.VideoCapture(str(path), cv2.CAP_FFMPEG)
-    if not capture.isOpened():
-        raise PlacecatError(
-            f"{path}: not a readable video (damaged, or a codec that OpenCV lacks); convert it."
-        )
-    return capture
-
-
 class _Video:
-    """A video read forwards, re-opened to go back."""
+    """A video read forwards, from its start again to go back."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
-        self._capture = open_video(path)
-        self._next = 0
+        self._recording = Recording(path)
+        self._pictures = self._recording.pictures()
+        self._last: Picture | None = None
 
     def close(self) -> None:
-        self._capture.release()
+        self._pictures.close()
 
     def read(self, position: int) -> NDArray[np.uint8]:
-        if position < self._next:
+        number = position + 1
+        if self._last is not None and number < self._last.number:
             self.close()
-            self._capture = open_video(self.path)
-            self._next = 0
-        while self._next < position and self._capture.grab():
-            self._next += 1
-        done, image = self._capture.read() if self._next == position else (False, None)
-        if not done or image is None:
+            self._pictures, self._last = self._recording.pictures(), None
+        while self._last is None or self._last.number < number:
+            following = next(self._pictures, None)
+            if following is None:
+                break
+            self._last = following
+        if self._last is None or self._last.number != number:
+            count = self._recording.count
+            why = f"the video ends after {count}" if number > count else "it is damaged there"
             raise PlacecatError(
-                f"{self.path}: frame {position + 1} is missing or unreadable (the video ends after "
-                f"{self._next}); restore the file."
+                f"{self.path}: frame {number} is missing or unreadable ({why}); restore the file."
             )
-        self._next += 1
-        return image  # type: ignore[return-value]
+        return self._last.image()
 
 
 def relative(name: str, origin: str) -> PurePosixPath:

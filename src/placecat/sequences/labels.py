@@ -111,7 +111,9 @@ def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.
     return labels, np.repeat(np.array([segment.line for segment in segments], dtype=np.int32), lengths)
 
 
-def read_label_csv(path: Path, count: int, fps: float, sequence: str) -> tuple[list[str], NDArray[np.int32]]:
+def read_label_csv(
+    path: Path, count: int, fps: float, sequence: str, starts: NDArray[np.float64] | None = None
+) -> tuple[list[str], NDArray[np.int32]]:
     """Read the label CSV of a video or a folder of frames.
 
     The header is ``start,end,label`` with frame numbers from 1, both ends included, or
@@ -128,6 +130,8 @@ def read_label_csv(path: Path, count: int, fps: float, sequence: str) -> tuple[l
         Frames a second; used only for times.
     sequence
         ``the video`` or ``the folder``, for the messages.
+    starts
+        (count + 1,) seconds at which each frame starts and the last one ends; None if they come evenly.
 
     Returns
     -------
@@ -148,6 +152,8 @@ def read_label_csv(path: Path, count: int, fps: float, sequence: str) -> tuple[l
             f"{path} line {rows[0][0] if rows else 1}: the header is {','.join(header)!r}; write "
             f"{','.join(FRAME_HEADER)} (frame numbers from 1) or {','.join(SECOND_HEADER)}."
         )
+    rate = f"{fps:g} frames a second" if starts is None else "an uneven rate"
+    starts = np.arange(count + 1) / fps if starts is None else starts
     segments = []
     for line, row in rows[1:]:
         cells = [cell.strip() for cell in row]
@@ -158,9 +164,9 @@ def read_label_csv(path: Path, count: int, fps: float, sequence: str) -> tuple[l
         if header == FRAME_HEADER:
             start, end = (whole(cell, path, line) for cell in cells[:2])
         else:
-            start, end = _from_seconds(cells[:2], fps, path, line)
+            start, end = _from_seconds(cells[:2], starts, fps, path, line)
         segments.append(Segment(start, end, cells[2], line))
-    check_segments(segments, count, path, sequence, f"{count / fps:.3f} s at {fps:g} frames a second")
+    check_segments(segments, count, path, sequence, f"{starts[-1]:.3f} s at {rate}")
     return expand_segments(segments)
 
 
@@ -213,7 +219,9 @@ def _rows(path: Path) -> list[tuple[int, list[str]]]:
         raise PlacecatError(f"{path} line {reader.line_num}: not a CSV ({error}).") from None
 
 
-def _from_seconds(cells: Sequence[str], fps: float, path: Path, line: int) -> tuple[int, int]:
+def _from_seconds(
+    cells: Sequence[str], starts: NDArray[np.float64], fps: float, path: Path, line: int
+) -> tuple[int, int]:
     bounds = []
     for cell in cells:
         try:
@@ -222,10 +230,19 @@ def _from_seconds(cells: Sequence[str], fps: float, path: Path, line: int) -> tu
             seconds = math.nan
         if not math.isfinite(seconds) or seconds < 0:
             raise PlacecatError(f"{path} line {line}: {cell!r} is no time; write seconds from 0.")
-        bounds.append(math.floor(seconds * fps + 0.5))
+        bounds.append(_boundary(seconds, starts, fps))
     if bounds[1] <= bounds[0]:
         raise PlacecatError(
             f"{path} line {line}: no frame between {cells[0]} and {cells[1]} s at {fps:g} frames a second; "
             "correct the times."
         )
     return bounds[0] + 1, bounds[1]
+
+
+def _boundary(seconds: float, starts: NDArray[np.float64], fps: float) -> int:
+    """Number of frames before the boundary that is nearest; behind the end, as if the frames went on."""
+    if seconds > starts[-1]:
+        # A day at most: no file of labels is meant to be longer by more.
+        return len(starts) - 1 + math.floor(min(seconds - float(starts[-1]), 86400.0) * fps + 0.5)
+    after = int(np.searchsorted(starts, seconds))
+    return after - 1 if after and seconds - starts[after - 1] < starts[after] - seconds else after

@@ -5,13 +5,13 @@ Without the CSV every frame is unlabelled, which is enough to predict on new foo
 
 from pathlib import Path
 
-import cv2
 import numpy as np
 
 from placecat.errors import PlacecatError
-from placecat.sequences.base import Home, frame_table, open_video, relative
+from placecat.sequences.base import Home, frame_table, relative
 from placecat.sequences.folders import data_folder, frame_rate, some_homes
 from placecat.sequences.labels import read_label_csv
+from placecat.sequences.recording import Recording
 
 SUFFIXES = (".avi", ".m4v", ".mkv", ".mov", ".mp4", ".mpeg", ".mpg", ".webm")
 """File name endings taken for a video, in either case."""
@@ -29,23 +29,26 @@ def list_homes(root: Path) -> list[str]:
 def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = "") -> Home:
     """Read one video as one sequence, ``1``; see `placecat.sequences.open_home`.
 
-    Without `fps` the rate is that of the container. The frames are counted by passing over the whole video
-    once: the number in the container is often an estimate.
+    Without `fps` the times are those of the file. All frames are decoded once, to find those that cannot be:
+    they have no row, but keep their numbers, by which they are labelled.
     """
     relative(name, "dataset.homes")
     path = _file(data_folder(root), name)
-    count, known, width, height = _measure(path)
-    rate = frame_rate(fps, name, known)
+    recording = Recording(path)
+    timing = recording.timing(None if fps is None else frame_rate(fps, name))
+    numbers, width, height = _decode(recording)
     file = root / f"{name}.csv"
     if file.exists():
-        labels, lines = read_label_csv(file, count, rate, "the video")
+        starts = None if timing.is_even else np.append(timing.seconds, timing.end)
+        every_label, every_line = read_label_csv(file, recording.count, timing.fps, "the video", starts)
+        labels, lines = [every_label[number - 1] for number in numbers], every_line[np.array(numbers) - 1]
     else:
-        labels, lines = [""] * count, np.zeros(count, dtype=np.int32)
-    positions = np.arange(count)
+        labels, lines = [""] * len(numbers), np.zeros(len(numbers), dtype=np.int32)
+    positions = np.array(numbers) - 1
     return Home(
         name=name,
         root=root,
-        fps=rate,
+        fps=timing.fps,
         camera=camera,
         width=width,
         height=height,
@@ -53,12 +56,15 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
             "1",
             path.relative_to(root).as_posix(),
             positions.tolist(),
-            (positions + 1).tolist(),
-            positions / rate,
+            numbers,
+            timing.seconds[positions],
             labels,
         ),
         label_files={"1": f"{name}.csv"} if file.exists() else {},
         label_lines=lines,
+        lost=recording.lost,
+        damaged=recording.damaged,
+        note=recording.note(),
     )
 
 
@@ -79,16 +85,16 @@ def _file(root: Path, name: str) -> Path:
     return found[0]
 
 
-def _measure(path: Path) -> tuple[int, float | None, int, int]:
-    capture = open_video(path)
-    try:
-        done, first = capture.read()
-        if not done:
-            raise PlacecatError(f"{path}: the video has no readable frame; restore or convert it.")
-        count = 1
-        while capture.grab():
-            count += 1
-        fps = capture.get(cv2.CAP_PROP_FPS)
-    finally:
-        capture.release()
-    return count, fps if fps > 0 else None, first.shape[1], first.shape[0]
+def _decode(recording: Recording) -> tuple[list[int], int, int]:
+    """Numbers of the frames that can be decoded, and their (width, height)."""
+    numbers: list[int] = []
+    size = recording.size()
+    for picture in recording.pictures():
+        if picture.size != size:
+            raise PlacecatError(
+                f"{recording.path}: frame {picture.number} is {picture.size[0]}x{picture.size[1]}, those "
+                f"before {size[0]}x{size[1]} (the phone was turned?); a home needs one frame size: cut the "
+                "video there."
+            )
+        numbers.append(picture.number)
+    return numbers, *size

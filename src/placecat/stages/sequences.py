@@ -1,5 +1,6 @@
 """Stage `sequences`: read the data set's layout and label files; check them."""
 
+import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -42,6 +43,8 @@ def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
         for name in dataset["homes"]:
             camera = _camera(dataset["camera"], name)
             home = open_home(dataset["layout"], root, name, fps=dataset["fps"], camera=camera)
+            if home.note:
+                print(f"placecat: note: {home.note}", file=sys.stderr)
             _write(folder / name, home, dataset)
 
 
@@ -71,7 +74,9 @@ def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:
     files.write_csv(folder / "labels.csv", table)
     files.write_csv(folder / "sources.csv", _checksums(home))
     facts = {"fps": home.fps, "camera": home.camera, "width": home.width, "height": home.height}
-    files.write_json(folder / "home.json", facts)
+    # Of whole files nothing.
+    damage = {"lost_frames": list(home.lost), "damaged_frames": list(home.damaged)}
+    files.write_json(folder / "home.json", facts | {name: value for name, value in damage.items() if value})
 
 
 def _checksums(home: Home) -> pd.DataFrame:

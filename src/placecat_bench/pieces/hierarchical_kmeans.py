@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
 from placecat.learning.nearest import nearest_centers
-from placecat.sequences.base import open_video
+from placecat.sequences.recording import Recording
 from placecat.vision.attention import compute_maps
 from placecat.vision.local import sift
 from placecat_bench.comparison import Comparison, Limit, Peer
@@ -115,15 +115,9 @@ def draw_descriptors(points: int, homes: Path = HOMES, seed: int = 0) -> NDArray
 
 def _frames(homes: Path) -> Iterator[NDArray[np.uint8]]:
     for path in sorted(homes.glob("*.mp4")):
-        video = open_video(path)
-        while True:
-            read, frame = video.read()
-            if not read:
-                break
-            yield frame.astype(np.uint8, copy=False)
-            for _ in range(_FRAME_STEP - 1):
-                video.grab()
-        video.release()
+        for picture in Recording(path).pictures():
+            if (picture.number - 1) % _FRAME_STEP == 0:
+                yield picture.image()
 
 
 def ours(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:

@@ -1,0 +1,403 @@
+"""A video file: its frames with the numbers and times that the file gives them, and what of it is lost."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+from typing import cast
+
+import av
+import cv2
+import numpy as np
+from av.video.frame import VideoFrame
+from av.video.reformatter import VideoReformatter
+from av.video.stream import VideoStream
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.sequences import timing
+
+Size = tuple[int, int]
+
+MOST_PIXELS = 2**26
+"""Of a frame; 8K video has half as many."""
+_FLATTEST = 4.0
+# Reading errors in a row after which the rest of a file is given up.
+_PATIENCE = 100
+# BT.2020 with a curve that swscale converts (phones' HDR), to BT.709.
+_WIDE, _CURVES, _USUAL = 9, (14, 15, 16, 18), 1
+_TURNS = {90: cv2.ROTATE_90_COUNTERCLOCKWISE, 180: cv2.ROTATE_180, 270: cv2.ROTATE_90_CLOCKWISE}
+
+
+class _Damaged(Exception):
+    """The decoder met an error."""
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """A decoded frame.
+
+    Attributes
+    ----------
+    number
+        From 1, as the file numbers its frames: lost frames have theirs.
+    size
+        (width, height) in which it is shown: upright, of square pixels.
+    """
+
+    number: int
+    size: Size
+    _recording: "Recording"
+    _frame: VideoFrame
+
+    def image(self) -> NDArray[np.uint8]:
+        """(height, width, 3) uint8, BGR."""
+        return self._recording.convert(self._frame)
+
+
+class Recording:
+    """A video file, read by FFmpeg from its start.
+
+    Opening it passes over its packets without decoding them: every packet of the video is a frame with
+    its time. A frame that cannot be decoded is lost; those after it keep their numbers and times.
+
+    Parameters
+    ----------
+    path
+        The file.
+
+    Attributes
+    ----------
+    count
+        Number of frames, those included that turn out to be lost.
+
+    Raises
+    ------
+    PlacecatError
+        If the file is missing or is not a video.
+    """
+
+    def __init__(self, path: Path) -> None:
+        if not path.is_file():
+            raise PlacecatError(f"{path}: the video is missing; restore it, or correct dataset.homes.")
+        self.path = path
+        self._is_careful = False
+        self._reformatter = VideoReformatter()
+        with self._opened() as (container, stream):
+            self._read_index(container, stream)
+            self._rates = (stream.average_rate, stream.guessed_rate)
+
+    def size(self) -> Size:
+        """(width, height) of the first frame as it is shown, in pixels; PlacecatError if none is readable."""
+        first = next(self.pictures(), None)
+        if first is None:
+            raise self._empty()
+        return first.size
+
+    def timing(self, fps: float | None = None, setting: str = "dataset.fps") -> timing.Timing:
+        """Find the times of all frames.
+
+        Parameters
+        ----------
+        fps
+            Frames a second, for a file whose times are wrong; None takes the times of the file.
+        setting
+            What sets `fps`, for messages.
+
+        Raises
+        ------
+        PlacecatError
+            If the file does not say when its frames are shown, or that cannot be.
+        """
+        if fps is not None:
+            return timing.even(self.count, fps)
+        found = None
+        if self._ticks is not None:
+            found = timing.measure(self._ticks, self._tick, self._last, self._rates)
+        else:
+            said = [rate for rate in self._rates if rate is not None and 0 < rate <= timing.MOST_RATE]
+            found = timing.even(self.count, float(said[0])) if said else None
+        if found is None:
+            said = ", ".join(sorted({f"{float(rate):g}" for rate in self._rates if rate})) or "none"
+            raise PlacecatError(
+                f"{self.path}: the video does not say when its frames are shown (its frame rate: {said}); "
+                f"give it with {setting}."
+            )
+        steps = np.diff(found.seconds)
+        if len(steps) and steps.max() > timing.LONGEST:
+            number = int(steps.argmax()) + 2
+            raise PlacecatError(
+                f"{self.path}: frame {number} comes {steps.max() / 3600:.3g} hours after the one before: its "
+                f"times are damaged; give the frame rate with {setting}."
+            )
+        return found
+
+    def pictures(self) -> Iterator[Picture]:
+        """Decode all frames in the order in which they are shown; those that are lost are left out.
+
+        FFmpeg decodes several frames at once, and then does not say which of them has an error. After the
+        first error it decodes them again, one at a time.
+        """
+        self._erroneous: set[int] = set()
+        self._seen: set[int] = set()
+        self._reached = 0
+        while True:
+            try:
+                yield from self._decoded()
+            except _Damaged:
+                self._is_careful = True
+            else:
+                self._reached = self.count
+                return
+
+    @property
+    def lost(self) -> list[int]:
+        """Numbers of the frames that the last pass went over and did not get."""
+        return sorted(set(range(1, self._reached + 1)) - self._seen)
+
+    @property
+    def damaged(self) -> list[int]:
+        """Numbers of the frames that the last pass got, but with errors."""
+        return sorted(self._erroneous & self._seen)
+
+    def note(self) -> str:
+        """Say what the last pass over the file found missing or damaged; "" if nothing."""
+        parts = []
+        if self.lost:
+            parts.append(f"{_frames(self.lost)} of {self.count} cannot be decoded and {_are(self.lost)} lost")
+        if self.damaged:
+            parts.append(f"{_frames(self.damaged)} {_are(self.damaged)} damaged")
+        if parts:
+            parts.append("what follows may show it up to the next key frame")
+        if self._reached == self.count:
+            parts += self._unread
+        return f"{self.path}: {'; '.join(parts)}. Restore the file if you can." if parts else ""
+
+    def convert(self, frame: VideoFrame) -> NDArray[np.uint8]:
+        """Make pixels of a decoded frame, as `Picture.image`."""
+        width, height = self._square(frame)
+        is_wide = frame.color_primaries == _WIDE and frame.color_trc in _CURVES
+        usual = _USUAL if is_wide else None
+        # These settings give the bytes that OpenCV gives.
+        changed = self._reformatter.reformat(
+            frame,
+            width,
+            height,
+            "bgr24",
+            interpolation="BICUBIC",
+            dst_color_trc=usual,
+            dst_color_primaries=usual,
+            threads=1,
+        )
+        image = changed.to_ndarray()
+        turn = _TURNS.get(frame.rotation % 360)
+        return cast(NDArray[np.uint8], image if turn is None else cv2.rotate(image, turn))
+
+    def _square(self, frame: VideoFrame) -> Size:
+        """(width, height) of square pixels, before the frame is turned."""
+        return max(1, round(frame.width * self._flatness)), frame.height
+
+    def _shown(self, frame: VideoFrame) -> Size:
+        width, height = self._square(frame)
+        return (height, width) if frame.rotation % 360 in (90, 270) else (width, height)
+
+    @contextmanager
+    def _opened(self) -> Iterator[tuple[av.container.InputContainer, VideoStream]]:
+        # Its errors are counted, and not shown.
+        av.logging.set_level(av.logging.PANIC)
+        try:
+            container = av.open(str(self.path), metadata_errors="replace")
+        except OSError as error:
+            if isinstance(error, PermissionError):
+                raise PlacecatError(f"{self.path}: the video cannot be opened ({error.strerror}).") from None
+            raise self._unreadable() from None
+        except (av.FFmpegError, ValueError):
+            raise self._unreadable() from None
+        with container:
+            stream = self._stream(container)
+            try:
+                yield container, stream
+            finally:
+                _drain(stream)
+
+    def _unreadable(self) -> PlacecatError:
+        return PlacecatError(
+            f"{self.path}: not a readable video (damaged, or a codec that FFmpeg lacks); convert it."
+        )
+
+    def _empty(self) -> PlacecatError:
+        return PlacecatError(f"{self.path}: the video has no readable frame; restore or convert it.")
+
+    def _stream(self, container: av.container.InputContainer) -> VideoStream:
+        """The first video; the cover of a file of music is none."""
+        streams = [one for one in container.streams.video if not _is_cover(one)]
+        if not streams:
+            if container.streams.video:
+                raise PlacecatError(f"{self.path}: holds a cover picture, but no video; give a video.")
+            raise self._unreadable()
+        stream = streams[0]
+        if stream.codec_context is None:
+            raise self._unreadable()
+        ratio = stream.sample_aspect_ratio
+        self._flatness = float(ratio) if ratio else 1.0
+        if not 1 / _FLATTEST <= self._flatness <= _FLATTEST:
+            raise PlacecatError(
+                f"{self.path}: its header says that pixels are {self._flatness:.4g} times as wide as high, "
+                "which cannot be; convert it with square pixels."
+            )
+        stream.codec_context.options = {"max_pixels": str(MOST_PIXELS)}
+        if self._is_careful:
+            stream.codec_context.thread_count = 1
+            stream.thread_type = "NONE"
+        else:
+            stream.thread_type = "AUTO"
+        return stream
+
+    def _read_index(self, container: av.container.InputContainer, stream: VideoStream) -> None:
+        """Find the timestamps of all frames, and whether the file is whole."""
+        name = container.format.name
+        # Those that are cut off by the file itself do not count.
+        entries = [entry for entry in stream.index_entries if not entry.is_discard] if "mov" in name else []
+        announced = stream.frames if name == "avi" else len(entries)
+        stamps: list[tuple[int | None, int | None]] = []
+        packets, furthest, before = 0, 0.0, _errors()
+        self._last = 0
+        latest = -(2**63)
+        for packet in _packets(container):
+            if packet.pts is not None and packet.time_base is not None:
+                furthest = max(furthest, float((packet.pts + (packet.duration or 0)) * packet.time_base))
+            if packet.stream_index != stream.index:
+                continue
+            packets += not packet.is_discard
+            if _is_frame(packet, stream):
+                stamps.append((packet.pts, packet.dts))
+                if packet.pts is not None and packet.pts > latest:
+                    latest, self._last = packet.pts, packet.duration or 0
+        if not stamps:
+            raise self._empty()
+        self.count, self._tick = len(stamps), stream.time_base
+        shown, coded = zip(*stamps, strict=True)
+        # AVI has the times of coding only.
+        is_known = name != "avi" and _are_times(shown) and _runs_forward(coded)
+        self._numbers = {pts: number for number, pts in enumerate(sorted(shown), 1)} if is_known else {}
+        times = shown if is_known else coded
+        usable = is_known or (_are_times(coded) and _runs_forward(coded))
+        self._ticks = np.array(sorted(times), np.int64) if usable else None
+        self._unread: list[str] = []
+        if announced > packets:
+            self._unread.append(
+                f"only {packets} of the {announced} frames that the file announces can be read: it may be "
+                "cut off or damaged"
+            )
+        elif "mov" not in name and _errors() > before:
+            self._unread.append("the file itself is damaged, so that more frames may be missing")
+        elif "matroska" in name and container.duration is not None:
+            until = (container.duration + (container.start_time or 0)) / 1e6
+            if until - furthest > 0.25:
+                self._unread.append(f"it ends {until - furthest:.1f} s early: it may be cut off")
+
+    def _decoded(self) -> Iterator[Picture]:
+        """One pass, without the frames that one before it gave; _Damaged at an error if several at once."""
+        given, last = self._reached, 0
+        with self._opened() as (container, stream):
+            codec = stream.codec_context
+            for packet in _with_end(_packets(container, stream)):
+                before, failed = _errors(), False
+                try:
+                    frames = codec.decode(packet)
+                except av.FFmpegError:
+                    frames, failed = [], True
+                if failed or _errors() > before:
+                    if not self._is_careful:
+                        raise _Damaged
+                    if packet is not None and packet.pts in self._numbers:
+                        self._erroneous.add(self._numbers[packet.pts])
+                    elif not self._numbers:
+                        last += failed
+                        self._erroneous |= set() if failed else {last + 1}
+                if packet is not None and packet.is_corrupt and packet.pts in self._numbers:
+                    self._erroneous.add(self._numbers[packet.pts])
+                for frame in cast(list[VideoFrame], frames):
+                    number = self._numbers.get(frame.pts, last + 1)
+                    if not last < number <= self.count:
+                        continue
+                    last = number
+                    if number > given:
+                        self._seen.add(number)
+                        self._reached = number
+                        if frame.is_corrupt:
+                            self._erroneous.add(number)
+                        yield Picture(number, self._shown(frame), self, frame)
+
+
+def _with_end(packets: Iterator[av.Packet]) -> Iterator[av.Packet | None]:
+    yield from packets
+    yield None
+
+
+def _packets(
+    container: av.container.InputContainer, stream: VideoStream | None = None
+) -> Iterator[av.Packet]:
+    """The packets of a file, those of one stream if it is given; damaged places are passed over."""
+    failures = 0
+    while failures < _PATIENCE:
+        try:
+            for packet in container.demux(stream) if stream is not None else container.demux():
+                failures = 0
+                # To the decoder an empty one would be the end.
+                if packet.size:
+                    yield packet
+        except av.FFmpegError:
+            failures += 1
+        else:
+            return
+
+
+def _is_frame(packet: av.Packet, stream: VideoStream) -> bool:
+    """Whether a packet is shown: not if it is cut off by the file itself, or only refers to others."""
+    is_hidden = stream.codec_context.name in ("vp8", "libvpx") and not memoryview(packet)[0] & 0x10
+    return not packet.is_discard and not is_hidden
+
+
+def _is_cover(stream: VideoStream) -> bool:
+    return bool(stream.disposition & av.stream.Disposition.attached_pic)
+
+
+def _are_times(stamps: tuple[int | None, ...]) -> bool:
+    return None not in stamps and len(set(stamps)) == len(stamps)
+
+
+def _runs_forward(stamps: tuple[int | None, ...]) -> bool:
+    known = [one for one in stamps if one is not None]
+    return all(one < other for one, other in pairwise(known))
+
+
+def _drain(stream: VideoStream) -> None:
+    """Wait for the decoder's threads: one that reports an error while Python closes it waits for ever."""
+    for _ in range(_PATIENCE):
+        try:
+            if not stream.codec_context.is_open or not stream.codec_context.decode(None):
+                return
+        except av.error.EOFError:
+            return
+        except av.FFmpegError:
+            continue
+
+
+def _errors() -> int:
+    """How many errors FFmpeg has reported in this process."""
+    return av.logging.get_last_error()[0]
+
+
+def _are(numbers: list[int]) -> str:
+    return "are" if len(numbers) > 1 else "is"
+
+
+def _frames(numbers: list[int], most: int = 5) -> str:
+    """Name frames by their numbers, e.g. "frames 3, 7 to 9"."""
+    breaks = np.flatnonzero(np.diff(numbers) > 1) + 1
+    runs = [part.tolist() for part in np.split(np.array(numbers), breaks)]
+    texts = [f"{run[0]} to {run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs[:most]]
+    more = f" and {sum(map(len, runs[most:]))} more" if len(runs) > most else ""
+    return f"frame{'s' if len(numbers) > 1 else ''} {', '.join(texts)}{more}"
