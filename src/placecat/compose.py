@@ -9,6 +9,7 @@ import yaml
 
 from placecat import files, inferred, paths, references, settings, signatures
 from placecat.errors import PlacecatError
+from placecat.runs import lock
 
 # Folders of conf/ all of whose files are used, and where their content goes.
 FOUND = {
@@ -100,6 +101,7 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
     return text
 
 
+@lock.alone()
 def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> None:
     """List what is there in conf/found.yaml, compose the settings and write them to params.yaml.
 
@@ -109,7 +111,7 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
     ------
     PlacecatError
         As `found`, `compose`, and the checks of :mod:`placecat.schema`, :mod:`placecat.references` and
-        :mod:`placecat.signatures`; params.yaml stays as it was.
+        :mod:`placecat.signatures`, or a run that goes on; params.yaml stays as it was.
     """
     listing = paths.CONF / "found.yaml"
     if (paths.CONF / "config.yaml").is_file():
