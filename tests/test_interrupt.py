@@ -61,8 +61,8 @@ def interrupt(folder, home, *command):
             start_new_session=True,
         )
         try:
-            partial = folder / f"data/features/.{home}.partial"
-            wait_for(lambda: partial.exists() or process.poll() is not None)
+            features = folder / "data/features"
+            wait_for(lambda: any(features.glob(f".{home}.*.partial")) or process.poll() is not None)
             assert process.poll() is None, log.read_text()
             # As a terminal does: to every process of the command.
             os.killpg(process.pid, signal.SIGINT)
@@ -109,7 +109,7 @@ def test_a_run_goes_on_after_ctrl_c_and_ends_in_the_same_bytes(project, tmp_path
         assert sorted(path.name for path in (project / "data/features").iterdir()) == done
 
     # What a stage leaves that had no time to tidy up, as when the power fails.
-    left = project / "data/features/.Home3.partial"
+    left = project / "data/features/.Home3.0123abcd.partial"
     left.mkdir()
     (left / "local_hog.npy").write_bytes(b"half")
     ran, _ = repro(project, PLACECAT_WORKERS="2")

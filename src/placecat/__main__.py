@@ -62,6 +62,14 @@ def _parser() -> argparse.ArgumentParser:
             help="Hydra override of conf/, e.g. dataset=my_homes dataset.root=PATH",
         )
 
+    mend = commands.add_parser(
+        "mend",
+        help="mend what a killed run left",
+        description="Restore the records of dvc.lock that were cut when a run was killed, and remove its "
+        "temporary files. `placecat repro` begins with it; call it before `dvc repro` goes on.",
+    )
+    mend.set_defaults(run=_mend)
+
     compare = commands.add_parser(
         "compare",
         help="compare the tables with the kept ones",
@@ -208,7 +216,22 @@ def _params(options: argparse.Namespace) -> int:
     return 0
 
 
+def _mend(options: argparse.Namespace) -> int:
+    from placecat.runs import lock, mend
+
+    with lock.alone():
+        print("\n".join(mend.mend()) or "There is nothing to mend.")
+    return 0
+
+
 def _repro(options: argparse.Namespace) -> int:
+    from placecat.runs import lock
+
+    with lock.alone():
+        return _repro_alone(options)
+
+
+def _repro_alone(options: argparse.Namespace) -> int:
     from placecat import repro, times
 
     write_params(options.overrides)

@@ -10,6 +10,7 @@ import yaml
 
 from placecat import files, inferred, paths, settings
 from placecat.errors import PlacecatError
+from placecat.runs import lock
 
 if TYPE_CHECKING:
     from omegaconf import DictConfig
@@ -132,6 +133,7 @@ def _refusal(error: Exception) -> PlacecatError:
     return PlacecatError(f"the settings cannot be composed: {' '.join(lines)}")
 
 
+@lock.alone()
 def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> None:
     """List what is there in conf/found.yaml, compose the settings and write them to params.yaml.
 
@@ -141,7 +143,8 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
     ------
     PlacecatError
         As `found`, `compose`, and the checks of :mod:`placecat.schema`, :mod:`placecat.references`,
-        :mod:`placecat.signatures` and :mod:`placecat.thesis.checks`; params.yaml stays as it was.
+        :mod:`placecat.signatures` and :mod:`placecat.thesis.checks`, or a run that goes on; params.yaml
+        stays as it was.
     """
     listing = paths.CONF / "found.yaml"
     if (paths.CONF / "config.yaml").is_file():

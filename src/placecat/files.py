@@ -6,6 +6,7 @@ NumPy and pandas are imported where they are needed, since commands that write s
 import hashlib
 import io
 import json
+import secrets
 import shutil
 import zipfile
 from collections.abc import Collection, Iterator, Mapping
@@ -35,9 +36,9 @@ def replacing(target: Path) -> Iterator[Path]:
     target = Path(target)
     check_target(target)
     target.parent.mkdir(parents=True, exist_ok=True)
-    # The suffix stays last, since numpy and pandas choose formats and append endings by it.
-    temporary = target.with_name(f".{target.stem}.partial{target.suffix}")
-    _remove(temporary)
+    # The suffix stays last, since numpy and pandas choose formats and append endings by it. Each process has
+    # a name of its own; what one that was killed leaves, placecat.runs.mend removes.
+    temporary = target.with_name(f".{target.stem}.{secrets.token_hex(4)}.partial{target.suffix}")
     try:
         yield temporary
         if temporary.is_dir():

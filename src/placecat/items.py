@@ -17,6 +17,7 @@ from typing import Any
 import yaml
 
 from placecat import files, parallel, settings
+from placecat.runs import unchanged
 
 MANIFEST = "manifest.json"
 DEFINITION = Path("dvc.yaml")
@@ -107,6 +108,7 @@ def _item(folder: Path, made_from: str) -> Iterator[Path]:
     """Give a temporary folder for the files of an item; it gets the manifest and its name at the end."""
     with files.replacing(folder) as temporary:
         yield temporary
+        unchanged.check()
         files.write_json(temporary / MANIFEST, {"files": _files_in(temporary), "made_from": made_from})
 
 

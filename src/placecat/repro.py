@@ -5,16 +5,27 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
+from types import FrameType
 
+import psutil
 import yaml
 
-DEFINITION = Path("dvc.yaml")
+from placecat.runs import lifeline, lock, mend
+from placecat.runs.unchanged import DEFINITION
+
+
+# Seconds that Ctrl-C of a terminal, which reaches DVC and its stage as well, has to end them.
+_CTRL_C = 3.0
+
+
+class _Stopped(BaseException):
+    """This process was asked to end, by the signal that is its argument."""
 
 
 def run(*, force: bool = False, **environment: str) -> int:
-    """Run `dvc repro`, whose output goes to the terminal.
+    """Run `dvc repro`, whose output goes to the terminal, after mending what a killed run left.
 
-    Ctrl-C reaches DVC and its stage as well. They tidy up and end by themselves, and so does this call then.
+    On Ctrl-C and SIGTERM the stage tidies up, DVC ends, and so does this call then.
 
     Parameters
     ----------
@@ -27,18 +38,59 @@ def run(*, force: bool = False, **environment: str) -> int:
     -------
     int
         Its exit status.
+
+    Raises
+    ------
+    PlacecatError
+        If another run goes on in this folder.
     """
-    command = [sys.executable, "-m", "dvc", "repro", *(["--force"] if force else [])]
+    # DVC waits for one that looks at the project meanwhile, instead of losing a stage that has just finished.
+    command = [sys.executable, "-m", "placecat.runs.dvc", "--wait-for-lock", "repro"]
     # The Python that runs this first on the path, since the stages call `python`.
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
-    # On Ctrl-C subprocess.run would kill DVC after 0.25 s, amid its tidying up, which spoils its lock file.
-    # A function, not SIG_IGN, since DVC would inherit that.
-    before = signal.signal(signal.SIGINT, lambda *_: None)
-    try:
-        with subprocess.Popen(command, env=os.environ | {"PATH": path} | environment) as dvc:
+    with lock.alone():
+        for line in mend.mend():
+            print(line, file=sys.stderr, flush=True)
+        before = {each: signal.signal(each, _stop) for each in (signal.SIGINT, signal.SIGTERM)}
+        dvc = None
+        try:
+            dvc = subprocess.Popen(
+                [*command, *(["--force"] if force else [])], env=os.environ | {"PATH": path} | environment
+            )
             return dvc.wait()
+        except _Stopped as stopped:
+            return 1 if dvc is None else _end(dvc, stopped.args[0])
+        finally:
+            mend.keep()
+            for each, handler in before.items():
+                signal.signal(each, handler)
+
+
+def _stop(number: int, frame: FrameType | None) -> None:
+    for each in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(each, lambda *_: None)
+    raise _Stopped(number)
+
+
+def _end(dvc: subprocess.Popen[bytes], number: int) -> int:
+    """End DVC, which ends its stage first; gives its exit status."""
+    try:
+        processes = psutil.Process(dvc.pid).children(recursive=True)
+    except psutil.NoSuchProcess:
+        processes = []
+    try:
+        try:
+            return dvc.wait(_CTRL_C if number == signal.SIGINT else 0)
+        except subprocess.TimeoutExpired:
+            dvc.terminate()
+            return dvc.wait(lifeline.GRACE)
+    except subprocess.TimeoutExpired:
+        dvc.kill()
+        return dvc.wait()
     finally:
-        signal.signal(signal.SIGINT, before)
+        _, alive = psutil.wait_procs(processes, timeout=5)
+        for process in alive:
+            process.kill()
 
 
 def stages() -> list[str]:

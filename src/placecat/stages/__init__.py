@@ -13,6 +13,7 @@ from types import TracebackType
 
 from placecat import compute
 from placecat.errors import exiting
+from placecat.runs import lifeline, lock, mend, unchanged
 
 # A stage imports this package first, so that its own imports are part of its time.
 _STARTED = time.perf_counter()
@@ -42,20 +43,32 @@ def _end(kind: type[BaseException], error: BaseException, traceback: TracebackTy
 
 sys.excepthook = _end
 
+# Before the code of the stage is imported, which may be changed a moment later. Not in its workers.
+if f"{__name__}.{os.environ.get('DVC_STAGE')}" in sys.orig_argv:
+    with exiting():
+        unchanged.start(os.environ["DVC_STAGE"])
+
 
 def run(stage: Callable[[], None]) -> None:
     """Run a stage from the command line: ``python -m placecat.stages.NAME``.
 
     Its loops run where the settings say (:mod:`placecat.compute`). A mistake of the user's ends with its
-    message and status 1, without a traceback. If the stage ends well, the seconds it took go to data/times
+    message and status 1, without a traceback, and so does a change of what the stage depends on
+    (:mod:`placecat.runs.unchanged`). If the stage ends well, the seconds it took go to data/times
     (:mod:`placecat.times`).
     """
     argparse.ArgumentParser(description=(stage.__doc__ or "").splitlines()[0]).parse_args()
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(message)s")
     os.environ.setdefault("MLFLOW_DISABLE_TELEMETRY", "true")
-    with exiting(), compute.as_set():
-        stage()
-    # Here, since it imports NumPy.
-    from placecat import times
+    name = Path(inspect.getfile(stage)).stem
+    lifeline.end_stage_with_dvc()
+    with exiting(), lock.one_at_a_time(name):
+        unchanged.start(name)
+        mend.keep()
+        with compute.as_set():
+            stage()
+        unchanged.check()
+        # Here, since it imports NumPy.
+        from placecat import times
 
-    times.record(Path(inspect.getfile(stage)).stem, time.perf_counter() - _STARTED)
+        times.record(name, time.perf_counter() - _STARTED)

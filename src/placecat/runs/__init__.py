@@ -1,0 +1,1 @@
+"""Runs that are killed, started twice, or whose settings change: what keeps the results right."""

@@ -1,0 +1,100 @@
+"""One run at a time in a project's folder."""
+
+import json
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from placecat.errors import PlacecatError
+
+# DVC's folder for what it can lose; git ignores it.
+TEMPORARY = Path(".dvc/tmp")
+# DVC's note of which process reads and writes what.
+DVC_IN_USE = TEMPORARY / "rwlock"
+# Seconds that the DVC of a run that was killed has to end.
+_ENDING = 3.0
+
+
+@contextmanager
+def alone() -> Iterator[None]:
+    """Keep other runs, and changes of params.yaml, out of this folder during a block. May be nested.
+
+    Raises
+    ------
+    PlacecatError
+        If a run goes on, of `placecat repro` or of DVC.
+    """
+    if not TEMPORARY.parent.is_dir():
+        yield
+        return
+    from filelock import FileLock, Timeout
+
+    TEMPORARY.mkdir(exist_ok=True)
+    lock = FileLock(TEMPORARY.resolve() / "placecat.lock", is_singleton=True)
+    is_first = not lock.is_locked
+    try:
+        lock.acquire(timeout=1)
+    except Timeout:
+        raise PlacecatError(_goes_on("placecat")) from None
+    try:
+        if is_first:
+            _wait_for_dvc()
+        yield
+    finally:
+        lock.release()
+
+
+@contextmanager
+def one_at_a_time(stage: str) -> Iterator[None]:
+    """Wait while another process makes the same stage: one whose DVC was killed may still be tidying up."""
+    if not TEMPORARY.parent.is_dir():
+        yield
+        return
+    from filelock import FileLock, Timeout
+
+    TEMPORARY.mkdir(exist_ok=True)
+    lock = FileLock(TEMPORARY / f"placecat.{stage}.lock")
+    try:
+        lock.acquire(timeout=2)
+    except Timeout:
+        print(f"Another process makes {stage} here: this one waits for it.", file=sys.stderr, flush=True)
+        lock.acquire()
+    try:
+        yield
+    finally:
+        lock.release()
+
+
+def _goes_on(who: str) -> str:
+    return f"a run goes on in this folder ({who}): wait until it has ended, or end it"
+
+
+def _wait_for_dvc() -> None:
+    end = time.monotonic() + _ENDING
+    while user := _dvc_in_use():
+        if time.monotonic() > end:
+            raise PlacecatError(_goes_on(f"process {user[0]}: {user[1]}"))
+        time.sleep(0.2)
+
+
+def _dvc_in_use() -> tuple[int, str] | None:
+    """Process and command of a DVC that runs a stage here."""
+    import psutil
+
+    try:
+        content = json.loads(DVC_IN_USE.read_text(encoding="utf-8"))
+        writers = list(content["write"].values())
+        users = [(int(user["pid"]), str(user["cmd"])) for user in writers]
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        # Cut while it was written: of a process that was killed.
+        return None
+    for process, command in users:
+        try:
+            # The number may be another program's by now.
+            if any("dvc" in part for part in psutil.Process(process).cmdline()):
+                return process, command
+        except psutil.Error:
+            continue
+    return None

@@ -1,0 +1,140 @@
+"""Mending what a killed run left: a cut dvc.lock, DVC's note of who uses what, temporary files."""
+
+import os
+import re
+import shutil
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import yaml
+
+from placecat import settings
+from placecat.lockfile import LOCK
+from placecat.runs import lifeline, lock
+from placecat.runs.unchanged import DEFINITION
+
+# The records of all stages so far, whole: DVC writes dvc.lock in place, at the end of each stage.
+COPY = lock.TEMPORARY / "dvc.lock.whole"
+# Seconds after which nobody goes on with a temporary file.
+OLD = 24 * 3600.0
+# What placecat.files and placecat.runs.dvc write under until it is whole, and where.
+_PARTIAL = re.compile(r"\..+\.[0-9a-f]{8}\.partial(\.\w+)?")
+_PARTIAL_IN = (".", "conf", "data", "data/*", "reports", "reports/*", "predictions")
+# Of DVC, in its cache.
+_CACHED = re.compile(r"\.[\w-]{22}\.tmp")
+_CACHE = Path(".dvc/cache")
+# Of joblib: processes share memory and semaphores through them.
+_SHARED = Path("/dev/shm")
+_OF_PROCESS = re.compile(r"(?:joblib_memmapping_folder_|sem\.loky-)(\d+)[_-].*")
+
+
+def mend() -> list[str]:
+    """Mend what a killed run left; needs :func:`placecat.runs.lock.alone`.
+
+    Returns
+    -------
+    list of str
+        What was done that a user wants to know, a line each.
+    """
+    said = []
+    if LOCK.exists():
+        text = LOCK.read_text(encoding="utf-8", errors="replace")
+        mended, lost = _mended(text)
+        if mended != text:
+            _write(LOCK, mended)
+            again = f"; these stages run again: {', '.join(lost)}" if lost else ""
+            said.append(f"{LOCK} was cut when a run was killed: its records are restored{again}.")
+    keep()
+    # Nobody uses it: what stands in it is of processes that were killed.
+    lock.DVC_IN_USE.unlink(missing_ok=True)
+    for path in _leftovers():
+        shutil.rmtree(path, ignore_errors=True) if path.is_dir() else path.unlink(missing_ok=True)
+    return said
+
+
+def keep() -> None:
+    """Keep the records of dvc.lock that are whole, and of others those of before.
+
+    Without a dvc.lock none are kept: somebody removed it to start anew.
+    """
+    if not lock.TEMPORARY.is_dir():
+        return
+    if not LOCK.exists():
+        COPY.unlink(missing_ok=True)
+        return
+    mended, _ = _mended(LOCK.read_text(encoding="utf-8", errors="replace"))
+    if not COPY.exists() or COPY.read_text(encoding="utf-8") != mended:
+        _write(COPY, mended)
+
+
+def _mended(text: str) -> tuple[str, list[str]]:
+    """Content of dvc.lock with what it lacks from the copy; the stages whose records are in neither."""
+    # A merge that git could not make is for a person to finish.
+    if "\n<<<<<<< " in text or not DEFINITION.is_file():
+        return text, []
+    stages = yaml.load(DEFINITION.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
+    head, blocks = _blocks(text)
+    kept_head, kept = _blocks(COPY.read_text(encoding="utf-8")) if COPY.exists() else ("", {})
+    last = next(reversed(blocks), None)
+    # Only the end of a file is cut.
+    whole = {
+        name: block
+        for name, block in blocks.items()
+        if name != last or block == kept.get(name) or _is_whole(block)
+    }
+    missing = [name for name in kept if name not in whole and name.split("@")[0] in stages]
+    if len(whole) == len(blocks) and not missing and head:
+        return text, []
+    merged = {name: whole.get(name, block) for name, block in kept.items() if name in {*whole, *missing}}
+    merged |= whole
+    lost = [name for name in blocks if name not in merged]
+    if not merged:
+        return "schema: '2.0'\nstages: {}\n", lost
+    return (head or kept_head or "schema: '2.0'\nstages:\n") + "".join(merged.values()), lost
+
+
+def _blocks(text: str) -> tuple[str, dict[str, str]]:
+    """Split dvc.lock, as DVC writes it: the lines before the first stage, "" if they are cut; the stages."""
+    head, *rest = re.split(r"^(?=  [^\s#])", text, flags=re.MULTILINE)
+    is_head = head.endswith("stages:\n") or (not rest and head.endswith("stages: {}\n"))
+    return head if is_head else "", {block.split(":\n", 1)[0].strip(" '\"\n"): block for block in rest}
+
+
+def _is_whole(block: str) -> bool:
+    """Whether nothing is cut from a stage's record."""
+    try:
+        (record,) = yaml.load(block, Loader=settings.Loader).values()
+        return block.endswith("\n") and all(
+            {"path", "size"} <= one.keys() and ("nfiles" in one or not one.get("md5", "").endswith(".dir"))
+            for one in [*record.get("deps", []), *record["outs"]]
+        )
+    except (yaml.YAMLError, AttributeError, KeyError, TypeError, ValueError):
+        return False
+
+
+def _leftovers() -> Iterator[Path]:
+    """Temporary files that a killed process left more than a day ago."""
+    for folder in _PARTIAL_IN:
+        yield from (path for path in Path().glob(f"{folder}/.*.partial*") if _is_left(path, _PARTIAL))
+    yield from (path for path in _CACHE.glob("**/.*.tmp") if _is_left(path, _CACHED))
+    for path in _SHARED.glob("*") if _SHARED.is_dir() else ():
+        of = _OF_PROCESS.fullmatch(path.name)
+        if of and not lifeline.is_alive(int(of[1])) and _is_left(path, _OF_PROCESS):
+            yield path
+
+
+def _is_left(path: Path, name: re.Pattern[str]) -> bool:
+    try:
+        inner = path.rglob("*") if path.is_dir() and not path.is_symlink() else ()
+        newest = max(one.lstat().st_mtime for one in (path, *inner))
+        is_own = not hasattr(os, "getuid") or path.lstat().st_uid == os.getuid()
+    except FileNotFoundError:
+        return False
+    return name.fullmatch(path.name) is not None and is_own and time.time() - newest > OLD
+
+
+def _write(path: Path, text: str) -> None:
+    temporary = path.with_name(f".{path.stem}.{os.getpid():08x}.partial{path.suffix}")
+    temporary.write_text(text, encoding="utf-8", newline="\n")
+    temporary.replace(path)

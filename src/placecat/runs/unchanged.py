@@ -1,0 +1,82 @@
+"""What a stage depends on stays as it is from the stage's start to its end.
+
+DVC notes settings and dependencies after a stage. Without this check, those that were changed meanwhile would
+be noted for results of the earlier ones.
+"""
+
+import hashlib
+from collections.abc import Iterator
+from pathlib import Path
+
+import yaml
+
+from placecat import paths, settings
+from placecat.errors import PlacecatError
+
+DEFINITION = Path("dvc.yaml")
+_at_start: tuple[str, dict[str, str]] | None = None
+
+
+def start(stage: str) -> None:
+    """Note the state of what a stage depends on, before anything of it is read. A second call does nothing."""
+    global _at_start
+    if _at_start is None:
+        _at_start = (stage, state(stage))
+
+
+def check() -> None:
+    """Refuse results if something was changed since :func:`start`; does nothing without one.
+
+    Raises
+    ------
+    PlacecatError
+        Names the first path that was changed.
+    """
+    if _at_start is None:
+        return
+    stage, before = _at_start
+    now = state(stage)
+    for path in sorted(before.keys() | now.keys()):
+        if before.get(path) != now.get(path):
+            raise PlacecatError(
+                f"{path} was changed while the stage {stage} ran, so its results are not recorded: "
+                "run it again"
+            )
+
+
+def state(stage: str) -> dict[str, str]:
+    """Path of a file to its state, for params.yaml and every file that dvc.yaml lists for a stage.
+
+    It is the checksum of settings and code; of other files, which may be large, their size and time.
+    """
+    found = {}
+    for dep in [str(paths.PARAMS), *_dependencies(stage)]:
+        by_content = dep == str(paths.PARAMS) or dep.startswith("src/")
+        for file in _files(Path(dep)):
+            try:
+                if by_content:
+                    found[str(file)] = hashlib.sha256(file.read_bytes()).hexdigest()
+                else:
+                    stat = file.stat()
+                    found[str(file)] = f"{stat.st_size} {stat.st_mtime_ns}"
+            except FileNotFoundError:
+                pass
+    return found
+
+
+def _dependencies(stage: str) -> Iterator[str]:
+    if not DEFINITION.is_file():
+        return
+    stages = yaml.load(DEFINITION.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
+    for dep in stages.get(stage, {}).get("deps", []):
+        # Those of the data set are named by a setting: ${dataset.root}.
+        yield str(settings.get(settings.load(), dep[2:-1])) if dep.startswith("${") else dep
+
+
+def _files(path: Path) -> Iterator[Path]:
+    if not path.is_dir():
+        yield path
+        return
+    for inner in path.rglob("*"):
+        if inner.is_file() and "__pycache__" not in inner.parts:
+            yield inner
