@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from placecat import settings
 from placecat.errors import PlacecatError
-from placecat.sequences.recording import Recording
+from placecat.footage.recording import Recording
 from placecat.stages.features import feature_options
 from placecat.vision.attention import compute_maps, find_regions
 from placecat.vision.maps import FrameMaps

@@ -14,7 +14,7 @@ from placecat.sequences import folder as image_folder
 from placecat.sequences import video
 from placecat.sequences.base import read_image
 from placecat.sequences.folders import natural
-from placecat.sequences.recording import Recording
+from placecat.footage.recording import Recording
 
 _CAMERA = re.compile(r"camera(?::([0-9]{1,4}))?")
 _STREAM = re.compile(r"(rtsps?|https?)://.+", re.IGNORECASE)

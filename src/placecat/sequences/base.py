@@ -10,7 +10,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.sequences.recording import Picture, Recording
+from placecat.footage.recording import Picture, Recording
 
 COLUMNS = ("sequence", "number", "source", "position", "seconds", "label")
 """The columns of `Home.frames`."""
@@ -107,7 +107,7 @@ def read_frames(
 ) -> Iterator[NDArray[np.uint8]]:
     """Decode frames in the order of the rows.
 
-    A video is decoded from its start (`placecat.sequences.recording`) and frames between rows are passed
+    A video is decoded from its start (`placecat.footage.recording`) and frames between rows are passed
     over; a row that lies before the last one starts again. The file is never asked to seek: containers answer
     with a nearby frame without saying so. Rows in increasing position cost one pass.
 

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
 from placecat.learning.nearest import nearest_centers
-from placecat.sequences.recording import Recording
+from placecat.footage.recording import Recording
 from placecat.vision.attention import compute_maps
 from placecat.vision.local import sift
 from placecat_bench.comparison import Comparison, Limit, Peer

@@ -16,7 +16,7 @@ from av.video.stream import VideoStream
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.sequences import timing
+from placecat.footage import timing
 
 Size = tuple[int, int]
 

@@ -1,0 +1,1 @@
+"""Pictures out of files, with their times."""
