@@ -9,9 +9,9 @@ import cv2
 import numpy as np
 
 from placecat.errors import PlacecatError
-from placecat.sequences.base import Home, frame_table, open_video, relative
-from placecat.sequences.folders import data_folder, frame_rate, some_homes
-from placecat.sequences.labels import read_label_csv
+from placecat.sequences.base import Home, frame_table, open_video
+from placecat.sequences.folders import data_folder, frame_rate, relative, some_homes
+from placecat.sequences.labels import label_csvs, read_label_csv
 
 SUFFIXES = (".avi", ".m4v", ".mkv", ".mov", ".mp4", ".mpeg", ".mpg", ".webm")
 """File name endings taken for a video, in either case."""
@@ -36,9 +36,9 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
     path = _file(data_folder(root), name)
     count, known, width, height = _measure(path)
     rate = frame_rate(fps, name, known)
-    file = root / f"{name}.csv"
-    if file.exists():
-        labels, lines = read_label_csv(file, count, rate, "the video")
+    files = label_csvs(root, f"{name}.csv")
+    if files:
+        labels, lines = read_label_csv(root / files[0], count, rate, "the video")
     else:
         labels, lines = [""] * count, np.zeros(count, dtype=np.int32)
     positions = np.arange(count)
@@ -57,7 +57,7 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
             positions / rate,
             labels,
         ),
-        label_files={"1": f"{name}.csv"} if file.exists() else {},
+        label_files={"1": files[0]} if files else {},
         label_lines=lines,
     )
 
