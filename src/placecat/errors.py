@@ -4,6 +4,7 @@ import difflib
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 
 class PlacecatError(ValueError):
@@ -46,6 +47,24 @@ def printable(text: str) -> str:
     return "".join(
         one if one.isprintable() or one in "\n\t" else one.encode("unicode_escape").decode() for one in text
     )
+
+
+@contextmanager
+def reading(path: Path) -> Iterator[None]:
+    """Read what a user gave: an error of the system, such as a missing permission, becomes one message.
+
+    Raises
+    ------
+    PlacecatError
+        Naming the file that the system names, or `path`.
+    """
+    try:
+        yield
+    except OSError as error:
+        name = error.filename if error.filename is not None else path
+        raise PlacecatError(
+            f"{name}: cannot be read ({error.strerror or error}); make it readable."
+        ) from None
 
 
 def did_you_mean(name: object, valid: Iterable[str], before: str = "; ") -> str:

@@ -75,6 +75,30 @@ def test_the_tables_have_what_the_system_said_to_the_bit(folder, source, capsys)
     assert set(summary["files"]) == {*TABLES, "speed.json"}
 
 
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("frame3.jpg", "the same frame as frame3"),
+        ("depth3.png", "the same frame as"),
+        ("frame99.webp", "pictures of this kind are not read"),
+        ("frame99.jpg", "not a readable image"),
+    ],
+)
+def test_pictures_that_are_no_frames_are_never_passed_over(folder, name, message):
+    content = (folder / "images/frame3.png").read_bytes()
+    (folder / "images" / name).write_bytes(content[:100])
+    assert message in refused("images")
+    assert not list((folder / "predictions").glob("*"))
+
+
+def test_footage_that_may_not_be_read_gives_one_message(folder, monkeypatch):
+    def refuse(path):
+        raise PermissionError(13, "Permission denied", str(path))
+
+    monkeypatch.setattr("pathlib.Path.is_dir", refuse)
+    assert "images: cannot be read (Permission denied)" in refused("images")
+
+
 def test_the_same_footage_gives_the_same_bytes(folder):
     predict("walk.avi", "--output", "one")
     predict("walk.avi", "--output", "two")

@@ -1,10 +1,11 @@
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from helpers_sequences import decoded, write_image
 
 from placecat.errors import PlacecatError
-from placecat.sequences import cold
+from placecat.sequences import cold, list_homes, open_home
 from placecat.sequences.base import read_frames
 
 NAMES = [
@@ -121,6 +122,32 @@ def test_messages(text: str, message: str, tmp_path: Path) -> None:
     write_list(tmp_path, "town/seq1", text)
     with pytest.raises(PlacecatError, match=message):
         cold.read_home(tmp_path, "town-seq1")
+
+
+@pytest.mark.parametrize("seconds", ["9" * 5000, "9" * 400, "1e308", "nan", "inf", "-5"])
+def test_times_that_no_sequence_has(seconds: str, tmp_path: Path) -> None:
+    write_list(tmp_path, "town/seq1", f"t{seconds}.000000_x0_y0_a0.jpeg CR\n")
+    with pytest.raises(PlacecatError, match=r"places\.lst line 1: .*no image name") as caught:
+        cold.read_home(tmp_path, "town-seq1")
+    assert len(str(caught.value)) < 400
+
+
+def test_a_folder_that_may_not_be_read_is_not_passed_over(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_sequence(tmp_path, "town/seq1", ["CR", "CR", "CR"])
+    before = Path.iterdir
+
+    def refuse(path: Path) -> Iterator[Path]:
+        if path.name == "town":
+            raise PermissionError(13, "Permission denied", str(path))
+        return before(path)
+
+    monkeypatch.setattr(Path, "iterdir", refuse)
+    with pytest.raises(PlacecatError, match=r"town: cannot be read \(Permission denied\)"):
+        list_homes("cold", tmp_path)
+    with pytest.raises(PlacecatError, match=r"town: cannot be read \(Permission denied\)"):
+        open_home("cold", tmp_path, "town")
 
 
 def test_image_is_a_link_elsewhere(tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ def write_home(root: Path) -> None:
     (root / "flat/notes.txt").write_bytes(b"x")
 
 
-@pytest.mark.parametrize("file", ["flat.csv", "flat/labels.csv"])
+@pytest.mark.parametrize("file", ["flat.csv", "flat.CSV", "flat/labels.csv"])
 def test_round_trip(file: str, tmp_path: Path) -> None:
     write_home(tmp_path)
     (tmp_path / file).write_text(CSV)
@@ -45,6 +45,13 @@ def test_list_homes(tmp_path: Path) -> None:
     (tmp_path / "empty").mkdir()
     (tmp_path / "flat9.csv").write_text(CSV)
     assert folder.list_homes(tmp_path) == ["flat9", "flat10"]
+
+
+def test_a_folder_of_other_pictures_is_listed_and_refused(tmp_path: Path) -> None:
+    write_image(tmp_path / "flat/1.webp", 1)
+    assert folder.list_homes(tmp_path) == ["flat"]
+    with pytest.raises(PlacecatError, match=r"1\.webp: pictures of this kind are not read"):
+        folder.read_home(tmp_path, "flat", fps=2.0)
 
 
 def test_messages(tmp_path: Path) -> None:

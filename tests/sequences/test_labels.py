@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from placecat.errors import PlacecatError
-from placecat.sequences.labels import Segment, check_segments, expand_segments, read_label_csv
+from placecat.sequences.labels import Segment, check_segments, expand_segments, label_csvs, read_label_csv
 
 runs = st.lists(
     st.tuples(st.integers(1, 60), st.sampled_from(["kitchen", "bedroom", "transition"])),
@@ -128,6 +128,39 @@ def test_csv_of_a_spreadsheet() -> None:
 def test_messages(text: str, message: str) -> None:
     with pytest.raises(PlacecatError, match=message):
         read(text, 9)
+
+
+@pytest.mark.parametrize(
+    "number", ["9" * 5000, "1e308", "-1e308", "nan", "inf", "-inf", "9" * 400, "-5", "-0.1"]
+)
+@pytest.mark.parametrize("header", ["start,end,label", "start_seconds,end_seconds,label"])
+@pytest.mark.parametrize("row", ["{},9,a", "0,{},a", "{},{},a"])
+def test_numbers_that_no_footage_has(number: str, header: str, row: str) -> None:
+    with pytest.raises(PlacecatError, match=r"^\S*a\.csv line 2: ") as caught:
+        read(f"{header}\n{row.replace('{}', number)}\n", 9)
+    assert len(str(caught.value)) < 300
+
+
+def test_the_ending_may_be_in_either_case(tmp_path: Path) -> None:
+    (tmp_path / "flat").mkdir()
+    for name in ("flat.CSV", "flats.csv", "flat.csv.txt", "flat/labels.Csv"):
+        (tmp_path / name).write_text("")
+    names = ("flat.csv", "flat/labels.csv", "nowhere/labels.csv")
+    assert label_csvs(tmp_path, *names) == ["flat.CSV", "flat/labels.Csv"]
+    (tmp_path / "flat.csv").write_text("")
+    with pytest.raises(PlacecatError, match=r"flat\.csv labels the same home; remove one"):
+        label_csvs(tmp_path, *names)
+
+
+def test_a_label_file_that_may_not_be_read_gives_one_message(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(path: Path) -> bytes:
+        raise PermissionError(13, "Permission denied", str(path))
+
+    monkeypatch.setattr(Path, "read_bytes", refuse)
+    with pytest.raises(PlacecatError, match=r"a\.csv: the label file cannot be opened \(Permission denied\)"):
+        read_label_csv(tmp_path / "a.csv", 9, 25.0, "the video")
 
 
 def test_label_file_is_missing_or_a_folder(tmp_path: Path) -> None:

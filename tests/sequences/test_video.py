@@ -37,6 +37,14 @@ def test_every_frame_is_counted(ending: str, codec: str, tmp_path: Path) -> None
     assert [decoded(image) for image in read_frames(tmp_path, home.frames[::-7])] == list(range(39, -1, -7))
 
 
+def test_labels_whose_ending_is_in_capitals(tmp_path: Path) -> None:
+    write_video(tmp_path / "flat.avi", 4)
+    (tmp_path / "flat.CSV").write_text("start,end,label\n1,4,kitchen\n")
+    home = video.read_home(tmp_path, "flat")
+    assert home.frames["label"].tolist() == ["kitchen"] * 4
+    assert home.label_files == {"1": "flat.CSV"}
+
+
 def test_without_labels(tmp_path: Path) -> None:
     write_video(tmp_path / "flat.avi", 3)
     home = video.read_home(tmp_path, "flat", fps=5.0)

@@ -164,6 +164,14 @@ def test_label_messages(text: str, message: str) -> None:
         floors_of(text)
 
 
+@pytest.mark.parametrize("number", ["9" * 5000, "1e308", "nan", "inf", "-5", "9" * 11])
+@pytest.mark.parametrize("text", ["1/\n{}\n1 2 hall\n", "1/\n2\n{} 2 hall\n", "1/\n2\n1 {} hall\n"])
+def test_numbers_that_no_home_has(number: str, text: str) -> None:
+    with pytest.raises(PlacecatError, match=r"label\.txt line [23]: ") as caught:
+        floors_of(text.replace("{}", number) + "-1 -1 end\n-1 -1 end\n")
+    assert len(str(caught.value)) < 300
+
+
 class TestFrames:
     TEXT = "1/\n4\n1 4 kitchen\n" + END * 2
 

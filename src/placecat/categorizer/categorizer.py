@@ -130,7 +130,8 @@ class Categorizer:
             )
         try:
             categorizer = cls(system)
-            categorizer._try()
+            with np.errstate(all="ignore"):
+                categorizer._try()
         # Whatever goes wrong with a file that someone may have made by hand.
         except Exception as error:
             said = " ".join(str(error).split())[:300]

@@ -66,8 +66,8 @@ def optional(other: Field) -> Field:
 def array(
     kind: str,
     *sides: int | str | None,
-    low: float = -math.inf,
-    high: float = math.inf,
+    low: float = -_LARGE,
+    high: float = _LARGE,
     below: str = "",
     nan: bool = False,
 ) -> Field:

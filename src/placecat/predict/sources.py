@@ -7,14 +7,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, reading
+from placecat.footage.recording import Recording
 from placecat.predict.camera import Camera
 from placecat.predict.frame import Damage, Frame, Source
-from placecat.sequences import folder as image_folder
 from placecat.sequences import video
-from placecat.sequences.base import read_image
-from placecat.sequences.folders import natural
-from placecat.footage.recording import Recording
+from placecat.sequences.pictures import SUFFIXES, list_frames, read_image
 
 _CAMERA = re.compile(r"camera(?::([0-9]{1,4}))?")
 _STREAM = re.compile(r"(rtsps?|https?)://.+", re.IGNORECASE)
@@ -51,10 +49,11 @@ def open_source(text: str, *, fps: float | None, usual_fps: float, size: tuple[i
     if _STREAM.fullmatch(text):
         name = re.sub(r"[^A-Za-z0-9]+", "_", without_password(text).split("://")[1]).strip("_")
         return Camera(text, name or "stream", fps, size, title=without_password(text))
-    if path.is_dir():
-        return Folder(path, fps if fps is not None else usual_fps)
-    if path.is_file():
-        return Video(path, fps)
+    with reading(path):
+        if path.is_dir():
+            return Folder(path, fps if fps is not None else usual_fps)
+        if path.is_file():
+            return Video(path, fps)
     camera = _CAMERA.fullmatch(text)
     if camera:
         number = int(camera[1] or 0)
@@ -106,15 +105,13 @@ class Video(Source):
 
 
 class Folder(Source):
-    """JPEG and PNG files in natural order (frame2 before frame10)."""
+    """JPEG and PNG files, as the layout `folder` lists them."""
 
     def __init__(self, path: Path, fps: float) -> None:
-        images = [entry.name for entry in path.iterdir() if entry.suffix.lower() in image_folder.SUFFIXES]
-        self._images = sorted((name for name in images if not name.startswith(".")), key=natural)
+        self._images = list_frames(path)
         if not self._images:
             raise PlacecatError(
-                f"{path}: no images here ({', '.join(image_folder.SUFFIXES)}); give a folder of frames, or a "
-                "video"
+                f"{path}: no images here ({', '.join(SUFFIXES)}); give a folder of frames, or a video"
             )
         self.name = path.resolve().name
         self.fps = fps

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, reading
 from placecat.evaluation.accuracy import class_accuracies, confusion_matrix, home_accuracy
 from placecat.predict.prediction import Prediction
 from placecat.sequences.labels import read_label_csv
@@ -47,8 +47,9 @@ def read(
     PlacecatError
         If the file does not fit, or has a label that is neither a class nor ignored.
     """
-    if not path.is_file():
-        raise PlacecatError(f"{path}: no such label file; correct --labels, or leave it out")
+    with reading(path):
+        if not path.is_file():
+            raise PlacecatError(f"{path}: no such label file; correct --labels, or leave it out")
     labels, lines = read_label_csv(path, count, fps, "the footage", starts)
     numbers = {UNSCORED: -1} | dict.fromkeys(ignored, -1) | {name: i for i, name in enumerate(classes)}
     for label, line in zip(labels, lines, strict=True):

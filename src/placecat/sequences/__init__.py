@@ -11,7 +11,7 @@ from types import ModuleType
 from typing import Any
 
 from placecat import lookup
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, reading
 from placecat.sequences.base import Home, read_frames
 from placecat.sequences.places import place_labels, require_classes
 
@@ -48,9 +48,10 @@ def list_homes(layout: str, root: Path | str) -> list[str]:
     Raises
     ------
     PlacecatError
-        If the layout is unknown, or the folder is missing or holds no home of this layout.
+        If the layout is unknown, or the folder is missing, cannot be read or holds no home of this layout.
     """
-    return _reader(layout).list_homes(Path(root))
+    with reading(Path(root)):
+        return _reader(layout).list_homes(Path(root))
 
 
 def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home:
@@ -86,7 +87,8 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
             raise PlacecatError(
                 f"dataset.{setting} is no setting of the layout {layout!r}; it takes {', '.join(known)}."
             )
-    return reader.read_home(Path(root), name, **settings)
+    with reading(Path(root) / name):
+        return reader.read_home(Path(root), name, **settings)
 
 
 def _reader(layout: str) -> ModuleType:

@@ -2,15 +2,16 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 
-import cv2
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 from placecat.footage.recording import Picture, Recording
+from placecat.sequences.folders import relative
+from placecat.sequences.pictures import read_image
 
 COLUMNS = ("sequence", "number", "source", "position", "seconds", "label")
 """The columns of `Home.frames`."""
@@ -156,28 +157,6 @@ def read_frames(
             video.close()
 
 
-def read_image(path: Path) -> NDArray[np.uint8]:
-    """Decode one image file, of any format that OpenCV reads, to (H, W, 3) uint8, BGR.
-
-    Raises
-    ------
-    PlacecatError
-        If the file is missing, cannot be opened, or is not a whole image.
-    """
-    try:
-        data = np.fromfile(path, dtype=np.uint8)
-    except FileNotFoundError:
-        raise PlacecatError(f"{path}: the frame is missing; restore it, or correct the label file.") from None
-    except OSError as error:
-        raise PlacecatError(f"{path}: the frame cannot be opened ({error.strerror}).") from None
-    image = cv2.imdecode(data, cv2.IMREAD_COLOR) if data.size else None
-    if image is None:
-        raise PlacecatError(
-            f"{path}: not a readable image ({data.size} bytes; cut off or damaged?); restore the file."
-        )
-    return image  # type: ignore[return-value]
-
-
 class _Video:
     """A video read forwards, from its start again to go back."""
 
@@ -207,17 +186,3 @@ class _Video:
                 f"{self.path}: frame {number} is missing or unreadable ({why}); restore the file."
             )
         return self._last.image()
-
-
-def relative(name: str, origin: str) -> PurePosixPath:
-    """Check that a POSIX path stays below the folder it is relative to, by its text.
-
-    Raises
-    ------
-    PlacecatError
-        If it is empty, absolute, or holds ``..``; `origin` says where it was written.
-    """
-    path = PurePosixPath(name)
-    if not path.parts or path.is_absolute() or ".." in path.parts or "\\" in name or "\0" in name:
-        raise PlacecatError(f"{origin}: {name!r} is no path below the data folder; correct it.")
-    return path

@@ -19,18 +19,28 @@ from pathlib import Path
 import numpy as np
 
 from placecat.errors import PlacecatError
-from placecat.sequences.base import Home, frame_table, read_image, relative
-from placecat.sequences.folders import data_folder, frame_rate, home_folder, inside, natural, some_homes
-from placecat.sequences.labels import read_text
+from placecat.sequences.base import Home, frame_table
+from placecat.sequences.folders import (
+    data_folder,
+    frame_rate,
+    home_folder,
+    inside,
+    natural,
+    relative,
+    some_homes,
+)
+from placecat.sequences.labels import read_text, shown
+from placecat.sequences.pictures import read_image
 
 LABEL_FILE = "localization/places.lst"
-_IMAGE = re.compile(r"t([0-9]+)\.([0-9]{6})[-+._0-9A-Za-z]*\.jpe?g")
+_IMAGE = re.compile(r"t([0-9]{1,12})\.([0-9]{6})[-+._0-9A-Za-z]*\.jpe?g")
 _LABEL = re.compile(r"([0-9]*[A-Z]+)[0-9]*(-[AB])?")
 
 
 def list_homes(root: Path) -> list[str]:
     """Name sequences with a ``places.lst`` as ``<site>-<sequence>``; see `placecat.sequences.list_homes`."""
-    folders = [file.parents[1] for file in data_folder(root).glob(f"*/*/{LABEL_FILE}")]
+    sites = [site for site in data_folder(root).iterdir() if site.is_dir()]
+    folders = [folder for site in sites for folder in _sequences(site)]
     homes = [f"{folder.parent.name}-{folder.name}" for folder in folders]
     return some_homes(homes, root, f"<site>/<sequence>/{LABEL_FILE}")
 
@@ -51,9 +61,7 @@ def read_home(
     if (folder / LABEL_FILE).is_file():
         folders = [folder]
     else:
-        folders = sorted(
-            (file.parents[1] for file in folder.glob(f"*/{LABEL_FILE}")), key=lambda p: natural(p.name)
-        )
+        folders = sorted(_sequences(folder), key=lambda path: natural(path.name))
     if not folders:
         raise PlacecatError(
             f"{folder / LABEL_FILE}: the label file is missing; correct dataset.homes or restore it."
@@ -122,18 +130,18 @@ def read_places(file: Path) -> list[tuple[str, str, int, int]]:
             continue
         where = f"{file} line {line}"
         if len(words) != 2:
-            raise PlacecatError(f"{where}: {text.strip()!r} where an image name and a label belong.")
+            raise PlacecatError(f"{where}: {shown(text.strip())} where an image name and a label belong.")
         image = _IMAGE.fullmatch(words[0])
         if image is None:
             raise PlacecatError(
-                f"{where}: {words[0]!r} is no image name of the form t<seconds>.<microseconds>_x_y_a.jpeg; "
-                "correct it."
+                f"{where}: {shown(words[0])} is no image name of the form "
+                "t<seconds>.<microseconds>_x_y_a.jpeg; correct it."
             )
         try:
             label = code(words[1])
         except ValueError:
             raise PlacecatError(
-                f"{where}: {words[1]!r} is no label of the form CODE, CODE1 or CODE1-A; correct it."
+                f"{where}: {shown(words[1])} is no label of the form CODE, CODE1 or CODE1-A; correct it."
             ) from None
         time = int(image[1]) * 1_000_000 + int(image[2])
         if entries and time <= entries[-1][2]:
@@ -143,6 +151,11 @@ def read_places(file: Path) -> list[tuple[str, str, int, int]]:
             )
         entries.append((words[0], label, time, line))
     return entries
+
+
+def _sequences(site: Path) -> list[Path]:
+    # Not by glob, which passes over folders that it may not read.
+    return [folder for folder in site.iterdir() if (folder / LABEL_FILE).is_file()]
 
 
 def _check_images(sequence: Path, images: str, entries: list[tuple[str, str, int, int]]) -> None:

@@ -1,6 +1,6 @@
 """A folder of frames a home, with a label CSV: ``<name>/*.jpg`` and ``<name>.csv`` or ``<name>/labels.csv``.
 
-Frames are JPEG or PNG files in natural order (frame2 before frame10). Without a CSV every frame is
+Frames are JPEG or PNG files, see `placecat.sequences.pictures.list_frames`. Without a CSV every frame is
 unlabelled.
 """
 
@@ -9,30 +9,28 @@ from pathlib import Path
 import numpy as np
 
 from placecat.errors import PlacecatError
-from placecat.sequences.base import Home, frame_table, read_image
-from placecat.sequences.folders import data_folder, frame_rate, home_folder, natural, some_homes
-from placecat.sequences.labels import read_label_csv
-
-SUFFIXES = (".jpeg", ".jpg", ".png")
-"""File name endings taken for a frame, in either case."""
+from placecat.sequences.base import Home, frame_table
+from placecat.sequences.folders import data_folder, frame_rate, home_folder, some_homes
+from placecat.sequences.labels import label_csvs, read_label_csv
+from placecat.sequences.pictures import SUFFIXES, has_pictures, list_frames, read_image
 
 
 def list_homes(root: Path) -> list[str]:
     """Name the folders that hold images; see `placecat.sequences.list_homes`."""
-    homes = [path.name for path in data_folder(root).iterdir() if path.is_dir() and _images(path)]
+    homes = [path.name for path in data_folder(root).iterdir() if path.is_dir() and has_pictures(path)]
     return some_homes(homes, root, f"folders of images ({', '.join(SUFFIXES)})")
 
 
 def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = "") -> Home:
     """Read one folder as one sequence, ``1``; see `placecat.sequences.open_home`. `fps` has to be given."""
     path = home_folder(root, name)
-    images = _images(path)
+    images = list_frames(path)
     if not images:
         raise PlacecatError(
             f"{path}: no frames here ({', '.join(SUFFIXES)}); correct dataset.homes or dataset.root."
         )
     rate = frame_rate(fps, name)
-    files = [file for file in (f"{name}.csv", f"{name}/labels.csv") if (root / file).exists()]
+    files = label_csvs(root, f"{name}.csv", f"{name}/labels.csv")
     if len(files) > 1:
         raise PlacecatError(f"{root / files[0]}: {root / files[1]} labels the same home; remove one.")
     if files:
@@ -54,8 +52,3 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
         label_files={"1": files[0]} if files else {},
         label_lines=lines,
     )
-
-
-def _images(path: Path) -> list[str]:
-    names = [entry.name for entry in path.iterdir() if entry.suffix.lower() in SUFFIXES]
-    return sorted((name for name in names if not name.startswith(".")), key=natural)

@@ -2,6 +2,7 @@
 
 import csv
 import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,6 +16,9 @@ FRAME_HEADER = ("start", "end", "label")
 """CSV columns for intervals in frames, from 1, both ends included (as in VPC-2009)."""
 SECOND_HEADER = ("start_seconds", "end_seconds", "label")
 """CSV columns for intervals in seconds from 0, the end excluded."""
+# More than the frames of any footage.
+_WHOLE = re.compile(r"-?[0-9]{1,10}")
+_MOST_FRAMES = 1e10
 
 
 @dataclass(frozen=True)
@@ -111,6 +115,36 @@ def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.
     return labels, np.repeat(np.array([segment.line for segment in segments], dtype=np.int32), lengths)
 
 
+def label_csvs(root: Path, *names: str) -> list[str]:
+    """Find label files whose ending may be in either case.
+
+    Parameters
+    ----------
+    root
+        The folder that the names are relative to.
+    *names
+        File names that end in ``.csv``.
+
+    Returns
+    -------
+    Those that exist, as they are spelt on disk.
+
+    Raises
+    ------
+    PlacecatError
+        If two are spelt as one name.
+    """
+    found = []
+    for name in names:
+        wanted = root / name
+        beside = wanted.parent.iterdir() if wanted.parent.is_dir() else ()
+        own = sorted(path.name for path in beside if path.with_suffix(path.suffix.lower()) == wanted)
+        if len(own) > 1:
+            raise PlacecatError(f"{wanted.with_name(own[0])}: {own[1]} labels the same home; remove one.")
+        found += [wanted.with_name(one).relative_to(root).as_posix() for one in own]
+    return found
+
+
 def read_label_csv(
     path: Path, count: int, fps: float, sequence: str, starts: NDArray[np.float64] | None = None
 ) -> tuple[list[str], NDArray[np.int32]]:
@@ -149,7 +183,7 @@ def read_label_csv(
     header = tuple(cell.strip() for cell in rows[0][1]) if rows else ()
     if header not in (FRAME_HEADER, SECOND_HEADER):
         raise PlacecatError(
-            f"{path} line {rows[0][0] if rows else 1}: the header is {','.join(header)!r}; write "
+            f"{path} line {rows[0][0] if rows else 1}: the header is {shown(','.join(header))}; write "
             f"{','.join(FRAME_HEADER)} (frame numbers from 1) or {','.join(SECOND_HEADER)}."
         )
     rate = f"{fps:g} frames a second" if starts is None else "an uneven rate"
@@ -194,17 +228,21 @@ def read_text(path: Path) -> str:
 
 
 def whole(text: str, path: Path, line: int) -> int:
-    """Read a whole number: digits with an optional minus sign.
+    """Read a whole number: up to ten digits with an optional minus sign.
 
     Raises
     ------
     PlacecatError
         If it is anything else; `path` and `line` say where it stands.
     """
-    digits = text.removeprefix("-")
-    if not (digits.isascii() and digits.isdigit()):
-        raise PlacecatError(f"{path} line {line}: {text!r} is no whole number; write a frame number.")
+    if not _WHOLE.fullmatch(text):
+        raise PlacecatError(f"{path} line {line}: {shown(text)} is no whole number; write a frame number.")
     return int(text)
+
+
+def shown(text: str) -> str:
+    """What a message shows of a text from a file: its beginning."""
+    return repr(text) if len(text) <= 80 else f"{text[:80]!r}... ({len(text)} characters)"
 
 
 def _frames(first: int, last: int) -> str:
@@ -228,8 +266,8 @@ def _from_seconds(
             seconds = float(cell)
         except ValueError:
             seconds = math.nan
-        if not math.isfinite(seconds) or seconds < 0:
-            raise PlacecatError(f"{path} line {line}: {cell!r} is no time; write seconds from 0.")
+        if not (seconds >= 0 and seconds * fps < _MOST_FRAMES):
+            raise PlacecatError(f"{path} line {line}: {shown(cell)} is no time; write seconds from 0.")
         bounds.append(_boundary(seconds, starts, fps))
     if bounds[1] <= bounds[0]:
         raise PlacecatError(

@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 
 from placecat.errors import PlacecatError
-from placecat.sequences.base import Home, frame_table, relative
-from placecat.sequences.folders import data_folder, frame_rate, some_homes
-from placecat.sequences.labels import read_label_csv
 from placecat.footage.recording import Recording
+from placecat.sequences.base import Home, frame_table
+from placecat.sequences.folders import data_folder, frame_rate, relative, some_homes
+from placecat.sequences.labels import label_csvs, read_label_csv
 
 SUFFIXES = (".avi", ".m4v", ".mkv", ".mov", ".mp4", ".mpeg", ".mpg", ".webm")
 """File name endings taken for a video, in either case."""
@@ -37,10 +37,12 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
     recording = Recording(path)
     timing = recording.timing(None if fps is None else frame_rate(fps, name))
     numbers, width, height = _decode(recording)
-    file = root / f"{name}.csv"
-    if file.exists():
+    files = label_csvs(root, f"{name}.csv")
+    if files:
         starts = None if timing.is_even else np.append(timing.seconds, timing.end)
-        every_label, every_line = read_label_csv(file, recording.count, timing.fps, "the video", starts)
+        every_label, every_line = read_label_csv(
+            root / files[0], recording.count, timing.fps, "the video", starts
+        )
         labels, lines = [every_label[number - 1] for number in numbers], every_line[np.array(numbers) - 1]
     else:
         labels, lines = [""] * len(numbers), np.zeros(len(numbers), dtype=np.int32)
@@ -60,7 +62,7 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
             timing.seconds[positions],
             labels,
         ),
-        label_files={"1": f"{name}.csv"} if file.exists() else {},
+        label_files={"1": files[0]} if files else {},
         label_lines=lines,
         lost=recording.lost,
         damaged=recording.damaged,

@@ -18,14 +18,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.sequences.base import Home, frame_table, read_image
+from placecat.sequences.base import Home, frame_table
 from placecat.sequences.folders import data_folder, frame_rate, home_folder, inside, some_homes
-from placecat.sequences.labels import Segment, check_segments, expand_segments, read_text, whole
+from placecat.sequences.labels import Segment, check_segments, expand_segments, read_text, shown, whole
+from placecat.sequences.pictures import read_image
 
 LABEL_FILE = "label.txt"
 _END = ["-1", "-1", "end"]
 _FLOOR = re.compile(r"([A-Za-z0-9_-]+)/")
-_FRAME = re.compile(r"([0-9]+)\.jpe?g", re.IGNORECASE)
+_FRAME = re.compile(r"([0-9]{1,10})\.jpe?g", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -114,7 +115,7 @@ def read_floors(file: Path) -> list[Floor]:
             floor = _FLOOR.fullmatch(words[0])
             if floor is None or len(words) > 1:
                 raise PlacecatError(
-                    f"{where}: {text.strip()!r} where a floor such as '1/' or '-1 -1 end' belongs."
+                    f"{where}: {shown(text.strip())} where a floor such as '1/' or '-1 -1 end' belongs."
                 )
             name, count, segments = floor[1], 0, []
             if any(name == other.name for other in floors):
@@ -124,7 +125,7 @@ def read_floors(file: Path) -> list[Floor]:
         elif not count:
             if len(words) > 1 or whole(words[0], file, line) < 1:
                 raise PlacecatError(
-                    f"{where}: {text.strip()!r} where the number of frames of floor {name}/ belongs."
+                    f"{where}: {shown(text.strip())} where the number of frames of floor {name}/ belongs."
                 )
             count, count_line = int(words[0]), line
         elif words == _END:
@@ -136,7 +137,9 @@ def read_floors(file: Path) -> list[Floor]:
                 f"{where}: floor {name}/ has no end line; write '-1 -1 end' before this line."
             )
         elif len(words) != 3:
-            raise PlacecatError(f"{where}: {text.strip()!r} where 'first last label' or '-1 -1 end' belongs.")
+            raise PlacecatError(
+                f"{where}: {shown(text.strip())} where 'first last label' or '-1 -1 end' belongs."
+            )
         else:
             segments.append(Segment(whole(words[0], file, line), whole(words[1], file, line), words[2], line))
     missing = (

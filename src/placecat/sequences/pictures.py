@@ -1,0 +1,235 @@
+"""Pictures: which files of a folder are its frames, in which order, and their pixels.
+
+A frame is a JPEG or PNG file. What else a folder may hold is refused where it could be meant as frames, since
+it would be missing without a word.
+"""
+
+import re
+import stat
+import struct
+import zlib
+from collections.abc import Iterable
+from pathlib import Path
+
+import cv2
+import numpy as np
+import simplejpeg
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.sequences.folders import natural
+
+SUFFIXES = (".jpeg", ".jpg", ".png")
+"""File name endings taken for a frame, in either case."""
+# Endings of pictures that are not read: they lose more, take longer, or need libraries that few have.
+OTHERS = (
+    *(
+        ".apng",
+        ".arw",
+        ".avif",
+        ".bmp",
+        ".cr2",
+        ".cr3",
+        ".dib",
+        ".dng",
+        ".exr",
+        ".gif",
+        ".hdr",
+        ".heic",
+        ".heif",
+    ),
+    *(
+        ".jfif",
+        ".jp2",
+        ".jpe",
+        ".jxl",
+        ".nef",
+        ".pbm",
+        ".pgm",
+        ".pnm",
+        ".ppm",
+        ".tga",
+        ".tif",
+        ".tiff",
+        ".webp",
+    ),
+)
+# Decoding takes up to 12 bytes a pixel (progressive JPEG), so this keeps below 1 GB.
+MOST_PIXELS = 50_000_000
+MOST_BYTES = 256_000_000
+
+_NUMBER = re.compile(r"[0-9]+")
+# One point only: 1.2.3 is no decimal number.
+_DECIMAL = re.compile(r"(?<![0-9.])([0-9]+)\.([0-9]+)(?!\.?[0-9])")
+_PNG = b"\x89PNG\r\n\x1a\n"
+_JPEG = b"\xff\xd8\xff"
+
+
+def has_pictures(folder: Path) -> bool:
+    """Whether a folder has files that are frames, or pictures that :func:`list_frames` refuses."""
+    return any(path.suffix.lower() in SUFFIXES + OTHERS for path in _visible(folder))
+
+
+def list_frames(folder: Path) -> list[str]:
+    """List the frames of a folder in order.
+
+    Numbers in names count as numbers (frame2 before frame10), also decimal ones, as Python writes times
+    (1.25 before 1.5). Where zeros at the end show that what follows the point counts as well (1.9, 1.10),
+    it is a number of its own.
+
+    Parameters
+    ----------
+    folder
+        An existing folder; what is hidden in it or below it is not looked at.
+
+    Returns
+    -------
+    File names; empty if there is none.
+
+    Raises
+    ------
+    PlacecatError
+        If the folder cannot be read, has pictures of kinds that are not read, or two pictures of one frame:
+        the same name with two endings, or the same numbers with other words, such as colour and depth.
+    """
+    paths = _visible(folder)
+    others = sorted(path.name for path in paths if path.suffix.lower() in OTHERS)
+    if others:
+        raise PlacecatError(
+            f"{folder / others[0]}: pictures of this kind are not read ({len(others)} here); convert them to "
+            f"{' or '.join(SUFFIXES)}, or take them out of the folder."
+        )
+    names = in_order(path.name for path in paths if path.suffix.lower() in SUFFIXES)
+    numbers = [tuple(_NUMBER.findall(Path(name).stem)) for name in names]
+    # Where all have the same, they count nothing.
+    are_counted = len(set(numbers)) > 1
+    seen: dict[object, str] = {}
+    for name, own in zip(names, numbers, strict=True):
+        for key in (Path(name).stem.casefold(), own if are_counted and own else name):
+            first = seen.setdefault(key, name)
+            if first != name:
+                raise PlacecatError(
+                    f"{folder / name}: the same frame as {first}, by its name, such as colour and depth, or "
+                    "two cameras; leave one picture a frame in the folder, or number them through."
+                )
+    return names
+
+
+def in_order(names: Iterable[str]) -> list[str]:
+    """Sort file names as `list_frames` does."""
+    files = list(names)
+    decimals = [found[2] for name in files for found in _DECIMAL.finditer(Path(name).stem)]
+    # Of one length both orders are the same.
+    are_decimals = not any(len(digits) > 1 and digits.endswith("0") for digits in decimals)
+    if not are_decimals or len({len(digits) for digits in decimals}) < 2:
+        return sorted(files, key=natural)
+    width = max(map(len, decimals))
+    padded = {
+        name: _DECIMAL.sub(lambda found: f"{found[1]}.{found[2].ljust(width, '0')}", Path(name).stem)
+        for name in files
+    }
+    return sorted(files, key=lambda name: (natural(padded[name]), natural(name)))
+
+
+def read_image(path: Path) -> NDArray[np.uint8]:
+    """Decode one JPEG or PNG file to (H, W, 3) uint8, BGR, turned as its EXIF data say.
+
+    Gray pictures are given in three equal channels.
+
+    Raises
+    ------
+    PlacecatError
+        If the file is missing, cannot be opened, is no JPEG or PNG, is damaged or cut off, or is larger than
+        `MOST_BYTES` or `MOST_PIXELS`; for depth pictures (gray with 16 bits), transparent, animated and CMYK
+        ones.
+    """
+    try:
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):
+            raise PlacecatError(f"{path}: the frame cannot be opened (not a file).")
+        if status.st_size > MOST_BYTES:
+            raise PlacecatError(
+                f"{path}: {status.st_size / 1e6:.0f} MB are no frame; take it out or convert it."
+            )
+        content = path.read_bytes()
+    except FileNotFoundError:
+        raise PlacecatError(f"{path}: the frame is missing; restore it, or correct the label file.") from None
+    except OSError as error:
+        raise PlacecatError(f"{path}: the frame cannot be opened ({error.strerror}).") from None
+    if content.startswith(_PNG):
+        _check_png(path, content)
+    elif content.startswith(_JPEG):
+        _check_jpeg(path, content)
+    else:
+        raise _damaged(path, len(content), "neither JPEG nor PNG")
+    image = cv2.imdecode(np.frombuffer(content, np.uint8), cv2.IMREAD_COLOR)
+    if image is None:
+        raise _damaged(path, len(content), "cut off or damaged?")
+    return image  # type: ignore[return-value]
+
+
+def _visible(folder: Path) -> list[Path]:
+    try:
+        return [path for path in folder.iterdir() if not path.name.startswith(".")]
+    except OSError as error:
+        raise PlacecatError(f"{folder}: the folder cannot be read ({error.strerror}).") from None
+
+
+def _damaged(path: Path, size: int, why: str) -> PlacecatError:
+    return PlacecatError(
+        f"{path}: not a readable image ({size} bytes; {why}); restore the file, or take it out."
+    )
+
+
+def _check_size(path: Path, width: int, height: int) -> None:
+    """Before memory is taken for what the header says."""
+    if width * height > MOST_PIXELS:
+        raise PlacecatError(
+            f"{path}: {width}x{height} pixels are more than {MOST_PIXELS // 10**6} million; scale it down."
+        )
+
+
+def _check_jpeg(path: Path, content: bytes) -> None:
+    """Refuse damage that OpenCV passes over: it fills in what it cannot decode."""
+    try:
+        height, width, colors, _ = simplejpeg.decode_jpeg_header(content)
+        _check_size(path, width, height)
+        if colors in ("CMYK", "YCCK"):
+            raise PlacecatError(f"{path}: its colours are {colors}, those of print; convert it to RGB.")
+        # All is decoded, but to an eighth of the width and height, in gray: a fifth of the time.
+        simplejpeg.decode_jpeg(content, "GRAY", min_height=1, min_width=1, min_factor=8)
+    except PlacecatError:
+        raise
+    except ValueError as error:
+        raise _damaged(path, len(content), f"cut off or damaged: {error}") from None
+
+
+def _check_png(path: Path, content: bytes) -> None:
+    """Refuse chunks whose checksum is wrong, and kinds of PNG that are no frames."""
+    at, kinds = len(_PNG), set()
+    while b"IEND" not in kinds:
+        length = int.from_bytes(content[at : at + 4], "big")
+        end = at + 8 + length
+        if content[end : end + 4] != struct.pack(">I", zlib.crc32(content[at + 4 : end])):
+            raise _damaged(path, len(content), "cut off or damaged")
+        if not kinds and (content[at + 4 : at + 8] != b"IHDR" or length != 13):
+            raise _damaged(path, len(content), "it does not begin with its size")
+        kinds.add(content[at + 4 : at + 8])
+        at = end + 4
+    width, height, depth, color = struct.unpack_from(">IIBB", content, len(_PNG) + 8)
+    _check_size(path, width, height)
+    if depth == 16 and color in (0, 4):
+        raise PlacecatError(
+            f"{path}: gray with 16 bits, as depth pictures are; take them out of the folder, or convert it."
+        )
+    if b"acTL" in kinds:
+        raise PlacecatError(f"{path}: an animated picture; take it out, or save its frames one by one.")
+    if (color in (4, 6) or b"tRNS" in kinds) and _is_transparent(content):
+        raise PlacecatError(f"{path}: parts of it are transparent; save it without transparency.")
+
+
+def _is_transparent(content: bytes) -> bool:
+    image = cv2.imdecode(np.frombuffer(content, np.uint8), cv2.IMREAD_UNCHANGED)
+    if image is None or image.ndim < 3 or image.shape[2] < 4:
+        return False
+    return bool((image[:, :, 3] < np.iinfo(image.dtype).max).any())
