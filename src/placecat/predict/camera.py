@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.predict.frame import Frame, Source
 from placecat.footage.timing import MOST_RATE
+from placecat.predict.frame import Frame, Source
 
 # Assumed of a camera that does not say, or says what cannot be, as streams do (90,000).
 USUAL_FPS = 30.0

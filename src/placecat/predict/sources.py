@@ -8,13 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
+from placecat.footage.recording import Recording
 from placecat.predict.camera import Camera
 from placecat.predict.frame import Damage, Frame, Source
 from placecat.sequences import folder as image_folder
 from placecat.sequences import video
 from placecat.sequences.base import read_image
 from placecat.sequences.folders import natural
-from placecat.footage.recording import Recording
 
 _CAMERA = re.compile(r"camera(?::([0-9]{1,4}))?")
 _STREAM = re.compile(r"(rtsps?|https?)://.+", re.IGNORECASE)

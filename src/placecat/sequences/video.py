@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 
 from placecat.errors import PlacecatError
+from placecat.footage.recording import Recording
 from placecat.sequences.base import Home, frame_table, relative
 from placecat.sequences.folders import data_folder, frame_rate, some_homes
 from placecat.sequences.labels import read_label_csv
-from placecat.footage.recording import Recording
 
 SUFFIXES = (".avi", ".m4v", ".mkv", ".mov", ".mp4", ".mpeg", ".mpg", ".webm")
 """File name endings taken for a video, in either case."""

@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
+from placecat.footage.recording import Recording
 from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
 from placecat.learning.nearest import nearest_centers
-from placecat.footage.recording import Recording
 from placecat.vision.attention import compute_maps
 from placecat.vision.local import sift
 from placecat_bench.comparison import Comparison, Limit, Peer
