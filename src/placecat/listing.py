@@ -33,6 +33,12 @@ def frame_rate(home: str) -> float:
     return float(files.read_json(paths.sequences(home) / "home.json")["fps"])
 
 
+def uneven_times(home: str) -> NDArray[np.float64] | None:
+    """Seconds of each frame since the start of its sequence; None if they come evenly, at `frame_rate`."""
+    facts = files.read_json(paths.sequences(home) / "home.json")
+    return None if facts.get("is_even", True) else read_frames(home)["seconds"].to_numpy(np.float64)
+
+
 def frame_size(home: str) -> tuple[int, int]:
     """(width, height) of a home's frames, in pixels."""
     facts = files.read_json(paths.sequences(home) / "home.json")

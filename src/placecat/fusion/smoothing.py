@@ -151,14 +151,24 @@ def fit(
 
 
 def smooth(
-    proba: NDArray[np.float64], sequences: Sequence[slice], *, frame_rate: float, **training: Any
+    proba: NDArray[np.float64],
+    sequences: Sequence[slice],
+    *,
+    frame_rate: float,
+    times: NDArray[np.float64] | None = None,
+    **training: Any,
 ) -> dict[str, NDArray[np.float64]]:
     """Smooth one home with statistics of its training homes: :func:`fit` on `training`, then `apply`."""
-    return apply(fit(**training), proba, sequences, frame_rate=frame_rate)
+    return apply(fit(**training), proba, sequences, frame_rate=frame_rate, times=times)
 
 
 def apply(
-    model: SmoothingModel, proba: NDArray[np.float64], sequences: Sequence[slice], *, frame_rate: float
+    model: SmoothingModel,
+    proba: NDArray[np.float64],
+    sequences: Sequence[slice],
+    *,
+    frame_rate: float,
+    times: NDArray[np.float64] | None = None,
 ) -> dict[str, NDArray[np.float64]]:
     """Smooth one home with a model.
 
@@ -170,6 +180,8 @@ def apply(
         Stretches of frames without a cut; the filter starts anew at each.
     frame_rate
         Frames a second of the home.
+    times
+        (frames,) seconds of the frames since the start of their sequence; None if they come evenly.
 
     Returns
     -------
@@ -178,6 +190,9 @@ def apply(
     filtered, delayed = np.empty(proba.shape), np.empty(proba.shape)
     for part in sequences:
         smoother = Smoother(model)
-        for t in range(len(proba))[part]:
-            filtered[t], delayed[t] = smoother.step(proba[t], 1.0 / frame_rate)
+        steps = np.full(len(proba[part]), 1.0 / frame_rate)
+        if times is not None:
+            steps[1:] = np.diff(times[part])
+        for t, step in zip(range(len(proba))[part], steps.tolist(), strict=True):
+            filtered[t], delayed[t] = smoother.step(proba[t], step)
     return {"hmm": filtered, "delayed": delayed}

@@ -66,6 +66,13 @@ class Home:
     damaged: Sequence[int] = ()
     note: str = ""
 
+    @property
+    def is_even(self) -> bool:
+        """Whether a frame comes 1 / `fps` after the one before it, but at the start of a sequence."""
+        names = self.frames["sequence"].to_numpy()
+        steps = np.diff(self.frames["seconds"])[names[1:] == names[:-1]]
+        return bool((np.abs(steps * self.fps - 1) < 1e-6).all())
+
     def __post_init__(self) -> None:
         if list(self.frames.columns) != list(COLUMNS):
             raise TypeError(f"frames has the columns {list(self.frames.columns)}, not {list(COLUMNS)}")

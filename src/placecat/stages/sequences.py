@@ -74,9 +74,12 @@ def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:
     files.write_csv(folder / "labels.csv", table)
     files.write_csv(folder / "sources.csv", _checksums(home))
     facts = {"fps": home.fps, "camera": home.camera, "width": home.width, "height": home.height}
-    # Of whole files nothing.
-    damage = {"lost_frames": list(home.lost), "damaged_frames": list(home.damaged)}
-    files.write_json(folder / "home.json", facts | {name: value for name, value in damage.items() if value})
+    # Of whole footage of one rate nothing.
+    odd = {"lost_frames": list(home.lost), "damaged_frames": list(home.damaged)}
+    facts |= {name: value for name, value in odd.items() if value}
+    if not home.is_even:
+        facts["is_even"] = False
+    files.write_json(folder / "home.json", facts)
 
 
 def _checksums(home: Home) -> pd.DataFrame:

@@ -54,13 +54,23 @@ def fuse(
 
 
 def training_walks(parts: Sequence[Part]) -> tuple[list[NDArray[np.int16]], list[float]]:
-    """What transitions are counted on: labels of each stretch without a cut, and its frames a second."""
+    """What transitions are counted on: labels of each stretch without a cut, and its frames a second.
+
+    Of frames that come unevenly, those are taken that a camera of this rate would have shown.
+    """
     walks: list[NDArray[np.int16]] = []
     rates: list[float] = []
     for part in parts:
         labels, rate = part.labels(), listing.frame_rate(part.home)
+        times = listing.uneven_times(part.home)
         for stretch in listing.sequence_slices(part.home):
-            walks.append(labels[stretch])
+            walk = labels[stretch]
+            if times is not None:
+                moments = np.arange(0.0, times[stretch][-1] + 0.5 / rate, 1.0 / rate)
+                # Times are rounded.
+                shown = np.searchsorted(times[stretch], moments + 1e-6, side="right") - 1
+                walk = walk[shown]
+            walks.append(walk)
             rates.append(rate)
     return walks, rates
 
@@ -96,6 +106,7 @@ def smooth(
         proba,
         listing.sequence_slices(home),
         frame_rate=listing.frame_rate(home),
+        times=listing.uneven_times(home),
         training_sequences=walks,
         training_frame_rates=frame_rates,
         training_proba=training_proba,

@@ -93,7 +93,11 @@ class Trained:
         by_cue = {name: cue.predict(home) for name, cue in self.cues.items()}
         fused = self.integrator.predict_proba(np.stack(list(by_cue.values()), axis=1))
         smoothed = smoothing.apply(
-            self.smoothing, fused, listing.sequence_slices(home), frame_rate=listing.frame_rate(home)
+            self.smoothing,
+            fused,
+            listing.sequence_slices(home),
+            frame_rate=listing.frame_rate(home),
+            times=listing.uneven_times(home),
         )
         return by_cue | {"integration": fused} | smoothed
 
