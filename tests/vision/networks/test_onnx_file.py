@@ -149,3 +149,12 @@ def test_mistakes_with_a_real_file_give_one_message(real, tmp_path):
     fixed.write_bytes(b"no network")
     networks.load.cache_clear()
     one_message("is no ONNX file", lambda: embedding.describe(frame(), None, network=str(fixed)))
+
+
+def test_a_real_file_with_weights_elsewhere_describes_a_frame(real, tmp_path):
+    path = tmp_path / "scaled.onnx"
+    path.write_bytes(onnx_bytes.scaled_mean_color("weights.bin"))
+    (tmp_path / "weights.bin").write_bytes(np.array([1, 2, 3], np.float32).tobytes())
+    np.testing.assert_allclose(
+        onnx_file.load(path)(IMAGE)[0], IMAGE.mean(axis=(0, 2, 3)) * [1, 2, 3], rtol=1e-5
+    )

@@ -31,7 +31,7 @@ def load(network: str, output: str | None = None, sha256: str | None = None) -> 
     output
         Of an ONNX file: the name of the output that is taken; None for its first.
     sha256
-        Checksum that an ONNX file must have; None for any.
+        Checksum that an ONNX file, with its weights, must have; None for any.
 
     Raises
     ------

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat.errors import PlacecatError
-from placecat.vision.networks.packages import checksum, import_packages
+from placecat.errors import PlacecatError, reading
+from placecat.vision.networks import onnx_content
+from placecat.vision.networks.packages import import_packages
 
 PACKAGES = ("onnxruntime",)
 CHANNELS = 3
@@ -26,7 +27,7 @@ def load(
     output
         Name of the output that is taken; None for the first.
     sha256
-        Checksum that the file must have; None for any.
+        Checksum that it must have, see `onnx_content.fingerprint`; None for any.
 
     Returns
     -------
@@ -35,15 +36,15 @@ def load(
     Raises
     ------
     PlacecatError
-        If onnxruntime or the file is missing, or the file has another checksum, is no ONNX, takes something
-        else than one image or lacks the output; when called, an image of a size that it does not take.
+        If onnxruntime or the file is missing, or the file is refused by `onnx_content.check`, is no ONNX,
+        takes something else than one image or lacks the output; when called, an image of a size that it does
+        not take.
     """
-    if not path.is_file():
+    with reading(path):
+        is_there = path.is_file()
+    if not is_there:
         raise PlacecatError(f"{path}, the network of the settings, is missing: put it there, or name another")
-    if sha256 is not None and (found := checksum(path)) != sha256:
-        raise PlacecatError(
-            f"{path} has the SHA-256 {found}, not {sha256}: it is another file than was meant"
-        )
+    onnx_content.check(path, sha256)
     (onnxruntime,) = import_packages(PACKAGES, f"the network {path}")
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = options.inter_op_num_threads = 1

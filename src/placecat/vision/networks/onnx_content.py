@@ -1,0 +1,183 @@
+"""What an ONNX file holds that matters before it is run: its operators, and the files of its weights.
+
+Read by hand: messages of protocol buffers are numbered fields, and the package onnx is not needed otherwise.
+"""
+
+import hashlib
+import mmap
+from collections.abc import Iterator
+from pathlib import Path, PurePosixPath
+
+from placecat.errors import PlacecatError
+from placecat.vision.networks.packages import checksum
+
+# Fields of ModelProto, FunctionProto, GraphProto, NodeProto, AttributeProto and TensorProto.
+_GRAPH, _FUNCTIONS = 7, 25
+_FUNCTION_NODE = 7
+_NODE, _INITIALIZER, _SPARSE = 1, 5, 15
+_INPUT, _OPERATOR, _ATTRIBUTE = 1, 4, 5
+_TENSOR, _SUBGRAPH, _TENSORS, _SUBGRAPHS, _SPARSE_TENSOR, _SPARSE_TENSORS = 5, 6, 10, 11, 22, 23
+_VALUES, _INDICES = 1, 2
+_EXTERNAL = 13
+_KEY, _VALUE = 1, 2
+
+# The kind of a message to its fields that are messages, and of which kind.
+_INSIDE = {
+    "model": {_GRAPH: "graph", _FUNCTIONS: "function"},
+    "function": {_FUNCTION_NODE: "node"},
+    "graph": {_NODE: "node", _INITIALIZER: "tensor", _SPARSE: "sparse"},
+    "node": {_ATTRIBUTE: "attribute"},
+    "attribute": {
+        _TENSOR: "tensor",
+        _TENSORS: "tensor",
+        _SUBGRAPH: "graph",
+        _SUBGRAPHS: "graph",
+        _SPARSE_TENSOR: "sparse",
+        _SPARSE_TENSORS: "sparse",
+    },
+    "sparse": {_VALUES: "tensor", _INDICES: "tensor"},
+    "tensor": {_EXTERNAL: "entry"},
+    "entry": {},
+}
+
+_TEXTS = {"node": (_INPUT, _OPERATOR), "entry": (_KEY, _VALUE)}
+
+# Each run would give something else.
+_RANDOM = ("Random", "Multinomial", "Bernoulli", "Sampling")
+# How often they turn is not known before.
+_ENDLESS = ("Loop", "BeamSearch", "GreedySearch", "WhisperBeamSearch")
+# Its third input says that it is used for training, where it is random.
+_DROPOUT, _TRAINING = "Dropout", 2
+
+
+def check(path: Path, sha256: str | None) -> None:
+    """Refuse a network that gives other numbers each time, may never end, or is another than was meant.
+
+    Parameters
+    ----------
+    path
+        An ONNX file.
+    sha256
+        As for :func:`fingerprint`; None for any.
+
+    Raises
+    ------
+    PlacecatError
+        If it cannot be read, is no ONNX file, has an operator that is random or may loop for ever, weights in
+        files that are missing or outside its folder, or another checksum.
+    """
+    try:
+        operators, weights = _content(path)
+        for name, inputs in operators:
+            is_training = name == _DROPOUT and len(inputs) > _TRAINING and inputs[_TRAINING] != ""
+            if name.startswith(_RANDOM) or is_training:
+                raise PlacecatError(
+                    f"{path} has the operator {name}, which is random: export the network for inference"
+                )
+            if name in _ENDLESS:
+                raise PlacecatError(
+                    f"{path} has the operator {name}, which may never end: export the network without it"
+                )
+        files = [_weights(path, name) for name in weights]
+        if sha256 is not None and (found := fingerprint(path, files)) != sha256:
+            raise PlacecatError(
+                f"{path} has the SHA-256 {found}, not {sha256}: it is another file than was meant"
+            )
+    except OSError as error:
+        raise PlacecatError(f"{path} cannot be read: {error.strerror or error}") from None
+
+
+def fingerprint(path: Path, weights: list[Path]) -> str:
+    """Give the SHA-256 of a network in hexadecimal: of its file, or, with weights in other files, of all.
+
+    Then it is that of what ``sha256sum NETWORK WEIGHTS...`` prints, in their folder, the weights by name.
+    """
+    if not weights:
+        return checksum(path)
+    names = [path.name, *(file.relative_to(path.parent).as_posix() for file in weights)]
+    lines = [f"{checksum(path.parent / name)}  {name}\n" for name in names]
+    return hashlib.sha256("".join(lines).encode()).hexdigest()
+
+
+def _weights(path: Path, name: str) -> Path:
+    """The file of some weights, which has to be in the folder of the network."""
+    relative, folder = PurePosixPath(name), path.parent
+    file = folder / relative
+    if not relative.parts or relative.is_absolute() or ".." in relative.parts or "\\" in name or "\0" in name:
+        raise PlacecatError(f"{path} has weights in {name!r}, which is not in its folder: put them there")
+    if not file.is_file():
+        raise PlacecatError(f"{file}, weights of {path.name}, is missing: put it there")
+    if not file.resolve().is_relative_to(folder.resolve()):
+        raise PlacecatError(
+            f"{file}, weights of {path.name}, is a link out of its folder: put the file there"
+        )
+    return file
+
+
+def _content(path: Path) -> tuple[list[tuple[str, list[str]]], list[str]]:
+    """Operators with their inputs, and names of files of weights, sorted."""
+    operators: list[tuple[str, list[str]]] = []
+    weights: set[str] = set()
+    has_graph = False
+    with path.open("rb") as file:
+        if not file.seek(0, 2):
+            raise PlacecatError(f"{path} is no ONNX file: it is empty")
+        with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
+            # What is inside what is followed without recursion, however deep.
+            waiting = [("model", 0, len(content))]
+            try:
+                while waiting:
+                    kind, start, end = waiting.pop()
+                    texts: dict[int, list[str]] = {}
+                    for number, first, last in _fields(content, start, end):
+                        inner = _INSIDE[kind].get(number)
+                        if inner is not None:
+                            waiting.append((inner, first, last))
+                        elif number in _TEXTS.get(kind, ()):
+                            texts.setdefault(number, []).append(content[first:last].decode())
+                    has_graph = has_graph or kind == "graph"
+                    if kind == "node":
+                        operators.append((texts.get(_OPERATOR, [""])[-1], texts.get(_INPUT, [])))
+                    elif kind == "entry" and texts.get(_KEY, [""])[-1] == "location":
+                        weights.add(texts.get(_VALUE, [""])[-1])
+            except ValueError as error:
+                raise PlacecatError(f"{path} is no ONNX file, or damaged: {error}") from None
+    if not has_graph:
+        raise PlacecatError(f"{path} is no ONNX file: it has no network")
+    return operators, sorted(weights)
+
+
+def _fields(content: mmap.mmap, at: int, end: int) -> Iterator[tuple[int, int, int]]:
+    """The fields of a message that have a length: number, first and last byte; ValueError if it is none."""
+    while at < end:
+        key, at = _varint(content, at, end)
+        number, kind = key >> 3, key & 7
+        if kind == 0:
+            _, at = _varint(content, at, end)
+        elif kind == 1:
+            at += 8
+        elif kind == 5:
+            at += 4
+        elif kind == 2:
+            length, at = _varint(content, at, end)
+            if length > end - at:
+                raise ValueError("it is cut off")
+            yield number, at, at + length
+            at += length
+        else:
+            raise ValueError(f"it has a field of the kind {kind}")
+    if at > end:
+        raise ValueError("it is cut off")
+
+
+def _varint(content: mmap.mmap, at: int, end: int) -> tuple[int, int]:
+    value = 0
+    for shift in range(0, 70, 7):
+        if at >= end:
+            raise ValueError("it is cut off")
+        byte = content[at]
+        at += 1
+        value |= (byte & 127) << shift
+        if byte < 128:
+            return value, at
+    raise ValueError("it has a number of too many bytes")
