@@ -13,7 +13,6 @@ import yaml
 from placecat.runs import lifeline, lock, mend
 from placecat.runs.unchanged import DEFINITION
 
-
 # Seconds that Ctrl-C of a terminal, which reaches DVC and its stage as well, has to end them.
 _CTRL_C = 3.0
 

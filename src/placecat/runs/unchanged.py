@@ -18,7 +18,7 @@ _at_start: tuple[str, dict[str, str]] | None = None
 
 
 def start(stage: str) -> None:
-    """Note the state of what a stage depends on, before anything of it is read. A second call does nothing."""
+    """Note the state of what a stage depends on, before anything of it is read; once."""
     global _at_start
     if _at_start is None:
         _at_start = (stage, state(stage))
