@@ -15,6 +15,7 @@ for _folder in (
     "categorizer",
     "experiment",
     "homes",
+    "runs",
     "sequences",
     "stages",
     "thesis",
