@@ -95,11 +95,14 @@ def array(
                 _same(length, side, sizes)
             elif side is not None and length != side:
                 raise ValueError(f"has the shape {value.shape}, not {sides}")
-        if value.dtype.kind == "b" or not value.size:
+        if value.dtype.kind == "b":
             return
-        if value.dtype.kind == "f" and not (np.isfinite(value) | (np.isnan(value) & nan)).all():
+        known = value[~np.isnan(value)] if nan else value
+        if not known.size:
+            return
+        if not np.isfinite(known).all():
             raise ValueError("holds numbers that are not finite")
-        least, most = np.nanmin(value), np.nanmax(value)
+        least, most = known.min(), known.max()
         if least < low or most > high or (below and most >= sizes[below]):
             raise ValueError(f"holds numbers out of range, {least} to {most}")
 
