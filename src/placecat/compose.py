@@ -7,7 +7,7 @@ from pathlib import Path
 
 import yaml
 
-from placecat import files, inferred, paths, references, settings, signatures
+from placecat import files, inferred, paths, settings
 from placecat.errors import PlacecatError
 
 # Folders of conf/ all of whose files are used, and where their content goes.
@@ -108,8 +108,7 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
     Raises
     ------
     PlacecatError
-        As `found`, `compose`, and the checks of :mod:`placecat.schema`, :mod:`placecat.references` and
-        :mod:`placecat.signatures`; params.yaml stays as it was.
+        As `found`, `compose` and :func:`placecat.check.check`; params.yaml stays as it was.
     """
     listing = paths.CONF / "found.yaml"
     if (paths.CONF / "config.yaml").is_file():
@@ -121,12 +120,9 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
     with files.replacing(target) as temporary:
         temporary.write_text(compose(overrides), encoding="utf-8")
         # Here, since pydantic is slow to import.
-        from placecat import schema
+        from placecat.check import check
 
-        params = settings.load(temporary)
-        schema.check(params)
-        references.check(params)
-        signatures.check(params)
+        check(settings.load(temporary))
     files.write_text(_COMPOSED, _digest(overrides, target))
 
 

@@ -43,6 +43,15 @@ def _end(kind: type[BaseException], error: BaseException, traceback: TracebackTy
 sys.excepthook = _end
 
 
+def _check_settings() -> None:
+    """Refuse impossible settings here too, since `dvc exp run` and editors write params.yaml as well."""
+    from placecat import paths, settings
+    from placecat.check import check
+
+    if paths.PARAMS.exists():
+        check(settings.load())
+
+
 def run(stage: Callable[[], None]) -> None:
     """Run a stage from the command line: ``python -m placecat.stages.NAME``.
 
@@ -54,6 +63,7 @@ def run(stage: Callable[[], None]) -> None:
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(message)s")
     os.environ.setdefault("MLFLOW_DISABLE_TELEMETRY", "true")
     with exiting(), compute.as_set():
+        _check_settings()
         stage()
     # Here, since it imports NumPy.
     from placecat import times
