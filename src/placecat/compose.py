@@ -9,6 +9,7 @@ import yaml
 
 from placecat import files, inferred, paths, settings
 from placecat.errors import PlacecatError
+from placecat.overrides import check as check_overrides
 
 # Folders of conf/ all of whose files are used, and where their content goes.
 FOUND = {
@@ -76,7 +77,7 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
     Raises
     ------
     PlacecatError
-        An override that names no setting, or a setting without a value.
+        An override that Hydra cannot read or that names no setting, or a setting without a value.
     """
     from hydra import compose as hydra_compose
     from hydra import initialize_config_dir
@@ -86,6 +87,7 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
 
     if not (conf / "config.yaml").is_file():
         raise PlacecatError(f"{conf / 'config.yaml'} is missing: run placecat in the project's folder")
+    check_overrides(overrides)
     try:
         with initialize_config_dir(str(conf.resolve()), version_base=None):
             config = hydra_compose("config", overrides=list(overrides))
