@@ -16,7 +16,7 @@ READY_BENCH := $(VENV)/.installed-bench
 # tests/conftest.py orders the tests.
 WORKERS := -n 2 --dist loadgroup --no-loadscope-reorder
 
-.PHONY: repro test test-quick choose bench bench-scale lint ui lock clean
+.PHONY: repro test test-quick campaign choose bench bench-scale lint ui lock clean
 
 repro: $(READY)
 	$(BIN)/placecat repro $(SET)
@@ -34,6 +34,12 @@ bench: $(READY_BENCH)
 # Needs what `make repro` left; takes about an hour.
 bench-scale: $(READY)
 	$(BIN)/python -m placecat_bench.scale
+
+# Damages inputs, kills runs, fills disks, for SECONDS in all; counts what became of it in reports/robustness.csv.
+SECONDS ?= 1800
+SEED ?= 0
+campaign: $(READY_TEST)
+	$(BIN)/python tests/campaign/campaign.py --seconds $(SECONDS) --seed $(SEED)
 
 # Judges what the thesis leaves open on training homes, from what `make repro` left (conf/choice.yaml).
 choose: $(READY)

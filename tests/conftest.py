@@ -12,6 +12,7 @@ import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of Op
 # Helpers of the tests: modules without tests in these folders.
 for _folder in (
     ".",
+    "campaign",
     "categorizer",
     "experiment",
     "homes",

@@ -148,6 +148,12 @@ def test_changed_settings_of_the_parallel_scheme_are_those_of_the_sequential_one
     assert cue["classifier"]["base"]["nu"] == 0.1
 
 
+@pytest.mark.parametrize("stage", list(PIPELINE))
+def test_no_setting_reaches_a_shell(stage):
+    """DVC would write it into the command unquoted: a home `home 1;touch X` would run touch."""
+    assert "$" not in PIPELINE[stage]["cmd"]
+
+
 def test_there_are_few_stages():
     # DVC's time for a stage grows with their number, and each starts Python anew.
     assert len(PIPELINE) <= 21

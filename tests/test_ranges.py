@@ -52,6 +52,7 @@ NUMBERS = numbers()
 
 
 def check(params):
+    """Of some sections: references to others are another matter."""
     schema.check(params)
     signatures.check(params)
 
@@ -120,7 +121,12 @@ def values():
     yield "dataset.homes", [1], "write '1', with quotes"
     yield "dataset.classes", ["kitchen", "kitchen"], "twice"
     yield "dataset.classes", ["kitchen"], "at least 2"
+    yield "dataset.homes", "banana", r"write \[banana\]"
     yield "dataset.root", "", "empty"
+    yield "dataset.root", "s3://bucket/homes", "is an address"
+    yield "dataset.root", "~/homes", "whole path"
+    for root in (".", "..", "data", "/", "data/../data"):
+        yield "dataset.root", root, "folder of their own"
     yield "dataset.title", "a\x1b]0;b\x07", "printed"
     yield "dataset.layout", "../video", "does not exist"
     yield "protocol.schemes", ["5-5-2"], "'5-5-1' or '4-5-1'"
@@ -135,8 +141,13 @@ def values():
     yield "cues.gist.classifier.scheme.calibration", "homes", "'homes_centred'"
     yield "cues.gist.classifier.base.nu_policy", None, "'lower' or 'refuse'"
     yield "descriptors.local.hog.interpolation", "area", "'cubic'"
-    yield "figures.figure_15.panels", "integration", "mapping"
-    yield "codebooks", {"a.b": PARAMS["codebooks"]["hog_y"]}, "only the letters"
+    yield "figures.figure_15.panels", "integration", "settings of its own"
+    for name in ("a.b", "my cue", "a/b", "h\u00e4user", "-x", "", "$(touch x)"):
+        yield (
+            "codebooks",
+            {name: PARAMS["codebooks"]["hog_y"]},
+            r"'.*' is no good name: .* letters",
+        )
     yield "filters.tenth.threshold", 0.1, "either a threshold or a share"
 
 

@@ -292,7 +292,9 @@ def _times(options: argparse.Namespace) -> int:
 
 def _train(options: argparse.Namespace) -> int:
     from placecat.categorizer.train import train_command
+    from placecat.check import check
 
+    check(settings.load())
     with compute.as_set():
         return train_command(options.system, options.without, options.seed, options.output)
 

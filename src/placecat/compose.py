@@ -2,7 +2,7 @@
 
 import hashlib
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +10,7 @@ import yaml
 
 from placecat import files, inferred, paths, settings
 from placecat.errors import PlacecatError
+from placecat.overrides import check as check_overrides
 from placecat.runs import lock
 
 if TYPE_CHECKING:
@@ -81,7 +82,7 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
     Raises
     ------
     PlacecatError
-        An override that names no setting, or a setting without a value.
+        An override that Hydra cannot read or that names no setting, or a setting without a value.
     """
     from omegaconf import OmegaConf
     from omegaconf.errors import OmegaConfBaseException
@@ -90,6 +91,7 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
 
     if not (conf / "config.yaml").is_file():
         raise PlacecatError(f"{conf / 'config.yaml'} is missing: run placecat in the project's folder")
+    check_overrides(overrides)
     named = [override.partition("=") for override in overrides]
     is_choice = [(conf / name.lstrip("+~").partition("@")[0]).is_dir() for name, _, _ in named]
     choices = [(name, file) for (name, _, file), this in zip(named, is_choice, strict=True) if this]
@@ -142,9 +144,8 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
     Raises
     ------
     PlacecatError
-        As `found`, `compose`, and the checks of :mod:`placecat.schema`, :mod:`placecat.references`,
-        :mod:`placecat.signatures` and :mod:`placecat.thesis.checks`, or a run that goes on; params.yaml
-        stays as it was.
+        As `found`, `compose`, :func:`placecat.check.check` and :func:`placecat.thesis.checks.check`, or a run
+        that goes on; params.yaml stays as it was.
     """
     listing = paths.CONF / "found.yaml"
     if (paths.CONF / "config.yaml").is_file():
@@ -155,26 +156,14 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
         return
     with files.replacing(target) as temporary:
         temporary.write_text(compose(overrides), encoding="utf-8")
-        check(settings.load(temporary))
+        # Here, since pydantic is slow to import.
+        from placecat.check import check
+        from placecat.thesis import checks
+
+        params = settings.load(temporary)
+        check(params)
+        checks.check(params)
     files.write_text(_COMPOSED, _digest(overrides, target))
-
-
-def check(params: Mapping[str, Any]) -> None:
-    """Refuse settings that are wrong, together or each.
-
-    Raises
-    ------
-    PlacecatError
-        As :func:`write_params`.
-    """
-    # Here, since pydantic is slow to import.
-    from placecat import references, schema, signatures
-    from placecat.thesis import checks
-
-    schema.check(params)
-    references.check(params)
-    signatures.check(params)
-    checks.check(params)
 
 
 def _digest(overrides: Sequence[str], target: Path) -> str:

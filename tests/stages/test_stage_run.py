@@ -55,3 +55,12 @@ def test_a_stage_that_fails_records_nothing(folder, home):
     assert result.returncode == 1
     assert ("Traceback" in result.stderr) is (home == "broken")
     assert not (folder / "data").exists()
+
+
+def test_a_stage_refuses_settings_that_cannot_be(folder):
+    """Whoever wrote them: `dvc exp run` and an editor do not check them."""
+    (folder / "params.yaml").write_text("protocol: {seeds: []}\nsmoothing: {transition_counts: .nan}\n")
+    result = run(folder, "python", "features.py", check=False)
+    assert result.returncode == 1
+    assert result.stderr.startswith("placecat: protocol")
+    assert "Traceback" not in result.stderr

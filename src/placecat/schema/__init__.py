@@ -83,17 +83,17 @@ def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str,
         valid = [str(key) for key in around if key not in unknown]
         where, question = ".".join(parents) or "the whole", did_you_mean(name, valid)
         return f"{where} has no setting {name!r}{question} (it has {', '.join(valid)})"
-    said = (
-        told["msg"]
-        .removeprefix("Value error, ")
-        .replace("Input should be", "it must be")
-        .replace("dictionary", "mapping")
-    )
+    said = told["msg"].removeprefix("Value error, ").replace("Input should be", "it must be")
+    said = said.replace("Value should", "it must").replace(" after validation", "")
     if kind == "string_type" and isinstance(value, int | float):
         said = f"text is needed here, and YAML reads this as a number: write '{value}', with quotes"
-    # A key is named, since it is what is wrong.
-    is_shown = told["loc"][-1:] == ("[key]",) or not isinstance(value, Mapping)
-    return f"{dotted}={_short(value)}: {said}" if is_shown else f"{dotted}: {said}"
+    elif kind == "list_type":
+        said = f"it must be a list: write [{_short(value)}]"
+    elif kind in ("dict_type", "mapping_type", "model_type"):
+        said = "it must have settings of its own"
+    if told["loc"][-1:] == ("[key]",):
+        return f"{'.'.join(place[:-1])}: {_short(repr(value))} is no good name: {said}"
+    return f"{dotted}: {said}" if isinstance(value, Mapping) else f"{dotted}={_short(value)}: {said}"
 
 
 def _place(content: Any, loc: tuple[Any, ...]) -> tuple[str, ...]:

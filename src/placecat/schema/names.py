@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Hashable
+from pathlib import Path
 from typing import Annotated, TypeVar
 
 from pydantic import AfterValidator
@@ -21,6 +22,18 @@ def _text(text: str) -> str:
         raise ValueError("it has a character that cannot be printed: rename it")
     if len(text.encode()) > _LONGEST_TEXT:
         raise ValueError(f"it is longer than {_LONGEST_TEXT} bytes")
+    return text
+
+
+def _folder(text: str) -> str:
+    _text(text)
+    if "://" in text:
+        raise ValueError("it is an address: copy the data into a folder, and name that")
+    if text.startswith("~"):
+        raise ValueError("~ is not expanded here: write the whole path")
+    # DVC takes no folder that a stage writes into.
+    if Path("data").resolve().is_relative_to(Path(text).resolve()):
+        raise ValueError("the folder holds what the stages write: put the homes in a folder of their own")
     return text
 
 
@@ -57,7 +70,9 @@ def _distinct(items: list[_Item]) -> list[_Item]:
 
 
 Text = Annotated[str, AfterValidator(_text)]
-"""A title or the path of a folder."""
+"""A title."""
+Folder = Annotated[str, AfterValidator(_folder)]
+"""The path of a folder of data, which a stage depends on."""
 Label = Annotated[str, AfterValidator(_short)]
 """A place, a camera, a word in a table."""
 FileName = Annotated[str, AfterValidator(_file_name)]

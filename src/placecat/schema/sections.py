@@ -22,7 +22,7 @@ from placecat.ranges import (
     Share,
     Two,
 )
-from placecat.schema.names import Distinct, FileName, Key, Label, Text
+from placecat.schema.names import Distinct, FileName, Folder, Key, Label, Text
 from placecat.schema.numbers import Level, Levels, Odd, Window
 
 # Settings of a function.
@@ -46,7 +46,7 @@ class Dataset(Section):
     title: Text
     thesis_data: Label | None
     layout: str
-    root: Text
+    root: Folder
     homes: Annotated[Distinct[FileName], MinLen(1)]
     fps: Annotated[float, Interval(gt=0, le=1000)] | None
     camera: Label | dict[FileName, Label]

@@ -49,6 +49,15 @@ if f"{__name__}.{os.environ.get('DVC_STAGE')}" in sys.orig_argv:
         unchanged.start(os.environ["DVC_STAGE"])
 
 
+def _check_settings() -> None:
+    """Refuse impossible settings here too, since `dvc exp run` and editors write params.yaml as well."""
+    from placecat import paths, settings
+    from placecat.check import check
+
+    if paths.PARAMS.exists():
+        check(settings.load())
+
+
 def run(stage: Callable[[], None]) -> None:
     """Run a stage from the command line: ``python -m placecat.stages.NAME``.
 
@@ -65,6 +74,7 @@ def run(stage: Callable[[], None]) -> None:
     with exiting(), lock.one_at_a_time(name):
         unchanged.start(name)
         mend.keep()
+        _check_settings()
         with compute.as_set():
             stage()
         unchanged.check()

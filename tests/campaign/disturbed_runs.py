@@ -4,17 +4,18 @@ import shutil
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import kills
 import made_pipeline
-from inputs import MESSAGE, RIGHT, TRACEBACK, WRONG
+from damaged_inputs import MESSAGE, RIGHT, TRACEBACK, WRONG
 
 from project import contents, environment, run
 
 PARTS = ("made", "dvc.lock")
 BUSY = {"SECONDS": "0.2", "PLACECAT_WORKERS": "1"}
-# On a disk of its own: sizes in KB to try, and one that is enough.
-SIZES, ENOUGH = (400, 1600), 64_000
+# KB that a disk of its own has left: from, to; and room that is enough.
+SIZES, ENOUGH = (4, 110), 64_000
 MOUNT = ["unshare", "--map-root-user", "--mount", sys.executable, __file__]
 
 
@@ -106,7 +107,7 @@ def on_a_small_disk(size, place, result, template=None):
     folder = f"{place}/project"
     subprocess.run(["mount", "-o", f"remount,size={ENOUGH}k", place], check=True)
     shutil.copytree(template, folder, symlinks=True)
-    used = sum(one.stat().st_blocks for one in __import__("pathlib").Path(folder).rglob("*")) // 2
+    used = sum(one.stat().st_blocks for one in Path(folder).rglob("*")) // 2
     subprocess.run(["mount", "-o", f"remount,size={used + int(size)}k", place], check=True)
     first = subprocess.run(made_pipeline.REPRO, cwd=folder, check=False)
     subprocess.run(["mount", "-o", f"remount,size={ENOUGH}k", place], check=True)

@@ -12,8 +12,9 @@ import numpy as np
 import yaml
 from made_system import frames, make_system
 
-from placecat import compose, settings
+from placecat import settings
 from placecat.categorizer import model_file
+from placecat.check import check
 from placecat.errors import PlacecatError
 from placecat.sequences import labels, video
 from placecat.sequences.base import read_frames
@@ -158,7 +159,7 @@ class Settings(Inputs):
         places = list(_numbers(params))
         here, key, name = places[rng.integers(len(places))]
         here[key] = NO_NUMBERS[rng.integers(len(NO_NUMBERS))]
-        compose.check(params)
+        check(params)
         return WRONG, f"{name}={here[key]}"
 
 

@@ -1,0 +1,89 @@
+"""Overrides in Hydra's grammar: what it cannot read is shown with the quotes that it needs."""
+
+import re
+import shlex
+from collections.abc import Sequence
+
+from placecat.errors import PlacecatError
+
+# What a shell leaves as it is between double quotes.
+_PLAIN_IN_QUOTES = re.compile(r"[^\"$`\\!]*")
+
+
+def check(overrides: Sequence[str]) -> None:
+    """Refuse overrides that Hydra cannot read, or would read as several values.
+
+    Parameters
+    ----------
+    overrides
+        As given on the command line, e.g. ``dataset.root=PATH``.
+
+    Raises
+    ------
+    PlacecatError
+        Naming the setting, and how to write it, for a shell and for make.
+    """
+    for number, override in enumerate(overrides):
+        if _is_read(override):
+            continue
+        if not override.strip():
+            raise PlacecatError("an override is empty: write NAME=VALUE, e.g. dataset.root=PATH")
+        if "=" not in override:
+            before = overrides[number - 1] if number else ""
+            right = _quoted(f"{before} {override}") if "=" in before else None
+            hint = f"if it belongs to {before!r}, {_how(right)}" if right else "write NAME=VALUE"
+            raise PlacecatError(f"the override {override!r} has no value: {hint}")
+        name, _, value = override.partition("=")
+        right = _quoted(override)
+        hint = _how(right) if right else "put it between quotes"
+        raise PlacecatError(f"Hydra cannot read the value {value!r} of {name} without quotes: {hint}")
+
+
+def for_shell(argument: str) -> str:
+    """Quote an argument as a shell needs it."""
+    return f'"{argument}"' if _PLAIN_IN_QUOTES.fullmatch(argument) else shlex.quote(argument)
+
+
+def for_make(argument: str) -> str:
+    """Quote an argument as ``SET=`` of the Makefile needs it: for make, its shell and one's own shell."""
+    inner = for_shell(argument)
+    if inner.startswith('"') and "'" in inner:
+        escaped = inner.replace('"', '\\"')
+        return f'SET="{escaped}"'
+    return f"SET={shlex.quote(inner.replace('$', '$$'))}"
+
+
+def _how(right: str) -> str:
+    return f"write {for_shell(right)}, and with make {for_make(right)}"
+
+
+def _is_read(override: str) -> bool:
+    from hydra.core.override_parser.overrides_parser import OverridesParser
+    from hydra.errors import HydraException
+
+    try:
+        return not OverridesParser.create().parse_override(override).is_sweep_override()
+    except HydraException:
+        return False
+
+
+def _quoted(override: str) -> str | None:
+    """The same with quotes around the value, or around the items of a list; None where that does not do."""
+    name, _, value = override.partition("=")
+    if value.startswith("[") and value.endswith("]"):
+        items = [item.strip() for item in value[1:-1].split(",")]
+        right = [item if _is_read(f"{name}=[{item}]") else _text(item) for item in items]
+        result = f"{name}=[{','.join(right)}]"
+    else:
+        result = f"{name}={_text(value)}"
+    return result if _is_read(result) else None
+
+
+def _text(value: str) -> str:
+    """A value between Hydra's quotes. A backslash before a quote stands for itself only if doubled."""
+    mark = '"' if "'" in value and '"' not in value else "'"
+
+    def escape(found: re.Match[str]) -> str:
+        return found[1] * 2 + (f"\\{mark}" if found[2] else "")
+
+    return mark + re.sub(rf"(\\*)({mark}|$)", escape, value) + mark
