@@ -291,6 +291,7 @@ def _times(options: argparse.Namespace) -> int:
 
 
 def _train(options: argparse.Namespace) -> int:
+    from placecat import settings
     from placecat.categorizer.train import train_command
     from placecat.check import check
 

@@ -1,6 +1,8 @@
 """The one exception that means: the user can mend this."""
 
 import difflib
+import errno
+import os
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
@@ -26,13 +28,42 @@ class SettingError(PlacecatError):
     """A setting that is wrong, whatever the data."""
 
 
+# What a disk, a file system or the system's limits refuse, and what to do.
+_REFUSED = {
+    errno.ENOSPC: "make room and run again",
+    errno.EDQUOT: "make room and run again",
+    errno.EFBIG: "allow larger files (ulimit -f) and run again",
+    errno.EACCES: "give yourself the permission, or another place",
+    errno.EPERM: "give yourself the permission, or another place",
+    errno.EROFS: "give another place, which can be written to",
+    errno.EIO: "the disk or the network fails: check it",
+    errno.EMFILE: "allow more open files (ulimit -n)",
+    errno.ENFILE: "close other programs",
+    errno.ENAMETOOLONG: "give a shorter name",
+    errno.ENOTDIR: "a file stands where a folder is needed: give another name",
+    errno.EISDIR: "give the name of a file",
+}
+
+
 @contextmanager
 def exiting() -> Iterator[None]:
-    """End the program without a traceback: on a mistake with its message and status 1, on Ctrl-C with 130."""
+    """End the program without a traceback.
+
+    On a mistake of the user's, or if the disk is full or the permission missing, it ends with one message and
+    status 1, on Ctrl-C with 130, and quietly if nobody reads its output any more.
+    """
     try:
         yield
     except PlacecatError as error:
         sys.exit(f"placecat: {error}")
+    except BrokenPipeError:
+        # Or Python complains of it when it ends.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)
+    except OSError as error:
+        if not is_refusal(error):
+            raise
+        sys.exit(f"placecat: {refusal(error)}")
     except KeyboardInterrupt:
         sys.exit(130)
 
@@ -65,6 +96,20 @@ def reading(path: Path) -> Iterator[None]:
         raise PlacecatError(
             f"{name}: cannot be read ({error.strerror or error}); make it readable."
         ) from None
+
+
+def is_refusal(error: OSError) -> bool:
+    """Whether the system refused to read or write, so that the user can mend it."""
+    # NumPy says how much it wrote, and no reason.
+    return error.errno in _REFUSED or (error.errno is None and "requested and" in str(error))
+
+
+def refusal(error: OSError, path: object = None) -> str:
+    """Say what the system refused, of which file (by default the one the error names), and what to do."""
+    name = error.filename if path is None else path
+    where = "" if name is None else f"{os.fsdecode(name) if isinstance(name, bytes) else name}: "
+    number = error.errno or errno.ENOSPC
+    return f"{where}{error.strerror or os.strerror(number)}; {_REFUSED[number]}"
 
 
 def did_you_mean(name: object, valid: Iterable[str], before: str = "; ") -> str:

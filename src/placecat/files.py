@@ -6,6 +6,7 @@ NumPy and pandas are imported where they are needed, since commands that write s
 import hashlib
 import io
 import json
+import os
 import secrets
 import shutil
 import zipfile
@@ -14,7 +15,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, is_refusal, refusal
 
 if TYPE_CHECKING:
     import numpy as np
@@ -31,7 +32,7 @@ def replacing(target: Path) -> Iterator[Path]:
     Raises
     ------
     PlacecatError
-        As :func:`check_target`, or if a file would replace a folder.
+        As :func:`check_target`, if a file would replace a folder, or if the disk is full or the like.
     """
     target = Path(target)
     check_target(target)
@@ -46,8 +47,13 @@ def replacing(target: Path) -> Iterator[Path]:
         else:
             check_file(target)
         temporary.replace(target)
-    except BaseException:
+    except BaseException as error:
         _remove(temporary)
+        if isinstance(error, OSError) and is_refusal(error):
+            # Writing to an open file tells no name.
+            of = temporary if error.filename is None else Path(os.fsdecode(error.filename))
+            if of.is_relative_to(temporary):
+                raise PlacecatError(f"cannot write {refusal(error, target)}") from error
         raise
 
 

@@ -3,6 +3,7 @@
 They are processes of this machine, or of a cluster where :func:`placecat.compute.as_set` says so.
 """
 
+import os
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
@@ -11,6 +12,8 @@ from threadpoolctl import threadpool_limits
 from tqdm import tqdm
 
 from placecat import compute
+from placecat.errors import PlacecatError
+from placecat.runs import lifeline
 
 
 def workers() -> int:
@@ -56,15 +59,42 @@ def stream(
     -------
     iterator
         The results in the order of `tasks`, each as soon as it is there.
+
+    Raises
+    ------
+    PlacecatError
+        If a process on this machine was killed, or a task has no memory; whatever `function` raises.
     """
     cluster = None if locally else compute.cluster()
     if cluster is not None:
         results = cluster.run(single_threaded, [(function, task) for task in tasks])
     else:
         jobs = min(n_jobs or compute.local_workers(), max(len(tasks), 1))
-        calls = (delayed(single_threaded)(function, task) for task in tasks)
-        results = Parallel(n_jobs=jobs, return_as="generator")(calls)
+        calls = (delayed(_in_worker)(os.getpid(), function, task) for task in tasks)
+        results = _explained(Parallel(n_jobs=jobs, return_as="generator")(calls), description, jobs)
     return iter(tqdm(results, total=len(tasks), desc=description, unit="task", mininterval=1.0))
+
+
+def _explained(results: Iterator[Any], description: str, jobs: int) -> Iterator[Any]:
+    from joblib.externals.loky.process_executor import TerminatedWorkerError
+
+    fewer = f"run again with fewer than {jobs}: PLACECAT_WORKERS={max(1, jobs // 2)}"
+    if jobs == 1:
+        fewer = "run again with more memory"
+    try:
+        yield from results
+    except TerminatedWorkerError:
+        raise PlacecatError(
+            f"{description}: a worker process was killed, probably since memory ran out; {fewer}"
+        ) from None
+    except MemoryError:
+        raise PlacecatError(f"{description}: memory ran out; {fewer}") from None
+
+
+def _in_worker(parent: int, function: Callable[..., Any], task: tuple[Any, ...]) -> Any:
+    if os.getpid() != parent:
+        lifeline.end_with(parent)
+    return single_threaded(function, task)
 
 
 def single_threaded(function: Callable[..., Any], task: tuple[Any, ...]) -> Any:

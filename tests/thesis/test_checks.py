@@ -24,7 +24,7 @@ def test_the_tables_are_right():
         (
             "gist/table_03",
             {"layout": "gird"},
-            r"table_03: the layout 'gird' does not exist; did you mean 'grid'",
+            r"table_03: 'gird' does not exist; did you mean 'grid'",
         ),
         ("gist/table_03", {"trial": {"classifier": {"model": "x"}}}, r"table_03.*model 'x' does not exist"),
     ],

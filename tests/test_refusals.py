@@ -1,0 +1,79 @@
+"""Disk full, no permission: one message that names the file, nothing half written."""
+
+import errno
+import os
+import resource
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from placecat import files
+from placecat.errors import PlacecatError, exiting
+
+LARGE = np.random.default_rng(0).random(20000)
+WRITERS = {
+    "array.npy": lambda path: files.write_array(path, LARGE),
+    "arrays.npz": lambda path: files.write_arrays(path, {"a": LARGE}),
+    "content.json": lambda path: files.write_json(path, list(LARGE)),
+    "table.csv": lambda path: files.write_csv(path, pd.DataFrame({"a": LARGE})),
+    "text.txt": lambda path: files.write_text(path, "a" * 200_000),
+}
+
+
+@pytest.fixture
+def small_files():
+    """No file may become larger than 100 kB, which fails as a full disk does."""
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    handler = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, before[1]))
+    yield
+    resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    signal.signal(signal.SIGXFSZ, handler)
+
+
+@pytest.mark.parametrize("name", WRITERS)
+def test_a_write_that_fails_names_the_file_and_leaves_what_stood_there(tmp_path, name, small_files):
+    target = tmp_path / name
+    target.write_text("before")
+    with pytest.raises(PlacecatError, match=rf"cannot write .*{name}: .*; (allow larger files|make room)"):
+        WRITERS[name](target)
+    assert target.read_text() == "before"
+    assert [path.name for path in tmp_path.iterdir()] == [name]
+
+
+@pytest.mark.parametrize(
+    ("number", "remedy"),
+    [
+        (errno.ENOSPC, "make room"),
+        (errno.EACCES, "permission"),
+        (errno.EROFS, "another place"),
+        (errno.ENAMETOOLONG, "shorter name"),
+    ],
+)
+def test_what_the_system_refuses_is_one_message(number, remedy):
+    with pytest.raises(SystemExit) as caught, exiting():
+        raise OSError(number, os.strerror(number), "some/file.csv")
+    assert str(caught.value).startswith(f"placecat: some/file.csv: {os.strerror(number)}; ")
+    assert remedy in str(caught.value)
+
+
+def test_an_error_of_the_program_keeps_its_traceback():
+    with pytest.raises(FileNotFoundError), exiting():
+        Path("/nowhere/at/all").read_text()
+
+
+def test_nobody_reads_the_output_any_more():
+    program = "from placecat.errors import exiting\nwith exiting():\n    while True:\n        print('line')"
+    process = subprocess.Popen(
+        [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    process.stdout.readline()
+    process.stdout.close()
+    assert process.stderr.read() == ""
+    assert process.wait(20) == 1
+    process.stderr.close()
