@@ -14,6 +14,7 @@ for _folder in (
     ".",
     "categorizer",
     "experiment",
+    "footage",
     "homes",
     "sequences",
     "stages",
