@@ -115,3 +115,21 @@ def copied(source, target, *, key, start, rate=30):
                 packet.stream = copy
                 new.mux(packet)
     return Path(target)
+
+
+def turned_on_the_way(path):
+    """A recording of a browser: the phone is turned after five frames, which changes their size."""
+    parts = [path.with_name("wide.webm"), path.with_name("high.webm")]
+    write_clip(parts[0], steady(5), codec="libvpx", tick=Fraction(1, 1000))
+    write_clip(parts[1], steady(5), codec="libvpx", tick=Fraction(1, 1000), size=(HEIGHT, WIDTH))
+    with av.open(str(path), "w") as new:
+        copy, offset = None, 0
+        for part in parts:
+            with av.open(str(part)) as old:
+                copy = copy or new.add_stream_from_template(old.streams.video[0])
+                for packet in old.demux(video=0):
+                    if packet.size:
+                        packet.pts, packet.dts, packet.stream = packet.pts + offset, packet.dts + offset, copy
+                        new.mux(packet)
+            offset += 200
+    return path

@@ -5,7 +5,7 @@ import av
 import cv2
 import numpy as np
 import pytest
-from clips import copied, flip, intact, packets, shown, steady, write_clip, zero
+from clips import copied, flip, intact, packets, shown, steady, turned_on_the_way, write_clip, zero
 from helpers_sequences import HEIGHT, WIDTH, decoded, write_video
 
 from placecat.errors import PlacecatError
@@ -133,24 +133,6 @@ def test_a_turned_phone_films_upright(turn, tmp_path):
     assert recording.size() == ((HEIGHT, WIDTH) if turn != 180 else (WIDTH, HEIGHT))
     assert np.array_equal(images, by_opencv(path))
     assert decoded(np.ascontiguousarray(np.rot90(images[1], -turn // 90))) == 1
-
-
-def turned_on_the_way(path):
-    """A recording of a browser: the phone is turned after five frames, which changes their size."""
-    parts = [path.with_name("wide.webm"), path.with_name("high.webm")]
-    write_clip(parts[0], steady(5), codec="libvpx", tick=MILLI)
-    write_clip(parts[1], steady(5), codec="libvpx", tick=MILLI, size=(HEIGHT, WIDTH))
-    with av.open(str(path), "w") as new:
-        copy, offset = None, 0
-        for part in parts:
-            with av.open(str(part)) as old:
-                copy = copy or new.add_stream_from_template(old.streams.video[0])
-                for packet in old.demux(video=0):
-                    if packet.size:
-                        packet.pts, packet.dts, packet.stream = packet.pts + offset, packet.dts + offset, copy
-                        new.mux(packet)
-            offset += 200
-    return path
 
 
 def test_a_phone_turned_while_filming_does_not_stretch(tmp_path):
