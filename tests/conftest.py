@@ -15,6 +15,7 @@ for _folder in (
     "campaign",
     "categorizer",
     "experiment",
+    "footage",
     "homes",
     "runs",
     "sequences",

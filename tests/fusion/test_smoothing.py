@@ -42,6 +42,21 @@ def test_each_sequence_starts_anew():
     np.testing.assert_array_equal(both["delayed"][5:], alone["delayed"])
 
 
+def test_the_times_of_frames_that_come_unevenly_count():
+    proba, training = made()
+    times = np.array([0, 0.2, 0.4, 0.6, 9.6, 0, 0.1, 0.2, 0.5, 0.9, 1.0, 1.1])
+    result = smooth(proba, [slice(0, 5), slice(5, 12)], frame_rate=5.0, times=times, **training, **SETTINGS)
+    fitted = fit(
+        n_classes=2, **training, **{name: SETTINGS[name] for name in SETTINGS if name != "n_classes"}
+    )
+    for part in (slice(0, 5), slice(5, 12)):
+        smoother = Smoother(fitted)
+        steps = [0.2, *np.diff(times[part])]
+        expected = [smoother.step(one, step) for one, step in zip(proba[part], steps, strict=True)]
+        np.testing.assert_array_equal(result["hmm"][part], [hmm for hmm, _ in expected])
+        np.testing.assert_array_equal(result["delayed"][part], [delayed for _, delayed in expected])
+
+
 @pytest.mark.parametrize("rate", [5.0, 30.0, 25.0, 49.0, 30000 / 1001, 1 / 0.225])
 def test_is_the_filter_and_then_the_delay_at_the_rate_of_the_training(rate):
     """To the bit, though 1 / rate is rounded."""

@@ -178,3 +178,24 @@ def test_options_for_files_are_refused(capture, system):
     ):
         with pytest.raises(SystemExit, match=message):
             main(["predict", "camera", option])
+
+
+def test_a_single_failure_to_read_is_not_the_end(capture, monkeypatch):
+    read = FakeCapture.read
+
+    def fails_at_times(self):
+        self.calls = getattr(self, "calls", 0) + 1
+        return (False, None) if 2 < self.calls < 12 and self.calls % 4 else read(self)
+
+    monkeypatch.setattr(FakeCapture, "read", fails_at_times)
+    monkeypatch.setattr(FakeCapture, "total", 12)
+    source = camera()
+    numbers = [decoded(frame.image) for frame in source.frames(1)]
+    # The first was taken at opening; a slow machine may drop some.
+    assert numbers == sorted(numbers) and numbers[-1] == 11
+
+
+@pytest.mark.parametrize("said", [90000.0, 1000.0, 0.0, float("nan")])
+def test_a_rate_that_cannot_be_is_not_taken_from_a_stream(capture, monkeypatch, said):
+    monkeypatch.setattr(FakeCapture, "get", lambda self, name: said)
+    assert camera("rtsp://somewhere/1").fps == 30.0

@@ -76,6 +76,22 @@ def test_csv_in_rounded_seconds(lengths: list[tuple[int, str]], fps: float) -> N
     assert labels == naive(lengths)
 
 
+def test_csv_in_seconds_of_frames_that_come_unevenly(tmp_path: Path) -> None:
+    path = tmp_path / "a.csv"
+    starts = np.array([0.0, 0.1, 0.2, 100.2, 100.3])
+    for start, expected in ((0.19, 2), (0.2, 2), (50.1, 2), (50.3, 3), (100.2, 3)):
+        path.write_text(f"start_seconds,end_seconds,label\n0,{start},a\n{start},100.3,b\n")
+        labels, _ = read_label_csv(path, 4, 10.0, "the video", starts)
+        assert labels == ["a"] * expected + ["b"] * (4 - expected)
+    path.write_text("start_seconds,end_seconds,label\n0,1e308,a\n")
+    with pytest.raises(
+        PlacecatError, match=r"line 2: .* but the video has 4 frames \(100\.300 s at an uneven"
+    ):
+        read_label_csv(path, 4, 10.0, "the video", starts)
+    with pytest.raises(PlacecatError, match=r"line 2: .* but the video has 4 frames \(0\.400 s at 10 frames"):
+        read_label_csv(path, 4, 10.0, "the video")
+
+
 def test_csv_of_a_spreadsheet() -> None:
     text = '\ufeffstart, end, label\r\n1, 2,"living room"\r\n\r\n,,\r\n3,3, hall \r\n'
     assert read(text, 3) == (["living room", "living room", "hall"], [2, 2, 5])

@@ -1,7 +1,9 @@
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
 import pytest
+from clips import steady, turned_on_the_way, write_clip, zero
 from helpers_sequences import decoded, write_video
 
 from placecat.errors import PlacecatError
@@ -99,3 +101,57 @@ def test_cut_off_video_is_shorter_and_says_so(tmp_path: Path) -> None:
         PlacecatError, match=r"flat\.csv line 2: the segment ends at frame 40, but the video has"
     ):
         video.read_home(tmp_path, "flat")
+
+
+UNEVEN = [*steady(45), *(1.5 + np.arange(45) / 3)]
+
+
+def test_a_lost_frame_has_no_row_and_the_others_keep_their_numbers(tmp_path: Path) -> None:
+    options = {"g": "1000", "bf": "0", "preset": "ultrafast"}
+    zero(write_clip(tmp_path / "flat.mp4", steady(60), options=options), 41)
+    (tmp_path / "flat.csv").write_text("start,end,label\n1,40,kitchen\n41,60,hall\n")
+    home = video.read_home(tmp_path, "flat")
+    rest = [number for number in range(1, 61) if number != 41]
+    assert home.frames["number"].tolist() == rest
+    assert home.frames["label"].tolist() == ["kitchen"] * 40 + ["hall"] * 19
+    assert home.label_lines.tolist() == [2] * 40 + [3] * 19
+    np.testing.assert_allclose(home.frames["seconds"], [(number - 1) / 30 for number in rest])
+    assert (home.lost, home.damaged, home.fps, home.is_even) == ([41], [], 30.0, False)
+    assert "frame 41 of 60 cannot be decoded and is lost" in home.note
+    images = list(read_frames(tmp_path, home.frames.iloc[[0, 39, 40, 58, 2]]))
+    assert [decoded(images[row]) for row in (0, 1, 4)] == [0, 39, 2]
+    frames = home.frames.iloc[[40]].assign(position=40)
+    with pytest.raises(
+        PlacecatError, match=r"flat\.mp4: frame 41 is missing or unreadable \(it is damaged there\)"
+    ):
+        next(read_frames(tmp_path, frames))
+
+
+def test_times_of_labels_are_those_of_the_file(tmp_path: Path) -> None:
+    write_clip(tmp_path / "flat.mp4", UNEVEN)
+    (tmp_path / "flat.csv").write_text("start_seconds,end_seconds,label\n0,1.5,kitchen\n1.5,16.2,hall\n")
+    home = video.read_home(tmp_path, "flat")
+    assert home.frames["label"].tolist() == ["kitchen"] * 45 + ["hall"] * 45
+    np.testing.assert_allclose(home.frames["seconds"], UNEVEN, atol=1e-4)
+    assert (home.note, home.is_even) == ("", False)
+    # A given rate is that of all frames.
+    (tmp_path / "flat.csv").write_text("start_seconds,end_seconds,label\n0,1.5,kitchen\n1.5,9,hall\n")
+    home = video.read_home(tmp_path, "flat", fps=10.0)
+    assert home.frames["label"].tolist() == ["kitchen"] * 15 + ["hall"] * 75
+    assert (home.frames["seconds"][45], home.is_even) == (4.5, True)
+
+
+def test_a_phone_turned_while_filming_is_refused(tmp_path: Path) -> None:
+    turned_on_the_way(tmp_path / "flat.webm")
+    (tmp_path / "wide.webm").unlink()
+    with pytest.raises(
+        PlacecatError, match=r"flat\.webm: frame 6 is 48x64, those before 64x48 .* cut the video"
+    ):
+        video.read_home(tmp_path, "flat")
+
+
+def test_pixels_that_are_not_square_are_made_so(tmp_path: Path) -> None:
+    write_clip(tmp_path / "flat.mp4", steady(3), size=(48, 48), shape=Fraction(4, 3))
+    home = video.read_home(tmp_path, "flat")
+    assert (home.width, home.height) == (64, 48)
+    assert [image.shape for image in read_frames(tmp_path, home.frames)] == [(48, 64, 3)] * 3

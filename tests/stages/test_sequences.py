@@ -1,9 +1,12 @@
 import pytest
 import yaml
+from clips import steady, write_clip, zero
 
-from placecat import files
+from placecat import files, listing
 from placecat.errors import PlacecatError
 from placecat.stages import sequences
+from placecat.training.integration import training_walks
+from placecat.training.plan import Part
 from sketch import draw_homes
 
 CLASSES = ["bedroom", "bathroom", "kitchen", "living_room", "dining_room"]
@@ -44,3 +47,24 @@ def test_a_home_without_a_camera_gives_a_message_and_leaves_nothing(tmp_path, da
     with pytest.raises(PlacecatError, match=r"names none for Home2: add dataset\.camera\.Home2"):
         cameras(tmp_path, dataset | {"camera": {"Home1": "one"}})
     assert not (tmp_path / "data/sequences").exists()
+
+
+def test_what_is_missing_of_a_video_is_told_and_kept(tmp_path, dataset, capsys):
+    path = write_clip(tmp_path / "films/one.mp4", steady(30), options={"g": "1000", "bf": "0"})
+    write_clip(tmp_path / "films/two.mp4", steady(30))
+    for name in ("one", "two"):
+        (tmp_path / f"films/{name}.csv").write_text("start,end,label\n1,30,kitchen\n")
+    zero(path, 21)
+    chosen = {"layout": "video", "root": "films", "homes": ["one", "two"], "fps": None}
+    cameras(tmp_path, dataset | chosen | {"require_all_classes": False})
+    assert "placecat: note: films/one.mp4: frame 21 of 30 cannot be decoded" in capsys.readouterr().err
+    facts = [files.read_json(tmp_path / f"data/sequences/{name}/home.json") for name in ("one", "two")]
+    same = {"camera": "one", "fps": 30.0, "height": 48, "width": 64}
+    assert facts == [same | {"is_even": False, "lost_frames": [21]}, same]
+    assert len(files.read_csv(tmp_path / "data/sequences/one/labels.csv")) == 29
+    times = listing.uneven_times("one")
+    assert times[20] == pytest.approx(21 / 30)
+    assert listing.uneven_times("two") is None
+    # Transitions are counted on the frames that an even camera would have shown.
+    (walk, other), rates = training_walks([Part("one", (0, 1, 2, 3, 4)), Part("two", (0, 1, 2, 3, 4))])
+    assert (len(walk), len(other), rates) == (30, 30, [30.0, 30.0])

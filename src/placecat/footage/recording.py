@@ -83,6 +83,7 @@ class Recording:
             raise PlacecatError(f"{path}: the video is missing; restore it, or correct dataset.homes.")
         self.path = path
         self._is_careful = False
+        self._start()
         self._reformatter = VideoReformatter()
         with self._opened() as (container, stream):
             self._read_index(container, stream)
@@ -139,9 +140,7 @@ class Recording:
         FFmpeg decodes several frames at once, and then does not say which of them has an error. After the
         first error it decodes them again, one at a time.
         """
-        self._erroneous: set[int] = set()
-        self._seen: set[int] = set()
-        self._reached = 0
+        self._start()
         while True:
             try:
                 yield from self._decoded()
@@ -150,6 +149,11 @@ class Recording:
             else:
                 self._reached = self.count
                 return
+
+    def _start(self) -> None:
+        self._erroneous: set[int] = set()
+        self._seen: set[int] = set()
+        self._reached = 0
 
     @property
     def lost(self) -> list[int]:

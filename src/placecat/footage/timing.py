@@ -13,6 +13,9 @@ time; slow motion is filmed at 240."""
 LONGEST = 3600.0
 """Seconds between two frames above which timestamps are taken for damaged."""
 
+# Seconds: of a file that was copied from one that has milliseconds.
+_ROUNDING = 0.001
+
 
 @dataclass(frozen=True, eq=False)
 class Timing:
@@ -74,10 +77,11 @@ def measure(
     period = float(steps[steps <= 2 * np.quantile(steps, 0.25)].mean())
     if period * MOST_RATE < 1 - 1e-9:
         return None
+    rounding = 1.01 * max(float(tick), min(_ROUNDING, period / 10))
     for rate in map(float, said):
         numbers = np.rint(times * rate)
         is_grid = (np.diff(numbers) >= 1).all() and abs(period * rate - 1) < 0.2
-        if is_grid and (np.abs(times - numbers / rate) <= 1.01 * float(tick)).all():
+        if is_grid and (np.abs(times - numbers / rate) <= rounding).all():
             is_even = numbers[-1] == len(ticks) - 1
             return Timing(numbers / rate, float(numbers[-1] + 1) / rate, rate, bool(is_even))
     shown = last * float(tick)

@@ -9,6 +9,7 @@ from typing import Any
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 from tqdm import tqdm
 
 from placecat import files
@@ -68,16 +69,35 @@ def predict_command(options: Options) -> int:
             "--every is for files: of a camera the newest frame is taken whenever one is done"
         )
     chosen = fit(source.size, categorizer.frame_sizes, resize=options.resize)
-    folder = destination.choose(options.output, source.name, is_live=source.is_live)
-    read = [options.model, *([options.labels] if options.labels else [])]
-    read += [Path(options.source)] if Path(options.source).exists() else []
-    destination.check(folder, without_password(options.source), read, force=options.force)
     labels = None
     if options.labels is not None:
         count = source.exact_count()
         labels = truth.read(
             options.labels, count, source.fps, categorizer.classes, options.ignore, source.starts()
         )
+    read = [options.model, *([options.labels] if options.labels else [])]
+    read += [Path(options.source)] if Path(options.source).exists() else []
+    with destination.reserved(
+        options.output,
+        source.name,
+        without_password(options.source),
+        read,
+        is_live=source.is_live,
+        force=options.force,
+    ) as folder:
+        _write(folder, options, source, chosen, categorizer, labels)
+    return 0
+
+
+def _write(
+    folder: Path,
+    options: Options,
+    source: Source,
+    chosen: Fit,
+    categorizer: Categorizer,
+    labels: NDArray[np.int16] | None,
+) -> None:
+    """Predict into a folder, and print a summary."""
     _announce(options, source, chosen, categorizer)
     with files.replacing(folder) as temporary:
         temporary.mkdir()
@@ -108,7 +128,6 @@ def predict_command(options: Options) -> int:
         content |= destination.checksums(temporary, [tables.FRAMES, tables.SEGMENTS])
         files.write_json(temporary / destination.SUMMARY, content)
     _print(folder, options, source, prediction, speed, agreement)
-    return 0
 
 
 def _check(options: Options) -> None:

@@ -1,8 +1,13 @@
 """The folder of results: what may be replaced, and what may not."""
 
 import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from itertools import count
 from pathlib import Path
 from typing import Any
+
+from filelock import FileLock, Timeout
 
 from placecat import files
 from placecat.errors import PlacecatError
@@ -11,18 +16,54 @@ SUMMARY = "summary.json"
 _CHECKED = "sha256"
 
 
-def choose(output: Path | None, name: str, *, is_live: bool) -> Path:
-    """The folder to write: `output`, or predictions/NAME; of a camera one that does not exist yet."""
-    if output is not None:
-        return output
+@contextmanager
+def reserved(
+    output: Path | None, name: str, source: str, read: list[Path], *, is_live: bool, force: bool
+) -> Iterator[Path]:
+    """Give the folder to write, to this prediction alone.
+
+    It is `output`, or predictions/NAME; of a camera the first of NAME, NAME_2, ... that does not exist and
+    that no other prediction is going to write.
+
+    Parameters
+    ----------
+    source, read, force
+        As for :func:`check`.
+
+    Raises
+    ------
+    PlacecatError
+        As :func:`check`, or if another prediction is writing it.
+    """
     # A file may be called `...mp4`.
     name = name if name.strip(". ") else "footage"
-    folder = Path("predictions") / name
-    number = 1
-    while is_live and folder.exists():
-        number += 1
-        folder = Path("predictions") / f"{name}_{number}"
-    return folder
+    is_numbered = is_live and output is None
+    for number in count(1):
+        folder = output or Path("predictions") / (name if number == 1 else f"{name}_{number}")
+        if is_numbered and folder.exists():
+            continue
+        check(folder, source, read, force=force)
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        # The system takes it back if this process is killed.
+        lock = FileLock(folder.with_name(f".{folder.name}.lock"))
+        try:
+            lock.acquire(timeout=0)
+        except Timeout:
+            if is_numbered:
+                continue
+            raise PlacecatError(
+                f"{folder} is being written by another prediction: wait for it, or give another --output"
+            ) from None
+        try:
+            # The other one may have ended meanwhile.
+            if is_numbered and folder.exists():
+                continue
+            check(folder, source, read, force=force)
+            yield folder
+            return
+        finally:
+            Path(lock.lock_file).unlink(missing_ok=True)
+            lock.release()
 
 
 def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:

@@ -116,11 +116,10 @@ def run(
         start = time.perf_counter()
         # The first frame stands for its time in the footage.
         seen = -1.0 / speed.wanted
-        end, turned = None, []
+        turned = []
         try:
             for raw in frames:
                 if wish.seconds is not None and raw.seconds >= wish.seconds:
-                    end = raw.seconds
                     break
                 if raw.image.shape[1::-1] != tuple(source.size):
                     turned.append(raw.number)
@@ -145,8 +144,7 @@ def run(
     numbers, seconds, names, proba, integrated = zip(*rows, strict=True)
     last = source.reached if wish.seconds is None else numbers[-1]
     starts = source.starts()
-    if end is None and starts is not None:
-        end = float(starts[-1])
+    end = None if starts is None else min(float(starts[-1]), wish.seconds or np.inf)
     prediction = Prediction(
         classes=system.classes,
         fps=source.fps,
