@@ -176,7 +176,7 @@ def test_frame_by_frame_gives_the_bits_of_the_pipeline(reproduced, tmp_path, mon
     from placecat import listing, settings
     from placecat.categorizer import Categorizer, model_file
     from placecat.categorizer.train import train
-    from placecat.sequences.base import read_frames
+    from placecat.footage.frames import read_frames
 
     folder, _, _ = reproduced
     monkeypatch.chdir(folder)

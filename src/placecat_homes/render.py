@@ -12,9 +12,9 @@ import yaml
 
 from placecat import files, paths, settings
 from placecat.errors import PlacecatError
+from placecat.footage.frames import read_frames
 from placecat.parallel import in_parallel
 from placecat.sequences import open_home
-from placecat.sequences.base import read_frames
 from placecat_homes import contact_sheet
 
 if TYPE_CHECKING:

@@ -16,9 +16,9 @@ from placecat import settings
 from placecat.categorizer import model_file
 from placecat.check import check
 from placecat.errors import PlacecatError
+from placecat.footage.frames import read_frames
+from placecat.footage.pictures import read_image
 from placecat.sequences import labels, video
-from placecat.sequences.base import read_frames
-from placecat.sequences.pictures import read_image
 from project import ROOT
 
 RIGHT, MESSAGE, TRACEBACK, WRONG = OUTCOMES = ("right", "message", "traceback", "wrong")

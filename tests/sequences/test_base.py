@@ -7,9 +7,11 @@ import pytest
 from helpers_sequences import HEIGHT, WIDTH, coded, decoded, write_image, write_video
 
 from placecat.errors import PlacecatError
+from placecat.footage.frames import read_frames
+from placecat.footage.names import natural
 from placecat.sequences import layouts, list_homes, open_home
-from placecat.sequences.base import Home, frame_table, read_frames
-from placecat.sequences.folders import inside, natural
+from placecat.sequences.base import Home, frame_table
+from placecat.sequences.folders import inside
 from placecat.sequences.places import place_labels, require_classes
 
 CLASSES = ["bedroom", "bathroom", "kitchen", "living_room"]

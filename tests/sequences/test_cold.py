@@ -5,8 +5,8 @@ import pytest
 from helpers_sequences import decoded, write_image
 
 from placecat.errors import PlacecatError
+from placecat.footage.frames import read_frames
 from placecat.sequences import cold, list_homes, open_home
-from placecat.sequences.base import read_frames
 
 NAMES = [
     "t1152000000.900000_x0.2_y0.1_a-1.5.jpeg",

@@ -4,8 +4,8 @@ import pytest
 from helpers_sequences import decoded, write_image
 
 from placecat.errors import PlacecatError
+from placecat.footage.frames import read_frames
 from placecat.sequences import folder
-from placecat.sequences.base import read_frames
 
 CSV = "start,end,label\n1,2,kitchen\n3,4,bedroom\n"
 

@@ -83,7 +83,7 @@ def test_csv_in_seconds_of_frames_that_come_unevenly(tmp_path: Path) -> None:
         path.write_text(f"start_seconds,end_seconds,label\n0,{start},a\n{start},100.3,b\n")
         labels, _ = read_label_csv(path, 4, 10.0, "the video", starts)
         assert labels == ["a"] * expected + ["b"] * (4 - expected)
-    path.write_text("start_seconds,end_seconds,label\n0,1e308,a\n")
+    path.write_text("start_seconds,end_seconds,label\n0,1000000,a\n")
     with pytest.raises(
         PlacecatError, match=r"line 2: .* but the video has 4 frames \(100\.300 s at an uneven"
     ):

@@ -7,8 +7,8 @@ from clips import steady, turned_on_the_way, write_clip, zero
 from helpers_sequences import decoded, write_video
 
 from placecat.errors import PlacecatError
+from placecat.footage.frames import read_frames
 from placecat.sequences import video
-from placecat.sequences.base import read_frames
 
 
 def test_round_trip(tmp_path: Path) -> None:

@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from placecat.errors import PlacecatError
+from placecat.footage.frames import read_frames
 from placecat.sequences import vpc2009
-from placecat.sequences.base import read_frames
 
 # Every irregularity of the real files: runs of spaces, an end line spaced otherwise, floors out of order, two
 # transitions in a row, a note after the end, no newline at the end.

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError, reading
+from placecat.footage.pictures import SUFFIXES, list_frames, read_image
 from placecat.footage.recording import Recording
 from placecat.predict.camera import Camera
 from placecat.predict.frame import Damage, Frame, Source
 from placecat.sequences import video
-from placecat.sequences.pictures import SUFFIXES, list_frames, read_image
 
 _CAMERA = re.compile(r"camera(?::([0-9]{1,4}))?")
 _STREAM = re.compile(r"(rtsps?|https?)://.+", re.IGNORECASE)

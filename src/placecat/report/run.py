@@ -12,10 +12,10 @@ from placecat import files, listing, paths, settings, store
 from placecat.cues.codebook import Codebook
 from placecat.cues.descriptors import Descriptors
 from placecat.errors import PlacecatError, SettingError
+from placecat.footage.frames import read_frames
 from placecat.results.collect import read_results
 from placecat.results.measured import Results
 from placecat.results.sources import Source, sources
-from placecat.sequences.base import read_frames
 from placecat.training import protocol
 from placecat.vision.attention import compute_maps
 from placecat.vision.discovery import settings_of

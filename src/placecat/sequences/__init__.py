@@ -12,7 +12,8 @@ from typing import Any
 
 from placecat import lookup
 from placecat.errors import PlacecatError, reading
-from placecat.sequences.base import Home, read_frames
+from placecat.footage.frames import read_frames
+from placecat.sequences.base import Home
 from placecat.sequences.places import place_labels, require_classes
 
 __all__ = ["Home", "layouts", "list_homes", "open_home", "place_labels", "read_frames", "require_classes"]

@@ -19,6 +19,7 @@ from pathlib import Path
 import numpy as np
 
 from placecat.errors import PlacecatError
+from placecat.footage.pictures import read_image
 from placecat.sequences.base import Home, frame_table
 from placecat.sequences.folders import (
     data_folder,
@@ -30,7 +31,6 @@ from placecat.sequences.folders import (
     some_homes,
 )
 from placecat.sequences.labels import read_text, shown
-from placecat.sequences.pictures import read_image
 
 LABEL_FILE = "localization/places.lst"
 _IMAGE = re.compile(r"t([0-9]{1,12})\.([0-9]{6})[-+._0-9A-Za-z]*\.jpe?g")

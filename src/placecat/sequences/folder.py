@@ -1,6 +1,6 @@
 """A folder of frames a home, with a label CSV: ``<name>/*.jpg`` and ``<name>.csv`` or ``<name>/labels.csv``.
 
-Frames are JPEG or PNG files, see `placecat.sequences.pictures.list_frames`. Without a CSV every frame is
+Frames are JPEG or PNG files, see `placecat.footage.pictures.list_frames`. Without a CSV every frame is
 unlabelled.
 """
 
@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 
 from placecat.errors import PlacecatError
+from placecat.footage.pictures import SUFFIXES, has_pictures, list_frames, read_image
 from placecat.sequences.base import Home, frame_table
 from placecat.sequences.folders import data_folder, frame_rate, home_folder, some_homes
 from placecat.sequences.labels import label_csvs, read_label_csv
-from placecat.sequences.pictures import SUFFIXES, has_pictures, list_frames, read_image
 
 
 def list_homes(root: Path) -> list[str]:

@@ -8,9 +8,10 @@ from pathlib import Path
 import numpy as np
 
 from placecat.errors import PlacecatError
+from placecat.footage.names import relative
 from placecat.footage.recording import Recording
 from placecat.sequences.base import Home, frame_table
-from placecat.sequences.folders import data_folder, frame_rate, relative, some_homes
+from placecat.sequences.folders import data_folder, frame_rate, some_homes
 from placecat.sequences.labels import label_csvs, read_label_csv
 
 SUFFIXES = (".avi", ".m4v", ".mkv", ".mov", ".mp4", ".mpeg", ".mpg", ".webm")

@@ -18,10 +18,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
+from placecat.footage.pictures import read_image
 from placecat.sequences.base import Home, frame_table
 from placecat.sequences.folders import data_folder, frame_rate, home_folder, inside, some_homes
 from placecat.sequences.labels import Segment, check_segments, expand_segments, read_text, shown, whole
-from placecat.sequences.pictures import read_image
 
 LABEL_FILE = "label.txt"
 _END = ["-1", "-1", "end"]

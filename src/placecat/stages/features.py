@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 
 from placecat import files, items, listing, parallel, paths, settings
-from placecat.sequences.base import read_frames
+from placecat.footage.frames import read_frames
 from placecat.stages import run
 from placecat.vision.frame import check, describe_frame
 from placecat.vision.memory import keep_freed_memory

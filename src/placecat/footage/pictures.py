@@ -17,7 +17,7 @@ import simplejpeg
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.sequences.folders import natural
+from placecat.footage.names import natural
 
 SUFFIXES = (".jpeg", ".jpg", ".png")
 """File name endings taken for a frame, in either case."""

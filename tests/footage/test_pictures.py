@@ -13,8 +13,8 @@ import simplejpeg
 from helpers_sequences import coded, decoded
 
 from placecat.errors import PlacecatError
-from placecat.sequences import pictures
-from placecat.sequences.pictures import has_pictures, in_order, list_frames, read_image
+from placecat.footage import pictures
+from placecat.footage.pictures import has_pictures, in_order, list_frames, read_image
 
 PHOTO = cv2.resize(np.random.default_rng(0).integers(0, 256, (30, 40, 3), np.uint8), (320, 240))
 

@@ -1,0 +1,98 @@
+"""The frames of a home, decoded."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.footage.names import relative
+from placecat.footage.pictures import read_image
+from placecat.footage.recording import Picture, Recording
+
+
+def read_frames(
+    home_root: Path | str, frames: pd.DataFrame, *, size: tuple[int, int] | None = None
+) -> Iterator[NDArray[np.uint8]]:
+    """Decode frames in the order of the rows.
+
+    A video is decoded from its start (`placecat.footage.recording`) and frames between rows are passed
+    over; a row that lies before the last one starts again. The file is never asked to seek: containers answer
+    with a nearby frame without saying so. Rows in increasing position cost one pass.
+
+    Parameters
+    ----------
+    home_root
+        `Home.root`.
+    frames
+        Any rows of `Home.frames`, in any order.
+    size
+        (width, height) in pixels that every frame must have; None takes that of the first row.
+
+    Yields
+    ------
+    (H, W, 3) uint8, BGR.
+
+    Raises
+    ------
+    PlacecatError
+        If a frame is missing, unreadable, or of another size, naming its file.
+    """
+    root = Path(home_root)
+    video: _Video | None = None
+    try:
+        for source, position in zip(frames["source"], frames["position"], strict=True):
+            path = root / relative(source, "frame list")
+            if position < 0:
+                image = read_image(path)
+            else:
+                if video is None or video.path != path:
+                    if video is not None:
+                        video.close()
+                    video = _Video(path)
+                image = video.read(int(position))
+            height, width = image.shape[:2]
+            size = size or (width, height)
+            if (width, height) != size:
+                where = str(path) if position < 0 else f"{path} frame {position + 1}"
+                raise PlacecatError(
+                    f"{where}: the frame is {width}x{height}, the others of this home are "
+                    f"{size[0]}x{size[1]}; a home needs one frame size: convert the frame or take it out."
+                )
+            yield image
+    finally:
+        if video is not None:
+            video.close()
+
+
+class _Video:
+    """A video read forwards, from its start again to go back."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self._recording = Recording(path)
+        self._pictures = self._recording.pictures()
+        self._last: Picture | None = None
+
+    def close(self) -> None:
+        self._pictures.close()
+
+    def read(self, position: int) -> NDArray[np.uint8]:
+        number = position + 1
+        if self._last is not None and number < self._last.number:
+            self.close()
+            self._pictures, self._last = self._recording.pictures(), None
+        while self._last is None or self._last.number < number:
+            following = next(self._pictures, None)
+            if following is None:
+                break
+            self._last = following
+        if self._last is None or self._last.number != number:
+            count = self._recording.count
+            why = f"the video ends after {count}" if number > count else "it is damaged there"
+            raise PlacecatError(
+                f"{self.path}: frame {number} is missing or unreadable ({why}); restore the file."
+            )
+        return self._last.image()
