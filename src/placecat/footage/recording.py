@@ -24,6 +24,9 @@ Size = tuple[int, int]
 MOST_PIXELS = 2**26
 """Of a frame; 8K video has half as many."""
 _FLATTEST = 4.0
+# A file is what it holds: lists of other files and addresses, which FFmpeg would follow, are none of these.
+_FORMATS = "asf,avi,flv,h264,hevc,m4v,matroska,mov,mpeg,mpegts,mpegvideo,ogg"
+_OPENING = {"format_whitelist": _FORMATS, "protocol_whitelist": "file"}
 # BT.2020 with a curve that swscale converts (phones' HDR), to BT.709.
 _WIDE, _CURVES, _USUAL = 9, (14, 15, 16, 18), 1
 _TURNS = {90: cv2.ROTATE_90_COUNTERCLOCKWISE, 180: cv2.ROTATE_180, 270: cv2.ROTATE_90_CLOCKWISE}
@@ -210,7 +213,7 @@ class Recording:
         # Its errors are counted, and not shown.
         av.logging.set_level(av.logging.PANIC)
         try:
-            container = av.open(str(self.path), metadata_errors="replace")
+            container = av.open(str(self.path.absolute()), options=_OPENING, metadata_errors="replace")
         except OSError as error:
             if isinstance(error, PermissionError):
                 raise PlacecatError(f"{self.path}: the video cannot be opened ({error.strerror}).") from None
