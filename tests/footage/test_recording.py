@@ -214,6 +214,20 @@ def test_whole_files_give_the_bytes_of_opencv_and_no_note(name, settings, tmp_pa
     assert np.array_equal(found.seconds, np.arange(40) / found.fps)
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "ffconcat version 1.0\nfile film.mp4\n",
+        "#EXTM3U\n#EXT-X-TARGETDURATION:9\n#EXTINF:9,\nfilm.mp4\n#EXT-X-ENDLIST\n",
+    ],
+)
+def test_a_list_of_other_files_is_not_followed(text, tmp_path):
+    write_clip(tmp_path / "film.mp4", steady(3))
+    (tmp_path / "a.mp4").write_text(text)
+    with pytest.raises(PlacecatError, match=r"a\.mp4: not a readable video"):
+        Recording(tmp_path / "a.mp4")
+
+
 def test_messages(tmp_path):
     with pytest.raises(PlacecatError, match=r"a\.mp4: the video is missing"):
         Recording(tmp_path / "a.mp4")

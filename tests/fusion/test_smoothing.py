@@ -46,9 +46,7 @@ def test_the_times_of_frames_that_come_unevenly_count():
     proba, training = made()
     times = np.array([0, 0.2, 0.4, 0.6, 9.6, 0, 0.1, 0.2, 0.5, 0.9, 1.0, 1.1])
     result = smooth(proba, [slice(0, 5), slice(5, 12)], frame_rate=5.0, times=times, **training, **SETTINGS)
-    fitted = fit(
-        n_classes=2, **training, **{name: SETTINGS[name] for name in SETTINGS if name != "n_classes"}
-    )
+    fitted = fit(**training, **SETTINGS)
     for part in (slice(0, 5), slice(5, 12)):
         smoother = Smoother(fitted)
         steps = [0.2, *np.diff(times[part])]

@@ -1,9 +1,10 @@
 """A video file: its frames with the numbers and times that the file gives them, and what of it is lost."""
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from itertools import pairwise
+from fractions import Fraction
+from itertools import chain
 from pathlib import Path
 from typing import cast
 
@@ -16,15 +17,16 @@ from av.video.stream import VideoStream
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.footage import timing
+from placecat.footage import streams, timing
 
 Size = tuple[int, int]
 
 MOST_PIXELS = 2**26
 """Of a frame; 8K video has half as many."""
 _FLATTEST = 4.0
-# Reading errors in a row after which the rest of a file is given up.
-_PATIENCE = 100
+# A file is what it holds: lists of other files and addresses, which FFmpeg would follow, are none of these.
+_FORMATS = "asf,avi,flv,h264,hevc,m4v,matroska,mov,mpeg,mpegts,mpegvideo,ogg"
+_OPENING = {"format_whitelist": _FORMATS, "protocol_whitelist": "file"}
 # BT.2020 with a curve that swscale converts (phones' HDR), to BT.709.
 _WIDE, _CURVES, _USUAL = 9, (14, 15, 16, 18), 1
 _TURNS = {90: cv2.ROTATE_90_COUNTERCLOCKWISE, 180: cv2.ROTATE_180, 270: cv2.ROTATE_90_CLOCKWISE}
@@ -120,9 +122,9 @@ class Recording:
             said = [rate for rate in self._rates if rate is not None and 0 < rate <= timing.MOST_RATE]
             found = timing.even(self.count, float(said[0])) if said else None
         if found is None:
-            said = ", ".join(sorted({f"{float(rate):g}" for rate in self._rates if rate})) or "none"
+            texts = ", ".join(sorted({f"{float(rate):g}" for rate in self._rates if rate})) or "none"
             raise PlacecatError(
-                f"{self.path}: the video does not say when its frames are shown (its frame rate: {said}); "
+                f"{self.path}: the video does not say when its frames are shown (its frame rate: {texts}); "
                 f"give it with {setting}."
             )
         steps = np.diff(found.seconds)
@@ -134,7 +136,7 @@ class Recording:
             )
         return found
 
-    def pictures(self) -> Iterator[Picture]:
+    def pictures(self) -> Generator[Picture, None, None]:
         """Decode all frames in the order in which they are shown; those that are lost are left out.
 
         FFmpeg decodes several frames at once, and then does not say which of them has an error. After the
@@ -211,7 +213,7 @@ class Recording:
         # Its errors are counted, and not shown.
         av.logging.set_level(av.logging.PANIC)
         try:
-            container = av.open(str(self.path), metadata_errors="replace")
+            container = av.open(str(self.path.absolute()), options=_OPENING, metadata_errors="replace")
         except OSError as error:
             if isinstance(error, PermissionError):
                 raise PlacecatError(f"{self.path}: the video cannot be opened ({error.strerror}).") from None
@@ -223,7 +225,7 @@ class Recording:
             try:
                 yield container, stream
             finally:
-                _drain(stream)
+                streams.drain(stream)
 
     def _unreadable(self) -> PlacecatError:
         return PlacecatError(
@@ -235,12 +237,12 @@ class Recording:
 
     def _stream(self, container: av.container.InputContainer) -> VideoStream:
         """The first video; the cover of a file of music is none."""
-        streams = [one for one in container.streams.video if not _is_cover(one)]
-        if not streams:
+        videos = [one for one in container.streams.video if not streams.is_cover(one)]
+        if not videos:
             if container.streams.video:
                 raise PlacecatError(f"{self.path}: holds a cover picture, but no video; give a video.")
             raise self._unreadable()
-        stream = streams[0]
+        stream = videos[0]
         if stream.codec_context is None:
             raise self._unreadable()
         ratio = stream.sample_aspect_ratio
@@ -265,28 +267,28 @@ class Recording:
         entries = [entry for entry in stream.index_entries if not entry.is_discard] if "mov" in name else []
         announced = stream.frames if name == "avi" else len(entries)
         stamps: list[tuple[int | None, int | None]] = []
-        packets, furthest, before = 0, 0.0, _errors()
+        packets, furthest, before = 0, 0.0, streams.errors()
         self._last = 0
         latest = -(2**63)
-        for packet in _packets(container):
+        for packet in streams.packets(container):
             if packet.pts is not None and packet.time_base is not None:
                 furthest = max(furthest, float((packet.pts + (packet.duration or 0)) * packet.time_base))
             if packet.stream_index != stream.index:
                 continue
             packets += not packet.is_discard
-            if _is_frame(packet, stream):
+            if streams.is_frame(packet, stream):
                 stamps.append((packet.pts, packet.dts))
                 if packet.pts is not None and packet.pts > latest:
                     latest, self._last = packet.pts, packet.duration or 0
         if not stamps:
             raise self._empty()
-        self.count, self._tick = len(stamps), stream.time_base
+        self.count, self._tick = len(stamps), stream.time_base or Fraction(1)
         shown, coded = zip(*stamps, strict=True)
         # AVI has the times of coding only.
-        is_known = name != "avi" and _are_times(shown) and _runs_forward(coded)
+        is_known = name != "avi" and streams.are_times(shown) and streams.run_forward(coded)
         self._numbers = {pts: number for number, pts in enumerate(sorted(shown), 1)} if is_known else {}
         times = shown if is_known else coded
-        usable = is_known or (_are_times(coded) and _runs_forward(coded))
+        usable = is_known or (streams.are_times(coded) and streams.run_forward(coded))
         self._ticks = np.array(sorted(times), np.int64) if usable else None
         self._unread: list[str] = []
         if announced > packets:
@@ -294,25 +296,25 @@ class Recording:
                 f"only {packets} of the {announced} frames that the file announces can be read: it may be "
                 "cut off or damaged"
             )
-        elif "mov" not in name and _errors() > before:
+        elif "mov" not in name and streams.errors() > before:
             self._unread.append("the file itself is damaged, so that more frames may be missing")
         elif "matroska" in name and container.duration is not None:
             until = (container.duration + (container.start_time or 0)) / 1e6
             if until - furthest > 0.25:
                 self._unread.append(f"it ends {until - furthest:.1f} s early: it may be cut off")
 
-    def _decoded(self) -> Iterator[Picture]:
+    def _decoded(self) -> Generator[Picture, None, None]:
         """One pass, without the frames that one before it gave; _Damaged at an error if several at once."""
         given, last = self._reached, 0
         with self._opened() as (container, stream):
             codec = stream.codec_context
-            for packet in _with_end(_packets(container, stream)):
-                before, failed = _errors(), False
+            for packet in chain(streams.packets(container, stream), [None]):
+                before, failed = streams.errors(), False
                 try:
                     frames = codec.decode(packet)
                 except av.FFmpegError:
                     frames, failed = [], True
-                if failed or _errors() > before:
+                if failed or streams.errors() > before:
                     if not self._is_careful:
                         raise _Damaged
                     if packet is not None and packet.pts in self._numbers:
@@ -322,7 +324,7 @@ class Recording:
                         self._erroneous |= set() if failed else {last + 1}
                 if packet is not None and packet.is_corrupt and packet.pts in self._numbers:
                     self._erroneous.add(self._numbers[packet.pts])
-                for frame in cast(list[VideoFrame], frames):
+                for frame in frames:
                     number = self._numbers.get(frame.pts, last + 1)
                     if not last < number <= self.count:
                         continue
@@ -333,65 +335,6 @@ class Recording:
                         if frame.is_corrupt:
                             self._erroneous.add(number)
                         yield Picture(number, self._shown(frame), self, frame)
-
-
-def _with_end(packets: Iterator[av.Packet]) -> Iterator[av.Packet | None]:
-    yield from packets
-    yield None
-
-
-def _packets(
-    container: av.container.InputContainer, stream: VideoStream | None = None
-) -> Iterator[av.Packet]:
-    """The packets of a file, those of one stream if it is given; damaged places are passed over."""
-    failures = 0
-    while failures < _PATIENCE:
-        try:
-            for packet in container.demux(stream) if stream is not None else container.demux():
-                failures = 0
-                # To the decoder an empty one would be the end.
-                if packet.size:
-                    yield packet
-        except av.FFmpegError:
-            failures += 1
-        else:
-            return
-
-
-def _is_frame(packet: av.Packet, stream: VideoStream) -> bool:
-    """Whether a packet is shown: not if it is cut off by the file itself, or only refers to others."""
-    is_hidden = stream.codec_context.name in ("vp8", "libvpx") and not memoryview(packet)[0] & 0x10
-    return not packet.is_discard and not is_hidden
-
-
-def _is_cover(stream: VideoStream) -> bool:
-    return bool(stream.disposition & av.stream.Disposition.attached_pic)
-
-
-def _are_times(stamps: tuple[int | None, ...]) -> bool:
-    return None not in stamps and len(set(stamps)) == len(stamps)
-
-
-def _runs_forward(stamps: tuple[int | None, ...]) -> bool:
-    known = [one for one in stamps if one is not None]
-    return all(one < other for one, other in pairwise(known))
-
-
-def _drain(stream: VideoStream) -> None:
-    """Wait for the decoder's threads: one that reports an error while Python closes it waits for ever."""
-    for _ in range(_PATIENCE):
-        try:
-            if not stream.codec_context.is_open or not stream.codec_context.decode(None):
-                return
-        except av.error.EOFError:
-            return
-        except av.FFmpegError:
-            continue
-
-
-def _errors() -> int:
-    """How many errors FFmpeg has reported in this process."""
-    return av.logging.get_last_error()[0]
 
 
 def _are(numbers: list[int]) -> str:

@@ -1,0 +1,65 @@
+"""Packets of a file and errors of a decoder, through PyAV."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+import av
+from av.video.stream import VideoStream
+
+# Errors in a row after which the rest of a file is given up.
+_PATIENCE = 100
+
+
+def packets(container: av.container.InputContainer, stream: VideoStream | None = None) -> Iterator[av.Packet]:
+    """The packets of a file, those of one stream if it is given; damaged places are passed over."""
+    failures = 0
+    while failures < _PATIENCE:
+        try:
+            for packet in container.demux(stream) if stream is not None else container.demux():
+                failures = 0
+                # To the decoder an empty one would be the end.
+                if packet.size:
+                    yield packet
+        except av.FFmpegError:
+            failures += 1
+        else:
+            return
+
+
+def is_frame(packet: av.Packet, stream: VideoStream) -> bool:
+    """Whether a packet is shown: not if it is cut off by the file itself, or only refers to others."""
+    is_hidden = stream.codec_context.name in ("vp8", "libvpx") and not memoryview(packet)[0] & 0x10
+    return not packet.is_discard and not is_hidden
+
+
+def is_cover(stream: VideoStream) -> bool:
+    """Whether a stream is the picture that belongs to a file of music."""
+    return bool(stream.disposition & av.stream.Disposition.attached_pic)
+
+
+def are_times(stamps: tuple[int | None, ...]) -> bool:
+    """Whether all timestamps are known and differ."""
+    return None not in stamps and len(set(stamps)) == len(stamps)
+
+
+def run_forward(stamps: tuple[int | None, ...]) -> bool:
+    """Whether each timestamp that is known is later than the one before."""
+    known = [one for one in stamps if one is not None]
+    return all(one < other for one, other in pairwise(known))
+
+
+def drain(stream: VideoStream) -> None:
+    """Wait for the decoder's threads: one that reports an error while Python closes it waits for ever."""
+    for _ in range(_PATIENCE):
+        try:
+            if not stream.codec_context.is_open or not stream.codec_context.decode(None):
+                return
+        except av.error.EOFError:
+            return
+        except av.FFmpegError:
+            continue
+
+
+def errors() -> int:
+    """How many errors FFmpeg has reported in this process."""
+    return av.logging.get_last_error()[0]
