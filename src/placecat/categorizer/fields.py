@@ -66,9 +66,12 @@ def check(class_name: str, state: Mapping[str, Any]) -> None:
         raise PlacecatError(f"the attributes of a {class_name} do not fit one another")
 
 
-_PROBABILITY = {"low": 0.0, "high": 1.0}
 _CUE = having("predict_proba")
 _SEED = whole(0, 2**64)
+
+
+def _probabilities(*sides: str) -> Field:
+    return array("f", *sides, low=0.0, high=1.0)
 
 
 def _classes(value: Any, sizes: Sizes) -> None:
@@ -107,8 +110,8 @@ _BAYES: dict[str, Field] = {
 
 FIELDS: dict[str, dict[str, Field]] = {
     "SmoothingModel": {
-        "transition": array("f", "K", "K", **_PROBABILITY),
-        "emission": array("f", "K", "K", **_PROBABILITY),
+        "transition": _probabilities("K", "K"),
+        "emission": _probabilities("K", "K"),
         "evidence": one_of("hard", "soft"),
         "evidence_seconds": number(above=0),
         "delay_seconds": number(0),
@@ -205,9 +208,9 @@ FIELDS: dict[str, dict[str, Field]] = {
         "reliability_smoothing": number(0),
         "prior": one_of(*PRIORS),
         "uncertainty": number(0),
-        "prior_": array("f", "K", **_PROBABILITY),
-        "reliability_": array("f", "K", "K", **_PROBABILITY),
-        "posterior_": array("f", "K", "K", **_PROBABILITY),
+        "prior_": _probabilities("K"),
+        "reliability_": _probabilities("K", "K"),
+        "posterior_": _probabilities("K", "K"),
     },
     "Sequential": _MULTI_CLASS
     | {
@@ -215,7 +218,7 @@ FIELDS: dict[str, dict[str, Field]] = {
         "training": one_of(*TRAINING),
         "decision": one_of(*DECISIONS),
         "output": one_of(*OUTPUTS),
-        "strength_": array("f", "K", **_PROBABILITY),
+        "strength_": _probabilities("K"),
         "order_": array("i", "K", low=0, below="K"),
     },
     "NuSVM": {

@@ -206,7 +206,8 @@ def _check_jpeg(path: Path, content: bytes) -> None:
 
 def _check_png(path: Path, content: bytes) -> None:
     """Refuse chunks whose checksum is wrong, and kinds of PNG that are no frames."""
-    at, kinds = len(_PNG), set()
+    kinds: set[bytes] = set()
+    at = len(_PNG)
     while b"IEND" not in kinds:
         length = int.from_bytes(content[at : at + 4], "big")
         end = at + 8 + length
@@ -232,4 +233,4 @@ def _is_transparent(content: bytes) -> bool:
     image = cv2.imdecode(np.frombuffer(content, np.uint8), cv2.IMREAD_UNCHANGED)
     if image is None or image.ndim < 3 or image.shape[2] < 4:
         return False
-    return bool((image[:, :, 3] < np.iinfo(image.dtype).max).any())
+    return bool((image[:, :, 3] < (255 if image.dtype == np.uint8 else 65535)).any())

@@ -33,7 +33,7 @@ from placecat.sequences.folders import (
 from placecat.sequences.labels import read_text, shown
 
 LABEL_FILE = "localization/places.lst"
-_IMAGE = re.compile(r"t([0-9]{1,12})\.([0-9]{6})[-+._0-9A-Za-z]*\.jpe?g")
+_IMAGE = re.compile(r"t([0-9]{1,12})\.([0-9]{6})[-+._0-9A-Za-z]{0,200}\.jpe?g")
 _LABEL = re.compile(r"([0-9]*[A-Z]+)[0-9]*(-[AB])?")
 
 
