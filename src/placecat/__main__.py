@@ -4,12 +4,14 @@ import argparse
 import sys
 import time
 from collections.abc import Sequence
+from contextlib import redirect_stdout
 from pathlib import Path
 
 import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
 from placecat import compute, paths
 from placecat.compose import write_params
 from placecat.errors import PlacecatError, exiting
+from placecat.terminal import Terminal
 
 NOT_AS_KEPT = 3
 _STATUS = (
@@ -21,7 +23,7 @@ _STATUS = (
 def main(arguments: Sequence[str] | None = None) -> None:
     """Run a subcommand; a mistake of the user's ends with its message and status 1."""
     given = list(sys.argv[1:] if arguments is None else arguments)
-    with exiting():
+    with exiting(), redirect_stdout(Terminal(sys.stdout)):
         if given[:1] in (["experiment"], ["search"]):
             _hydra(given[0], given[1:])
         else:

@@ -6,6 +6,8 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.colors import to_hex
 
+from placecat.errors import printable
+
 # After the palettes of Okabe and Ito and of Tol, so that the places of one data set differ in lightness.
 PLACES = {
     "bedroom": "#332288",
@@ -22,6 +24,8 @@ OTHERS = ("#0072b2", "#661100", "#b3b3b3", "#117733", "#e69f00", "#aa4499", "#00
 
 INK = "#222222"
 MUTED = "#8a8a8a"
+# Characters of a line.
+_LONGEST = 120
 TRUTH = "#0033cc"
 MAP = "Greys"
 AMOUNT = "Greys"
@@ -34,9 +38,18 @@ def place_colors(classes: Sequence[str]) -> dict[str, str]:
     return {place: PLACES.get(place) or spare[place] for place in classes}
 
 
+def written(text: str) -> str:
+    """Text of the user's as a figure can show it: on one line, not too long, without what no font can draw.
+
+    Matplotlib fails on half a character (a file's name may be in any coding), and a long line takes minutes.
+    """
+    line = printable(text).replace("\n", " ").replace("\t", " ")
+    return line if len(line) <= _LONGEST else f"{line[: _LONGEST // 2]}…{line[-_LONGEST // 2 :]}"
+
+
 def place_title(place: str) -> str:
-    """Name of a place as a figure writes it, e.g. "living room"."""
-    return place.replace("_", " ")
+    """Name of a place or a home as a figure writes it, e.g. "living room"."""
+    return written(place.replace("_", " "))
 
 
 def steps(count: int) -> list[str]:

@@ -26,8 +26,11 @@ def save(figure: Figure, target: Path) -> None:
 
 
 def png_of(draw: Callable[..., Figure | None], *arguments: Any) -> bytes | None:
-    """The figure that `draw` gives as PNG in the house's style, with the same bytes for the same figure."""
-    with house_style():
+    """The figure that `draw` gives as PNG in the house's style, with the same bytes for the same figure.
+
+    Of this program's own text: what stands between two $ is mathematics, as in the powers of ten on an axis.
+    """
+    with house_style({"text.parse_math": True}):
         figure = draw(*arguments)
         if figure is None:
             return None

@@ -12,6 +12,7 @@ from placecat import files
 from placecat.experiment import output
 from placecat.experiment.options import TEST_HOME
 from placecat.paths import seed_name
+from placecat.report import formats
 
 HOME = "test_home"
 AVERAGE = "average"
@@ -163,8 +164,10 @@ def text(ran: Sequence[Ran]) -> str:
 def markdown(ran: Sequence[Ran]) -> str:
     """The summary of a sweep as Markdown."""
     table = grid(ran)
-    across = f" Columns: {table.columns.name}." if table.columns.name else ""
-    rows = table.reset_index().to_markdown(index=False, disable_numparse=True)
+    across = f" Columns: {formats.markdown(str(table.columns.name))}." if table.columns.name else ""
+    shown = table.reset_index().map(lambda cell: formats.markdown(cell) if isinstance(cell, str) else cell)
+    shown.columns = shown.columns.map(lambda name: formats.markdown(str(name)))
+    rows = shown.to_markdown(index=False, disable_numparse=True)
     return f"Accuracy in percent.{across}\n\n{rows}"
 
 

@@ -27,6 +27,7 @@ _EXPERIMENT_KIND = {"mlflow.experimentKind": "custom_model_development"}
 # Limits of MLflow.
 _MOST_METRICS, _MOST_PARAMS, _MOST_TAGS = 800, 100, 100
 _LONGEST_PARAM = 6000
+_LONGEST_KEY = 250
 
 
 def tracking_uri() -> str:
@@ -164,9 +165,13 @@ def finish_run(
 
 
 def key(*parts: str) -> str:
-    """A name of a metric or parameter that MLflow accepts: letters, digits, and ``_-. /`` only."""
+    """A name of a metric or parameter that MLflow accepts: letters, digits, and ``_-. /`` only, as a path.
+
+    A path has no part that is empty or made of dots, and MLflow takes 250 characters.
+    """
     text = "/".join(part for part in parts if part).replace("+", "and")
-    return re.sub(r"[^\w\-. /]", "", text)
+    allowed = re.sub(r"[^\w\-. /]", "", text).split("/")
+    return "/".join(part for part in allowed if part.strip(". "))[:_LONGEST_KEY].rstrip("/")
 
 
 @contextmanager

@@ -8,6 +8,8 @@ from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from numpy.typing import NDArray
 
+from placecat.drawing.palette import written
+
 _FONT = "DejaVu Sans"
 # Of the size of the font: below the baseline, and in all.
 _DESCENT, _LINE = 0.28, 1.3
@@ -33,6 +35,7 @@ def mask(text: str, size: int, *, bold: bool = False) -> NDArray[np.float32]:
     -------
     (line_height(size), width) float32 in [0, 1].
     """
+    text = written(text)
     if not text:
         return np.zeros((line_height(size), 0), np.float32)
     # At 72 dots an inch a point is a pixel.

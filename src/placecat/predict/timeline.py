@@ -44,7 +44,7 @@ def draw(prediction: Prediction, title: str, truth: NDArray[np.int16] | None = N
     for own, (name, places) in zip(axes, strips.items(), strict=False):
         _strip(own, name, places[shown], list(colors.values()), end)
     _confidence(axes[-1], prediction, end)
-    figure.suptitle(title, x=0.01, ha="left")
+    figure.suptitle(palette.written(title), x=0.01, ha="left")
     seen = np.unique(np.concatenate(list(strips.values())))
     handles = [
         Patch(

@@ -9,7 +9,7 @@ from placecat.report.grid import shown_table
 from placecat.templates import environment
 
 # Characters that would end a cell or begin markup.
-_MARKDOWN = str.maketrans({"\n": " ", **{character: f"\\{character}" for character in "\\|*`<"}})
+_MARKDOWN = str.maketrans({"\n": " ", **{character: f"\\{character}" for character in "\\|*`<[]$&"}})
 _LATEX = str.maketrans(
     {
         "\n": " ",
@@ -30,6 +30,16 @@ _LATEX = str.maketrans(
         "ν": r"$\nu$",
     }
 )
+
+
+def markdown(text: str) -> str:
+    """Escape a text so that Markdown shows it as it is."""
+    return text.translate(_MARKDOWN)
+
+
+def latex(text: str) -> str:
+    """Escape a text so that LaTeX prints it as it is."""
+    return text.translate(_LATEX)
 
 
 def table_markdown(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]) -> str:

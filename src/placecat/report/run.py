@@ -46,6 +46,19 @@ class Run:
         self.classes: tuple[str, ...] = tuple(settings.get(params, "dataset.classes"))
         self._frames: dict[tuple[str, int], Frame] = {}
 
+    def threshold(self, name: str) -> float:
+        """The threshold of an information filter.
+
+        Raises
+        ------
+        PlacecatError
+            There is no such filter, or it has a share of frames instead.
+        """
+        value = settings.get(self.params, f"filters.{name}.threshold")
+        if value is None:
+            raise SettingError(f"the filter {name} has a share, and figures need one with a threshold")
+        return float(value)
+
     def options(self, figure: str) -> Mapping[str, Any]:
         """The settings of one figure, ``figures.<figure>``; empty where it has none."""
         return settings.get(self.params, "figures").get(figure) or {}

@@ -70,11 +70,11 @@ def _distinct(items: list[_Item]) -> list[_Item]:
 
 
 Text = Annotated[str, AfterValidator(_text)]
-"""A title."""
+"""Any text, such as an address."""
 Folder = Annotated[str, AfterValidator(_folder)]
 """The path of a folder of data, which a stage depends on."""
 Label = Annotated[str, AfterValidator(_short)]
-"""A place, a camera, a word in a table."""
+"""A title, a place, a camera: what people read in tables and figures."""
 FileName = Annotated[str, AfterValidator(_file_name)]
 """A home, a sequence: it names files and folders."""
 Key = Annotated[str, AfterValidator(_key)]

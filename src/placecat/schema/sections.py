@@ -43,7 +43,7 @@ class Dataset(Section):
     """conf/dataset."""
 
     name: Label
-    title: Text
+    title: Label
     thesis_data: Label | None
     layout: str
     root: Folder
@@ -280,7 +280,7 @@ class Codebook(Section):
 class Cue(Section):
     """A file of conf/cue."""
 
-    title: Text
+    title: Label
     codebook: Key | None
     schemes: Schemes
     cross_validate: bool
@@ -299,7 +299,7 @@ class Integrator(Section):
 class System(Section):
     """A file of conf/system."""
 
-    title: Text
+    title: Label
     scheme: Literal["5-5-1", "4-5-1"]
     temperature: bool
     extra: bool

@@ -7,7 +7,6 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from placecat import settings
 from placecat.drawing.palette import place_title
 from placecat.errors import PlacecatError
 from placecat.report.figures.panels import Sheet, show_frame
@@ -35,7 +34,7 @@ class Failure(NamedTuple):
 
 def draw(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
     """Draw the figure; settings in ``figures.figure_18``."""
-    least = float(settings.get(run.params, f"filters.{filter}.threshold"))
+    least = run.threshold(filter)
     found = failures(run, list(cues.values()), least)[:SHOWN]
     if not found:
         raise PlacecatError(f"there is no informative frame that all of {', '.join(cues)} get wrong")

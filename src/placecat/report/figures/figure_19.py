@@ -2,7 +2,6 @@
 
 from matplotlib.figure import Figure
 
-from placecat import settings
 from placecat.drawing.palette import place_title
 from placecat.errors import PlacecatError
 from placecat.report.figures.panels import Sheet, show_frame
@@ -17,7 +16,7 @@ WIDTH, GAP = 3.2, 0.15
 
 def draw(run: Run, *, filter: str) -> Figure:
     """Draw the figure; settings in ``figures.figure_19``."""
-    threshold = float(settings.get(run.params, f"filters.{filter}.threshold"))
+    threshold = run.threshold(filter)
     rejected = [
         (float(value), home, index)
         for home in run.homes

@@ -46,7 +46,8 @@ def draw(run: Run, *, panels: Mapping[str, str]) -> Figure:
         above, below = grid[2 * row, column], grid[2 * row + 1, column]
         points(above, diagram)
         bars(below, diagram)
-        above.set_title(f"({chr(ord('a') + number)}) {title}\n{numbers(run, result)}", loc="left")
+        shown = f"({chr(ord('a') + number)}) {palette.written(title)}"
+        above.set_title(f"{shown}\n{numbers(run, result)}", loc="left")
         below.set_xlabel("probability of the decided place")
         below.tick_params(labelbottom=True)
         if column == 0:

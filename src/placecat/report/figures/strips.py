@@ -82,7 +82,7 @@ def figure(run: Run, homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
         for axes, proba, home in zip(grid[number], probas, homes, strict=True):
             image = draw(axes, proba, truths[home], run.source(result).classes, cuts=cuts[home], span=span)
         letter = f"({chr(ord('a') + number)}) " if len(panels) > 1 else ""
-        grid[number, 0].set_title(letter + title + "\n" * (lines - 1), loc="left")
+        grid[number, 0].set_title(letter + palette.written(title) + "\n" * (lines - 1), loc="left")
         bar = drawn.colorbar(image, ax=list(grid[number]), pad=0.01, aspect=9, shrink=0.85, ticks=span)
         bar.ax.set_yticklabels([f"{value:.2f}" for value in span])
     for axes, home in zip(grid[-1], homes, strict=True):
