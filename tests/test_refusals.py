@@ -14,6 +14,7 @@ import pytest
 
 from placecat import files
 from placecat.errors import PlacecatError, exiting
+from placecat.predict.film import Film
 
 LARGE = np.random.default_rng(0).random(20000)
 WRITERS = {
@@ -77,3 +78,15 @@ def test_nobody_reads_the_output_any_more():
     assert process.stderr.read() == ""
     assert process.wait(20) == 1
     process.stderr.close()
+
+
+@pytest.mark.parametrize("suffix", [".mp4", ".webm"])
+def test_a_film_that_is_not_written_to_its_end_is_refused(tmp_path, suffix, small_files):
+    pictures = np.random.default_rng(0).integers(0, 255, (50, 120, 160, 3)).astype(np.uint8)
+    path = tmp_path / f"film{suffix}"
+    film = Film(path, 10.0, (160, 120))
+    with pytest.raises(PlacecatError, match=rf"film{suffix} could not be written to its end"), film:
+        for picture in pictures:
+            film.add(picture)
+    with Film(path, 10.0, (160, 120)) as film:
+        film.add(pictures[0])

@@ -1,4 +1,5 @@
 import multiprocessing
+import shutil
 import traceback
 from pathlib import Path
 
@@ -122,3 +123,39 @@ def test_the_server_is_that_of_the_environment(monkeypatch):
 def test_names_are_accepted_by_mlflow():
     name = store.key("4-5-1, all cues", "Ori M/V + y-Pos", "", "Home 1")
     assert name == "4-5-1 all cues/Ori M/V and y-Pos/Home 1"
+
+
+def test_a_project_that_was_moved_keeps_its_files_with_it(tmp_path, monkeypatch):
+    before, now = tmp_path / "before", tmp_path / "now"
+    before.mkdir()
+    for place in (before, now):
+        if place == now:
+            shutil.copytree(before, now)
+        monkeypatch.chdir(place)
+        client = store.connect(uri())
+        # The database says where another one's files are, which stays so.
+        if place == before:
+            other = client.create_experiment("other", artifact_location=(tmp_path / "files/x").as_uri())
+        Path("one.txt").write_text(place.name)
+        run = store.start_run(client, experiment(client), place.name, files=[Path("one.txt")])
+        store.finish_run(client, run)
+    assert [path.parents[3] for path in sorted(tmp_path.glob("*/files/*/artifacts/one.txt"))] == [
+        before,
+        now,
+        now,
+    ]
+    shutil.rmtree(before)
+    found = client.search_runs([experiment(client)], order_by=["attributes.start_time"])
+    texts = [Path(client.download_artifacts(one.info.run_id, "one.txt")).read_text() for one in found]
+    assert texts == ["before", "now"]
+    assert client.get_experiment(other).artifact_location == (tmp_path / "files/x").as_uri()
+
+
+def test_files_of_a_database_elsewhere_stay_where_they_are(tmp_path, monkeypatch):
+    (tmp_path / "mine").mkdir()
+    client = store.connect(uri())
+    places = []
+    for artifacts in (Path("files"), Path("mine/files")):
+        number = store.experiment_id(client, uri(), "placecat/test", artifacts=artifacts, description="")
+        places.append(client.get_experiment(number).artifact_location)
+    assert places == [(tmp_path / "files").as_uri()] * 2

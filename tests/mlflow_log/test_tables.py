@@ -1,3 +1,4 @@
+import multiprocessing
 from contextlib import suppress
 from dataclasses import replace
 
@@ -325,3 +326,53 @@ def test_another_form_of_the_runs_is_logged_anew(log, monkeypatch):
     first = log()
     monkeypatch.setattr(tables, "_FORM", "next")
     assert log() != first
+
+
+def test_another_machine_logs_meanwhile_and_one_table_stays_current(log, runs, monkeypatch):
+    """The other one begins and ends while this one is at each of its steps."""
+    log("30.0, 29.0")
+    for number, step in enumerate(("start_run", "finish_run", "_make_current", "_supersede")):
+        owner = tables if step.startswith("_") else store
+        original, state = getattr(owner, step), {"is_due": True}
+
+        def interleaved(*arguments, original=original, state=state, number=number, **options):
+            done = original(*arguments, **options)
+            if state.pop("is_due", False):
+                with monkeypatch.context() as patch:
+                    patch.setattr(tables.platform, "node", lambda: "another machine")
+                    log(f"31.{number}, 29.0")
+            return done
+
+        with monkeypatch.context() as patch:
+            patch.setattr(owner, step, interleaved)
+            log(f"32.{number}, 29.0")
+        assert not state
+        assert names(runs(current=True)) == ["KNN", "SVM", "Table 5: Gist"]
+        current = set(runs(current=True))
+        log(f"33.{number}, 29.0")
+        assert names(runs(current=True)) == ["KNN", "SVM", "Table 5: Gist"]
+        assert not current & set(runs(current=True))
+
+
+def _log_content(log, number, start, failures):
+    try:
+        start.wait()
+        log(f"3{number}.0, 29.0")
+    except BaseException as error:
+        failures.put(repr(error))
+
+
+def test_four_processes_that_log_at_once_leave_one_table_current(log, runs):
+    log()
+    context = multiprocessing.get_context("fork")
+    start, failures = context.Barrier(4), context.SimpleQueue()
+    processes = [
+        context.Process(target=_log_content, args=(log, number, start, failures)) for number in range(4)
+    ]
+    for process in processes:
+        process.start()
+    for process in processes:
+        process.join(120)
+    assert failures.empty()
+    assert names(runs(current=True)) == ["KNN", "SVM", "Table 5: Gist"]
+    assert names(runs("table_06", current=True)) == ["Table 6: Other"]

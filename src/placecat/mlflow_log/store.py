@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import hashlib
 import logging
 import os
 import re
+import sqlite3
+import tempfile
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager, nullcontext
+from contextlib import closing, contextmanager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, TypedDict, Unpack
 
@@ -69,7 +72,8 @@ def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path,
     Parameters
     ----------
     artifacts
-        Folder for the files of a new experiment, unless a server keeps them.
+        Folder for the files of a new experiment, unless a server keeps them. Where a project was moved or
+        copied with its database, the files of what is there are looked for in its new place, too.
     description
         Markdown, for people; replaces another one.
 
@@ -100,9 +104,31 @@ def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path,
                 f"the experiment {name!r} of MLflow at {_shown(uri)} was deleted: restore it with "
                 f"`mlflow experiments restore -x {found.experiment_id}`, or purge it with `mlflow gc`"
             )
+        if location is not None:
+            _follow(uri, str(found.artifact_location), artifacts.resolve())
         if found.tags.get(DESCRIPTION) != description:
             client.set_experiment_tag(found.experiment_id, DESCRIPTION, description)
     return str(found.experiment_id)
+
+
+def _follow(uri: str, before: str, artifacts: Path) -> None:
+    """Let a database in the project's folder name the files in this folder, not where it was once.
+
+    MLflow keeps absolute places and has no command to change them. A database elsewhere may be several
+    projects', each with its own files.
+    """
+    from sqlalchemy.engine import make_url
+
+    database, now = Path(str(make_url(uri).database)).resolve(), artifacts.as_uri()
+    if before == now or not before.startswith("file:") or database.parent != artifacts.parent:
+        return
+    with closing(sqlite3.connect(database)) as connection, connection:
+        for table, column in (("experiments", "artifact_location"), ("runs", "artifact_uri")):
+            connection.execute(
+                f"UPDATE {table} SET {column} = ? || substr({column}, ?) WHERE {column} = ? "
+                f"OR substr({column}, 1, ?) = ?",
+                (now, len(before) + 1, before, len(before) + 1, f"{before}/"),
+            )
 
 
 class Content(TypedDict, total=False):
@@ -186,6 +212,17 @@ def writing(client: MlflowClient) -> Iterator[None]:
         For what MLflow or its database complains of in the block.
     """
     with _told_plainly(client.tracking_uri), _lock(client.tracking_uri):
+        yield
+
+
+@contextmanager
+def alone(uri: str) -> Iterator[None]:
+    """Keep other processes of this user on this machine out that do the same at a tracking server."""
+    from filelock import FileLock
+
+    user = os.getuid() if hasattr(os, "getuid") else ""
+    name = f"placecat-{user}-{hashlib.sha256(uri.encode()).hexdigest()[:16]}.lock"
+    with FileLock(Path(tempfile.gettempdir()) / name, is_singleton=True):
         yield
 
 

@@ -5,13 +5,17 @@ Tags: ``placecat.kind`` is table, row, figures or findings; ``placecat.table`` t
 now. A run counts only if it is current and FINISHED. The order of writing: the run of the table and every
 row, their end; then what they supersede is no longer current; then the rows are, and last the run of the
 table. So whenever this is killed, nothing is current that is not complete, and nothing twice; the next time
-finishes what is left to do and deletes the torso.
+finishes what is left to do and deletes the torso. Processes of one machine do it one after the other. Those
+of several may do it at once: each looks at the end whether a table is current more than once, and leaves
+the latest.
 """
 
 from __future__ import annotations
 
 import hashlib
+import platform
 import tempfile
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -26,6 +30,10 @@ if TYPE_CHECKING:
 
 KIND, TABLE, DIGEST = "placecat.kind", "placecat.table", "placecat.digest"
 CURRENT, SUPERSEDED_BY = "placecat.current", "placecat.superseded_by"
+# The machine that logs a run: until it is finished, another one cannot know whether it goes on.
+MACHINE = "placecat.machine"
+# Milliseconds after which it does not.
+_TORSO = 24 * 3600 * 1000
 # Change it when the runs get other content for the same numbers, so that they are logged anew.
 _FORM = "3"
 # Where a description shows its run's id.
@@ -134,24 +142,41 @@ def log_tables(
     PlacecatError
         If MLflow does not answer, or refuses.
     """
-    client = store.connect(uri)
-    experiment_id = store.experiment_id(client, uri, experiment, artifacts=artifacts, description=description)
+    with store.alone(uri):
+        client = store.connect(uri)
+        number = store.experiment_id(client, uri, experiment, artifacts=artifacts, description=description)
+        common = {
+            "data": data,
+            "data_version": data_version,
+            "mlflow.source.name": "placecat.stages.tracking",
+        }
+        common |= {COMMIT: commit} if commit else {}
+        digests = {run.name: run.digest(data_version) for run in reversed(runs)}
+        _log_new(client, number, runs, digests, common)
+        _settle(client, number)
+        return digests
+
+
+def _log_new(
+    client: MlflowClient,
+    experiment_id: str,
+    runs: Sequence[TableRun],
+    digests: Mapping[str, str],
+    common: Mapping[str, str],
+) -> None:
     known: dict[str, list[Run]] = {}
     # Not superseded: current ones, complete ones that did not become current yet, and torsos.
     for one in _search(client, experiment_id, f"tags.`{DIGEST}` LIKE '%'"):
         if SUPERSEDED_BY not in one.data.tags:
             known.setdefault(one.data.tags.get(TABLE, ""), []).append(one)
-    digests = {}
-    common = {"data": data, "data_version": data_version, "mlflow.source.name": "placecat.stages.tracking"}
-    common |= {COMMIT: commit} if commit else {}
     for run in reversed(runs):
-        digest = digests[run.name] = run.digest(data_version)
+        digest = digests[run.name]
         earlier = known.get(run.name, [])
         complete = [one for one in earlier if one.info.status == "FINISHED"]
         same = [one for one in complete if one.data.tags.get(DIGEST) == digest]
         chosen = same[0].info.run_id if same else None
         for torso in earlier:
-            if torso not in complete:
+            if torso not in complete and _is_torso(torso):
                 _delete(client, experiment_id, torso.info.run_id)
         if chosen is None:
             chosen = _log(client, experiment_id, run, digest, common)
@@ -163,14 +188,32 @@ def log_tables(
         # A table that there is no more.
         for one in known[name]:
             _supersede(client, experiment_id, one.info.run_id, "nothing")
-    return digests
+
+
+def _is_torso(run: Run) -> bool:
+    """Whether nobody goes on with a run that is not finished: here another process would have the lock."""
+    is_own = run.data.tags.get(MACHINE, platform.node()) == platform.node()
+    return is_own or run.info.start_time < time.time() * 1000 - _TORSO
+
+
+def _settle(client: MlflowClient, experiment_id: str) -> None:
+    """Leave the latest run of each table current, where other machines logged meanwhile."""
+    current: dict[str, list[Run]] = {}
+    for one in _search(client, experiment_id, f"tags.`{DIGEST}` LIKE '%' and tags.`{CURRENT}` = 'true'"):
+        current.setdefault(one.data.tags.get(TABLE, ""), []).append(one)
+    for of_table in current.values():
+        *others, latest = sorted(of_table, key=lambda one: (one.info.start_time, one.info.run_id))
+        for one in others:
+            _supersede(client, experiment_id, one.info.run_id, latest.info.run_id)
+        if SUPERSEDED_BY in latest.data.tags:
+            client.delete_tag(latest.info.run_id, SUPERSEDED_BY)
 
 
 def _log(
     client: MlflowClient, experiment_id: str, run: TableRun, digest: str, common: Mapping[str, str]
 ) -> str:
     """Log a table and its rows, not current yet; gives the run's id."""
-    tags = {**common, TABLE: run.name, CURRENT: "false"}
+    tags = {**common, TABLE: run.name, CURRENT: "false", MACHINE: platform.node()}
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
         files = run.files(folder)

@@ -28,12 +28,13 @@ class Film:
     Raises
     ------
     PlacecatError
-        If OpenCV cannot write it.
+        If OpenCV cannot write it, at once or, at the end of a ``with`` block, all of it.
     """
 
     def __init__(self, path: Path, fps: float, size: tuple[int, int]) -> None:
         codec = cv2.VideoWriter.fourcc(*CODECS[path.suffix])
         self._writer = cv2.VideoWriter(str(path), cv2.CAP_FFMPEG, codec, fps, size)
+        self._path = path
         self._fps = fps
         self._count = 0
         if not self._writer.isOpened():
@@ -60,5 +61,18 @@ class Film:
     def __enter__(self) -> "Film":
         return self
 
-    def __exit__(self, *_: object) -> None:
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
         self._writer.release()
+        if kind is None and self._count and not self._is_whole():
+            raise PlacecatError(
+                f"the film {self._path.name} could not be written to its end: is the disk full?"
+            )
+
+    def _is_whole(self) -> bool:
+        """Whether the last picture is there: OpenCV does not say that writing failed."""
+        film = cv2.VideoCapture(str(self._path), cv2.CAP_FFMPEG)
+        try:
+            film.set(cv2.CAP_PROP_POS_FRAMES, self._count - 1)
+            return bool(film.grab())
+        finally:
+            film.release()
