@@ -240,3 +240,15 @@ def test_messages(tmp_path):
     with pytest.raises(PlacecatError, match=r"b\.avi: .*no readable frame|b\.avi: not a readable video"):
         Recording(tmp_path / "b.avi")
     shutil.rmtree(tmp_path)
+
+
+def test_a_damaged_index_is_told_by_the_length_of_the_film(tmp_path):
+    path = write_clip(tmp_path / "a.mp4", steady(60))
+    content = bytearray(path.read_bytes())
+    counts = content.index(b"stsz") + 12
+    assert int.from_bytes(content[counts : counts + 4], "big") == 60
+    content[counts : counts + 4] = (20).to_bytes(4, "big")
+    path.write_bytes(content)
+    recording = Recording(path)
+    assert len(shown(recording)) < 60
+    assert "it ends 1.3 s early: it may be cut off" in recording.note()

@@ -298,7 +298,8 @@ class Recording:
             )
         elif "mov" not in name and streams.errors() > before:
             self._unread.append("the file itself is damaged, so that more frames may be missing")
-        elif "matroska" in name and container.duration is not None:
+        # Other formats do not say how long they are.
+        elif ("matroska" in name or "mov" in name) and container.duration is not None:
             until = (container.duration + (container.start_time or 0)) / 1e6
             if until - furthest > 0.25:
                 self._unread.append(f"it ends {until - furthest:.1f} s early: it may be cut off")
