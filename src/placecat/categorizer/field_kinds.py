@@ -102,7 +102,7 @@ def array(
             return
         if not np.isfinite(known).all():
             raise ValueError("holds numbers that are not finite")
-        least, most = known.min(), known.max()
+        least, most = known.min().item(), known.max().item()
         if least < low or most > high or (below and most >= sizes[below]):
             raise ValueError(f"holds numbers out of range, {least} to {most}")
 
