@@ -122,3 +122,24 @@ def test_the_server_is_that_of_the_environment(monkeypatch):
 def test_names_are_accepted_by_mlflow():
     name = store.key("4-5-1, all cues", "Ori M/V + y-Pos", "", "Home 1")
     assert name == "4-5-1 all cues/Ori M/V and y-Pos/Home 1"
+
+
+@pytest.mark.parametrize(
+    ("address", "message"),
+    [
+        ("http://[::1", "Invalid IPv6"),
+        ("nonsense", "MLflow at nonsense: "),
+        ("foo://x", "MLflow at foo://x: "),
+        ("sqlite://", "names no file"),
+        ("sqlite:////proc/x/y.db", "MLflow at sqlite:////proc/x/y.db: "),
+        (
+            "mssql+pyodbc://me:secret@host/db",
+            r"me:\*\*\*@host/db: the driver .* pyodbc is not",
+        ),
+    ],
+)
+def test_an_address_that_is_none_and_a_missing_driver_are_refused(address, message):
+    with pytest.raises(PlacecatError, match=message) as caught:
+        store.connect(address)
+    assert "\n" not in str(caught.value)
+    assert "secret" not in str(caught.value)
