@@ -68,3 +68,16 @@ def test_without_dask_the_extra_is_named(params, monkeypatch):
         squares()
     with pytest.raises(PlacecatError, match=missing):
         worker_command(NOWHERE, [])
+
+
+@pytest.mark.parametrize("value", ["0", "-1", "abc", "1.5", "2000", "9" * 5000, "\u0662"])
+def test_a_number_of_processes_that_is_none_is_refused(monkeypatch, value):
+    monkeypatch.setenv("PLACECAT_WORKERS", value)
+    with pytest.raises(PlacecatError, match=r"PLACECAT_WORKERS=.* is no number of processes"):
+        compute.local_workers()
+
+
+@pytest.mark.parametrize("value", ["", " "])
+def test_without_a_number_all_cores_are_used(monkeypatch, value):
+    monkeypatch.setenv("PLACECAT_WORKERS", value)
+    assert compute.local_workers() >= 1

@@ -159,3 +159,24 @@ def test_files_of_a_database_elsewhere_stay_where_they_are(tmp_path, monkeypatch
         number = store.experiment_id(client, uri(), "placecat/test", artifacts=artifacts, description="")
         places.append(client.get_experiment(number).artifact_location)
     assert places == [(tmp_path / "files").as_uri()] * 2
+
+
+@pytest.mark.parametrize(
+    ("address", "message"),
+    [
+        ("http://[::1", "Invalid IPv6"),
+        ("nonsense", "MLflow at nonsense: "),
+        ("foo://x", "MLflow at foo://x: "),
+        ("sqlite://", "names no file"),
+        ("sqlite:////proc/x/y.db", "MLflow at sqlite:////proc/x/y.db: "),
+        (
+            "mssql+pyodbc://me:secret@host/db",
+            r"me:\*\*\*@host/db: the driver .* pyodbc is not",
+        ),
+    ],
+)
+def test_an_address_that_is_none_and_a_missing_driver_are_refused(address, message):
+    with pytest.raises(PlacecatError, match=message) as caught:
+        store.connect(address)
+    assert "\n" not in str(caught.value)
+    assert "secret" not in str(caught.value)

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from placecat.compute.connection import Cluster
 
 KINDS = ("local", "dask")
+# On one machine; more is a slip of the pen.
+_MOST_WORKERS = 1024
 
 
 class _Choice:
@@ -62,12 +64,32 @@ def local_workers() -> int:
     """Worker processes on this machine: the environment variable PLACECAT_WORKERS, else its cores.
 
     It is no setting in params.yaml, since no result depends on it.
+
+    Raises
+    ------
+    PlacecatError
+        The variable is no number from 1 on.
     """
+    wanted = wanted_workers()
+    if wanted is not None:
+        return wanted
     # Here, since it imports NumPy.
     from joblib import cpu_count
 
-    value = os.environ.get("PLACECAT_WORKERS", "")
-    return max(1, int(value)) if value.isdigit() else cpu_count()
+    return int(cpu_count())
+
+
+def wanted_workers() -> int | None:
+    """What PLACECAT_WORKERS says, see :func:`local_workers`; None where it is not set or empty."""
+    value = os.environ.get("PLACECAT_WORKERS", "").strip()
+    if not value:
+        return None
+    if not (value.isascii() and value.isdigit() and 1 <= int(value[:9]) <= _MOST_WORKERS and len(value) < 9):
+        raise PlacecatError(
+            f"PLACECAT_WORKERS={value} is no number of processes: give 1 to {_MOST_WORKERS}, or unset it for "
+            "as many as there are cores"
+        )
+    return int(value)
 
 
 def cluster() -> "Cluster | None":

@@ -33,9 +33,9 @@ def main(arguments: Sequence[str]) -> None:
             raise PlacecatError(f"{path} is missing here ({Path.cwd()}): run this in the project's folder")
     options.register()
     # The launcher uses all the cores that joblib counts.
-    workers = os.environ.get("PLACECAT_WORKERS", "")
-    if workers.isdigit():
-        os.environ.setdefault("LOKY_MAX_CPU_COUNT", workers)
+    workers = compute.wanted_workers()
+    if workers is not None:
+        os.environ.setdefault("LOKY_MAX_CPU_COUNT", str(workers))
     sys.argv = ["placecat experiment", *arguments]
     start = hydra.main(version_base="1.3", config_path=str(paths.CONF.resolve()), config_name=options.CONFIG)(
         job

@@ -47,22 +47,36 @@ def connect(uri: str) -> MlflowClient:
     Raises
     ------
     PlacecatError
-        If nothing answers there, or what does is no MLflow of a fitting version.
+        If that is no address, nothing answers there, what does is no MLflow of a fitting version, or the
+        driver of the database is missing.
     """
     os.environ.setdefault("MLFLOW_DISABLE_TELEMETRY", "true")
     # A line a run.
     os.environ.setdefault("MLFLOW_SUPPRESS_PRINTING_URL_TO_STDOUT", "true")
     # By default it takes minutes until it says that no server answers.
     os.environ.setdefault("MLFLOW_HTTP_REQUEST_MAX_RETRIES", "3")
-    lock = _lock(uri)
     from mlflow import MlflowClient
 
     # A new database tells of its 50 migrations.
     for talkative in ("mlflow.store.db.utils", "alembic"):
         logging.getLogger(talkative).setLevel(logging.WARNING)
-    with _told_plainly(uri), lock:
-        client = MlflowClient(uri)
-        client.search_experiments(max_results=1)
+    try:
+        with _told_plainly(uri), _lock(uri):
+            client = MlflowClient(uri)
+            client.search_experiments(max_results=1)
+    except PlacecatError:
+        raise
+    except ImportError as error:
+        driver = f"{error.name} is not installed" if error.name else str(error)
+        raise PlacecatError(
+            f"MLflow at {_shown(uri)}: the driver of this database, {driver}: install it with pip, or let "
+            "MLFLOW_TRACKING_URI name another, e.g. sqlite:///mlflow.db"
+        ) from None
+    except (OSError, ValueError) as error:
+        raise PlacecatError(
+            f"MLflow at {_shown(uri)}: {error}: let MLFLOW_TRACKING_URI be an address such as "
+            "http://127.0.0.1:5000 or sqlite:///mlflow.db"
+        ) from None
     return client
 
 
