@@ -16,6 +16,15 @@ READY_BENCH := $(VENV)/.installed-bench
 # tests/conftest.py orders the tests.
 WORKERS := -n 2 --dist loadgroup --no-loadscope-reorder
 
+# Packages of elsewhere would be taken before those of .venv.
+unexport PYTHONPATH PYTHONHOME
+export PYTHONNOUSERSITE := 1
+
+# An environment that was moved with the project is made anew.
+ifneq ($(shell $(PYTHON) install.py --moved),)
+.PHONY: $(READY) $(READY_TEST) $(READY_BENCH)
+endif
+
 .PHONY: repro test test-quick campaign choose bench bench-scale lint ui lock clean
 
 repro: $(READY)
@@ -55,11 +64,7 @@ $(READY): requirements.lock pyproject.toml
 $(READY_TEST): requirements-test.lock pyproject.toml
 $(READY_BENCH): requirements-bench.lock pyproject.toml
 $(READY) $(READY_TEST) $(READY_BENCH):
-	$(PYTHON) -c 'import sys; sys.exit(0 if (3, 11) <= sys.version_info[:2] < (3, 14) else "placecat needs Python 3.11, 3.12 or 3.13: make PYTHON=python3.12 ...")'
-	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r $<
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
-	touch $@
+	$(PYTHON) install.py $< $@
 
 ui: $(READY)
 	MLFLOW_SERVER_ENABLE_JOB_EXECUTION=false MLFLOW_DISABLE_TELEMETRY=true \

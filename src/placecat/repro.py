@@ -10,6 +10,7 @@ from types import FrameType
 import psutil
 import yaml
 
+from placecat.errors import PlacecatError
 from placecat.runs import lifeline, lock, mend
 from placecat.runs.unchanged import DEFINITION
 
@@ -41,13 +42,14 @@ def run(*, force: bool = False, **environment: str) -> int:
     Raises
     ------
     PlacecatError
-        If another run goes on in this folder.
+        If another run goes on in this folder, or it is none of git.
     """
     # DVC waits for one that looks at the project meanwhile, instead of losing a stage that has just finished.
     command = [sys.executable, "-m", "placecat.runs.dvc", "--wait-for-lock", "repro"]
     # The Python that runs this first on the path, since the stages call `python`.
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
     with lock.alone():
+        _check_git()
         for line in mend.mend():
             print(line, file=sys.stderr, flush=True)
         before = {each: signal.signal(each, _stop) for each in (signal.SIGINT, signal.SIGTERM)}
@@ -63,6 +65,16 @@ def run(*, force: bool = False, **environment: str) -> int:
             mend.keep()
             for each, handler in before.items():
                 signal.signal(each, handler)
+
+
+def _check_git() -> None:
+    """Refuse a folder without git, e.g. from a ZIP file, which DVC refuses without a remedy."""
+    configurations = [path for path in (Path(".dvc/config"), Path(".dvc/config.local")) if path.is_file()]
+    if not Path(".git").exists() and not any("no_scm" in path.read_text() for path in configurations):
+        raise PlacecatError(
+            "this folder is no git repository, which DVC expects: run `git init`, or, without git, "
+            "`dvc config --local core.no_scm true`"
+        )
 
 
 def _stop(number: int, frame: FrameType | None) -> None:

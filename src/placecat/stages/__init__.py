@@ -11,8 +11,8 @@ from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
 
-from placecat import compute
-from placecat.errors import exiting
+from placecat import compute, shadowed
+from placecat.errors import PlacecatError, exiting
 from placecat.runs import lifeline, lock, mend, unchanged
 
 # A stage imports this package first, so that its own imports are part of its time.
@@ -36,17 +36,19 @@ _use_common_kernels()
 
 
 def _end(kind: type[BaseException], error: BaseException, traceback: TracebackType | None) -> None:
-    """Print an error's traceback, but none for Ctrl-C while a stage still imports."""
-    if not issubclass(kind, KeyboardInterrupt):
+    """Print an error's traceback, but none for a mistake or Ctrl-C while a stage still imports."""
+    if issubclass(kind, PlacecatError):
+        print(f"placecat: {error}", file=sys.stderr)
+    elif not issubclass(kind, KeyboardInterrupt):
         sys.__excepthook__(kind, error, traceback)
 
 
 sys.excepthook = _end
+shadowed.check()
 
 # Before the code of the stage is imported, which may be changed a moment later. Not in its workers.
 if f"{__name__}.{os.environ.get('DVC_STAGE')}" in sys.orig_argv:
-    with exiting():
-        unchanged.start(os.environ["DVC_STAGE"])
+    unchanged.start(os.environ["DVC_STAGE"])
 
 
 def _check_settings() -> None:

@@ -1,0 +1,33 @@
+"""Packages that PYTHONPATH puts before those that are installed: other versions give other numbers."""
+
+import importlib.machinery
+import os
+import sysconfig
+from pathlib import Path
+
+from placecat.errors import PlacecatError
+
+PACKAGES = ("cv2", "numpy", "scipy", "sklearn", "pandas", "joblib", "matplotlib", "mlflow", "dvc", "yaml")
+
+
+def check() -> None:
+    """Refuse another package in a folder of PYTHONPATH than the one that this Python has.
+
+    Raises
+    ------
+    PlacecatError
+        Names the package and where it is found.
+    """
+    installed = [str(Path(sysconfig.get_path(kind)).resolve()) for kind in ("purelib", "platlib")]
+    folders = [folder for folder in os.environ.get("PYTHONPATH", "").split(os.pathsep) if folder]
+    folders = [folder for folder in folders if str(Path(folder).resolve()) not in installed]
+    if not folders:
+        return
+    find = importlib.machinery.PathFinder.find_spec
+    for name in PACKAGES:
+        other = find(name, folders)
+        # A folder without code of its own is no package.
+        if other is not None and other.origin is not None and find(name, installed) is not None:
+            raise PlacecatError(
+                f"PYTHONPATH gives another {name} than the installed one, {other.origin}: unset PYTHONPATH"
+            )

@@ -1,0 +1,23 @@
+import os
+
+from project import run
+
+MAIN = ("python", "-m", "placecat", "--help")
+
+
+def test_another_package_in_pythonpath_is_one_message(tmp_path):
+    other = tmp_path / "other"
+    (other / "cv2").mkdir(parents=True)
+    (other / "cv2/__init__.py").write_text("raise ImportError")
+    here = os.environ.get("PYTHONPATH", "")
+    both = os.pathsep.join(filter(None, [here, str(other)]))
+    for command in (MAIN, ("python", "-m", "placecat.stages.toy")):
+        result = run(tmp_path, *command, check=False, PYTHONPATH=both)
+        assert result.returncode == 1
+        assert result.stderr.startswith("placecat: PYTHONPATH gives another cv2 than the installed one")
+        assert result.stderr.endswith("unset PYTHONPATH\n")
+    # Packages of the user's own, and folders that only have the name, change nothing.
+    (other / "cv2/__init__.py").unlink()
+    (other / "mine").mkdir()
+    (other / "mine/__init__.py").write_text("")
+    assert run(tmp_path, *MAIN, PYTHONPATH=both).returncode == 0
