@@ -236,3 +236,14 @@ def settings_in_code():
 def test_every_constant_of_the_method_is_a_setting_and_none_is_unknown(name, values, function, given):
     names = set(inspect.signature(function).parameters) - given
     assert set(values) == names, name
+
+
+def test_no_setting_has_a_name_that_dvc_leaves_out_of_its_run_cache():
+    """It takes them for sizes of files there, so that another value would get the results of this one."""
+
+    def names(content):
+        for name, inner in content.items() if isinstance(content, dict) else ():
+            yield from (name, *names(inner))
+
+    params = yaml.safe_load((ROOT / "params.yaml").read_text())
+    assert not {"size", "nfiles"} & set(names(params))

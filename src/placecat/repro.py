@@ -99,7 +99,7 @@ def _end(dvc: subprocess.Popen[bytes], number: int) -> int:
         dvc.kill()
         return dvc.wait()
     finally:
-        _, alive = psutil.wait_procs(processes, timeout=5)
+        _, alive = psutil.wait_procs(processes, timeout=2)
         for process in alive:
             process.kill()
 

@@ -20,7 +20,7 @@ from project import contents, run
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
 MEND = "import sys; from placecat.__main__ import main; main(['mend'])"
 # Seconds after which a process of a killed run is an orphan.
-GRACE = 12.0
+GRACE = 20.0
 # Of stages that there are no more, so that writing dvc.lock takes its time.
 RECORDS = 100
 # A stage that takes its time, and has workers.
@@ -52,7 +52,7 @@ def campaign(folder, kills, seconds, seed=0, say=lambda line: None):
     made_pipeline.make(template)
     run(template, *REPRO)
     made_pipeline.add_records(template, RECORDS)
-    (template / "params.yaml").write_text("size: 4\n")
+    (template / "params.yaml").write_text("length: 44\n")
     (template / "ran.txt").write_text("")
     shutil.copytree(template, whole, symlinks=True)
     begin = time.monotonic()

@@ -83,10 +83,12 @@ def _mended(text: str) -> tuple[str, list[str]]:
         for name, block in blocks.items()
         if name != last or block == kept.get(name) or _is_whole(block)
     }
-    missing = [name for name in kept if name not in whole and name.split("@")[0] in stages]
-    if len(whole) == len(blocks) and not missing and head:
+    missing = [name for name in kept if name not in whole]
+    is_cut = not head or len(whole) < len(blocks)
+    # Records of stages that there are no more may be gone for good reason.
+    if not is_cut and not any(name.split("@")[0] in stages for name in missing):
         return text, []
-    merged = {name: whole.get(name, block) for name, block in kept.items() if name in {*whole, *missing}}
+    merged = {name: whole.get(name, block) for name, block in kept.items()}
     merged |= whole
     lost = [name for name in blocks if name not in merged]
     if not merged:
