@@ -108,7 +108,7 @@ def test_wrong_codes():
         model.predict([[0, 3]])
     with pytest.raises(PlacecatError, match="code -1"):
         model.predict([[-1, 0]])
-    with pytest.raises(PlacecatError, match="3 variables, the model was trained on 2"):
+    with pytest.raises(PlacecatError, match="3 features, but NaiveBayes is expecting 2"):
         model.predict([[0, 0, 0]])
     with pytest.raises(PlacecatError, match="whole numbers"):
         model.predict([[0.5, 0.0]])

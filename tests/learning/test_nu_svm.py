@@ -89,13 +89,13 @@ def test_nu_outside_its_range_is_refused(nu, policy):
 
 def test_other_messages():
     X, y = blobs()
-    with pytest.raises(PlacecatError, match="needs 2 classes, the labels hold 1"):
+    with pytest.raises(PlacecatError, match="2 classes are needed, the labels hold 1 class"):
         NuSVM().fit(X, np.ones(len(X)))
     with pytest.raises(PlacecatError, match="unknown nu_policy 'raise'"):
         NuSVM(nu_policy="raise").fit(X, y)
     with pytest.raises(PlacecatError, match="gram has shape"):
         NuSVM().prepare(X, gram=np.eye(3))
-    with pytest.raises(PlacecatError, match="X has 1 features; the classifier was fitted on 3"):
+    with pytest.raises(PlacecatError, match="X has 1 features, but NuSVM is expecting 3"):
         NuSVM().fit(X, y).predict([[1.0]])
 
 

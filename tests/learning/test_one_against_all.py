@@ -210,7 +210,7 @@ X3, Y3, _ = homes(30)
 @pytest.mark.parametrize(
     ("model", "y", "message"),
     [
-        (OneAgainstAll(), np.ones(30), "all training samples are of class '1.0'"),
+        (OneAgainstAll(), np.ones(30), "all training samples are of one class, '1.0'"),
         (OneAgainstAll(), np.arange(30) == 3, "class 'True' has 1 training sample"),
         (OneAgainstAll(), Y3[:5], r"y has shape \(5,\) for 30 samples"),
         (

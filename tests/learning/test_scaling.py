@@ -51,5 +51,5 @@ def test_clone(kind):
 def test_messages():
     with pytest.raises(PlacecatError, match="unknown scaling 'log'; choose one of none, minmax"):
         KernelScaling("log").fit(X)
-    with pytest.raises(PlacecatError, match="X has 2 features; the scaling was fitted on 4"):
+    with pytest.raises(PlacecatError, match="X has 2 features, but KernelScaling is expecting 4"):
         KernelScaling().fit(X).transform([[1.0, 2.0]])

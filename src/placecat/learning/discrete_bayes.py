@@ -7,10 +7,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import logsumexp
 from sklearn.base import BaseEstimator, ClassifierMixin
-from sklearn.utils.multiclass import check_classification_targets
-from sklearn.utils.validation import check_array, check_is_fitted, column_or_1d
+from sklearn.utils.validation import check_array, check_is_fitted
 
 from placecat.errors import PlacecatError
+from placecat.learning.kernels import check_labels, check_width
 
 PRIORS = ("uniform", "frequency")
 
@@ -30,6 +30,13 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
     class_log_prior_: NDArray[np.float64]
     n_values_: int
     n_features_in_: int
+
+    def __sklearn_tags__(self) -> Any:
+        """What scikit-learn has to know: samples are codes."""
+        tags = super().__sklearn_tags__()
+        tags.input_tags.categorical = True
+        tags.input_tags.positive_only = True
+        return tags
 
     def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
         """Estimate the model from codes and their classes.
@@ -55,10 +62,7 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         if self.n_values is not None and self.n_values < 2:
             raise PlacecatError(f"n_values={self.n_values}: a variable needs at least 2 values")
         codes = self._read_codes(X)
-        targets = column_or_1d(y, warn=True)
-        check_classification_targets(targets)
-        if len(targets) != len(codes):
-            raise PlacecatError(f"X has {len(codes)} samples, y has {len(targets)}")
+        targets = check_labels(y, len(codes))
         self.n_features_in_ = codes.shape[1]
         self.n_values_ = max(2, int(codes.max()) + 1) if self.n_values is None else self.n_values
         codes = self._narrow(codes)
@@ -87,10 +91,7 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         """
         check_is_fitted(self)
         codes = self._read_codes(X)
-        if codes.shape[1] != self.n_features_in_:
-            raise PlacecatError(
-                f"X has {codes.shape[1]} variables, the model was trained on {self.n_features_in_}"
-            )
+        check_width(codes, self)
         codes = self._narrow(codes)
         return self._log_likelihood(codes) + self.class_log_prior_
 

@@ -8,9 +8,10 @@ import numpy as np
 from annotated_types import Interval
 from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator, ClassifierMixin
+from sklearn.utils.validation import check_is_fitted
 
 from placecat.errors import PlacecatError
-from placecat.learning.kernels import check_samples, encode_two_classes
+from placecat.learning.kernels import check_samples, check_width, encode_two_classes
 from placecat.learning.platt import apply_sigmoid
 from placecat.ranges import Count, PositiveShare
 
@@ -183,6 +184,12 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
         if not 0 < self.weight_trim <= 1:
             raise PlacecatError(f"weight_trim = {self.weight_trim} is outside (0, 1]; 1 turns trimming off")
 
+    def __sklearn_tags__(self) -> Any:
+        """What scikit-learn has to know: there are two classes."""
+        tags = super().__sklearn_tags__()  # type: ignore[misc]
+        tags.classifier_tags.multi_class = False
+        return tags
+
     def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
         """Fit on samples (n, D) real and labels (n,) of exactly two classes.
 
@@ -298,7 +305,10 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
 
     def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
         """F(x) of samples (n, D), (n,) float64, positive for ``classes_[1]``."""
-        return self.collect([self]).decisions(X)[:, 0]
+        check_is_fitted(self, "feature_")
+        samples = check_samples(X)
+        check_width(samples, self)
+        return self.collect([self]).decisions(samples)[:, 0]
 
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
         """Certainty (n, 2) by equation (8)."""
@@ -307,7 +317,8 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
         """Labels (n,) of samples (n, D)."""
-        return self.classes_[(self.decision_function(X) > 0).astype(int)]
+        positive = self.decision_function(X) > 0
+        return self.classes_[positive.astype(int)]
 
 
 def _best_stump(histogram: NDArray[np.float64]) -> tuple[int, int, float, float] | None:

@@ -6,9 +6,16 @@ from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
+from sklearn.utils.validation import check_is_fitted
 
 from placecat.errors import PlacecatError
-from placecat.learning.kernels import KernelExpansion, check_samples, encode_two_classes, rbf_gram
+from placecat.learning.kernels import (
+    KernelExpansion,
+    check_samples,
+    check_width,
+    encode_two_classes,
+    rbf_gram,
+)
 
 
 class KernelMachine:
@@ -36,6 +43,12 @@ class KernelMachine:
     support_vectors_: NDArray[np.float32]
     #: dtype of the Gram matrix the machine works on without a copy.
     gram_dtype: DTypeLike = np.float32
+
+    def __sklearn_tags__(self) -> Any:
+        """What scikit-learn has to know: there are two classes."""
+        tags = super().__sklearn_tags__()  # type: ignore[misc]
+        tags.classifier_tags.multi_class = False
+        return tags
 
     def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
         """Fit on samples (n, D) real and labels (n,) of exactly two classes.
@@ -123,15 +136,19 @@ class KernelMachine:
 
     def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
         """Signed decision values (n,) of samples (n, D); positive for ``classes_[1]``. Needs `fit`."""
+        check_is_fitted(self, "support_vectors_")
+        samples = check_samples(X)
+        check_width(samples, self)
         coef = self.dual_coef_[:, None]
         expansion = KernelExpansion(
             self.support_vectors_, coef, np.array([self.intercept_]), float(self.gamma)
         )
-        return expansion.decisions(X)[:, 0]
+        return expansion.decisions(samples)[:, 0]
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
         """Labels (n,) of samples (n, D). Needs `fit`."""
-        return self.classes_[(self.decision_function(X) > 0).astype(int)]
+        positive = self.decision_function(X) > 0
+        return self.classes_[positive.astype(int)]
 
     @staticmethod
     def collect(machines: Sequence["KernelMachine"], X: NDArray[np.float32]) -> KernelExpansion:

@@ -8,6 +8,9 @@ from typing import Any, Self
 import numpy as np
 from joblib import Parallel, delayed
 from numpy.typing import ArrayLike, DTypeLike, NDArray
+from scipy.sparse import issparse
+from sklearn.utils.multiclass import check_classification_targets
+from sklearn.utils.validation import column_or_1d
 
 from placecat.errors import PlacecatError
 from placecat.learning.products import RowProducts, row_products, squared_lengths
@@ -38,11 +41,18 @@ def check_samples(X: ArrayLike, name: str = "X") -> NDArray[np.float32]:
     Raises
     ------
     PlacecatError
-        If `X` is not two-dimensional, is empty, or holds NaN or infinite values.
+        If `X` is sparse, complex, not two-dimensional or empty, or holds NaN or infinite values.
     """
-    samples = np.ascontiguousarray(X, dtype=np.float32)
+    if issparse(X):
+        raise PlacecatError(f"{name} is sparse, and only dense data are taken: use {name}.toarray()")
+    samples = np.asarray(X)
+    # They would lose their imaginary parts.
+    if samples.dtype.kind == "c":
+        raise PlacecatError(f"Complex data not supported: {name} must be real")
     if samples.ndim != 2 or 0 in samples.shape:
-        raise PlacecatError(f"{name} has shape {samples.shape}; give a non-empty matrix (samples, features)")
+        shape = f"{name} has shape {samples.shape}; give a non-empty matrix (samples, features)"
+        raise PlacecatError(shape + _short_of(samples))
+    samples = np.ascontiguousarray(samples, dtype=np.float32)
     # A finite sum proves all finite; an overflowing one proves nothing.
     with np.errstate(over="ignore", invalid="ignore"):
         finite = bool(np.isfinite(samples.sum()))
@@ -54,20 +64,62 @@ def check_samples(X: ArrayLike, name: str = "X") -> NDArray[np.float32]:
     return samples
 
 
-def encode_two_classes(y: ArrayLike, n: int) -> tuple[NDArray[Any], NDArray[np.bool_]]:
+def _short_of(samples: NDArray[Any]) -> str:
+    """What is missing of a matrix, in the words of scikit-learn, whose checks look for them."""
+    if samples.ndim != 2:
+        return ". Reshape your data"
+    what = "sample" if len(samples) == 0 else "feature"
+    return f": 0 {what}(s) (shape={samples.shape}) while a minimum of 1 is required."
+
+
+def check_width(X: NDArray[Any], estimator: Any) -> None:
+    """Refuse samples of another number of features than an estimator was fitted on."""
+    expected = estimator.n_features_in_
+    if X.shape[1] != expected:
+        raise PlacecatError(
+            f"X has {X.shape[1]} features, but {type(estimator).__name__} is expecting {expected} features "
+            "as input: it was fitted on them"
+        )
+
+
+def check_labels(y: ArrayLike | None, n: int) -> NDArray[Any]:
+    """Return labels (n,) of classes, or refuse them.
+
+    Raises
+    ------
+    PlacecatError
+        If there are none, not `n` of them, or if they are numbers that are no classes, such as 0.5 and NaN.
+    """
+    if y is None:
+        raise PlacecatError("a classifier requires y to be passed, but the target y is None")
+    labels = np.asarray(y)
+    if labels.ndim == 2 and labels.shape[1] == 1:
+        labels = column_or_1d(labels, warn=True)
+    if labels.shape != (n,):
+        raise PlacecatError(f"y has shape {labels.shape} for {n} samples; give one label a sample")
+    # Whole numbers and truth values are classes: that is quick to see.
+    if labels.dtype.kind not in "iub":
+        try:
+            check_classification_targets(labels)
+        except ValueError as error:
+            raise PlacecatError(f"y: {error}") from None
+    return labels
+
+
+def encode_two_classes(y: ArrayLike | None, n: int) -> tuple[NDArray[Any], NDArray[np.bool_]]:
     """Split labels (n,) into the two sorted classes and (n,) bool, true for the second.
 
     Raises
     ------
     PlacecatError
-        If there are not exactly two classes, or not `n` labels.
+        As `check_labels`, or if there are not exactly two classes.
     """
-    labels = np.asarray(y)
-    if labels.shape != (n,):
-        raise PlacecatError(f"y has shape {labels.shape} for {n} samples; give one label a sample")
-    classes, index = np.unique(labels, return_inverse=True)
+    classes, index = np.unique(check_labels(y, n), return_inverse=True)
     if len(classes) != 2:
-        raise PlacecatError(f"a two-class classifier needs 2 classes, the labels hold {len(classes)}")
+        held = f"{len(classes)} class{'es' if len(classes) > 1 else ''}"
+        raise PlacecatError(
+            f"Only binary classification is supported: 2 classes are needed, the labels hold {held}"
+        )
     return classes, index == 1
 
 

@@ -5,10 +5,11 @@ from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from sklearn.utils.validation import check_is_fitted
 
 from placecat.errors import PlacecatError
 from placecat.learning.calibration import Calibration, FittedProblem, Problem, fit_problems, make_folds
-from placecat.learning.kernels import check_samples
+from placecat.learning.kernels import check_labels, check_samples, check_width
 from placecat.learning.platt import apply_sigmoid
 from placecat.learning.single_thread import single_blas_thread
 from placecat.learning.two_class import as_base, is_balanced, uses_own
@@ -91,7 +92,10 @@ class MultiClass:
 
     def outputs(self, X: ArrayLike) -> NDArray[np.float64]:
         """Give p(o_k|x) (n, K) of samples (n, D): the mean over the machines of each class."""
-        proba = apply_sigmoid(self.scorer_.decisions(X), self.sigmoid_[:, 0], self.sigmoid_[:, 1])
+        check_is_fitted(self, "scorer_")
+        samples = check_samples(X)
+        check_width(samples, self)
+        proba = apply_sigmoid(self.scorer_.decisions(samples), self.sigmoid_[:, 0], self.sigmoid_[:, 1])
         if len(self.machine_class_) == len(self.classes_):
             return proba
         starts = np.searchsorted(self.machine_class_, np.arange(len(self.classes_)))
@@ -119,14 +123,11 @@ def encode_classes(
 ) -> tuple[NDArray[np.float32], NDArray[Any], NDArray[np.intp], list[str]]:
     """Check training data; gives float32 samples, classes, class index of each sample, names for messages."""
     samples = check_samples(X)
-    labels = np.asarray(y)
-    if labels.shape != (len(samples),):
-        raise PlacecatError(f"y has shape {labels.shape} for {len(samples)} samples; give one label a sample")
-    classes, index = np.unique(labels, return_inverse=True)
+    classes, index = np.unique(check_labels(y, len(samples)), return_inverse=True)
     names = [str(c) for c in classes] if class_names is None else [str(class_names[int(c)]) for c in classes]
     if len(classes) < 2:
         raise PlacecatError(
-            f"all training samples are of class {names[0]!r}; a multi-class scheme needs 2 classes or more"
+            f"all training samples are of one class, {names[0]!r}; a multi-class scheme needs 2 or more"
         )
     counts = np.bincount(index)
     if counts.min() < 2:

@@ -189,4 +189,5 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
         """Most probable class (n,) of samples (n, D)."""
-        return self.classes_[self.predict_proba(X).argmax(axis=1)]
+        decided = self.predict_proba(X).argmax(axis=1)
+        return self.classes_[decided]

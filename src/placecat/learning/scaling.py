@@ -5,9 +5,10 @@ from typing import Annotated, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator, TransformerMixin
+from sklearn.utils.validation import check_is_fitted
 
 from placecat.errors import PlacecatError
-from placecat.learning.kernels import check_samples
+from placecat.learning.kernels import check_samples, check_width
 from placecat.learning.products import squared_lengths
 from placecat.ranges import OneOf, Positive
 
@@ -112,11 +113,9 @@ class KernelScaling(TransformerMixin, BaseEstimator):
         PlacecatError
             If X has not D columns or is not finite.
         """
+        check_is_fitted(self)
         samples = check_samples(X)
-        if samples.shape[1] != self.n_features_in_:
-            raise PlacecatError(
-                f"X has {samples.shape[1]} features; the scaling was fitted on {self.n_features_in_}"
-            )
+        check_width(samples, self)
         if self.kind == "unit":
             length = np.sqrt(squared_lengths(samples))
             inverse = np.divide(

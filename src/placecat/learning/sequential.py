@@ -83,7 +83,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         order: Annotated[str, OneOf(ORDERS)] = "balanced_accuracy",
         training: Annotated[str, OneOf(TRAINING)] = "all",
         decision: Annotated[str, OneOf(DECISIONS)] = "sign",
-        output: Annotated[str, OneOf(OUTPUTS)] = "product",
+        output: Annotated[str, OneOf(OUTPUTS)] = "decision",
         folds: Two = 5,
         n_jobs: int | None = None,
     ) -> None:
@@ -177,4 +177,5 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
         """Class (n,) of samples (n, D), by `decision`."""
-        return self.classes_[self.decide(self.outputs(X))]
+        decided = self.decide(self.outputs(X))
+        return self.classes_[decided]

@@ -5,9 +5,10 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator, TransformerMixin
+from sklearn.utils.validation import check_is_fitted
 
 from placecat.errors import NotComputable, PlacecatError
-from placecat.learning.kernels import check_samples
+from placecat.learning.kernels import check_samples, check_width
 from placecat.learning.products import row_products
 from placecat.learning.single_thread import single_blas_thread
 from placecat.ranges import AtLeastOne, Count
@@ -102,7 +103,9 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
         width = total // self.cells
         kept = self._kept(width)
         if n <= kept:
-            raise NotComputable(f"PCA to {kept} components needs more than {kept} training samples, not {n}")
+            raise NotComputable(
+                f"PCA to {kept} components needs more than {kept} training samples, not n_samples = {n}"
+            )
         self.n_features_in_ = total
         self.mean_ = np.empty((self.cells, width))
         self.components_ = np.empty((self.cells, kept, width))
@@ -131,11 +134,9 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
         PlacecatError
             If X has not D columns or is not finite.
         """
+        check_is_fitted(self)
         samples = check_samples(X)
-        if samples.shape[1] != self.n_features_in_:
-            raise PlacecatError(
-                f"X has {samples.shape[1]} features; the PCA was fitted on {self.n_features_in_}"
-            )
+        check_width(samples, self)
         cells, kept, width = self.components_.shape
         result = np.empty((len(samples), cells * kept), dtype=np.float32)
         for cell in range(cells):
