@@ -186,7 +186,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
 
     def __sklearn_tags__(self) -> Any:
         """What scikit-learn has to know: there are two classes."""
-        tags = super().__sklearn_tags__()  # type: ignore[misc]
+        tags = super().__sklearn_tags__()
         tags.classifier_tags.multi_class = False
         return tags
 
