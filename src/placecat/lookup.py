@@ -323,8 +323,9 @@ class _Names(dict[str, Any]):
         node = _statements(self.module).get(name)
         if isinstance(node, ast.Assign):
             # Of a dictionary the keys are names, and its values may be anything.
-            is_table = isinstance(node.value, ast.Dict)
-            return [_value(key, self) for key in node.value.keys] if is_table else _value(node.value, self)
+            if isinstance(node.value, ast.Dict):
+                return [_value(key, self) for key in node.value.keys]
+            return _value(node.value, self)
         if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("placecat"):
             original = next(alias.name for alias in node.names if (alias.asname or alias.name) == name)
             return _Names(str(node.module))[original]
