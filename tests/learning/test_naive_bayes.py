@@ -112,7 +112,7 @@ def test_wrong_codes():
         model.predict([[0, 0, 0]])
     with pytest.raises(PlacecatError, match="whole numbers"):
         model.predict([[0.5, 0.0]])
-    with pytest.raises(PlacecatError, match="2 samples, y has 1"):
+    with pytest.raises(PlacecatError, match=r"y has shape \(1,\) for 2 samples"):
         NaiveBayes().fit([[0], [1]], ["a"])
 
 
