@@ -19,8 +19,8 @@ STAGE = """
 import time
 from placecat.runs import lifeline
 lifeline.end_stage_with_dvc()
-print("ready", flush=True)
 try:
+    print("ready", flush=True)
     time.sleep(60)
 except KeyboardInterrupt:
     time.sleep(1)

@@ -11,6 +11,8 @@ import threading
 import time
 from types import FrameType
 
+import psutil
+
 # Seconds: how often a process looks, and how long it has to tidy up.
 INTERVAL, GRACE = 0.5, 10.0
 # The process of DVC, in the environment of its stages: a shell may be in between.
@@ -44,19 +46,8 @@ def _stop(number: int, frame: FrameType | None) -> None:
 
 
 def _watch(parent: int, direct_parent: int) -> None:
-    while os.getppid() == direct_parent and is_alive(parent):
+    while os.getppid() == direct_parent and psutil.pid_exists(parent):
         time.sleep(INTERVAL)
     os.kill(os.getpid(), signal.SIGTERM)
     time.sleep(GRACE)
     os._exit(1)
-
-
-def is_alive(process: int) -> bool:
-    """Whether there is a process of this id."""
-    try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    except PermissionError:
-        pass
-    return True

@@ -13,8 +13,8 @@ from placecat.errors import PlacecatError
 TEMPORARY = Path(".dvc/tmp")
 # DVC's note of which process reads and writes what.
 DVC_IN_USE = TEMPORARY / "rwlock"
-# Seconds that the DVC of a run that was killed has to end.
-_ENDING = 3.0
+# Seconds that the DVC of a run that was killed, and its stage, have to end.
+_ENDING = 12.0
 
 
 @contextmanager
@@ -72,8 +72,11 @@ def _goes_on(who: str) -> str:
 
 
 def _wait_for_dvc() -> None:
-    end = time.monotonic() + _ENDING
+    end, is_said = time.monotonic() + _ENDING, False
     while user := _dvc_in_use():
+        if not is_said:
+            print(f"Process {user[0]} ({user[1]}) runs a stage here.", file=sys.stderr, flush=True)
+            is_said = True
         if time.monotonic() > end:
             raise PlacecatError(_goes_on(f"process {user[0]}: {user[1]}"))
         time.sleep(0.2)

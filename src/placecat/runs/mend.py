@@ -7,11 +7,12 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
+import psutil
 import yaml
 
 from placecat import settings
 from placecat.lockfile import LOCK
-from placecat.runs import lifeline, lock
+from placecat.runs import lock
 from placecat.runs.unchanged import DEFINITION
 
 # The records of all stages so far, whole: DVC writes dvc.lock in place, at the end of each stage.
@@ -122,7 +123,7 @@ def _leftovers() -> Iterator[Path]:
     yield from (path for path in _CACHE.glob("**/.*.tmp") if _is_left(path, _CACHED))
     for path in _SHARED.glob("*") if _SHARED.is_dir() else ():
         of = _OF_PROCESS.fullmatch(path.name)
-        if of and not lifeline.is_alive(int(of[1])) and _is_left(path, _OF_PROCESS):
+        if of and not psutil.pid_exists(int(of[1])) and _is_left(path, _OF_PROCESS):
             yield path
 
 
