@@ -86,7 +86,7 @@ def test_a_film_that_is_not_written_to_its_end_is_refused(tmp_path, suffix, smal
     path = tmp_path / f"film{suffix}"
     film = Film(path, 10.0, (160, 120))
     with pytest.raises(PlacecatError, match=rf"film{suffix} could not be written to its end"), film:
-        for picture in pictures:
-            film.add(picture)
+        for number, picture in enumerate(pictures):
+            film.add(picture, number / 10)
     with Film(path, 10.0, (160, 120)) as film:
-        film.add(pictures[0])
+        film.add(pictures[0], 0.0)

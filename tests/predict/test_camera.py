@@ -45,6 +45,9 @@ class FakeCapture:
         self.number += 1
         return True, coded((self.number - 1) % 256)
 
+    def grab(self):
+        return self.number < self.total
+
     def release(self):
         self.is_released = True
 
