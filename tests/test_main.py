@@ -95,7 +95,7 @@ dataset:
   ignored: []
   aliases: {}
   require_all_classes: true
-probabilities: {bins: 10, smallest: 0.0}
+probabilities: {bins: 10, smallest: 0.1}
 reproducibility: {tolerance: 2.0}
 """
 PIPELINE = """
@@ -147,7 +147,7 @@ HEAD = "table,group,row,column,published,measured,spread,seeds,note"
 def main():
     \"\"\"Write the tables.\"\"\"
     params = settings.load()
-    measured = float(Path("measured.txt").read_text()) + params["probabilities"]["smallest"]
+    measured = float(Path("measured.txt").read_text()) + (params["probabilities"]["bins"] - 10)
     if measured < 0:
         raise PlacecatError("nothing was measured")
     note = f"measured on {params['dataset']['title']}"
@@ -260,10 +260,10 @@ def test_a_large_difference_ends_with_status_3_until_it_is_kept(committed):
 
 
 def test_other_settings_are_no_failure(committed):
-    result = placecat(committed, "repro", "probabilities.smallest=7")
+    result = placecat(committed, "repro", "probabilities.bins=17")
     assert result.returncode == 0, result.stderr
     assert "1 of 2 cells equal" in result.stdout
-    assert "Not the kept settings: probabilities.smallest. Differences are to be expected." in result.stdout
+    assert "Not the kept settings: probabilities.bins. Differences are to be expected." in result.stdout
 
 
 def test_a_failed_run_shows_neither_times_nor_tables(committed):
