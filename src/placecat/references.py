@@ -34,7 +34,7 @@ def check(params: Mapping[str, Any]) -> None:
 
 
 def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
-    # A section that is missing refers to nothing; whichever stage reads it says that it is missing.
+    # A section that is missing refers to nothing, nor is it referred to; whichever stage reads it says so.
     cues, codebooks, systems, filters, splits, descriptors, smoothing, tracking, protocol, dataset = (
         params.get(name) or {} for name in _SECTIONS
     )
@@ -83,7 +83,7 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
                 own["descriptor"],
                 split["descriptors"],
             )
-    extra = (protocol.get("extra") or {}).get("split")
+    extra = (protocol.get("extra") or {}).get("split") if "splits" in params else None
     if extra is not None:
         yield "protocol.extra.split", "split", extra, splits
     tested = protocol.get("test_homes", "all")
