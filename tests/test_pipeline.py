@@ -282,7 +282,7 @@ def light(tmp_path_factory):
 @pytest.mark.parametrize(
     ("override", "stage", "message"),
     [
-        ("cues.gist.classifier.base.nu=1.5", "cues", "nu = 1.5 is outside (0, 1]"),
+        ("cues.gist.classifier.base.nu=1.5", "cues", "nu=1.5: it must be less than or equal to 1"),
         (
             "cues.gist.classifier.base={nu_policy: refuse, nu: 0.9}",
             "cues",
