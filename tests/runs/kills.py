@@ -52,7 +52,7 @@ def campaign(folder, kills, seconds, seed=0, say=lambda line: None):
     made_pipeline.make(template)
     run(template, *REPRO)
     made_pipeline.add_records(template, RECORDS)
-    (template / "params.yaml").write_text("length: 44\n")
+    (template / "params.yaml").write_text("reproducibility: {tolerance: 44.0}\n")
     (template / "ran.txt").write_text("")
     shutil.copytree(template, whole, symlinks=True)
     begin = time.monotonic()

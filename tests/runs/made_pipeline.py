@@ -59,11 +59,11 @@ def make(folder: Path, names: tuple[str, ...] = NAMES) -> Path:
         stages[name] = {
             "cmd": f"python src/{name}.py",
             "deps": [f"src/{name}.py", *before],
-            "params": ["length"],
+            "params": ["reproducibility"],
             "outs": [{f"made/{name}": {"persist": name == "middle"}}],
         }
     (folder / "dvc.yaml").write_text(yaml.safe_dump({"stages": stages}, sort_keys=False))
-    (folder / "params.yaml").write_text("length: 3\n")
+    (folder / "params.yaml").write_text("reproducibility: {tolerance: 3.0}\n")
     (folder / ".gitignore").write_text((ROOT / ".gitignore").read_text() + "/made\n/ran.txt\n")
     run(folder, "git", "init", "-q")
     run(folder, "dvc", "init", "-q")

@@ -83,7 +83,7 @@ def test_dvc_does_not_record_settings_that_were_changed_while_a_stage_ran(tmp_pa
     folder = made_pipeline.make(tmp_path / "project", names=("first",))
     process = made_pipeline.start(folder, "dvc", "repro", log=tmp_path / "log", SECONDS="2")
     made_pipeline.wait_for(lambda: (folder / "ran.txt").exists() or process.poll() is not None)
-    (folder / "params.yaml").write_text("length: 5\n")
+    (folder / "params.yaml").write_text("reproducibility: {tolerance: 5.0}\n")
     assert process.wait(60) != 0
     said = (tmp_path / "log").read_text()
     assert "placecat: params.yaml was changed while the stage first ran" in said
