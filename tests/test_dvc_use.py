@@ -62,7 +62,8 @@ def experiments(tmp_path_factory):
     conf = light_conf(folder / "conf")
     stages = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]
     (folder / "dvc.yaml").write_text(yaml.safe_dump({"stages": {"sequences": stages["sequences"]}}))
-    shutil.copytree(ROOT / "src/placecat/sequences", folder / "src/placecat/sequences")
+    for package in ("footage", "sequences"):
+        shutil.copytree(ROOT / "src/placecat" / package, folder / "src/placecat" / package)
     (folder / "src/placecat/stages").mkdir()
     shutil.copy(ROOT / "src/placecat/stages/sequences.py", folder / "src/placecat/stages")
     (folder / ".gitignore").write_text("/data/sequences\n/data/times\n__pycache__/\n")
