@@ -14,6 +14,13 @@ from project import contents, environment, run
 
 PARTS = ("made", "dvc.lock")
 BUSY = {"SECONDS": "0.2", "PLACECAT_WORKERS": "1"}
+# As `placecat repro`, without composing.
+REPRO = (
+    "python",
+    "-c",
+    "import sys\nfrom placecat import repro\nfrom placecat.errors import exiting\n"
+    "with exiting():\n    sys.exit(repro.run())",
+)
 # KB that a disk of its own has left: from, to; and room that is enough.
 SIZES, ENOUGH = (4, 110), 64_000
 MOUNT = ["unshare", "--map-root-user", "--mount", sys.executable, __file__]
@@ -56,9 +63,9 @@ class TwoAtOnce(_Runs):
         shutil.rmtree(folder, ignore_errors=True)
         shutil.copytree(self.template, folder, symlinks=True)
         logs = [self.folder / f"{number}.log" for number in (1, 2)]
-        first = made_pipeline.start(folder, log=logs[0], **BUSY)
+        first = made_pipeline.start(folder, *REPRO, log=logs[0], **BUSY)
         time.sleep(rng.uniform(0, self.seconds))
-        second = made_pipeline.start(folder, log=logs[1], **BUSY)
+        second = made_pipeline.start(folder, *REPRO, log=logs[1], **BUSY)
         done = [one.wait(600) for one in (first, second)]
         said = [log.read_text() for log in logs]
         if any("Traceback" in text for text in said):
@@ -109,7 +116,7 @@ def on_a_small_disk(size, place, result, template=None):
     shutil.copytree(template, folder, symlinks=True)
     used = sum(one.stat().st_blocks for one in Path(folder).rglob("*")) // 2
     subprocess.run(["mount", "-o", f"remount,size={used + int(size)}k", place], check=True)
-    first = subprocess.run(made_pipeline.REPRO, cwd=folder, check=False)
+    first = subprocess.run(REPRO, cwd=folder, check=False)
     subprocess.run(["mount", "-o", f"remount,size={ENOUGH}k", place], check=True)
     subprocess.run(made_pipeline.REPRO, cwd=folder, check=False, capture_output=True)
     shutil.copytree(folder, result, symlinks=True)
