@@ -1,5 +1,6 @@
 """Runs of a small pipeline that are killed, that meet a full disk, and that are started twice."""
 
+import os
 import shutil
 import subprocess
 import sys
@@ -79,7 +80,10 @@ class DiskFull(_Runs):
     """A run on a disk without room, then with some."""
 
     def __init__(self, folder):
-        test = subprocess.run([*MOUNT, "400", str(folder), str(folder)], check=False, capture_output=True)
+        folder.mkdir(parents=True, exist_ok=True)
+        test = subprocess.run(
+            [*MOUNT, "400", str(folder), ""], env=_environment(), check=False, capture_output=True
+        )
         if test.returncode:
             raise RuntimeError("this system lets nobody mount a disk of a given size")
         super().__init__(folder)
@@ -91,7 +95,7 @@ class DiskFull(_Runs):
         size = str(int(rng.integers(*SIZES)))
         done = subprocess.run(
             [*MOUNT, size, str(place), str(self.folder / "result"), str(self.template)],
-            env=environment(**BUSY),
+            env=_environment(),
             capture_output=True,
             text=True,
             check=False,
@@ -102,6 +106,11 @@ class DiskFull(_Runs):
         if "Traceback" in said:
             return TRACEBACK, said
         return (RIGHT if done.returncode == 0 else MESSAGE), said
+
+
+def _environment():
+    """With what this process finds beside the tests."""
+    return environment(**BUSY, PYTHONPATH=os.pathsep.join(filter(None, sys.path)))
 
 
 def on_a_small_disk(size, place, result, template=None):
