@@ -15,6 +15,7 @@ from typing import Any, TextIO
 
 import psutil
 
+from placecat import files
 from placecat.runs import lifeline
 
 
@@ -45,16 +46,8 @@ def _stop(number: int, frame: FrameType | None) -> None:
 def _write_whole(
     path: str, data: Any, dumper: Callable[[Any, TextIO], None], fs: Any = None, **options: Any
 ) -> None:
-    # Not placecat.files, which imports NumPy; .gitignore knows the name.
-    target = Path(path)
-    temporary = target.with_name(f".{target.stem}.{os.getpid():08x}.partial{target.suffix}")
-    try:
-        with temporary.open("w", encoding="utf-8") as file:
-            dumper(data, file, **options)
-        temporary.replace(target)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise
+    with files.replacing(Path(path)) as temporary, temporary.open("w", encoding="utf-8") as file:
+        dumper(data, file, **options)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ from pathlib import Path
 import psutil
 import yaml
 
-from placecat import settings
+from placecat import files, settings
 from placecat.lockfile import LOCK
 from placecat.runs import lock
 from placecat.runs.unchanged import DEFINITION
@@ -43,7 +43,7 @@ def mend() -> list[str]:
         text = LOCK.read_text(encoding="utf-8", errors="replace")
         mended, lost = _mended(text)
         if mended != text:
-            _write(LOCK, mended)
+            files.write_text(LOCK, mended)
             again = f"; these stages run again: {', '.join(lost)}" if lost else ""
             said.append(f"{LOCK} was cut when a run was killed: its records are restored{again}.")
     keep()
@@ -66,7 +66,7 @@ def keep() -> None:
         return
     mended, _ = _mended(LOCK.read_text(encoding="utf-8", errors="replace"))
     if not COPY.exists() or COPY.read_text(encoding="utf-8") != mended:
-        _write(COPY, mended)
+        files.write_text(COPY, mended)
 
 
 def _mended(text: str) -> tuple[str, list[str]]:
@@ -135,9 +135,3 @@ def _is_left(path: Path, name: re.Pattern[str]) -> bool:
     except FileNotFoundError:
         return False
     return name.fullmatch(path.name) is not None and is_own and time.time() - newest > OLD
-
-
-def _write(path: Path, text: str) -> None:
-    temporary = path.with_name(f".{path.stem}.{os.getpid():08x}.partial{path.suffix}")
-    temporary.write_text(text, encoding="utf-8", newline="\n")
-    temporary.replace(path)
