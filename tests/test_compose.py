@@ -40,6 +40,7 @@ def test_the_data_set_is_one_override(composed):
     [
         ("cues.gist.classifier.base.gama=1", "gama"),
         ("dataset=nowhere", "nowhere"),
+        ("attention=1", "attention"),
         ("dataset=my_homes", r"dataset\.root has no value"),
     ],
 )
@@ -164,6 +165,8 @@ def _set(params, name, value):
         ("tracking.descriptors", ["surf"], r"tracking\.descriptors: there is no local descriptor 'surf'"),
         ("splits.university.systems.three", ["gits"], r"split/university\.yaml: there is no cue 'gits'"),
         ("splits.university.descriptors.holistic", ["gist"], r"the cue spatial_pact, but .* 'centrist'"),
+        ("model.system", "best", r"model\.system: there is no system 'best'"),
+        ("model.seed", 7, r"model\.seed: there is no seed of protocol\.seeds 7 \(there are: 0"),
         ("protocol.extra.split", "flats", r"protocol\.extra\.split: there is no split 'flats'"),
     ],
 )

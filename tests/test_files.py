@@ -1,3 +1,4 @@
+import os
 from pathlib import Path
 
 import numpy as np
@@ -67,6 +68,23 @@ def test_arrays_round_trip_in_the_same_bytes(tmp_path):
     assert {name: array.tolist() for name, array in read.items()} == {
         name: array.tolist() for name, array in arrays.items()
     }
+
+
+def test_only_an_ordinary_file_is_replaced(tmp_path):
+    os.mkfifo(tmp_path / "pipe")
+    for write in (files.check_writable, lambda path: files.write_json(path, {})):
+        with pytest.raises(PlacecatError, match="pipe is not an ordinary file"):
+            write(tmp_path / "pipe")
+    assert [path.name for path in tmp_path.iterdir()] == ["pipe"]
+
+
+def test_a_place_to_write_to_is_tried_before_the_work(tmp_path):
+    (tmp_path / "file").write_text("")
+    for path, why in [(tmp_path / "file/x", "a file stands"), (tmp_path / ("x" * 255), "a shorter name")]:
+        with pytest.raises(PlacecatError, match=f"cannot write .*{why}"):
+            files.check_writable(path)
+    files.check_writable(tmp_path / "new/model")
+    assert list((tmp_path / "new").iterdir()) == []
 
 
 def test_objects_are_never_pickled(tmp_path):

@@ -88,6 +88,20 @@ def test_a_value_of_another_type_is_refused(name, value):
         schema.check(params)
 
 
+@pytest.mark.parametrize(
+    ("name", "value", "message"),
+    [
+        ("homes", ["home_1", "Home_1", "home_2"], "differ only in capital"),
+        ("ignored", ["kitchen"], "'kitchen' is also a class"),
+    ],
+)
+def test_names_of_a_data_set_that_contradict_each_other_are_refused(name, value, message):
+    params = copy.deepcopy(PARAMS)
+    params["dataset"][name] = value
+    with pytest.raises(PlacecatError, match=f"dataset.*{message}"):
+        schema.check(params)
+
+
 def test_a_cluster_has_settings_of_its_own():
     own = {"kind": "dask", "scheduler": "tcp://10.0.0.1:8786", "wait": 30, "may_differ": []}
     schema.check(PARAMS | {"compute": own})

@@ -128,6 +128,9 @@ def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any]) -> "DictC
             return hydra_compose("merged", overrides=list(overrides))
     except (HydraException, yaml.YAMLError) as error:
         raise _refusal(error) from None
+    except ValueError as error:
+        # Hydra does not say of which override it speaks.
+        raise PlacecatError(f"the settings cannot be composed from {' '.join(overrides)}: {error}") from None
 
 
 def _refusal(error: Exception) -> PlacecatError:

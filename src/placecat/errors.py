@@ -41,6 +41,7 @@ _REFUSED = {
     errno.ENFILE: "close other programs",
     errno.ENAMETOOLONG: "give a shorter name",
     errno.ENOTDIR: "a file stands where a folder is needed: give another name",
+    errno.EEXIST: "a file stands where a folder is needed: give another name",
     errno.EISDIR: "give the name of a file",
 }
 
@@ -80,6 +81,11 @@ def printable(text: str) -> str:
     )
 
 
+def one_line(text: object) -> str:
+    """A name as :func:`printable` gives it, which may not begin a line of its own."""
+    return printable(str(text)).replace("\n", "\\n")
+
+
 @contextmanager
 def reading(path: Path) -> Iterator[None]:
     """Read what a user gave: an error of the system, such as a missing permission, becomes one message.
@@ -109,7 +115,7 @@ def refusal(error: OSError, path: object = None) -> str:
     name = error.filename if path is None else path
     where = "" if name is None else f"{os.fsdecode(name) if isinstance(name, bytes) else name}: "
     number = error.errno or errno.ENOSPC
-    return f"{where}{error.strerror or os.strerror(number)}; {_REFUSED[number]}"
+    return f"{where}{error.strerror or os.strerror(number)}; {_REFUSED.get(number, 'give another place')}"
 
 
 def did_you_mean(name: object, valid: Iterable[str], before: str = "; ") -> str:

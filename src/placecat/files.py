@@ -37,9 +37,7 @@ def replacing(target: Path) -> Iterator[Path]:
     target = Path(target)
     check_target(target)
     target.parent.mkdir(parents=True, exist_ok=True)
-    # The suffix stays last, since numpy and pandas choose formats and append endings by it. Each process has
-    # a name of its own; what one that was killed leaves, placecat.runs.mend removes.
-    temporary = target.with_name(f".{target.stem}.{secrets.token_hex(4)}.partial{target.suffix}")
+    temporary = _temporary(target)
     try:
         yield temporary
         if temporary.is_dir():
@@ -70,16 +68,42 @@ def check_target(target: Path) -> None:
 
 
 def check_file(target: Path) -> None:
-    """Refuse a path to write a file to where a folder stands.
+    """Refuse a path to write a file to where something else stands.
 
     Raises
     ------
     PlacecatError
-        As :func:`check_target`, or if it is a folder.
+        As :func:`check_target`, or if it is a folder, a device or a pipe.
     """
     check_target(target)
     if target.is_dir():
         raise PlacecatError(f"{target} is a folder: give the name of a file to write to")
+    if target.exists() and not target.is_file():
+        raise PlacecatError(f"{target} is not an ordinary file: give another name to write to")
+
+
+def check_writable(target: Path) -> None:
+    """Try whether a file can be written, before the work whose result it is to hold.
+
+    Raises
+    ------
+    PlacecatError
+        As :func:`check_file`, or for what the system refuses.
+    """
+    check_file(target)
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        temporary = _temporary(target)
+        temporary.touch()
+        temporary.unlink()
+    except OSError as error:
+        raise PlacecatError(f"cannot write {refusal(error, target)}") from None
+
+
+def _temporary(target: Path) -> Path:
+    # The suffix stays last, since numpy and pandas choose formats and append endings by it. Each process has
+    # a name of its own; what one that was killed leaves, placecat.runs.mend removes.
+    return target.with_name(f".{target.stem}.{secrets.token_hex(4)}.partial{target.suffix}")
 
 
 def _remove(path: Path) -> None:

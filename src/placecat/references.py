@@ -10,7 +10,7 @@ from placecat.errors import PlacecatError, did_you_mean
 _Reference = tuple[str, str, str, Collection[str]]
 _SECTIONS = (
     *("cues", "codebooks", "systems", "filters", "splits"),
-    *("descriptors", "smoothing", "tracking", "protocol", "dataset"),
+    *("descriptors", "smoothing", "tracking", "protocol", "dataset", "model"),
 )
 
 
@@ -35,7 +35,7 @@ def check(params: Mapping[str, Any]) -> None:
 
 def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
     # A section that is missing refers to nothing, nor is it referred to; whichever stage reads it says so.
-    cues, codebooks, systems, filters, splits, descriptors, smoothing, tracking, protocol, dataset = (
+    cues, codebooks, systems, filters, splits, descriptors, smoothing, tracking, protocol, dataset, model = (
         params.get(name) or {} for name in _SECTIONS
     )
     for name, cue in cues.items():
@@ -86,6 +86,10 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
     extra = (protocol.get("extra") or {}).get("split") if "splits" in params else None
     if extra is not None:
         yield "protocol.extra.split", "split", extra, splits
+    if "systems" in params and model:
+        yield "model.system", "system", model["system"], systems
+    if protocol and model:
+        yield "model.seed", "seed of protocol.seeds", model["seed"], [str(seed) for seed in protocol["seeds"]]
     tested = protocol.get("test_homes", "all")
     for home in [tested] if isinstance(tested, str) else tested:
         yield "protocol.test_homes", "home", home, ["all", *dataset.get("homes", [])]

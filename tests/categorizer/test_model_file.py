@@ -13,7 +13,7 @@ import pytest
 from made_system import frames, make_system
 
 from placecat import __version__
-from placecat.categorizer import Categorizer, archive, model_file
+from placecat.categorizer import Categorizer, archive, model_file, train
 from placecat.errors import PlacecatError
 
 
@@ -259,3 +259,22 @@ def test_other_classes_are_refused(file):
     Categorizer.load(file, classes=["bedroom", "kitchen", "bathroom"])
     with pytest.raises(PlacecatError, match="bedroom, kitchen, bathroom"):
         Categorizer.load(file, classes=["kitchen", "bedroom", "bathroom"])
+
+
+def test_only_a_model_is_replaced(file, tmp_path):
+    """A whole one, or one that is damaged, but nothing else."""
+    assert model_file.is_model(file)
+    reseal(file, twice=["arrays/0003.npy"])
+    assert model_file.is_model(file)
+    for name, content in (("notes.md", b"text"), ("void.placecat", b"")):
+        (tmp_path / name).write_bytes(content)
+        assert not model_file.is_model(tmp_path / name)
+
+
+def test_training_refuses_where_it_may_not_write_before_it_begins(tmp_path, monkeypatch):
+    monkeypatch.setattr(train, "train", lambda *_, **__: pytest.fail("it trains"))
+    (tmp_path / "README.md").write_text("text")
+    with pytest.raises(PlacecatError, match=r"README\.md is not a model, and is not replaced"):
+        train.train_command("das_551_best", None, None, tmp_path / "README.md")
+    with pytest.raises(PlacecatError, match="a file stands where a folder is needed"):
+        train.train_command("das_551_best", None, None, tmp_path / "README.md/x")

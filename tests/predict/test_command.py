@@ -1,4 +1,5 @@
 import json
+import os
 import shutil
 
 import cv2
@@ -187,6 +188,9 @@ def _damage(folder):
     (folder / "no.mp4").write_bytes(b"")
     (folder / "notes.txt").write_text("text")
     (folder / "void").mkdir()
+    os.mkfifo(folder / "pipe.mp4")
+    (folder / "other").mkdir()
+    (folder / "other/summary.json").write_text('{"sha256": {}, "files": ["a"]}')
     (folder / "mixed").mkdir()
     shutil.copy(folder / "images/frame0.png", folder / "mixed/1.png")
     write_image(folder / "mixed/2.png", 1, width=2 * WIDTH)
@@ -208,6 +212,13 @@ def _damage(folder):
         ("walk.avi --every 0", "--every is 0"),
         ("walk.avi --seconds 0", "--seconds is 0"),
         ("walk.avi --fps nan", "--fps is nan"),
+        ("walk.avi --fps 1e-308", "--fps is 1e-308: give 0.001 to 1000"),
+        ("walk.avi --fps 1e308", "give 0.001 to 1000"),
+        ("walk.avi --every 1000000000000000000000", "--every is 1000000000000000000000"),
+        ("walk.avi --ignore kitchen", "--ignore is for labels"),
+        ("pipe.mp4", "pipe.mp4 is not an ordinary file"),
+        ("walk.avi --output notes.txt/x", "cannot write notes.txt/x: File exists; a file stands where"),
+        ("walk.avi --output other", "other holds something else than a prediction"),
         ("walk.avi --labels none.csv", "none.csv: no such label file"),
         ("walk.avi --labels short.csv", "label frames 11 to 30"),
         ("walk.avi --output notes.txt", "notes.txt is a file"),
@@ -220,7 +231,24 @@ def test_mistakes_give_one_message_and_leave_nothing(folder, arguments, message)
     _damage(folder)
     before = sorted(folder.rglob("*"))
     assert message in refused(*arguments.split())
-    assert [path for path in sorted(folder.rglob("*")) if path.name != "predictions"] == before
+    assert sorted(folder.rglob("*")) == before
+
+
+def test_no_source_is_refused(folder):
+    assert "SOURCE is empty" in refused("")
+
+
+def test_a_link_as_output_stays_and_what_it_leads_to_is_written(folder):
+    (folder / "far").mkdir()
+    (folder / "near").symlink_to("far")
+    predict("walk.avi", "--output", "near")
+    assert (folder / "near").is_symlink()
+    assert (folder / "far/frames.csv").is_file()
+
+
+def test_a_name_begins_no_line_of_its_own(folder, capsys):
+    predict("walk.avi", "--output", "a\nAll is well")
+    assert "a\\nAll is well: " in capsys.readouterr().out
 
 
 def test_a_name_of_dots_is_no_folder(folder):
@@ -258,7 +286,7 @@ def test_ctrl_c_on_a_file_writes_nothing(folder, monkeypatch):
     with pytest.raises(SystemExit) as caught:
         predict("walk.avi", "--video")
     assert caught.value.code == 130
-    assert not list((folder / "predictions").iterdir())
+    assert not (folder / "predictions").exists()
 
 
 def test_numbers_of_an_image_survive_the_coding_of_the_video(folder):

@@ -109,7 +109,7 @@ def test_csv_of_a_spreadsheet() -> None:
         ),
         ("label,start,end\n", r"line 1: the header is 'label,start,end'"),
         ("\nstart;end;label\n1;9;kitchen\n", r"line 2: the header is 'start;end;label'"),
-        ("start,end,label\n1,4,a\n6,9,b\n", r"a\.csv line 3: frame 5 of the video have no label \(a gap\)"),
+        ("start,end,label\n1,4,a\n6,9,b\n", r"a\.csv line 3: frame 5 of the video has no label \(a gap\)"),
         ("start,end,label\n2,9,a\n", r"line 2: frame 1 of the video .* \(a gap\)"),
         ("start,end,label\n1,2,a\n5,9,b\n", r"line 3: frames 3 to 4 of the video"),
         (
@@ -184,3 +184,19 @@ def test_label_file_is_missing_or_a_folder(tmp_path: Path) -> None:
         read_label_csv(tmp_path / "a.csv", 9, 25.0, "the video")
     with pytest.raises(PlacecatError, match="the label file cannot be opened"):
         read_label_csv(tmp_path, 9, 25.0, "the video")
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ("start,end,label\n1,9,kitchen\n".encode("utf-16"), "UTF-16; save it as UTF-8"),
+        ("start,end,label\n1,9,küche\n".encode("latin-1"), "line 2: not UTF-8"),
+        (b'start,end,label\n1,4,"kitchen\n5,9,bath\n', "line 2: a quotation mark is not closed"),
+        (b"start,end,label\n" + b"1,9,kitchen\n" * 1_500_000, "larger than 16 MB"),
+    ],
+    ids=["utf-16", "latin-1", "quote", "huge"],
+)
+def test_a_file_that_is_no_csv_of_labels(tmp_path: Path, content: bytes, message: str) -> None:
+    (tmp_path / "a.csv").write_bytes(content)
+    with pytest.raises(PlacecatError, match=rf"a\.csv.*{message}"):
+        read_label_csv(tmp_path / "a.csv", 9, 25.0, "the video")

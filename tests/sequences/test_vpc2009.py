@@ -120,7 +120,7 @@ END = "-1 -1 end\n"
         ("", r"label\.txt: the label file is empty"),
         (
             "1/\n9\n1 4 a\n6 9 b\n" + END * 2,
-            r"label\.txt line 4: frame 5 of floor 1/ have no label \(a gap\)",
+            r"label\.txt line 4: frame 5 of floor 1/ has no label \(a gap\)",
         ),
         ("1/\n9\n2 9 a\n" + END * 2, r"line 3: frame 1 of floor 1/"),
         (

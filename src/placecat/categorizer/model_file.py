@@ -1,6 +1,7 @@
 """One file for a trained system: an archive of JSON and arrays, with a card that people can read."""
 
 import json
+import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +44,15 @@ def write(path: Path, system: TrainedSystem) -> None:
         {name: text.encode() for name, text in members.items()}
         | {_array_name(number): archive.array_content(array) for number, array in enumerate(arrays)},
     )
+
+
+def is_model(path: Path) -> bool:
+    """Whether a file says that it is a trained system, of whatever version, whole or damaged."""
+    try:
+        with zipfile.ZipFile(path) as file:
+            return _CARD in file.namelist()
+    except (OSError, ValueError, zipfile.BadZipFile):
+        return False
 
 
 def read(path: Path) -> TrainedSystem:

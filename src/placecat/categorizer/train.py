@@ -43,7 +43,9 @@ def train_command(system: str | None, without: str | None, seed: int | None, out
         left_out = f"-without-{without}" if without else ""
         seeded = f"-seed-{seed}" if seed is not None else ""
         output = paths.MODEL if is_default else paths.MODELS / f"{name}{left_out}{seeded}.placecat"
-    files.check_file(output)
+    files.check_writable(output)
+    if output.exists() and not model_file.is_model(output):
+        raise PlacecatError(f"{output} is not a model, and is not replaced: give another --output")
     trained = train(params, name, without=without, seed=seed)
     model_file.write(output, trained)
     print(f"{trained.card['title']}: {output}, {output.stat().st_size / 1e6:.1f} MB")

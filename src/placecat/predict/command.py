@@ -2,6 +2,7 @@
 
 import os
 import sys
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,7 +16,7 @@ from tqdm import tqdm
 from placecat import files
 from placecat.categorizer import Categorizer, Decision
 from placecat.drawing.style import house_style, save
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, one_line
 from placecat.predict import destination, report, tables, timeline, truth
 from placecat.predict.camera import Camera
 from placecat.predict.fitting import Fit, fit
@@ -28,6 +29,8 @@ TIMELINE, SPEED = "timeline.png", "speed.json"
 ANNOTATED = "annotated"
 # What the terminal shows of the segments; the file has all.
 SHOWN_SEGMENTS = 12
+# Frames of which one is taken.
+MOST_EVERY = 1_000_000
 
 
 @dataclass(frozen=True)
@@ -131,8 +134,12 @@ def _write(
 
 
 def _check(options: Options) -> None:
-    if options.every < 1:
-        raise PlacecatError(f"--every is {options.every}: give 1 or more")
+    if not options.source:
+        raise PlacecatError("SOURCE is empty: give a video, a folder of images or a camera")
+    if not 1 <= options.every <= MOST_EVERY:
+        raise PlacecatError(f"--every is {options.every}: give 1 to {MOST_EVERY}")
+    if options.ignore and options.labels is None:
+        raise PlacecatError("--ignore is for labels: give --labels, too")
     if options.seconds is not None and not (np.isfinite(options.seconds) and options.seconds > 0):
         raise PlacecatError(f"--seconds is {options.seconds:g}: give more than 0")
 
@@ -141,6 +148,8 @@ def _quiet() -> None:
     """One message of ours, instead of several of FFmpeg's and OpenCV's."""
     os.environ.setdefault("OPENCV_FFMPEG_LOGLEVEL", "-8")
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
+    # Of a title in letters that the font of the timeline lacks.
+    warnings.filterwarnings("ignore", message="Glyph .* missing from font")
 
 
 def _announce(options: Options, source: Source, chosen: Fit, categorizer: Categorizer) -> None:
@@ -236,4 +245,4 @@ def _print(
     dropped = source.arrived - speed.frames if isinstance(source, Camera) else None
     print(f"\n{len(prediction.numbers)} frames: ", end="")
     print(report.speed_text(speed, options.every, source.fps, dropped=dropped))
-    print(f"{folder}: {', '.join(sorted(path.name for path in folder.iterdir()))}")
+    print(f"{one_line(folder)}: {', '.join(sorted(path.name for path in folder.iterdir()))}")

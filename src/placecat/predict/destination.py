@@ -10,7 +10,8 @@ from typing import Any
 from filelock import FileLock, Timeout
 
 from placecat import files
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, refusal
+from placecat.predict.tables import FRAMES, SEGMENTS
 
 SUMMARY = "summary.json"
 _CHECKED = "sha256"
@@ -40,13 +41,18 @@ def reserved(
     is_numbered = is_live and output is None
     for number in count(1):
         folder = output or Path("predictions") / (name if number == 1 else f"{name}_{number}")
+        # What a link leads to is written, and the link stays.
+        folder = folder.resolve() if folder.is_symlink() else folder
         if is_numbered and folder.exists():
             continue
         check(folder, source, read, force=force)
-        folder.parent.mkdir(parents=True, exist_ok=True)
+        is_new = not folder.parent.exists()
         # The system takes it back if this process is killed.
         lock = FileLock(folder.with_name(f".{folder.name}.lock"))
         try:
+            folder.parent.mkdir(parents=True, exist_ok=True)
+            # To the lock, what cannot be written is held by somebody.
+            Path(lock.lock_file).touch()
             lock.acquire(timeout=0)
         except Timeout:
             if is_numbered:
@@ -54,6 +60,8 @@ def reserved(
             raise PlacecatError(
                 f"{folder} is being written by another prediction: wait for it, or give another --output"
             ) from None
+        except OSError as error:
+            raise PlacecatError(f"cannot write {refusal(error, folder)}") from None
         try:
             # The other one may have ended meanwhile.
             if is_numbered and folder.exists():
@@ -64,6 +72,8 @@ def reserved(
         finally:
             Path(lock.lock_file).unlink(missing_ok=True)
             lock.release()
+            if is_new and not any(folder.parent.iterdir()):
+                folder.parent.rmdir()
 
 
 def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
@@ -125,8 +135,10 @@ def _summary(folder: Path) -> dict[str, Any] | None:
         found = json.loads((folder / SUMMARY).read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
-    is_ours = isinstance(found, dict) and isinstance(found.get(_CHECKED), dict) and "files" in found
-    return found if is_ours else None
+    if not isinstance(found, dict) or not isinstance(found.get("files"), list):
+        return None
+    checked = found.get(_CHECKED)
+    return found if isinstance(checked, dict) and set(checked) == {FRAMES, SEGMENTS} else None
 
 
 def _changed(folder: Path, summary: dict[str, Any]) -> str | None:

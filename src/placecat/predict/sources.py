@@ -14,6 +14,8 @@ from placecat.predict.camera import Camera
 from placecat.predict.frame import Damage, Frame, Source
 from placecat.sequences import video
 
+# Frames a second that are possible: our choice, of which the upper one is that of dataset.fps.
+SLOWEST, FASTEST = 0.001, 1000.0
 _CAMERA = re.compile(r"camera(?::([0-9]{1,4}))?")
 _STREAM = re.compile(r"(rtsps?|https?)://.+", re.IGNORECASE)
 
@@ -43,8 +45,8 @@ def open_source(text: str, *, fps: float | None, usual_fps: float, size: tuple[i
     PlacecatError
         If it is none of these, or cannot be read.
     """
-    if fps is not None and not (np.isfinite(fps) and fps > 0):
-        raise PlacecatError(f"--fps is {fps:g}: give a positive number")
+    if fps is not None and not SLOWEST <= fps <= FASTEST:
+        raise PlacecatError(f"--fps is {fps:g}: give {SLOWEST:g} to {FASTEST:g}")
     path = Path(text)
     if _STREAM.fullmatch(text):
         name = re.sub(r"[^A-Za-z0-9]+", "_", without_password(text).split("://")[1]).strip("_")
@@ -58,6 +60,8 @@ def open_source(text: str, *, fps: float | None, usual_fps: float, size: tuple[i
     if camera:
         number = int(camera[1] or 0)
         return Camera(number, f"camera_{number}", fps, size, title=f"camera {number}")
+    if path.exists():
+        raise PlacecatError(f"{text} is not an ordinary file: give a video or a folder of images")
     raise PlacecatError(
         f"{text}: no such file or folder: give a video, a folder of images, camera, camera:NUMBER, or the "
         "address of a stream (rtsp://..., http://...)"

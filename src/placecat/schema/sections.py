@@ -5,7 +5,7 @@ Settings of classifiers, estimators, descriptors and figures are the parameters 
 """
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
 from annotated_types import Interval, MinLen
 from pydantic import BaseModel, ConfigDict, Field, model_validator
@@ -54,6 +54,17 @@ class Dataset(Section):
     ignored: Distinct[Label]
     aliases: dict[Label, Label]
     require_all_classes: bool
+
+    @model_validator(mode="after")
+    def _check_names(self) -> Self:
+        folded = [home.casefold() for home in self.homes]
+        for home, name in zip(self.homes, folded, strict=True):
+            if folded.count(name) > 1:
+                raise ValueError(f"homes: {home!r} and another differ only in capital letters")
+        for name in self.ignored:
+            if name in self.classes:
+                raise ValueError(f"ignored: {name!r} is also a class; remove it from one of both")
+        return self
 
     @model_validator(mode="before")
     @classmethod

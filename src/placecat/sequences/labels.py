@@ -1,5 +1,6 @@
 """Labels as intervals of frames: checks, expansion, and the label CSV."""
 
+import codecs
 import csv
 import math
 import re
@@ -19,6 +20,8 @@ SECOND_HEADER = ("start_seconds", "end_seconds", "label")
 # More than the frames of any footage.
 _WHOLE = re.compile(r"-?[0-9]{1,10}")
 _MOST_FRAMES = 1e10
+MOST_BYTES = 16 << 20
+"""Of a file of labels: our choice, above 500,000 rows."""
 
 
 @dataclass(frozen=True)
@@ -74,9 +77,10 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
                 "correct one of them."
             )
         if segment.start > last + 1:
+            gap, has = _frames(last + 1, segment.start - 1), "has" if segment.start == last + 2 else "have"
             raise PlacecatError(
-                f"{where}: {_frames(last + 1, segment.start - 1)} of {sequence} have no label (a gap); label "
-                "them, for example as transition."
+                f"{where}: {gap} of {sequence} {has} no label (a gap); write a row before, for example of "
+                "transition."
             )
         if segment.start <= last:
             before = (
@@ -215,13 +219,18 @@ def read_text(path: Path) -> str:
         If it is missing, cannot be opened, or is empty.
     """
     try:
-        text = path.read_bytes().decode("utf-8-sig", errors="replace")
+        if path.is_file() and path.stat().st_size > MOST_BYTES:
+            raise PlacecatError(f"{path}: larger than {MOST_BYTES >> 20} MB; this is not a file of labels.")
+        content = path.read_bytes()
     except FileNotFoundError:
         raise PlacecatError(
             f"{path}: the label file is missing; restore it, or correct dataset.homes."
         ) from None
     except OSError as error:
         raise PlacecatError(f"{path}: the label file cannot be opened ({error.strerror}).") from None
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        raise PlacecatError(f"{path}: the file is UTF-16; save it as UTF-8.")
+    text = content.decode("utf-8-sig", errors="replace")
     if not text.strip():
         raise PlacecatError(f"{path}: the label file is empty; write the labels, or restore it.")
     return text
@@ -250,7 +259,13 @@ def _frames(first: int, last: int) -> str:
 
 
 def _rows(path: Path) -> list[tuple[int, list[str]]]:
-    reader = csv.reader(read_text(path).splitlines())
+    lines = read_text(path).splitlines()
+    for number, line in enumerate(lines, start=1):
+        if "\ufffd" in line:
+            raise PlacecatError(f"{path} line {number}: not UTF-8; save the file as UTF-8.")
+        if line.count('"') % 2:
+            raise PlacecatError(f"{path} line {number}: a quotation mark is not closed; close or remove it.")
+    reader = csv.reader(lines)
     try:
         return [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
     except csv.Error as error:
