@@ -1,5 +1,6 @@
 """Lines of an explanation from the file that has those of all cells; imports little, to be quick."""
 
+import hashlib
 import json
 from collections.abc import Mapping
 from typing import Any
@@ -35,8 +36,16 @@ def _compact(value: Any) -> str:
 
 
 def stage_texts(lock: Mapping[str, Any]) -> dict[str, str]:
-    """Stage to what dvc.lock says it was made from: each dependency with eight digits of its checksum."""
-    return {
-        stage: ", ".join(f"{one['path']} {one.get('md5', '')[:8]}" for one in record.get("deps", []))
-        for stage, record in lock["stages"].items()
-    }
+    """Stage to what dvc.lock says it was made from: eight digits of the checksum of each dependency.
+
+    Its code, all dependencies in src/, has one checksum.
+    """
+    texts = {}
+    for stage, record in lock["stages"].items():
+        deps = {one["path"]: one.get("md5", "") for one in record.get("deps", [])}
+        code = json.dumps(
+            {path: md5 for path, md5 in deps.items() if path.startswith("src/")}, sort_keys=True
+        )
+        others = [f"{path} {md5[:8]}" for path, md5 in deps.items() if not path.startswith("src/")]
+        texts[stage] = ", ".join([f"code {hashlib.sha256(code.encode()).hexdigest()[:8]}", *others])
+    return texts
