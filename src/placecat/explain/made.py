@@ -191,7 +191,6 @@ def _smoothing(params: Mapping[str, Any]) -> dict[str, Any]:
 def _of_system(name: str, params: Mapping[str, Any]) -> Made:
     system = settings.get(params, f"systems.{name}")
     cues = [_of_cue(cue, system["scheme"], params) for cue in system["cues"]]
-    own = {key: value for key, value in system.items() if key not in ("cues", "scheme")}
     stages = {"integration", *(stage for cue in cues for stage in cue.stages)}
     if system["extra"]:
         stages |= {"site_sequences", "site_features"}
@@ -205,9 +204,18 @@ def _of_system(name: str, params: Mapping[str, Any]) -> Made:
         plan=system["scheme"],
         fuses=True,
         extra=bool(system["extra"]),
-        settings={"integration": own} | {key: one for cue in cues for key, one in cue.settings.items()},
+        settings={"integration": _integrator(system)}
+        | {key: one for cue in cues for key, one in cue.settings.items()},
         clusters={key: one for cue in cues for key, one in cue.clusters.items()},
     )
+
+
+def _integrator(own: Mapping[str, Any]) -> dict[str, Any]:
+    """Settings of an integration, with those of its classifier on top."""
+    integrator = own["integrator"]
+    rest = {key: value for key, value in integrator.items() if key != "classifier"}
+    of_system = {key: own[key] for key in ("temperature", "extra") if key in own}
+    return {**rest, **integrator.get("classifier", {}), **of_system}
 
 
 def _named(name: str, params: Mapping[str, Any]) -> Made:
@@ -251,7 +259,7 @@ def _of_split(name: str, params: Mapping[str, Any]) -> Made:
     cues = [_described_cue(cue, params) for cue in names]
     parts: dict[str, Any] = {}
     if kind != "cues":
-        parts["integration"] = own["integrator"]
+        parts["integration"] = _integrator(own)
     if kind in ("hmm", "smoothing"):
         parts["smoothing"] = _smoothing(params)
     layers = {

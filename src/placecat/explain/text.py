@@ -47,8 +47,9 @@ def explanations(
             *[("thesis", _thesis(cell))] * (cell.published == cell.published),
             shared(_why(cell.notes)),
             shared(("what", quantity(origin, cell.home)) for origin in dict.fromkeys(cell.origins)),
-            *(shared(_how(one, params)) for one in cell.made),
-            *(shared(_frames(home, one)) for home, of_home in cell.trained.items() for one in of_home),
+            shared(("result", one.title) for one in cell.made),
+            *(shared(_frames(one)) for of_home in cell.trained.values() for one in of_home),
+            *(shared(_settings(one, params)) for one in cell.made),
             shared(_end(cell, data_versions)),
         ]
     return {"lines": list(pool), "blocks": list(blocks), "cells": found}
@@ -83,9 +84,8 @@ def _why(notes: Notes) -> list[Line]:
     return [("note", note.text) for note in notes]
 
 
-def _how(made: Made, params: Mapping[str, Any]) -> list[Line]:
-    lines = [("result", made.title)]
-    lines += [(part, settings_text(values)) for part, values in made.settings.items()]
+def _settings(made: Made, params: Mapping[str, Any]) -> list[Line]:
+    lines = [(part, settings_text(values)) for part, values in made.settings.items()]
     dataset = settings.get(params, "dataset.name") if made.plan in ("5-5-1", "4-5-1") else made.plan
     lines += [
         (
@@ -98,7 +98,7 @@ def _how(made: Made, params: Mapping[str, Any]) -> list[Line]:
     return lines
 
 
-def _frames(home: str, one: Trained) -> list[Line]:
+def _frames(one: Trained) -> list[Line]:
     lines = [
         ("tested on", _listed(one.tested)),
         ("cues trained on", f"{_listed(one.cues)} (training set {one.training_set!r})"),

@@ -43,7 +43,8 @@ def main() -> None:
     origins = files.read_json(_existing(paths.ORIGINS))
     cells = list(Explaining(params, tables, texts, origins, comparisons).cells())
     tidy.write(paths.RESULTS, tidy.tidy(cells))
-    versions = {stage: data_version(stage) for stage in ("sequences", "site_sequences")}
+    listing_stages = {stage for cell in cells for stage in cell.stages} & {"sequences", "site_sequences"}
+    versions = {stage: data_version(stage) for stage in listing_stages}
     explained = explanations(cells, params, versions)
     files.write_text(paths.EXPLANATIONS, lines.to_text(explained))
     report = Report(
