@@ -1,6 +1,8 @@
 """Explanations of the kept results: every cell, by its number and by its labels."""
 
 import json
+import subprocess
+import sys
 from functools import cache
 
 import numpy as np
@@ -176,3 +178,9 @@ def test_results_are_loaded_from_a_project(tmp_path):
         results.load(tmp_path)
     tidy.write(tmp_path / paths.RESULTS, pd.DataFrame({"cell": ["table_01.1.1"], "by_seed": [[1.0, 2.0]]}))
     assert list(results.load(tmp_path).explode("by_seed")["by_seed"]) == [1.0, 2.0]
+
+
+def test_the_command_imports_no_numpy():
+    """So that an explanation takes less than a second."""
+    code = "import placecat.explain.command, sys; sys.exit({'numpy', 'pandas'} & set(sys.modules) or 0)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
