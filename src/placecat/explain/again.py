@@ -9,6 +9,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from placecat import cues, files, paths, settings
+from placecat.errors import PlacecatError
 from placecat.explain import numbering
 from placecat.explain.made import trials_of
 from placecat.explain.origins import from_json, measurement
@@ -59,6 +60,10 @@ def compute(number: str) -> tuple[bool, str]:
     """
     params = settings.load()
     table = number.partition(".")[0]
+    if not paths.ORIGINS.is_file():
+        raise PlacecatError(
+            f"{paths.ORIGINS} is missing, so that nothing can be computed again: run `dvc repro`"
+        )
     kept = from_json(files.read_json(paths.ORIGINS)[table])
     results = read_results(params)
     before = _numbers(table, params, results)
