@@ -285,8 +285,10 @@ def _toy(
         schemes = toy._deciding(schemes, settings_of_toy["sensitivity"]["decisions"], radius)
     found = {}
     for seed in one.seeds:
-        numbers = settings_of_toy["training"], settings_of_toy["testing"], _seed(seed)
-        counts, last = toy.compare(schemes, points, *numbers)
+        number = int(seed.removeprefix("seed-"))
+        counts, last = toy.compare(
+            schemes, points, settings_of_toy["training"], settings_of_toy["testing"], number
+        )
         of_label = counts[label.removeprefix("last/")]
         if is_last:
             of_label = of_label * (np.arange(len(of_label)) == last)[:, None]

@@ -1,6 +1,6 @@
 """Every cell of every table, and every number in the text, with all that explains it."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -248,20 +248,14 @@ def _unit_in_text(quantity: str, origins: Sequence[Origin]) -> str:
 def quantity(origin: Origin, home: str) -> str:
     """Say what was measured of a result, e.g. "accuracy in home_3: the mean over its places ..."."""
     where = f" in {home}" if home != ALL_HOMES else ""
-    texts: Mapping[str, Callable[[], str]] = {
-        "": lambda: f"accuracy{where}: mean over the places of the share of frames that are named rightly",
-        ALL_FRAMES: lambda: (
-            f"share of all labelled frames{where} that are named rightly, whatever their place"
-        ),
-        **{
-            measure: lambda name=name: f"{name.lower()} of the distributions"
-            for measure, name in MEASURES.items()
-        },
-    }
-    if origin.part in texts:
-        text = texts[origin.part]()
-    else:
+    if origin.part in MEASURES:
+        text = f"{MEASURES[origin.part].lower()} of the distributions"
+    elif origin.part == ALL_FRAMES:
+        text = f"share of all labelled frames{where} that are named rightly, whatever their place"
+    elif origin.part:
         text = f"share of the frames of {origin.part}{where} that are named {origin.part}"
+    else:
+        text = f"accuracy{where}: mean over the places of the share of frames that are named rightly"
     if origin.result.startswith(RECORD):
         text = "read off a record"
     return (
