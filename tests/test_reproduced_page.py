@@ -72,3 +72,45 @@ def test_the_page_needs_no_server(reproduced):
     folder, _, _ = reproduced
     text = (folder / "reports/index.html").read_text()
     assert re.findall(r'(?:src|href)="(?!#|data:)[^"]*"', text) == []
+
+
+@needs_chromium
+def test_every_cell_opens_its_explanation(reproduced, tmp_path):
+    folder, _, _ = reproduced
+    found, console = evaluate(
+        folder / "reports/index.html",
+        tmp_path,
+        """
+        const { cells } = JSON.parse(document.getElementById("explanations").textContent);
+        const explained = [...document.querySelectorAll(".explained")];
+        // The number of the cell stands in its explanation: both count alike.
+        const strange = explained.filter((one) => {
+            const [, text] = cells[one.id].find((item) => item[0] === "here");
+            return one.textContent !== "" && Number.parseFloat(text) !== Number.parseFloat(one.textContent);
+        });
+        const press = (key) => document.activeElement.dispatchEvent(
+            new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
+        document.getElementById("table_26.9.3").focus();
+        press("ArrowRight");
+        press("ArrowDown");
+        const reached = document.activeElement.id;
+        press("Enter");
+        const dialog = document.getElementById("explanation");
+        const shown = [dialog.open, dialog.querySelector("code").textContent, location.hash];
+        const fits = dialog.scrollWidth <= dialog.clientWidth;
+        dialog.querySelector("button").click();
+        return {
+            cells: Object.keys(cells).length,
+            explained: explained.length,
+            strange: strange.map((one) => one.id),
+            reached, shown, fits, closed: !dialog.open,
+        };
+        """,
+    )
+    assert console == []
+    assert found["explained"] == found["cells"] > 2000
+    assert found["strange"] == []
+    assert found["reached"] == "table_26.10.4"
+    assert found["shown"] == [True, "placecat explain table_26.10.4", "#table_26.10.4"]
+    assert found["fits"]
+    assert found["closed"]

@@ -95,6 +95,7 @@ def _parser() -> argparse.ArgumentParser:
         help=f"copy them to {paths.KEPT_TIMES} and {paths.KEPT_TIMES_FACTS}, which git keeps",
     )
     times.set_defaults(run=_times)
+    _add_explain(commands)
     _add_train(commands)
     _add_predict(commands)
     _add_worker(commands)
@@ -102,6 +103,27 @@ def _parser() -> argparse.ArgumentParser:
     commands.add_parser("experiment", help="train and test any descriptor and classifier, or a sweep of them")
     commands.add_parser("search", help="search settings by their accuracy on training homes")
     return parser
+
+
+def _add_explain(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    explain = commands.add_parser(
+        "explain",
+        help="say where a number comes from",
+        description="Print what a number of a table or of the text is, and what it was made from: settings, "
+        "frames, seeds, data, code and stages.",
+    )
+    explain.add_argument(
+        "cell",
+        nargs="+",
+        metavar="CELL",
+        help="its number on the page, e.g. table_26.9.3; or its table and labels, e.g. table_26 HMM home_3",
+    )
+    explain.add_argument(
+        "--again",
+        action="store_true",
+        help="compute it again from what the stages left, and say whether the bits agree",
+    )
+    explain.set_defaults(run=_explain)
 
 
 def _add_train(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -290,6 +312,12 @@ def _times(options: argparse.Namespace) -> int:
             "the page, and commit both."
         )
     return 0
+
+
+def _explain(options: argparse.Namespace) -> int:
+    from placecat.explain.command import explain_command
+
+    return explain_command(options.cell, again=options.again)
 
 
 def _train(options: argparse.Namespace) -> int:

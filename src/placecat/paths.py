@@ -29,6 +29,7 @@ TRIALS = Path("data/trials")
 TOY = Path("data/toy.csv")
 SCORES = Path("data/scores")
 NOTES = Path("data/notes.csv")
+ORIGINS = Path("data/origins.json")
 MODEL = Path("data/model.placecat")
 MODELS = Path("data/models")
 TRACKING = Path("data/tracking.json")
@@ -57,6 +58,8 @@ SCALE_STAGES = Path("reports/scale.csv")
 SCALE_GROWTH = Path("reports/scale_growth.csv")
 SCALE_FACTS = Path("reports/scale.json")
 PAGE = Path("reports/index.html")
+RESULTS = Path("reports/results.parquet")
+EXPLANATIONS = Path("reports/explanations.json")
 
 # In names of what nothing random has a part in.
 NO_SEED = "no-seed"

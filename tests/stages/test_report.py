@@ -8,8 +8,9 @@ import pandas as pd
 import pytest
 
 import made_report
-from placecat import files, paths, settings
+from placecat import files, paths, results, settings
 from placecat.errors import PlacecatError
+from placecat.explain.lines import lines_of
 from placecat.stages import report
 from placecat.thesis import in_text, notes
 from placecat.thesis.tables import tables_of
@@ -29,12 +30,13 @@ def folder(tmp_path, monkeypatch):
     params = settings.load()
     for home in params["dataset"]["homes"]:
         files.write_csv(paths.SEQUENCES / home / "labels.csv", pd.DataFrame({"class": [0, 0, 1, -1]}))
-    noted = []
+    noted, origins = [], {}
     for name, table in tables_of(params).items():
         number = table["number"]
         cells = made_report.addition().cells if number is None else made_report.cells(number)
         files.write_csv(paths.TABLES / f"{name}.csv", cells.drop(columns="notes"))
         noted.append(notes.to_rows(name, cells))
+        origins[name] = measured(cells, ["group", "row", "column"])
     figures = [
         {"name": "figure_02", "number": 2, "file": "figure_02.png", "title": "Two", "reason": None},
         {
@@ -58,9 +60,23 @@ def folder(tmp_path, monkeypatch):
     files.write_csv(paths.IN_TEXT, said.drop(columns="notes"))
     noted.append(notes.to_rows(in_text.NAME, said, in_text.KEY))
     files.write_csv(paths.NOTES, pd.concat(noted))
+    files.write_json(paths.ORIGINS, origins | {in_text.NAME: measured(said, in_text.KEY)})
     files.write_csv(paths.FINDINGS, made_report.findings())
     files.write_csv(paths.COMPARISONS, made_report.comparisons())
     return tmp_path
+
+
+def measured(cells, key):
+    """What the stage `tables` keeps of cells: each is read off one cue, without seeds."""
+    return [
+        {
+            "cell": labels,
+            "values": [value],
+            "seeds": ["no-seed"],
+            "origins": [["cues/gist/5-5-1", ["home_1"], ""]],
+        }
+        for *labels, value in cells[[*key, "measured"]].itertuples(index=False, name=None)
+    ]
 
 
 def page():
@@ -134,3 +150,22 @@ def test_figures_are_those_of_the_list(folder):
     files.write_json(paths.FIGURES / "figures.json", entries[1:])
     report.main()
     assert 'figure-2"' not in page()
+
+
+def test_every_number_is_written_with_what_explains_it(folder):
+    report.main()
+    table = results.load()
+    cells = sum(len(pd.read_csv(path)) for path in paths.TABLES.glob("*.csv"))
+    assert len(table) == cells + len(pd.read_csv(paths.IN_TEXT))
+    assert table["cell"].is_unique
+    one = table[table["cell"] == "table_26.9.3"].iloc[0]
+    assert (one["group"], one["row"], one["column"]) == ("4-5-1, all cues", "HMM", "Home 3")
+    assert (one["cues"], one["plan"], one["tested_frames"]) == ("gist", "5-5-1", 3)
+    content = files.read_json(paths.EXPLANATIONS)
+    assert list(content["cells"]) == list(table["cell"])
+    said = dict(lines_of(content, "table_26.9.3"))
+    assert said["data"].endswith("checksum 00ff.dir")
+    assert said["tested on"] == "3 frames of home_1"
+    before = [path.read_bytes() for path in (paths.RESULTS, paths.EXPLANATIONS)]
+    report.main()
+    assert [path.read_bytes() for path in (paths.RESULTS, paths.EXPLANATIONS)] == before

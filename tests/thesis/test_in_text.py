@@ -35,7 +35,7 @@ def filled():
 
 
 def test_every_published_number_has_a_line():
-    assert list(lines_of().columns) == [*COLUMNS, "notes"]
+    assert list(lines_of().columns) == [*COLUMNS, "notes", "number"]
     lines = filled()
     assert lines.index.is_unique
     for row in PUBLISHED.itertuples():

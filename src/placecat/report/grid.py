@@ -1,14 +1,15 @@
 """A filled table as a grid for people: rows and columns in order, numbers as text, notes as footnotes."""
 
 from collections import Counter
-from collections.abc import Hashable, Iterable, Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import pandas as pd
 
+from placecat.explain.numbering import layout
 from placecat.thesis.notes import Kind, Notes
-from placecat.thesis.number import AVERAGE, home_label
+from placecat.thesis.number import home_label
 from placecat.thesis.tables import comparable, in_percent
 
 NOT_AVAILABLE = "n/a"
@@ -102,19 +103,22 @@ class Grid:
 
 def make_grid(table: pd.DataFrame) -> Grid:
     """Arrange a filled table (:func:`placecat.thesis.tables.fill_table`); cells that it lacks are empty."""
-    columns = _ordered(table["column"])
+    rows, columns = layout(table)
     footnotes: Counter[str] = Counter()
     cells = {
         (record["group"], record["row"], record["column"]): _cell(record, footnotes)
         for record in table.to_dict("records")
     }
-    groups = []
-    for group, part in table.groupby("group", sort=False):
-        rows = [
-            Row(name, tuple(cells.get((group, name, column), Cell()) for column in columns))
-            for name in _ordered(part["row"])
-        ]
-        groups.append(Group(str(group), tuple(rows)))
+    groups = [
+        Group(
+            group,
+            tuple(
+                Row(name, tuple(cells.get((group, name, column), Cell()) for column in columns))
+                for name in names
+            ),
+        )
+        for group, names in rows.items()
+    ]
     marked = enumerate(footnotes.items())
     return Grid(
         tuple(columns),
@@ -195,12 +199,6 @@ def seeds_sentence(table: pd.DataFrame) -> str:
         f"{subject} of {seeds} seeds, which lie {random['spread'].median():.2f} points apart in the median "
         f"cell and {one['spread']:.2f} at most{f' ({where})' if where else ''}."
     )
-
-
-def _ordered(names: Iterable[str]) -> Sequence[str]:
-    """Names without repetition, the average last: cells that only this run has follow the published ones."""
-    found = list(dict.fromkeys(names))
-    return [name for name in found if name != AVERAGE] + [name for name in found if name == AVERAGE]
 
 
 def _mark(notes: Notes, kind: Kind, footnotes: Counter[str]) -> str:

@@ -1,5 +1,6 @@
 """The report: one self-contained HTML page with every table, figure, finding and setting."""
 
+import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -7,6 +8,7 @@ from typing import Any
 import pandas as pd
 from markupsafe import Markup, escape
 
+from placecat.explain.cells import Table
 from placecat.report.embed import embed
 from placecat.report.grid import (
     Cell,
@@ -30,15 +32,6 @@ from placecat.thesis.notes import joined
 
 # CSS pixels a pixel of a figure: 200 pixels an inch are then shown at 125 %.
 _FIGURE_SCALE = 0.6
-
-
-@dataclass(frozen=True)
-class Table:
-    """One table: its configuration with its name, its filled form, and the data set it was measured on."""
-
-    settings: Mapping[str, Any]
-    cells: pd.DataFrame
-    dataset: Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -89,6 +82,9 @@ class Report:
         Kept records from :func:`placecat.report.benchmarks.shown_speed` and
         :func:`placecat.report.scale.shown_scale`, None if there are none; each with ``chart``, a PNG, None if
         there is nothing to draw.
+    explanations
+        From :func:`placecat.explain.text.explanations`, with ``stages``
+        (:func:`placecat.explain.lines.stage_texts`); None for a page whose cells cannot be asked.
     """
 
     dataset: Mapping[str, Any]
@@ -103,6 +99,7 @@ class Report:
     times: Mapping[str, Any] | None = None
     speed: Mapping[str, Any] | None = None
     scale: Mapping[str, Any] | None = None
+    explanations: Mapping[str, Any] | None = None
 
 
 def page_html(report: Report) -> str:
@@ -141,6 +138,7 @@ def page_html(report: Report) -> str:
             settings=_blocks(report.settings),
             speed=_with_chart(report.speed),
             scale=_with_chart(report.scale),
+            explanations=_json(report.explanations),
             time_rows=[] if report.times is None else _records(report.times["stages"]),
         )
     )
@@ -276,6 +274,14 @@ def _interval_limit(findings: pd.DataFrame) -> float:
     """Points at the ends of the axis on which the ledger draws its intervals: at most 25, a multiple of 5."""
     bounds = findings[["difference", "low", "high"]].apply(pd.to_numeric, errors="coerce").abs().max().max()
     return 5.0 if pd.isna(bounds) else float(min(25.0, 5.0 * max(1.0, -(-bounds // 5))))
+
+
+def _json(content: Mapping[str, Any] | None) -> Markup | None:
+    """Compact JSON that may stand in a script element."""
+    if content is None:
+        return None
+    text = json.dumps(content, ensure_ascii=False, separators=(",", ":"))
+    return Markup(text.replace("<", "\\u003c"))
 
 
 def _blocks(settings: str) -> list[dict[str, str]]:

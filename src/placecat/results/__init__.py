@@ -1,1 +1,44 @@
 """What a run measured: typed results, and where they are on disk."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+def load(project: Path | str = ".") -> "pd.DataFrame":
+    """Load every number of the tables and of the text as one table, a row a cell.
+
+    Parameters
+    ----------
+    project
+        The project's folder.
+
+    Returns
+    -------
+    DataFrame
+        ``cell`` is its number (``placecat explain`` takes it); ``table``, ``title``, ``group``, ``row`` and
+        ``column`` say where it stands, and ``home`` is its only test home, or "all". ``quantity`` says what
+        was measured; ``measured``, ``published`` and their ``difference`` are in ``unit``, NaN for none.
+        ``spread`` is the largest minus the smallest of the ``seeds``, which ``seed_names`` and ``by_seed``
+        list. ``note`` says why the two numbers differ, or why one is missing; ``findings`` are those that
+        rest on it. Then what it was made from: ``data`` and ``published_data``; ``results``, ``system``,
+        ``cues``, ``classifiers``, ``descriptors``, ``filter`` and ``plan``; ``trained_on``, and the frames
+        that trained cues (``training_frames``) and integration (``integration_frames``) and were tested
+        (``tested_frames``); ``settings`` as JSON; and DVC's ``stages``.
+
+    Raises
+    ------
+    PlacecatError
+        If the stage `report` has not run.
+    """
+    import pandas as pd
+
+    from placecat import paths
+    from placecat.errors import PlacecatError
+
+    path = Path(project) / paths.RESULTS
+    if not path.is_file():
+        raise PlacecatError(f"{path} is missing: run `dvc repro` to make it, or restore it from git")
+    return pd.read_parquet(path)

@@ -6,12 +6,15 @@ from typing import Any
 from placecat import files, listing, paths, settings
 from placecat.drawing.style import png_of
 from placecat.errors import PlacecatError
-from placecat.lockfile import data_version
+from placecat.explain import lines, tidy
+from placecat.explain.cells import Explaining, Table
+from placecat.explain.text import explanations
+from placecat.lockfile import LOCK, data_version
 from placecat.report.benchmarks import TEXT as BENCHMARK_TEXT
 from placecat.report.benchmarks import shown_speed
 from placecat.report.charts.growth import growth_chart
 from placecat.report.charts.speed import speed_chart
-from placecat.report.page import Figure, Report, Table, page_html
+from placecat.report.page import Figure, Report, page_html
 from placecat.report.scale import TEXT as SCALE_TEXT
 from placecat.report.scale import shown_scale
 from placecat.stages import run
@@ -23,30 +26,41 @@ _TEXT = ("group", "row", "column", "name", "section", "quantity", "home", "note"
 
 
 def main() -> None:
-    """Write reports/index.html."""
+    """Write index.html, results.parquet and explanations.json in reports/."""
     params = settings.load()
     dataset = settings.get(params, "dataset")
     noted = files.read_table(paths.NOTES, notes.COLUMNS)
+    tables = [
+        Table(
+            table,
+            notes.with_notes(name, files.read_table(folder_of(table) / f"{name}.csv", _TEXT), noted),
+            dataset_of(table, params),
+        )
+        for name, table in tables_of(params).items()
+    ]
+    texts = notes.with_notes(in_text.NAME, files.read_table(paths.IN_TEXT, _TEXT), noted, in_text.KEY)
+    comparisons = files.read_table(paths.COMPARISONS, _TEXT)
+    origins = files.read_json(_existing(paths.ORIGINS))
+    cells = list(Explaining(params, tables, texts, origins, comparisons).cells())
+    tidy.write(paths.RESULTS, tidy.tidy(cells))
+    listing_stages = {stage for cell in cells for stage in cell.stages} & {"sequences", "site_sequences"}
+    versions = {stage: data_version(stage) for stage in listing_stages}
+    explained = explanations(cells, params, versions)
+    files.write_text(paths.EXPLANATIONS, lines.to_text(explained))
     report = Report(
         dataset=dataset,
         frames={home: _frames(home, dataset["classes"]) for home in dataset["homes"]},
         data_version=data_version(),
-        tables=[
-            Table(
-                table,
-                notes.with_notes(name, files.read_table(folder_of(table) / f"{name}.csv", _TEXT), noted),
-                dataset_of(table, params),
-            )
-            for name, table in tables_of(params).items()
-        ],
+        tables=tables,
         figures=[_figure(one) for one in files.read_json(_existing(paths.FIGURES / "figures.json"))],
-        in_text=notes.with_notes(in_text.NAME, files.read_table(paths.IN_TEXT, _TEXT), noted, in_text.KEY),
+        in_text=texts,
         findings=files.read_table(paths.FINDINGS, _TEXT),
-        comparisons=files.read_table(paths.COMPARISONS, _TEXT),
+        comparisons=comparisons,
         settings=paths.PARAMS.read_text(encoding="utf-8"),
         times=_times(),
         speed=_speed(),
         scale=_scale(),
+        explanations=explained | {"stages": lines.stage_texts(settings.read_yaml(LOCK))},
     )
     files.write_text(paths.PAGE, page_html(report))
 

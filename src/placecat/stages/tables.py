@@ -5,6 +5,7 @@ from typing import Any
 import pandas as pd
 
 from placecat import files, paths, settings
+from placecat.explain.origins import to_json
 from placecat.report.formats import table_latex, table_markdown
 from placecat.results.collect import read_results
 from placecat.results.measured import Results
@@ -39,6 +40,8 @@ def main() -> None:
     files.write_csv(paths.PROBABILITIES, quality_table(results.quality))
     said = _in_text(params, results)
     files.write_csv(paths.IN_TEXT, said[in_text.COLUMNS])
+    origins = {name: to_json(table, results) for name, table in filled.items()}
+    files.write_json(paths.ORIGINS, origins | {in_text.NAME: to_json(said, results, in_text.KEY)})
     of_tables = [notes.to_rows(name, table) for name, table in filled.items()]
     files.write_csv(paths.NOTES, pd.concat([*of_tables, notes.to_rows(in_text.NAME, said, in_text.KEY)]))
     files.write_json(paths.METRICS, nested_metrics(filled))

@@ -12,8 +12,10 @@ from placecat.evaluation.trials import AXES
 from placecat.results.measured import Results
 from placecat.thesis.layouts import place_column
 from placecat.thesis.number import (
+    ALL_FRAMES,
     AVERAGE,
     Number,
+    Origin,
     best_of,
     home_label,
     in_home,
@@ -212,10 +214,11 @@ def _in_place(results: Results, name: str, numbers: Sequence[int], place: str) -
         return over_homes(results, name, results.numbers)
     homes = [one.homes.index(results.homes[number - 1]) for number in numbers]
     values = one.by_class()[:, homes, one.classes.index(place)]
+    origins = (Origin(name, tuple(results.homes[number - 1] for number in numbers), place),)
     shown = np.isfinite(values).all(axis=0)
     if not shown.any():
-        return nothing(f"no tested frame shows the place {place}")
-    return Number(values[:, shown].mean(axis=1), one.is_random)
+        return nothing(f"no tested frame shows the place {place}", origins=origins)
+    return Number(values[:, shown].mean(axis=1), one.is_random, origins=origins)
 
 
 def _was_tried(results: Results, name: str, number: int) -> bool:
@@ -230,7 +233,8 @@ def _whole(results: Results, name: str, plain: bool) -> Number:
     if name.startswith(_SPLIT):
         one = one.pooled()
     values = one.plain() if plain else one.by_home()
-    return Number(values.mean(axis=1), one.is_random)
+    origins = (Origin(name, part=ALL_FRAMES if plain else ""),)
+    return Number(values.mean(axis=1), one.is_random, origins=origins)
 
 
 def _summary(kind: str, differences: Mapping[str, Number], where: str) -> Line:
@@ -250,7 +254,8 @@ def _summary(kind: str, differences: Mapping[str, Number], where: str) -> Line:
 
 def _error_ratio(results: Results, variant: str, baseline: str) -> Number:
     """How many times larger the share of frames is that one result decides wrongly."""
+    origins = (Origin(variant), Origin(baseline))
     errors = [100.0 - results.of(name).by_home().mean(axis=1) for name in (variant, baseline)]
     if (errors[1] <= 0).any():
-        return nothing(f"{baseline} makes no error")
-    return Number(errors[0] / errors[1], results.of(variant).is_random)
+        return nothing(f"{baseline} makes no error", origins=origins)
+    return Number(errors[0] / errors[1], results.of(variant).is_random, origins=origins)

@@ -61,8 +61,9 @@ def in_text(
     -------
     DataFrame
         Columns name, section, quantity, home ("Home 6", "Average", or "" for neither), published, measured,
-        spread, seeds, note, and ``notes``, the same by kind. Of a comparison both sides and their difference,
-        variant minus baseline, in points. ``spread`` and ``seeds`` as in
+        spread, seeds, note, ``notes``, the same by kind, and ``number``, a
+        :class:`~placecat.thesis.number.Number`. Of a comparison both sides and their difference, variant
+        minus baseline, in points. ``spread`` and ``seeds`` as in
         :func:`~placecat.thesis.tables.fill_table`.
 
     Raises
@@ -84,9 +85,9 @@ def in_text(
         for quantity, home, number in _lines(name, entry, results, records, known):
             words = said.get((name, quantity, home), _Said())
             notes = _notes(entry, number, words, measured_on)
-            measured = (number.measured, number.spread, number.seeds, joined(notes), notes)
+            measured = (number.measured, number.spread, number.seeds, joined(notes), notes, number)
             rows.append((name, str(sections[name]), quantity, home, words.value, *measured))
-    return pd.DataFrame(rows, columns=[*COLUMNS, "notes"])
+    return pd.DataFrame(rows, columns=[*COLUMNS, "notes", "number"])
 
 
 def _same_names(entries: Sequence[str], published: Sequence[str]) -> None:

@@ -9,8 +9,10 @@ import numpy as np
 from placecat.evaluation.trials import AXES, HOMES, trial_name
 from placecat.results.measured import MEASURES, Results
 from placecat.thesis.number import (
+    ALL_FRAMES,
     AVERAGE,
     Number,
+    Origin,
     best_of,
     home_label,
     in_home,
@@ -27,7 +29,7 @@ class Cell(NamedTuple):
 
     `measured` is a percentage, the mean over the seeds, or NaN with `notes` that say why there is none.
     `spread` is the largest minus the smallest of the seeds, NaN where nothing is random; `seeds` is their
-    number, then 0.
+    number, then 0. `number` has its seeds and origins.
     """
 
     group: str
@@ -37,11 +39,12 @@ class Cell(NamedTuple):
     spread: float
     seeds: int
     notes: tuple[str, ...]
+    number: Number
 
 
 def cell(key: tuple[str, str, str], number: Number) -> Cell:
     """Put a number into the cell of a group, row and column."""
-    return Cell(*key, number.measured, number.spread, number.seeds, number.notes)
+    return Cell(*key, number.measured, number.spread, number.seeds, number.notes, number)
 
 
 def place_column(place: str) -> str:
@@ -89,9 +92,10 @@ def _in_place(results: Results, name: str, number: int, place: str) -> Number:
         return whole
     one, home = results.of(name), results.homes[number - 1]
     values = one.by_class()[:, one.homes.index(home), one.classes.index(place)]
+    origins = (Origin(name, (home,), place),)
     if not np.isfinite(values).all():
-        return nothing(f"{home} has no frame of {place}")
-    return Number(values, one.is_random)
+        return nothing(f"{home} has no frame of {place}", origins=origins)
+    return Number(values, one.is_random, origins=origins)
 
 
 def by_home(table: Mapping[str, Any], results: Results) -> list[Cell]:
@@ -163,16 +167,18 @@ def pooled_by_class(table: Mapping[str, Any], results: Results) -> list[Cell]:
     """
     filled = []
     for row in table["rows"]:
-        one = results.of(row["result"]).pooled()
+        name = row["result"]
+        one = results.of(name).pooled()
         numbers = {
-            place_column(place): Number(values, one.is_random)
+            place_column(place): Number(values, one.is_random, origins=(Origin(name, part=place),))
             if np.isfinite(values).all()
-            else nothing(f"no test sequence shows the place {place}")
+            else nothing(f"no test sequence shows the place {place}", origins=(Origin(name, part=place),))
             for place, values in zip(one.classes, one.by_class()[:, 0].T, strict=True)
         }
         if table.get("plain"):
-            numbers[str(table["plain"])] = Number(one.plain()[:, 0], one.is_random)
-        numbers[AVERAGE] = Number(one.by_home()[:, 0], one.is_random)
+            everything = (Origin(name, part=ALL_FRAMES),)
+            numbers[str(table["plain"])] = Number(one.plain()[:, 0], one.is_random, origins=everything)
+        numbers[AVERAGE] = Number(one.by_home()[:, 0], one.is_random, origins=(Origin(name),))
         filled += [cell((row["group"], row["row"], column), number) for column, number in numbers.items()]
     return filled
 
@@ -192,18 +198,18 @@ def probabilities(table: Mapping[str, Any], results: Results) -> list[Cell]:
 
 
 def _quality(results: Results, name: str, measure: str) -> Number:
-    one = results.quality.get(name)
+    one, origins = results.quality.get(name), (Origin(name, part=measure),)
     if one is None:
         reasons = results.reasons(name)
         if not reasons:
             # Refuses a name that there is not.
             results.of(name)
-        return nothing(*(reasons or ["nothing was measured"]))
+        return nothing(*(reasons or ["nothing was measured"]), origins=origins)
     values = one.over_homes(measure)
     if not len(values):
-        return nothing("no tested frame has a label")
+        return nothing("no tested frame has a label", origins=origins)
     there = [number for number in results.numbers if results.homes[number - 1] in one.homes]
-    return Number(values, one.is_random).noted(only_some(there, results.numbers))
+    return Number(values, one.is_random, origins=origins).noted(only_some(there, results.numbers))
 
 
 # A literal, so that the names can be read from the source (placecat.thesis.checks).

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +12,20 @@ from numpy.typing import NDArray
 from placecat.results.measured import Results, mean_and_spread
 
 AVERAGE = "Average"
+# In an origin: frames count whatever their place.
+ALL_FRAMES = "all frames"
+
+
+class Origin(NamedTuple):
+    """What a number was read off: a result in some homes.
+
+    `part` is a place or a measure of probabilities if it is not the accuracy over all places; `ALL_FRAMES`
+    for the share of all frames. Without homes it is of everything that was tested.
+    """
+
+    result: str
+    homes: tuple[str, ...] = ()
+    part: str = ""
 
 
 @dataclass(frozen=True)
@@ -27,12 +42,15 @@ class Number:
         The reasons, if there is no number; else what is to be said about it.
     digits
         After the point.
+    origins
+        What it was read off, also where there is no number.
     """
 
     values: NDArray[np.float64]
     is_random: bool
     notes: tuple[str, ...] = ()
     digits: int = 2
+    origins: tuple[Origin, ...] = ()
 
     @property
     def measured(self) -> float:
@@ -55,15 +73,27 @@ class Number:
 
     def minus(self, other: Number) -> Number:
         """The difference for each seed; what is not random is the same with every seed."""
+        origins = united((self, other))
         if not len(self.values) or not len(other.values):
-            return nothing(*merged(one.notes for one in (self, other) if not len(one.values)))
+            reasons = merged(one.notes for one in (self, other) if not len(one.values))
+            return nothing(*reasons, origins=origins)
         notes = merged([self.notes, other.notes])
-        return Number(self.values - other.values, self.is_random or other.is_random, notes)
+        is_random = self.is_random or other.is_random
+        return Number(self.values - other.values, is_random, notes, origins=origins)
 
 
-def nothing(*reasons: str) -> Number:
+def nothing(*reasons: str, origins: tuple[Origin, ...] = ()) -> Number:
     """No number, and why."""
-    return Number(np.empty(0), False, reasons)
+    return Number(np.empty(0), False, reasons, origins=origins)
+
+
+def united(numbers: Iterable[Number]) -> tuple[Origin, ...]:
+    """Origins of several numbers, each result and part once with all its homes."""
+    homes: dict[tuple[str, str], tuple[str, ...]] = {}
+    for origin in (origin for one in numbers for origin in one.origins):
+        key = (origin.result, origin.part)
+        homes[key] = tuple(dict.fromkeys((*homes.get(key, ()), *origin.homes)))
+    return tuple(Origin(result, of, part) for (result, part), of in homes.items())
 
 
 def merged(notes: Iterable[Iterable[str]]) -> tuple[str, ...]:
@@ -75,10 +105,11 @@ def mean(numbers: Sequence[Number]) -> Number:
     """The mean of some numbers for each seed; those without a value are left out."""
     there = [one for one in numbers if len(one.values)]
     if not there:
-        return nothing(*merged(one.notes for one in numbers))
+        return nothing(*merged(one.notes for one in numbers), origins=united(numbers))
     # Adding keeps the seeds apart and spreads what is not random over them.
     total = sum((one.values for one in there[1:]), there[0].values)
-    return Number(total / len(there), any(one.is_random for one in there))
+    is_random = any(one.is_random for one in there)
+    return Number(total / len(there), is_random, origins=united(there))
 
 
 def home_label(number: int) -> str:
@@ -91,10 +122,10 @@ def in_home(results: Results, name: str, number: int) -> Number:
     if number > len(results.homes):
         return nothing(f"the data set has only {len(results.homes)} homes")
     home = results.homes[number - 1]
-    one = results.find(name)
+    one, origins = results.find(name), (Origin(name, (home,)),)
     if one is None or home not in one.homes:
-        return nothing(results.missing.get((name, home), f"nothing was measured in {home}"))
-    return Number(one.by_home()[:, one.homes.index(home)], one.is_random)
+        return nothing(results.missing.get((name, home), f"nothing was measured in {home}"), origins=origins)
+    return Number(one.by_home()[:, one.homes.index(home)], one.is_random, origins=origins)
 
 
 def over_homes(results: Results, name: str, numbers: Sequence[int]) -> Number:

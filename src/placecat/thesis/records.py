@@ -1,6 +1,7 @@
 """Numbers read off tables of records: speeds that git keeps, facts that stages left beside their results."""
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,9 +12,11 @@ from placecat.errors import PlacecatError
 from placecat.evaluation.trials import expand
 from placecat.thesis import definitions
 from placecat.thesis.comparison import Line
-from placecat.thesis.number import Number, nothing
+from placecat.thesis.number import Number, Origin, nothing
 from placecat.training import protocol
 
+# In an origin: the name of a record follows.
+RECORD = "record/"
 PICKS = {"lowest": np.min, "highest": np.max}
 _VALUE = ["quantity", "column", "where", "pick", "digits"]
 
@@ -43,7 +46,11 @@ def read_off(entry: Mapping[str, Any], records: Mapping[str, pd.DataFrame], wher
             f"{where}: there is no record {entry['record']!r} (there are: {', '.join(records)})"
         )
     table = records[entry["record"]]
-    return [Line(one["quantity"], "", _value(one, table, where)) for one in entry["values"]]
+    origins = (Origin(f"{RECORD}{entry['record']}"),)
+    return [
+        Line(one["quantity"], "", replace(_value(one, table, where), origins=origins))
+        for one in entry["values"]
+    ]
 
 
 def _value(one: Mapping[str, Any], table: pd.DataFrame, where: str) -> Number:

@@ -92,7 +92,8 @@ def fill_table(
     -------
     DataFrame
         Columns table ("Addition" for an addition), group, row, column, published, measured, spread, seeds,
-        note, and ``notes``, the same by kind: first the published cells in their order, then cells that only
+        note, and ``notes``, the same by kind; ``number``, the cell's :class:`~placecat.thesis.number.Number`:
+        first the published cells in their order, then cells that only
         this run has. ``measured`` (percent, see :func:`in_percent`; mean over seeds, 2 decimals) is NaN only
         with a note that says why.
         ``spread`` is the largest minus the smallest of the seeds in points, NaN where nothing is random;
@@ -116,8 +117,9 @@ def fill_table(
         notes.append(Note(Kind.PUBLISHED, contradictions.get((number, *key), "")))
         measured = (value.get(key, np.nan), cell.measured, cell.spread, cell.seeds)
         of_cell = without_empty(notes)
-        rows.append((ADDITION if number is None else number, *key, *measured, joined(of_cell), of_cell))
-    return pd.DataFrame(rows, columns=[*COLUMNS, "notes"])
+        said = (joined(of_cell), of_cell, cell.number)
+        rows.append((ADDITION if number is None else number, *key, *measured, *said))
+    return pd.DataFrame(rows, columns=[*COLUMNS, "notes", "number"])
 
 
 def comparable(table: Mapping[str, Any], dataset: Mapping[str, Any]) -> bool:

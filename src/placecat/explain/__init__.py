@@ -1,0 +1,1 @@
+"""Where every number comes from: its definition, settings, frames, seeds and stages."""

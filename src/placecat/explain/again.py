@@ -1,0 +1,296 @@
+"""One cell computed again: the last steps that made it, from what the stages before them left."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from placecat import cues, files, paths, settings
+from placecat.errors import PlacecatError
+from placecat.explain import numbering
+from placecat.explain.made import trials_of
+from placecat.explain.origins import from_json, measurement
+from placecat.results.collect import read_results
+from placecat.results.measured import Measured, Quality, Results
+from placecat.results.quality import QUALITY_COLUMNS, from_rows, quality_rows
+from placecat.results.sources import Source, sources
+from placecat.stages import filtering, integration, splits, toy
+from placecat.stages.scores import measure
+from placecat.thesis import definitions, in_text
+from placecat.thesis.number import Number, Origin
+from placecat.thesis.records import RECORD, read_records
+from placecat.thesis.tables import contradictions_of, dataset_of, fill_table, tables_of
+from placecat.training import plan as plans
+from placecat.training.cue import Cue, fit, read_frames
+from placecat.training.integration import smoothing_settings
+from placecat.training.saved import smooth_home
+from placecat.training.trial import judge, of_settings
+
+Key = tuple[str, str, str]
+
+
+@dataclass(frozen=True)
+class _Anew(Source):
+    """The distributions of a result, of which some homes were computed again."""
+
+    arrays: Mapping[tuple[str, str], NDArray[np.float64]] = field(default_factory=dict)
+
+    def array(self, home: str, seed: str) -> NDArray[np.float64]:
+        return self.arrays[home, seed]
+
+
+def compute(number: str) -> tuple[bool, str]:
+    """Compute one cell again; give whether all bits agree with the kept ones, and a sentence that says so.
+
+    Of a smoothed, filtered or integrated result that step is done again from the files of the step before;
+    a cue is trained again from its features and codebook, and a trial and a split from their features.
+
+    Parameters
+    ----------
+    number
+        As for :func:`placecat.explain.find.find`.
+
+    Raises
+    ------
+    PlacecatError
+        A stage before it has not run.
+    """
+    params = settings.load()
+    table = number.partition(".")[0]
+    if not paths.ORIGINS.is_file():
+        raise PlacecatError(
+            f"{paths.ORIGINS} is missing, so that nothing can be computed again: run `dvc repro`"
+        )
+    kept = from_json(files.read_json(paths.ORIGINS)[table])
+    results = read_results(params)
+    before = _numbers(table, params, results)
+    key = before[number][0]
+    steps: list[str] = []
+    for origin in kept[key].origins:
+        if not origin.result.startswith(RECORD):
+            results = _anew(origin, results, params, steps)
+    values = measurement(_numbers(table, params, results)[number][1], results).values
+    done = "; ".join(dict.fromkeys(steps)) or "read again"
+    if values == kept[key].values:
+        return True, f"{done}: all bits agree"
+    texts = [", ".join(map(repr, of)) or "no number" for of in (values, kept[key].values)]
+    return False, f"{done}: the bits do NOT agree: {texts[0]} instead of {texts[1]}"
+
+
+def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[str, tuple[Key, Number]]:
+    """Number of each cell of one table to its labels and what results give for it."""
+    if table == in_text.NAME:
+        text = ["name", "section", "quantity", "home", "quote", "note"]
+        said = in_text.in_text(
+            definitions.in_text(),
+            results,
+            files.read_table(paths.PUBLISHED_TEXT, text),
+            settings.get(params, "dataset"),
+            {name: split["dataset"] for name, split in settings.get(params, "splits").items()},
+            read_records(params),
+        )
+        rows = said[[*in_text.KEY, "number"]].itertuples(index=False, name=None)
+        return {
+            numbering.number_in_text(position, table): ((name, quantity, home), one)
+            for position, (name, quantity, home, one) in enumerate(rows, start=1)
+        }
+    own = tables_of(params)[table]
+    text = ["group", "row", "column", "note"]
+    contradictions = contradictions_of(files.read_table(paths.CONTRADICTIONS, text))
+    published = files.read_table(paths.PUBLISHED, text[:3])
+    filled = fill_table(own, results, published, dataset_of(own, params), contradictions)
+    ids = numbering.numbers(filled, table)
+    return {
+        ids[group, row, column]: ((group, row, column), one)
+        for group, row, column, one in filled[[*text[:3], "number"]].itertuples(index=False, name=None)
+    }
+
+
+def _anew(origin: Origin, results: Results, params: Mapping[str, Any], steps: list[str]) -> Results:
+    """The results with one computed again in the homes of an origin."""
+    name = origin.result
+    if name not in results.measured:
+        return results
+    if name.startswith(("trials/", "toy/")):
+        steps.append("trained and tested again")
+        counts = _trial if name.startswith("trials/") else _toy
+        return _with_counts(results, name, counts(name, origin.homes, results.measured[name], params))
+    source = sources(params)[name]
+    homes = tuple(home for home in source.homes if not origin.homes or home in origin.homes)
+    source = replace(source, homes=homes)
+    found = dict(_distributions(name, source, params, steps))
+    anew = _Anew(source.folder, source.name, homes, source.site, source.classes, found)
+    measured, quality = measure(anew, settings.get(params, "probabilities"))
+    counts_of = {
+        (home, seed): measured.confusion[s, h]
+        for s, seed in enumerate(measured.seeds)
+        for h, home in enumerate(homes)
+    }
+    return _with_quality(_with_counts(results, name, counts_of), name, quality)
+
+
+def _with_counts(results: Results, name: str, counts: Mapping[tuple[str, str], NDArray[np.int64]]) -> Results:
+    one = results.measured[name]
+    confusion = one.confusion.copy()
+    for (home, seed), of_home in counts.items():
+        confusion[one.seeds.index(seed), one.homes.index(home)] = of_home
+    return replace(results, measured=results.measured | {name: replace(one, confusion=confusion)})
+
+
+def _with_quality(results: Results, name: str, quality: Quality) -> Results:
+    # Rounded as the file of the stage is.
+    anew = from_rows(pd.DataFrame(quality_rows(name, quality), columns=QUALITY_COLUMNS))[name]
+    one = results.quality[name]
+    values = {key: array.copy() for key, array in one.values.items()}
+    for home in anew.homes:
+        for key, array in values.items():
+            array[:, one.homes.index(home)] = anew.values[key][:, anew.homes.index(home)]
+    return replace(results, quality={**results.quality, name: replace(one, values=values)})
+
+
+def _distributions(
+    name: str, source: Source, params: Mapping[str, Any], steps: list[str]
+) -> Iterator[tuple[tuple[str, str], NDArray[np.float64]]]:
+    """(home, seed) to distributions that are computed again."""
+    kind, _, rest = name.partition("/")
+    if kind == "splits":
+        steps.append("the whole split trained again from its features")
+        yield from _of_split(rest, source, params)
+        return
+    step, function = {
+        "cues": ("the cue trained again from its features and codebook", _cue),
+        "tempered": ("the cue trained again from its features and codebook", _cue),
+        "integration": ("integrated again from the distributions of its cues", _integration),
+        "filtered": ("filtered again", _filtered),
+        "hmm": ("smoothed again", _smoothed),
+        "smoothing": ("smoothed again", _smoothed),
+    }[kind]
+    steps.append(step)
+    for home in source.homes:
+        for seed in source.seeds():
+            yield (home, seed), function(rest, source, home, seed, params)
+
+
+def _plan(params: Mapping[str, Any], scheme: str, home: str, *, extra: bool = False) -> plans.Plan:
+    return plans.of_homes(params, scheme, [home], extra=extra)[0]
+
+
+def _seed(name: str) -> int | None:
+    return None if name == paths.NO_SEED else int(name.removeprefix("seed-"))
+
+
+def _cue(rest: str, source: Source, home: str, seed: str, params: Mapping[str, Any]) -> NDArray[np.float64]:
+    from placecat.fusion.temperature import temper
+
+    name, scheme = source.folder.parent.name, source.folder.name
+    plan, cue, number = _plan(params, scheme, home), Cue.of(params, name), _seed(seed)
+    codebook = None
+    if number is not None:
+        clusters = paths.codebook(settings.get(params, f"cues.{name}.codebook"), plan.training_set, number)
+        codebook = cues.Codebook.from_arrays(files.read_arrays(clusters))
+    is_tempered = source.name == "tempered"
+    frames = read_frames(plan.cues, cue.descriptor)
+    trained = fit(frames, cue, plan.classes, codebook, cross_validate=is_tempered)
+    proba = trained.predict(home)
+    return temper(proba, trained.temperature) if is_tempered else proba
+
+
+def _integration(
+    name: str, source: Source, home: str, seed: str, params: Mapping[str, Any]
+) -> NDArray[np.float64]:
+    system = settings.get(params, f"systems.{name}")
+    plan = _plan(params, system["scheme"], home, extra=system["extra"])
+    found: NDArray[np.float64] = integration.apply(system, plan, _seed(seed))["test"]
+    return found
+
+
+def _saved(name: str, params: Mapping[str, Any]) -> tuple[Source, str]:
+    """What a filter or the smoothing starts from, and its protocol."""
+    known = sources(params)
+    result = name.rpartition("/")[2]
+    systems = settings.get(params, "systems")
+    scheme = systems[result]["scheme"] if result in systems else params["cues"][result]["schemes"][0]
+    if "/" in name:
+        return known[f"filtered/{name}"], scheme
+    return known[f"integration/{name}" if result in systems else f"cues/{name}/{scheme}"], scheme
+
+
+def _filtered(
+    rest: str, source: Source, home: str, seed: str, params: Mapping[str, Any]
+) -> NDArray[np.float64]:
+    name, _, result = rest.partition("/")
+    saved, _ = _saved(result, params)
+    homes = settings.get(params, "dataset.homes")
+    options = settings.get(params, f"filters.{name}")
+    threshold = filtering._threshold(options, [other for other in homes if other != home])
+    return filtering.filter_home(saved.file(home, seed), home, threshold)["test"]
+
+
+def _smoothed(
+    rest: str, source: Source, home: str, seed: str, params: Mapping[str, Any]
+) -> NDArray[np.float64]:
+    saved, scheme = _saved(rest, params)
+    plan = _plan(params, scheme, home)
+    return smooth_home(saved.file(home, seed), plan, smoothing_settings(params))[source.name]
+
+
+def _of_split(
+    rest: str, source: Source, params: Mapping[str, Any]
+) -> Iterator[tuple[tuple[str, str], NDArray[np.float64]]]:
+    split, kind, name = rest.split("/", 2)
+    own, plan = settings.get(params, f"splits.{split}"), plans.of_split(params, split)
+    names = [name] if kind == "cues" else own["systems"][name]
+    used = {cue: Cue.of(params, cue) for cue in names}
+    for seed in source.seeds():
+        outputs = [
+            splits.apply_cue(plan, cue, None if cue.codebook is None else _seed(seed))
+            for cue in used.values()
+        ]
+        if kind == "cues":
+            by_home = {home: {"test": proba} for home, proba in outputs[0][1].items()}
+        else:
+            options = smoothing_settings(params)
+            by_home = splits.apply_system(plan, outputs, own["integrator"], options)
+        for part in plan.tested:
+            yield (part.sequence, seed), by_home[part.home][source.name]
+
+
+def _trial(
+    name: str, homes: Sequence[str], one: Measured, params: Mapping[str, Any]
+) -> dict[tuple[str, str], NDArray[np.int64]]:
+    cue = of_settings(trials_of(params)[name].settings)
+    found = {}
+    for home in homes:
+        for seed in one.seeds:
+            ((counts, _),) = judge(_plan(params, "5-5-1", home), [cue], _seed(seed))
+            if not isinstance(counts, str):
+                found[home, seed] = counts
+    return found
+
+
+def _toy(
+    name: str, homes: Sequence[str], one: Measured, params: Mapping[str, Any]
+) -> dict[tuple[str, str], NDArray[np.int64]]:
+    settings_of_toy = settings.get(params, "toy")
+    label = name.removeprefix("toy/")
+    is_last = label.startswith("last/")
+    schemes, points = settings_of_toy["schemes"], settings_of_toy["points"]
+    if not is_last and label not in schemes:
+        radius = float(label.partition("/")[0])
+        points = points | {"radius": radius}
+        # Private, since no stage may change for this.
+        schemes = toy._deciding(schemes, settings_of_toy["sensitivity"]["decisions"], radius)
+    found = {}
+    for seed in one.seeds:
+        number = int(seed.removeprefix("seed-"))
+        counts, last = toy.compare(
+            schemes, points, settings_of_toy["training"], settings_of_toy["testing"], number
+        )
+        of_label = counts[label.removeprefix("last/")]
+        if is_last:
+            of_label = of_label * (np.arange(len(of_label)) == last)[:, None]
+        found[one.homes[0], seed] = of_label
+    return found

@@ -1,0 +1,263 @@
+"""Every cell of every table, and every number in the text, with all that explains it."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import pandas as pd
+
+from placecat import settings
+from placecat.explain import numbering
+from placecat.explain.frames import Trained, trained
+from placecat.explain.made import Made, all_stages, made, trials_of
+from placecat.explain.origins import Measurement, from_json
+from placecat.results.measured import MEASURES
+from placecat.thesis import in_text
+from placecat.thesis.comparison import DIFFERENCE
+from placecat.thesis.notes import Notes
+from placecat.thesis.number import ALL_FRAMES, Origin
+from placecat.thesis.records import RECORD
+from placecat.thesis.tables import in_percent
+
+ALL_HOMES = "all"
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table: its definition with its name, its cells with notes, and the data set it was measured on."""
+
+    settings: Mapping[str, Any]
+    cells: pd.DataFrame
+    dataset: Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Explained:
+    """One cell.
+
+    Attributes
+    ----------
+    id
+        As the page counts, e.g. ``table_26.9.3``; see :mod:`placecat.explain.numbering`.
+    table, title
+        Name of the table, ``in_text`` for a number in the text, and what it is called.
+    group, row, column
+        Labels; of a number in the text its name, quantity and home.
+    home
+        The only home or sequence that it is of, "all" for several.
+    measured, published, spread, seeds
+        As in the table.
+    unit
+        "percent", "points", "nats", "times", or "" where the quantity says it.
+    measurement
+        Its values and origins.
+    notes
+        What is said of it.
+    data
+        Title of the data set, and what the published number was measured on ("" if nothing was published).
+    made
+        How each of the results was made that it was read off.
+    trained
+        Test home to the frames of each plan, once each.
+    findings
+        Numbers of the findings that rest on its results.
+    """
+
+    id: str
+    table: str
+    title: str
+    group: str
+    row: str
+    column: str
+    home: str
+    measured: float
+    published: float
+    spread: float
+    seeds: int
+    unit: str
+    measurement: Measurement
+    notes: Notes
+    data: tuple[str, str]
+    made: tuple[Made, ...]
+    trained: Mapping[str, Sequence[Trained]]
+    findings: tuple[str, ...]
+
+    @property
+    def stages(self) -> tuple[str, ...]:
+        """DVC's stages that made it, in their order."""
+        return all_stages(self.made)
+
+    @property
+    def origins(self) -> tuple[Origin, ...]:
+        """What it was read off."""
+        return self.measurement.origins
+
+    @property
+    def difference(self) -> float:
+        """Measured minus published, 2 decimals; NaN unless there are both."""
+        return round(self.measured - self.published, 2)
+
+
+class Explaining:
+    """All cells of a run.
+
+    Parameters
+    ----------
+    params
+        All settings.
+    tables
+        Filled, in the order of the report.
+    texts
+        Numbers in the text, with their notes.
+    origins
+        Content of data/origins.json.
+    comparisons
+        Of the findings: columns finding, left_results, right_results.
+    """
+
+    def __init__(
+        self,
+        params: Mapping[str, Any],
+        tables: Sequence[Table],
+        texts: pd.DataFrame,
+        origins: Mapping[str, Sequence[Mapping[str, Any]]],
+        comparisons: pd.DataFrame,
+    ) -> None:
+        self._params = params
+        self._tables = tables
+        self._texts = texts
+        self._origins = {name: from_json(rows) for name, rows in origins.items()}
+        self._comparisons = comparisons
+        self._made: dict[str, Made] = {}
+        self._trained: dict[tuple[str, bool, bool, str], Trained | None] = {}
+
+    def cells(self) -> Iterator[Explained]:
+        """Every cell of the tables, then every number in the text."""
+        for table in self._tables:
+            yield from self._of_table(table)
+        yield from self._of_text()
+
+    def _of_table(self, table: Table) -> Iterator[Explained]:
+        name, own = table.settings["name"], table.settings
+        title = own["title"] if own["number"] is None else f"Table {own['number']}: {own['title']}"
+        ids, measurements = numbering.numbers(table.cells, name), self._origins[name]
+        data = (str(table.dataset["title"]), str(own["thesis_data"] or ""))
+        for row in table.cells.to_dict("records"):
+            key = (row["group"], row["row"], row["column"])
+            one = measurements[key]
+            if in_percent(own) or _column_of(one.origins) not in ("log_loss",):
+                unit = "points" if len(one.origins) > 1 else "percent"
+            else:
+                unit = "nats"
+            yield self._cell(ids[key], name, title, key, row, one, unit, data)
+
+    def _of_text(self) -> Iterator[Explained]:
+        measurements = self._origins[in_text.NAME]
+        title = "Number in the text"
+        for position, row in enumerate(self._texts.to_dict("records"), start=1):
+            key = (row["name"], row["quantity"], row["home"])
+            one = measurements[key]
+            data = str(next((note.text for note in row["notes"] if note.is_of_the_table), ""))
+            number = numbering.number_in_text(position, in_text.NAME)
+            titled = f"{title}, section {row['section']}"
+            unit = _unit_in_text(row["quantity"], one.origins)
+            where = (data.removeprefix("measured on "), "")
+            yield self._cell(number, in_text.NAME, titled, key, row, one, unit, where)
+
+    def _cell(
+        self,
+        number: str,
+        table: str,
+        title: str,
+        key: tuple[str, str, str],
+        row: Mapping[Any, Any],
+        one: Measurement,
+        unit: str,
+        data: tuple[str, str],
+    ) -> Explained:
+        homes = list(dict.fromkeys(home for origin in one.origins for home in origin.homes))
+        results = list(dict.fromkeys(origin.result for origin in one.origins))
+        return Explained(
+            number,
+            table,
+            title,
+            *key,
+            homes[0] if len(homes) == 1 else ALL_HOMES,
+            float(row["measured"]),
+            float(row["published"]),
+            float(row["spread"]),
+            int(row["seeds"]),
+            unit,
+            one,
+            row["notes"],
+            data,
+            tuple(self._how(result) for result in results),
+            self._frames(one.origins),
+            tuple(finding for finding, of in self._findings.items() if of & set(results)),
+        )
+
+    def _how(self, result: str) -> Made:
+        if result not in self._made:
+            self._made[result] = made(result, self._params, self._trials)
+        return self._made[result]
+
+    def _frames(self, origins: Sequence[Origin]) -> dict[str, list[Trained]]:
+        found: dict[str, list[Trained]] = {}
+        for origin in origins:
+            how = self._how(origin.result)
+            is_split = how.plan in settings.get(self._params, "splits")
+            # Means over all homes name none.
+            homes = origin.homes or settings.get(self._params, "dataset.homes")
+            for home in [how.plan] if is_split else homes:
+                key = (how.plan, how.fuses, how.extra, home)
+                if key not in self._trained:
+                    self._trained[key] = trained(how, home, self._params)
+                one = self._trained[key]
+                if one is not None and one not in found.setdefault(home, []):
+                    found[home].append(one)
+        return found
+
+    @cached_property
+    def _trials(self) -> Mapping[str, Any]:
+        return trials_of(self._params)
+
+    @cached_property
+    def _findings(self) -> dict[str, set[str]]:
+        """Number of a finding to the results that it compares."""
+        found: dict[str, set[str]] = {}
+        columns = self._comparisons[["finding", "left_results", "right_results"]]
+        for finding, left, right in columns.itertuples(index=False, name=None):
+            names = [name for side in (left, right) for name in str(side).split("; ")]
+            found.setdefault(str(finding), set()).update(names)
+        return found
+
+
+def _column_of(origins: Sequence[Origin]) -> str:
+    return origins[0].part if origins else ""
+
+
+def _unit_in_text(quantity: str, origins: Sequence[Origin]) -> str:
+    if not origins or origins[0].result.startswith(RECORD):
+        return ""
+    if DIFFERENCE in quantity:
+        return "points"
+    return "percent" if len(origins) == 1 else "times"
+
+
+def quantity(origin: Origin, home: str) -> str:
+    """Say what was measured of a result, e.g. "accuracy in home_3: the mean over its places ..."."""
+    where = f" in {home}" if home != ALL_HOMES else ""
+    if origin.part in MEASURES:
+        text = f"{MEASURES[origin.part].lower()} of the distributions"
+    elif origin.part == ALL_FRAMES:
+        text = f"share of all labelled frames{where} that are named rightly, whatever their place"
+    elif origin.part:
+        text = f"share of the frames of {origin.part}{where} that are named {origin.part}"
+    else:
+        text = f"accuracy{where}: mean over the places of the share of frames that are named rightly"
+    if origin.result.startswith(RECORD):
+        text = "read off a record"
+    return (
+        text if home != ALL_HOMES or len(origin.homes) < 2 else f"{text}; mean over {', '.join(origin.homes)}"
+    )

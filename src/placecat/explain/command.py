@@ -1,0 +1,96 @@
+"""``placecat explain``: where a number comes from, in a second, so that this imports no NumPy."""
+
+import json
+import shutil
+import subprocess
+import textwrap
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from placecat import paths, settings
+from placecat.errors import PlacecatError
+from placecat.explain.find import find
+from placecat.explain.lines import STAGES, Line, lines_of, stage_texts
+from placecat.lockfile import LOCK, git_commit
+
+_CODE = ("src", "conf", "data/thesis", "dvc.yaml", "params.yaml")
+_INDENT = 24
+
+
+def explain_command(words: Sequence[str], *, again: bool = False) -> int:
+    """Print the explanation of the cells that words name (:func:`placecat.explain.find.find`).
+
+    With `again` each is computed again; the status is 1 if a bit differs.
+    """
+    content = read()
+    numbers = find(words, content)
+    stages = stage_texts(settings.read_yaml(LOCK)) if LOCK.is_file() else {}
+    print("\n\n".join(text_of(number, content, stages) for number in numbers))
+    print(_shown(("code", _code())))
+    if not again:
+        return 0
+    from placecat.explain.again import compute
+
+    same = True
+    for number in numbers:
+        is_same, said = compute(number)
+        print(_shown(("again", said)))
+        same = same and is_same
+    return 0 if same else 1
+
+
+def read() -> dict[str, Any]:
+    """Read the explanations of all cells.
+
+    Raises
+    ------
+    PlacecatError
+        If the stage `report` has not run.
+    """
+    if not paths.EXPLANATIONS.is_file():
+        raise PlacecatError(
+            f"{paths.EXPLANATIONS} is missing: run `dvc repro` to make it, or restore it from git"
+        )
+    content: dict[str, Any] = json.loads(paths.EXPLANATIONS.read_text(encoding="utf-8"))
+    return content
+
+
+def text_of(number: str, content: Mapping[str, Any], stages: Mapping[str, str]) -> str:
+    """The explanation of one cell for a terminal; `stages` says what each stage was made from."""
+    lines: list[Line] = [("cell", number)]
+    for label, text in lines_of(content, number):
+        if label == STAGES:
+            lines += [
+                (f"stage {name}", f"made from {stages[name]}" if name in stages else f"not in {LOCK}")
+                for name in text.split()
+            ]
+        else:
+            lines.append((label, text))
+    return "\n".join(map(_shown, lines))
+
+
+def _shown(line: Line) -> str:
+    label, text = line
+    width = max(shutil.get_terminal_size().columns, 60)
+    head = f"{label:{_INDENT - 2}}  "
+    return textwrap.fill(
+        text,
+        width,
+        initial_indent=head,
+        subsequent_indent=" " * _INDENT,
+        break_on_hyphens=False,
+        break_long_words=False,
+    )
+
+
+def _code() -> str:
+    """The commit that is checked out, and whether what makes numbers was changed since."""
+    commit = git_commit()
+    if not commit:
+        return "outside a git repository"
+    command = ["git", "status", "--porcelain", "--", *_CODE]
+    changed = subprocess.run(command, capture_output=True, text=True, check=False).stdout.splitlines()
+    names = ", ".join(line[3:] for line in changed[:3]) + (" and more" if len(changed) > 3 else "")
+    return (
+        f"commit {commit}, {f'with changes not committed: {names}' if changed else 'nothing changed since'}"
+    )

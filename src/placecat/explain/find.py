@@ -1,0 +1,75 @@
+"""Cells by what a person calls them: a number, or a table and labels."""
+
+import difflib
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from placecat import paths
+from placecat.errors import PlacecatError
+from placecat.explain.lines import lines_of
+
+# More than these are named, not explained.
+MOST = 4
+_NAMED = 8
+_LABELS = ("group", "row", "column")
+
+
+def find(words: Sequence[str], content: Mapping[str, Any]) -> list[str]:
+    """Numbers of the cells that words name.
+
+    Parameters
+    ----------
+    words
+        The number of a cell, e.g. ``table_26.9.3``; or the name of a table and labels of a group, row or
+        column, e.g. ``table_26 HMM home_3``, in any order. A part of a label will do if no label is equal.
+    content
+        From :func:`placecat.explain.text.explanations`.
+
+    Raises
+    ------
+    PlacecatError
+        Nothing, or more than `MOST` cells; the message names those that are near.
+    """
+    name, *labels = words
+    cells = content["cells"]
+    if not labels and name in cells:
+        return [name]
+    tables = list(dict.fromkeys(number.partition(".")[0] for number in cells))
+    if name not in tables:
+        near = difflib.get_close_matches(name, cells if "." in name else tables, n=4)
+        there = [number for number in cells if number.rpartition(".")[0] == name.rpartition(".")[0]]
+        hint = (
+            f"did you mean {' or '.join(near or there[:4])}?"
+            if near or there
+            else f"use one of {', '.join(tables)}"
+        )
+        raise PlacecatError(f"there is no cell or table {name!r} in {paths.EXPLANATIONS}; {hint}")
+    found = {number: _labels(number, content) for number in cells if number.startswith(f"{name}.")}
+    for label in labels:
+        wanted = _plain(label)
+        equal = {number: of for number, of in found.items() if wanted in of}
+        part = {number: of for number, of in found.items() if any(wanted in one for one in of)}
+        if not equal and not part:
+            known = list(dict.fromkeys(one for of in found.values() for one in of))
+            near = difflib.get_close_matches(wanted, known, n=4, cutoff=0.4) or known[:_NAMED]
+            raise PlacecatError(
+                f"{name} has no {label!r} there; did you mean {' or '.join(map(repr, near))}?"
+            )
+        found = equal or part
+    if len(found) > MOST:
+        some = "; ".join(f"{number} is {', '.join(of)}" for number, of in list(found.items())[:_NAMED])
+        more = f"; and {len(found) - _NAMED} more" if len(found) > _NAMED else ""
+        raise PlacecatError(
+            f"{' '.join(words)} names {len(found)} cells: add a label or give a number ({some}{more})"
+        )
+    return list(found)
+
+
+def _labels(number: str, content: Mapping[str, Any]) -> list[str]:
+    return [_plain(text) for label, text in lines_of(content, number) if label in _LABELS]
+
+
+def _plain(label: str) -> str:
+    """E.g. "home 3" of "home_3" and of "Home 3"."""
+    return re.sub(r"[\s_]+", " ", label).strip().casefold()

@@ -1,0 +1,51 @@
+"""Lines of an explanation from the file that has those of all cells; imports little, to be quick."""
+
+import hashlib
+import json
+from collections.abc import Mapping
+from typing import Any
+
+# A label and a text.
+Line = tuple[str, str]
+# The label of the line that names the stages.
+STAGES = "stages"
+
+
+def lines_of(content: Mapping[str, Any], number: str) -> list[Line]:
+    """The lines of one cell, from what :func:`placecat.explain.text.explanations` gave."""
+    lines: list[Line] = []
+    for item in content["cells"][number]:
+        shared = isinstance(item, int)
+        lines += [content["lines"][line] for line in content["blocks"][item]] if shared else [item]
+    return [(label, text) for label, text in lines]
+
+
+def to_text(content: Mapping[str, Any]) -> str:
+    """All explanations as JSON with a line a cell, so that git shows which cells changed."""
+    parts = []
+    for name, values in content.items():
+        items = values.items() if isinstance(values, Mapping) else [(None, value) for value in values]
+        rows = [("" if key is None else f"{_compact(key)}:") + _compact(value) for key, value in items]
+        opening, closing = "{}" if isinstance(values, Mapping) else "[]"
+        parts.append(f"{_compact(name)}:{opening}\n" + ",\n".join(rows) + f"\n{closing}")
+    return "{" + ",\n".join(parts) + "}\n"
+
+
+def _compact(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False, separators=(",", ":"))
+
+
+def stage_texts(lock: Mapping[str, Any]) -> dict[str, str]:
+    """Stage to what dvc.lock says it was made from: eight digits of the checksum of each dependency.
+
+    Its code, all dependencies in src/, has one checksum.
+    """
+    texts = {}
+    for stage, record in lock["stages"].items():
+        deps = {one["path"]: one.get("md5", "") for one in record.get("deps", [])}
+        code = json.dumps(
+            {path: md5 for path, md5 in deps.items() if path.startswith("src/")}, sort_keys=True
+        )
+        others = [f"{path} {md5[:8]}" for path, md5 in deps.items() if not path.startswith("src/")]
+        texts[stage] = ", ".join([f"code {hashlib.sha256(code.encode()).hexdigest()[:8]}", *others])
+    return texts

@@ -1,0 +1,295 @@
+"""How a result was made: its cues, system and filter, the settings that decide it, and the stages."""
+
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from placecat import settings
+from placecat.evaluation.trials import Trial, expand
+from placecat.thesis import definitions
+from placecat.thesis.records import RECORD
+
+_RECORD_STAGES = {"nu": ("sequences", "features", "codebooks", "cues", "trials"), "rejected": ("features",)}
+# Of these the numbers of the tables come last.
+_LAST = ("scores", "tables")
+
+
+@dataclass(frozen=True)
+class Made:
+    """How a result was made.
+
+    Attributes
+    ----------
+    title
+        One line for people.
+    stages
+        DVC's stages in their order, without `scores` and `tables`.
+    cues, classifiers, descriptors
+        A name for each cue, and of what it decides and sees.
+    system, filter
+        Names, "" for none.
+    plan
+        Name of the protocol ("5-5-1"), of the split, "" for neither.
+    fuses
+        Whether an integration or a smoothing trains as well.
+    extra
+        Whether the integration trains on the sequences of ``protocol.extra``.
+    settings
+        Part to its settings.
+    clusters
+        Cue to what the seeds of its codebooks derive from: the descriptor as text, and the number of cells.
+    """
+
+    title: str
+    stages: tuple[str, ...]
+    cues: tuple[str, ...] = ()
+    classifiers: tuple[str, ...] = ()
+    descriptors: tuple[str, ...] = ()
+    system: str = ""
+    filter: str = ""
+    plan: str = ""
+    fuses: bool = False
+    extra: bool = False
+    settings: Mapping[str, Any] = field(default_factory=dict)
+    clusters: Mapping[str, tuple[str, int]] = field(default_factory=dict)
+
+
+def trials_of(params: Mapping[str, Any]) -> dict[str, Trial]:
+    """Every trial of every study by its name."""
+    homes = list(settings.get(params, "dataset.homes"))
+    return {
+        trial.name: trial
+        for tables in definitions.studies(params).values()
+        for name, table in tables.items()
+        for trial in expand(name, table, homes)
+    }
+
+
+def made(result: str, params: Mapping[str, Any], trials: Mapping[str, Trial]) -> Made:
+    """Describe how a result was made, by its name (:mod:`placecat.results.sources`).
+
+    Raises
+    ------
+    PlacecatError
+        A setting that the name asks for is not there.
+    """
+    kind, _, rest = result.partition("/")
+    if kind == "cues":
+        name, _, scheme = rest.rpartition("/")
+        return _of_cue(name, scheme, params)
+    if kind == "tempered":
+        one = _of_cue(rest, settings.get(params, f"cues.{rest}.schemes")[0], params)
+        return replace(one, title=f"{one.title}, tempered by its cross-validated distributions")
+    if kind == "integration":
+        return _of_system(rest, params)
+    if kind == "filtered":
+        return _filtered(rest, params)
+    if kind in ("hmm", "smoothing"):
+        return _smoothed(kind, rest, params)
+    if kind == "splits":
+        return _of_split(rest, params)
+    if kind == "trials":
+        return _of_trial(trials[result], params)
+    if kind == "toy":
+        title = f"the toy problem of thesis 4.8, {rest}"
+        return Made(title, ("toy",), settings={"toy": _toy(rest, settings.get(params, "toy"))})
+    name = result.removeprefix(RECORD)
+    return Made(f"read off the record {name}", _RECORD_STAGES.get(name, ()))
+
+
+def all_stages(made: Iterable[Made]) -> tuple[str, ...]:
+    """Stages that made some results and the tables of them, in the order of the pipeline."""
+    known = [stage for one in made for stage in one.stages]
+    return (*(stage for stage in _ORDER if stage in known), *(_LAST if known else ("tables",)))
+
+
+_ORDER = (
+    "sequences",
+    "site_sequences",
+    "features",
+    "tracks",
+    "site_features",
+    "codebooks",
+    "cues",
+    "integration",
+    "filtering",
+    "smoothing",
+    "splits",
+    "trials",
+    "toy",
+)
+
+
+def _toy(name: str, toy: Mapping[str, Any]) -> dict[str, Any]:
+    """The settings of one result of the toy problem: of its scheme alone."""
+    scheme = next(part for part in name.split("/") if part in toy["schemes"])
+    shared = {key: value for key, value in toy.items() if key not in ("schemes", "sensitivity")}
+    changed = {} if name.split("/")[0] in ("last", scheme) else {"sensitivity": toy["sensitivity"]}
+    return {"scheme": toy["schemes"][scheme], **shared, **changed}
+
+
+def _of_cue(name: str, scheme: str, params: Mapping[str, Any]) -> Made:
+    own, one = settings.get(params, f"cues.{name}"), _described_cue(name, params)
+    is_tracked = one.settings[f"descriptor of {name}"].get("tracked")
+    stages = [
+        "sequences",
+        "features",
+        "cues",
+        *["codebooks"] * bool(one.clusters),
+        *["tracks"] * bool(is_tracked),
+    ]
+    title = f"the cue {name} ({own['title']}) trained alone, {scheme}"
+    return replace(one, title=title, stages=tuple(stages), plan=scheme)
+
+
+def _described_cue(name: str, params: Mapping[str, Any]) -> Made:
+    """A cue of params.yaml, without a title, stages and a plan."""
+    own = settings.get(params, f"cues.{name}")
+    if own["codebook"] is None:
+        return _described(name, own["descriptor"], own["classifier"], None, params)
+    codebook = settings.get(params, f"codebooks.{own['codebook']}")
+    return _described(name, codebook["descriptor"], own["classifier"], codebook, params)
+
+
+def _described(
+    name: str,
+    descriptor: Mapping[str, Any],
+    classifier: Mapping[str, Any],
+    codebook: Mapping[str, Any] | None,
+    params: Mapping[str, Any],
+) -> Made:
+    """A descriptor, a classifier and, if it decides from clusters, a codebook."""
+    kind, module = descriptor["kind"], descriptor["name"]
+    computed = (settings.get(params, "descriptors").get(kind) or {}).get(module, {})
+    base = classifier.get("base", {}).get("name")
+    parts: dict[str, Any] = {
+        f"descriptor of {name}": {**descriptor, **computed},
+        f"classifier of {name}": dict(classifier),
+    }
+    clusters = {}
+    if codebook is not None:
+        parts[f"codebook of {name}"] = {key: codebook[key] for key in ("cells", "tree")}
+        clusters[name] = (json.dumps(dict(descriptor), sort_keys=True), int(codebook["cells"]))
+    return Made(
+        "",
+        (),
+        cues=(name,),
+        classifiers=(" of ".join(part for part in (classifier["model"], base) if part),),
+        descriptors=(f"{kind} {module}",),
+        settings=parts,
+        clusters=clusters,
+    )
+
+
+def _smoothing(params: Mapping[str, Any]) -> dict[str, Any]:
+    """Settings of the smoothing, without the list of what is smoothed."""
+    section = settings.get(params, "smoothing")
+    return {name: value for name, value in section.items() if name not in ("cues", "filtered")}
+
+
+def _of_system(name: str, params: Mapping[str, Any]) -> Made:
+    system = settings.get(params, f"systems.{name}")
+    cues = [_of_cue(cue, system["scheme"], params) for cue in system["cues"]]
+    stages = {"integration", *(stage for cue in cues for stage in cue.stages)}
+    if system["extra"]:
+        stages |= {"site_sequences", "site_features"}
+    return Made(
+        f"the system {name}: the cues {', '.join(system['cues'])} integrated, {system['scheme']}",
+        tuple(sorted(stages)),
+        tuple(name for cue in cues for name in cue.cues),
+        tuple(one for cue in cues for one in cue.classifiers),
+        tuple(one for cue in cues for one in cue.descriptors),
+        system=name,
+        plan=system["scheme"],
+        fuses=True,
+        extra=bool(system["extra"]),
+        settings={"integration": _integrator(system)}
+        | {key: one for cue in cues for key, one in cue.settings.items()},
+        clusters={key: one for cue in cues for key, one in cue.clusters.items()},
+    )
+
+
+def _integrator(own: Mapping[str, Any]) -> dict[str, Any]:
+    """Settings of an integration, with those of its classifier on top."""
+    integrator = own["integrator"]
+    rest = {key: value for key, value in integrator.items() if key != "classifier"}
+    of_system = {key: own[key] for key in ("temperature", "extra") if key in own}
+    return {**rest, **integrator.get("classifier", {}), **of_system}
+
+
+def _named(name: str, params: Mapping[str, Any]) -> Made:
+    """A system, or a cue in the first of its protocols."""
+    if name in settings.get(params, "systems"):
+        return _of_system(name, params)
+    return _of_cue(name, settings.get(params, f"cues.{name}.schemes")[0], params)
+
+
+def _filtered(name: str, params: Mapping[str, Any]) -> Made:
+    chosen, _, result = name.partition("/")
+    one = _named(result, params)
+    options = settings.get(params, f"filters.{chosen}")
+    own = {key: options[key] for key in ("threshold", "share") if options.get(key) is not None}
+    own |= settings.get(params, "information")
+    return replace(
+        one,
+        title=f"{one.title}; frames below the information filter {chosen} keep the last decision",
+        stages=(*one.stages, "filtering"),
+        filter=chosen,
+        settings={f"filter {chosen}": own, **one.settings},
+    )
+
+
+def _smoothed(kind: str, name: str, params: Mapping[str, Any]) -> Made:
+    one = _filtered(name, params) if "/" in name else _named(name, params)
+    model = "the delayed HMM" if kind == "smoothing" else "the HMM before its delay"
+    return replace(
+        one,
+        title=f"{model} over {one.title}",
+        stages=(*one.stages, "smoothing"),
+        fuses=True,
+        settings={"smoothing": _smoothing(params), **one.settings},
+    )
+
+
+def _of_split(name: str, params: Mapping[str, Any]) -> Made:
+    split, kind, what = name.split("/", 2)
+    own = settings.get(params, f"splits.{split}")
+    names = [what] if kind == "cues" else list(own["systems"][what])
+    cues = [_described_cue(cue, params) for cue in names]
+    parts: dict[str, Any] = {}
+    if kind != "cues":
+        parts["integration"] = _integrator(own)
+    if kind in ("hmm", "smoothing"):
+        parts["smoothing"] = _smoothing(params)
+    layers = {
+        "cues": f"the cue {what} trained alone",
+        "integration": f"the system {what}: the cues {', '.join(names)} integrated",
+        "hmm": f"the HMM before its delay over the system {what}",
+        "smoothing": f"the delayed HMM over the system {what}",
+    }
+    return Made(
+        f"{layers[kind]}, on the fixed split of {split}",
+        ("site_sequences", "site_features", "splits"),
+        tuple(names),
+        tuple(one for cue in cues for one in cue.classifiers),
+        tuple(one for cue in cues for one in cue.descriptors),
+        system="" if kind == "cues" else what,
+        plan=split,
+        fuses=kind != "cues",
+        settings=parts | {key: one for cue in cues for key, one in cue.settings.items()},
+        clusters={key: one for cue in cues for key, one in cue.clusters.items()},
+    )
+
+
+def _of_trial(trial: Trial, params: Mapping[str, Any]) -> Made:
+    own = trial.settings
+    described = _described("the trial", own["descriptor"], own["classifier"], own.get("codebook"), params)
+    stages = ["sequences", "features", *["tracks"] * bool(own["descriptor"].get("tracked")), "trials"]
+    return replace(
+        described,
+        title=f"a trial of its own: {described.descriptors[0]}, {described.classifiers[0]}, 5-5-1",
+        stages=tuple(stages),
+        cues=(),
+        plan="5-5-1",
+    )

@@ -1,0 +1,64 @@
+"""What every cell of the tables was read off, kept from the stage `tables` for those that explain it."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import pandas as pd
+
+from placecat.paths import NO_SEED
+from placecat.results.measured import Results
+from placecat.thesis.number import Number, Origin
+
+KEY = ("group", "row", "column")
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """A number of a cell with each seed, and what it was read off.
+
+    Attributes
+    ----------
+    values
+        As in :class:`placecat.thesis.number.Number`, not rounded; () where there is no number.
+    seeds
+        A name for each of them, e.g. "seed-0", or "no-seed".
+    origins
+        As there.
+    """
+
+    values: tuple[float, ...]
+    seeds: tuple[str, ...]
+    origins: tuple[Origin, ...]
+
+
+def measurement(number: Number, results: Results) -> Measurement:
+    """Name the seeds of a number by the results that it was read off."""
+    values = tuple(map(float, number.values))
+    names: tuple[str, ...] = (NO_SEED,) * len(values)
+    if number.is_random:
+        for origin in number.origins:
+            one = results.measured.get(origin.result)
+            if one is not None and len(one.seeds) == len(values):
+                names = one.seeds
+                break
+    return Measurement(values, names, number.origins)
+
+
+def to_json(cells: pd.DataFrame, results: Results, key: Iterable[str] = KEY) -> list[dict[str, Any]]:
+    """Column `number` of a filled table as JSON has it; the three columns `key` say which cell it is of."""
+    rows = []
+    for *labels, number in cells[[*key, "number"]].itertuples(index=False, name=None):
+        one = measurement(number, results)
+        rows.append({"cell": labels, "values": one.values, "seeds": one.seeds, "origins": one.origins})
+    return rows
+
+
+def from_json(rows: Iterable[Mapping[str, Any]]) -> dict[tuple[str, str, str], Measurement]:
+    """Cell to what :func:`to_json` wrote of it."""
+    found = {}
+    for row in rows:
+        origins = tuple(Origin(result, tuple(homes), part) for result, homes, part in row["origins"])
+        group, label, column = row["cell"]
+        found[group, label, column] = Measurement(tuple(row["values"]), tuple(row["seeds"]), origins)
+    return found
