@@ -21,6 +21,7 @@ from placecat.report.summary import (
     WU_FILTERED,
     WU_FRAMES,
     WU_SIFT,
+    best_system,
     count_verdicts,
     headlines,
     readings_of,
@@ -45,7 +46,8 @@ class Table:
 class Figure:
     """One figure: its number in the thesis, None for an added one; its caption; its name, e.g. "figure_02".
 
-    What was not drawn has no `png`, but a reason why.
+    What was not drawn has no `png`, but a reason why. `pdf` is the same as PDF, a path from the page, "" for
+    none; `settings` are those of the figure, e.g. "frames=300, home=2".
     """
 
     number: int | None
@@ -53,6 +55,8 @@ class Figure:
     png: bytes | None
     reason: str = ""
     name: str = ""
+    pdf: str = ""
+    settings: str = ""
 
 
 @dataclass(frozen=True)
@@ -118,6 +122,7 @@ def page_html(report: Report) -> str:
         .get_template("page.html.j2")
         .render(
             **{name: getattr(report, name) for name in ("dataset", "frames", "data_version", "times")},
+            best=None if table_26 is None else best_system(table_26),
             headlines=[] if table_26 is None else headlines(table_26),
             wu={"frames": WU_FRAMES, "filtered": WU_FILTERED, "sift": WU_SIFT},
             verdicts=count_verdicts(report.findings),
@@ -187,6 +192,8 @@ def _shown_figure(figure: Figure) -> dict[str, Any]:
         "name": figure.name.removeprefix("figure_").replace("_", " "),
         "title": figure.title,
         "reason": figure.reason,
+        "pdf": figure.pdf,
+        "settings": figure.settings,
         **({"source": None} if figure.png is None else _shown_picture(figure.png)),
     }
 
@@ -218,7 +225,14 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
             for record in part.to_dict("records")
         ]
         section = part["section"].iloc[0]
-        entries.append({"name": str(name).replace("_", " "), "section": section, "rows": rows})
+        entries.append(
+            {
+                "anchor": f"in-text-{name}".replace("_", "-"),
+                "name": str(name).replace("_", " "),
+                "section": section,
+                "rows": rows,
+            }
+        )
     return entries
 
 
