@@ -118,7 +118,7 @@ def page_html(report: Report) -> str:
     sections, rest = arrange(tables, figures)
     table_26 = next((one.cells for one in report.tables if one.settings["number"] == 26), None)
     return (
-        _environment()
+        page_templates()
         .get_template("page.html.j2")
         .render(
             **{name: getattr(report, name) for name in ("dataset", "frames", "data_version", "times")},
@@ -167,9 +167,10 @@ def duration(seconds: float) -> str:
     return " ".join(parts + [f"{rest} s"] * (not hours and bool(rest or not minutes)))
 
 
-def _environment() -> Any:
-    page_templates = environment("placecat.report").overlay()
-    page_templates.filters = page_templates.filters | {
+def page_templates() -> Any:
+    """Templates of pages, with the filters that they use."""
+    templates = environment("placecat.report").overlay()
+    templates.filters = templates.filters | {
         "at": _at,
         "breakable": _breakable,
         "duration": duration,
@@ -177,7 +178,7 @@ def _environment() -> Any:
         "shade": shade,
         "signed": _signed,
     }
-    return page_templates
+    return templates
 
 
 def _shown_table(table: Table) -> dict[str, Any]:
@@ -194,11 +195,12 @@ def _shown_figure(figure: Figure) -> dict[str, Any]:
         "reason": figure.reason,
         "pdf": figure.pdf,
         "settings": figure.settings,
-        **({"source": None} if figure.png is None else _shown_picture(figure.png)),
+        **({"source": None} if figure.png is None else shown_picture(figure.png)),
     }
 
 
-def _shown_picture(png: bytes) -> dict[str, Any]:
+def shown_picture(png: bytes) -> dict[str, Any]:
+    """A picture as a data URI, ``source``, with the ``width`` and ``height`` to show it at, in CSS pixels."""
     picture = embed(png)
     width, height = (round(pixels * _FIGURE_SCALE) for pixels in (picture.width, picture.height))
     return {"source": picture.source, "width": width, "height": height}
@@ -208,7 +210,7 @@ def _with_chart(record: Mapping[str, Any] | None) -> dict[str, Any] | None:
     """A record with its chart ready to be shown."""
     if record is None:
         return None
-    return {**record, "chart": None if record["chart"] is None else _shown_picture(record["chart"])}
+    return {**record, "chart": None if record["chart"] is None else shown_picture(record["chart"])}
 
 
 def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:

@@ -39,7 +39,7 @@ def main() -> None:
             )
             for name, table in tables_of(params).items()
         ],
-        figures=[_figure(one) for one in files.read_json(_existing(paths.FIGURES / "figures.json"))],
+        figures=[_figure(one, params) for one in files.read_json(_existing(paths.FIGURES / "figures.json"))],
         in_text=notes.with_notes(in_text.NAME, files.read_table(paths.IN_TEXT, _TEXT), noted, in_text.KEY),
         findings=files.read_table(paths.FINDINGS, _TEXT),
         comparisons=files.read_table(paths.COMPARISONS, _TEXT),
@@ -63,9 +63,19 @@ def _frames(home: str, places: list[str]) -> dict[str, int]:
     return counts | {"unlabelled": int((labels < 0).sum())}
 
 
-def _figure(entry: dict[str, Any]) -> Figure:
-    png = None if entry["file"] is None else _existing(paths.FIGURES / entry["file"]).read_bytes()
-    return Figure(entry["number"], entry["title"], png, entry["reason"] or "", entry["name"])
+def _figure(entry: dict[str, Any], params: dict[str, Any]) -> Figure:
+    if entry["file"] is None:
+        return Figure(entry["number"], entry["title"], None, entry["reason"], entry["name"])
+    file = _existing(paths.FIGURES / entry["file"])
+    own = settings.flatten(params["figures"].get(entry["name"]) or {})
+    return Figure(
+        entry["number"],
+        entry["title"],
+        file.read_bytes(),
+        name=entry["name"],
+        pdf=file.with_suffix(".pdf").relative_to(paths.PAGE.parent).as_posix(),
+        settings=", ".join(f"{name}={value}" for name, value in own.items()),
+    )
 
 
 def _times() -> dict[str, Any] | None:

@@ -4,7 +4,7 @@
   // Characters around a match.
   const AROUND = 40;
   const box = document.querySelector(".search");
-  const [input, list, count] = [box.querySelector("input"), box.querySelector("ol"), box.querySelector("output")];
+  const [input, found, list, count] = ["input", ".found", "ol", "output"].map((one) => box.querySelector(one));
   const clean = (text) => text.replace(/\s+/g, " ").trim();
   // With a blank between cells, which textContent lacks.
   const textOf = (elements) => {
@@ -77,8 +77,7 @@
 
   const close = () => {
     list.replaceChildren();
-    list.hidden = true;
-    count.textContent = "";
+    found.hidden = true;
   };
   const search = () => {
     const wanted = input.value.toLowerCase().split(/\s+/).filter(Boolean);
@@ -86,11 +85,11 @@
     index ??= makeIndex();
     const has = (text) => wanted.every((word) => text.toLowerCase().includes(word));
     const named = index.filter((one) => has(one.label));
-    const found = [...named, ...index.filter((one) => !has(one.label) && has(`${one.label} ${one.text}`))];
-    list.replaceChildren(...found.slice(0, SHOWN).map((one) => shownEntry(one, wanted)));
-    list.hidden = !found.length;
-    const more = found.length > SHOWN ? `, the first ${SHOWN} shown` : "";
-    count.textContent = `${found.length || "no"} match${found.length === 1 ? "" : "es"}${more}`;
+    const matches = [...named, ...index.filter((one) => !has(one.label) && has(`${one.label} ${one.text}`))];
+    list.replaceChildren(...matches.slice(0, SHOWN).map((one) => shownEntry(one, wanted)));
+    found.hidden = false;
+    const more = matches.length > SHOWN ? `, the first ${SHOWN} shown` : "";
+    count.textContent = `${matches.length || "No"} match${matches.length === 1 ? "" : "es"}${more}`;
   };
 
   input.addEventListener("input", search);

@@ -9,7 +9,8 @@
   const isGroup = (row) => row.classList.contains("group");
 
   const read = (row, column) => {
-    const text = clean(row.cells[column]?.textContent ?? "");
+    const cell = row.cells[column];
+    const text = clean(cell?.dataset.value ?? cell?.textContent ?? "");
     return text === "n/a" ? "" : text;
   };
   const toNumber = (text) => Number(NUMBER.exec(text)[0].replaceAll(",", "").replace("−", "-"));
