@@ -98,7 +98,10 @@ def _titles(one: Kept) -> dict[str, str]:
     except (PlacecatError, KeyError):
         # An older revision may have named a setting otherwise.
         defined = {}
-    titles = {name: f"{label(table)}: {table['title']}" for name, table in defined.items()}
+    titles = {
+        name: table["title"] if table["number"] is None else f"{label(table)}: {table['title']}"
+        for name, table in defined.items()
+    }
     return titles | {"in_text": "Numbers in the thesis’s text"}
 
 
