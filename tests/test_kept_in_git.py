@@ -183,3 +183,19 @@ def test_an_optional_table_is_compared_by_runs_that_make_it_only(folder):
     said, _ = kept_in_git.compare()
     assert said[0].startswith("Tables: 4 of 6 cells equal")
     assert "  Table 2: 1 of 2 cells differ, by at most 5.00 points" in said
+
+
+def test_two_revisions_or_folders_are_compared_as_this_folder_is(folder, tmp_path):
+    first = kept_in_git.compare("HEAD")
+    write_tables(35.0, 40.0)
+    commit(folder)
+    other = tmp_path / "other"
+    shutil.copytree(folder, other)
+    by_revision = kept_in_git.compare("HEAD~1", "HEAD")
+    assert by_revision[0][0].startswith("Tables: 5 of 6 cells equal to the kept ones (git HEAD~1); largest")
+    assert kept_in_git.compare("HEAD~1", str(other)) == by_revision
+    assert kept_in_git.compare(str(other))[0][0].endswith(f"kept ones (the folder {other}).")
+    assert kept_in_git.compare("HEAD~1", "HEAD~1") == (
+        [first[0][0].replace("HEAD", "HEAD~1"), first[0][1]],
+        True,
+    )

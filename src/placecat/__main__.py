@@ -79,10 +79,24 @@ def _parser() -> argparse.ArgumentParser:
         "findings differ from those that git keeps. Runs nothing.",
         epilog=_STATUS,
     )
+    sides = "anything git takes, or a folder that holds params.yaml and reports/"
     compare.add_argument(
-        "revision", nargs="?", default="HEAD", metavar="REVISION", help="anything git takes; HEAD by default"
+        "old", nargs="?", default="HEAD", metavar="REVISION", help=f"{sides}; HEAD by default"
     )
-    compare.set_defaults(run=lambda options: _compare(options.revision))
+    compare.add_argument(
+        "new",
+        nargs="?",
+        default="",
+        metavar="OTHER",
+        help=f"what to compare with it, {sides}; this folder by default",
+    )
+    compare.add_argument(
+        "--html",
+        type=Path,
+        metavar="FILE",
+        help="write tables, figures, verdicts and settings side by side, as a page",
+    )
+    compare.set_defaults(run=lambda options: _compare(options.old, options.new, options.html))
 
     times = commands.add_parser(
         "times",
@@ -291,11 +305,16 @@ def _measure(call: str, seconds: float) -> str:
     return times.text(by_stage, seconds)
 
 
-def _compare(revision: str) -> int:
+def _compare(old: str, new: str = "", page: Path | None = None) -> int:
     from placecat import kept_in_git
 
-    lines, is_as_kept = kept_in_git.compare(revision)
+    lines, is_as_kept = kept_in_git.compare(old, new)
     print("\n".join(lines))
+    if page is not None:
+        from placecat.side_by_side.page import write
+
+        for line in write(page, old, new, lines):
+            print(line)
     return 0 if is_as_kept else NOT_AS_KEPT
 
 

@@ -1,8 +1,8 @@
-"""The tables of a run beside those kept in git."""
+"""The tables of a run, of a git revision, or of another folder, beside each other."""
 
 import io
 import subprocess
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -42,8 +42,13 @@ class Kept:
     settings: dict[str, Any] | None
 
 
-def compare(revision: str = HEAD) -> tuple[list[str], bool]:
-    """Compare the tables in this folder with those of a git revision.
+def compare(old: str = HEAD, new: str = "") -> tuple[list[str], bool]:
+    """Compare the tables of one side with those of another.
+
+    Parameters
+    ----------
+    old, new
+        As for :func:`read`.
 
     Returns
     -------
@@ -57,16 +62,16 @@ def compare(revision: str = HEAD) -> tuple[list[str], bool]:
         No tables here or there, no git, no repository, or no such revision.
     """
     tolerance = float(settings.get(settings.load(), "reproducibility.tolerance"))
-    now, kept = read_folder(), read_revision(revision)
+    now, kept = read(new), read(old)
     # An optional table that this run has not made is as another run has left it.
     others = set(definitions.optional()) - definitions.tables(now.settings or {}).keys()
-    new, old = (
+    tables_now, tables_kept = (
         {name: table for name, table in _with_data(one, now.settings).items() if name not in others}
         for one in (now, kept)
     )
-    comparison = differences.compare(new, old, now.findings, kept.findings)
+    comparison = differences.compare(tables_now, tables_kept, now.findings, kept.findings)
     changed = changed_settings(now.settings, kept.settings)
-    lines = sentences(comparison, tolerance, f"git {revision}", changed)
+    lines = sentences(comparison, tolerance, name_of(old), list(changed))
     return lines, bool(changed) or comparison.grade(tolerance) is not differences.Grade.BEYOND
 
 
@@ -98,18 +103,42 @@ def _title(definition: Mapping[str, Any], params: dict[str, Any] | None) -> str:
         return ""
 
 
-def read_folder() -> Kept:
-    """Read what the last run left.
+def is_folder(side: str) -> bool:
+    """Whether a side is a folder with ``reports/tables``; otherwise it is a git revision."""
+    return (Path(side) / paths.TABLES).is_dir()
+
+
+def name_of(side: str) -> str:
+    """What a side is called: "git HEAD", "the folder ../other", or "this folder" for ""."""
+    if not side:
+        return "this folder"
+    return f"the folder {side}" if is_folder(side) else f"git {side}"
+
+
+def read(side: str) -> Kept:
+    """Read a side: a folder of a project, "" for this one, or else a git revision.
+
+    Raises
+    ------
+    PlacecatError
+        As :func:`read_folder` and :func:`read_revision`.
+    """
+    return read_folder(Path(side)) if not side or is_folder(side) else read_revision(side)
+
+
+def read_folder(root: Path = Path()) -> Kept:
+    """Read what the last run left in a project's folder.
 
     Raises
     ------
     PlacecatError
         If there are no tables.
     """
-    tables = [path for folder in FOLDERS for path in sorted(folder.glob("*.csv"))]
-    there = [path for path in (*tables, paths.IN_TEXT, paths.FINDINGS, paths.PARAMS) if path.is_file()]
-    content = {path.as_posix(): path.read_text(encoding="utf-8") for path in there}
-    return _parse(content, f"{paths.TABLES} has no tables: run `placecat repro` to make them")
+    tables = [path for folder in FOLDERS for path in sorted((root / folder).glob("*.csv"))]
+    others = (root / path for path in (paths.IN_TEXT, paths.FINDINGS, paths.PARAMS))
+    there = [path for path in (*tables, *others) if path.is_file()]
+    content = {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8") for path in there}
+    return _parse(content, f"{root / paths.TABLES} has no tables: run `placecat repro` to make them")
 
 
 def read_revision(revision: str = HEAD) -> Kept:
@@ -125,15 +154,31 @@ def read_revision(revision: str = HEAD) -> Kept:
     PlacecatError
         No git, no repository, no such revision, or no tables in it.
     """
-    _git("rev-parse", "--git-dir", message="this folder is in no git repository that has kept tables")
-    unknown = f"git has no revision {revision!r}, `git log --oneline` lists those there are"
-    # The end of it makes git look for a commit, so that a revision is never taken for an option.
-    commit = _git("rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}", message=unknown).strip()
+    commit = commit_of(revision)
     wanted = [path.as_posix() for path in (*FOLDERS, paths.IN_TEXT, paths.FINDINGS, paths.PARAMS)]
     listed = _git("ls-tree", "-r", "-z", "--name-only", commit, "--", *wanted)
     names = [name for name in listed.split("\0") if Path(name).suffix in (".csv", ".yaml")]
     content = {name: _git("show", f"{commit}:./{name}") for name in names}
     return _parse(content, f"git {revision} has no tables in {paths.TABLES}: commit them to keep them")
+
+
+def commit_of(revision: str) -> str:
+    """The checksum of a revision's commit.
+
+    Raises
+    ------
+    PlacecatError
+        No git, no repository, or no such revision.
+    """
+    _git("rev-parse", "--git-dir", message="this folder is in no git repository that has kept tables")
+    unknown = f"git has no revision {revision!r}, `git log --oneline` lists those there are"
+    # The end of it makes git look for a commit, so that a revision is never taken for an option.
+    return _git("rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}", message=unknown).strip()
+
+
+def about(revision: str) -> str:
+    """A revision in a line: short checksum, date and subject."""
+    return _git("log", "-1", "--format=%h, %cs: %s", commit_of(revision)).strip()
 
 
 def _git(*arguments: str, message: str = "git failed") -> str:
@@ -171,10 +216,16 @@ def _table(text: str) -> pd.DataFrame:
     return pd.read_csv(io.StringIO(text), dtype=str, keep_default_na=False)
 
 
-def changed_settings(now: dict[str, Any] | None, kept: dict[str, Any] | None) -> list[str]:
-    """Dotted names of settings that differ, without those that no table depends on."""
+def changed_settings(
+    now: dict[str, Any] | None, kept: dict[str, Any] | None, without: Collection[str] = _WITHOUT_EFFECT
+) -> dict[str, tuple[str, str]]:
+    """Dotted names of settings that differ to their values kept and now, "" for none.
+
+    Those below the names in `without` are left out: no table depends on them.
+    """
     new, old = (
-        settings.flatten({name: value for name, value in (one or {}).items() if name not in _WITHOUT_EFFECT})
+        settings.flatten({name: value for name, value in (one or {}).items() if name not in without})
         for one in (now, kept)
     )
-    return [name for name in dict.fromkeys([*new, *old]) if new.get(name) != old.get(name)]
+    names = (name for name in dict.fromkeys([*new, *old]) if new.get(name) != old.get(name))
+    return {name: (old.get(name, ""), new.get(name, "")) for name in names}

@@ -229,7 +229,9 @@ def test_the_page_needs_nothing_else_and_changes_only_with_its_content(page):
 
 def test_it_works_without_scripts(page):
     html = re.sub(r"<script>.*?</script>", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
-    assert html.count('<button class="copy" type="button" hidden>') == html.count("<button")
+    # What scripts do is hidden without them: copying, and the box with the search and the colours.
+    assert html.count('<button class="copy" type="button" hidden>') == html.count("<button") - 1
+    assert '<div class="tools" hidden>' in html
     assert "hidden" not in part_of(html, "table-5").replace(" hidden>Copy", "")
 
 
@@ -246,6 +248,10 @@ def test_the_summary_says_the_numbers(page):
         "is Centrist with 43.99 %, then 45.71 and 47.53 %."
     ) in summary
     assert "6 homes with 3,120 frames, of which 3,000 show one of 5 places" in summary
+    (of_best, best), highest = averages.idxmax(), averages.max()
+    assert (
+        f"Best system{highest:.2f} % {best}, {of_best}: average accuracy over homes in Table 26." in summary
+    )
     assert "Chance is 20 %." in summary
     counts = made_report.findings()["verdict"].value_counts()
     holds, fails, undecided = (counts[verdict] for verdict in made_report.VERDICTS)
@@ -351,7 +357,8 @@ def test_what_a_run_lacks_leaves_no_gap():
         "settings",
     ]
     assert "headline" not in re.findall(r'id="([^"]*)"', html)
-    assert re.findall(r'href="#([^"]*)"', html) == [
+    contents = html[html.index("<nav") : html.index("</nav>")]
+    assert re.findall(r'href="#([^"]*)"', contents) == [
         "data",
         "section-4-2",
         "table-5",
@@ -442,3 +449,123 @@ def test_scale_has_the_growth_of_every_stage_and_what_a_full_run_takes(page):
 def test_without_a_scale_run_the_page_says_how_to_measure():
     html = page_html(replace(made_report.report(), scale=None))
     assert "make bench-scale" in text_of(part_of(html, "scale"))
+
+
+STATE = """
+const click = (table, column) => document.querySelectorAll(`#${table} .sort`)[column].click();
+const shown = (table, column) => [...document.querySelectorAll(`#${table} tbody tr:not(.group)`)]
+    .filter((row) => !row.hidden).map((row) => row.cells[column].textContent);
+const type = (input, text) => { input.value = text; input.dispatchEvent(new Event("input")); };
+"""
+
+
+@needs_chromium
+def test_a_head_sorts_its_column_as_numbers_each_group_by_itself(page, tmp_path):
+    found, console = evaluate(
+        page,
+        tmp_path,
+        STATE
+        + """
+        const states = [];
+        for (let i = 0; i < 4; i++) {
+            const heads = [...document.querySelectorAll("#table-4 [aria-sort]")];
+            states.push([heads.map((one) => one.ariaSort), shown("table-4", 1)]);
+            document.querySelectorAll("#table-4 thead tr")[1].querySelector(".sort").click();
+        }
+        click("ledger", 1);
+        return {states, sections: shown("ledger", 1), numbers: shown("ledger", 0)};
+        """,
+    )
+    assert console == []
+    assert [heads for heads, _ in found["states"]] == [[], ["ascending"], ["descending"], []]
+    first, up, down, last = (values for _, values in found["states"])
+    assert first == last
+    assert sorted(first) == sorted(up) == sorted(down)
+    table = next(one.cells for one in made_report.report().tables if one.settings["number"] == 4)
+    start = 0
+    for _, part in table[table["column"] == table["column"].iloc[0]].groupby("group", sort=False):
+        end = start + len(part)
+        # The average stays below the homes.
+        homes = part[part["row"] != "Average"]["measured"].sort_values()
+        assert [float(value) for value in up[start:end]][: len(homes)] == list(homes)
+        assert [float(value) for value in down[start:end]][: len(homes)] == list(homes[::-1])
+        start = end
+    # Section 4.10 comes after 4.4; equal ones stay in order.
+    assert found["sections"] == ["4.4"] + ["4.10"] * 33
+    assert found["numbers"] == ["34", *(str(number) for number in range(1, 34))]
+
+
+@needs_chromium
+def test_rows_are_filtered_and_a_link_to_a_hidden_one_shows_it(page, tmp_path):
+    found, console = evaluate(
+        page,
+        tmp_path,
+        STATE
+        + """
+        type(document.querySelector("#ledger .filter"), "CLAIM 12:");
+        const visible = [...document.querySelectorAll("#ledger tbody tr")]
+            .filter((row) => row.getBoundingClientRect().height).map((row) => row.id);
+        const count = document.querySelector("#ledger .title output").textContent;
+        location.hash = "finding-3";
+        await new Promise((done) => setTimeout(done, 50));
+        return [visible, count, shown("ledger", 0).length, !!document.querySelector("#addition-rvm .filter")];
+        """,
+    )
+    assert console == []
+    assert found == [["finding-12"], "1 of 34", 34, False]
+
+
+@needs_chromium
+def test_search_finds_tables_figures_findings_and_settings(page, tmp_path):
+    found, console = evaluate(
+        page,
+        tmp_path,
+        STATE
+        + """
+        const input = document.querySelector(".search input");
+        const press = (key, target) => target.dispatchEvent(
+            new KeyboardEvent("keydown", {key, bubbles: true, cancelable: true}));
+        press("/", document.body);
+        const results = {focused: document.activeElement === input};
+        for (const words of ["figure 7", "claim 12", "first-order", "smoothing", "short colour", "xyzzy"]) {
+            type(input, words);
+            results[words] = [...document.querySelectorAll(".found a")].map((one) => one.hash);
+        }
+        type(input, "table 26");
+        press("Enter", input);
+        await new Promise((done) => setTimeout(done, 50));
+        return {...results, hash: location.hash, closed: document.querySelector(".found").hidden};
+        """,
+    )
+    assert console == []
+    assert found["focused"] and found["closed"] and found["hash"] == "#table-26"
+    assert "#figure-7" in found["figure 7"]
+    assert "#finding-12" in found["claim 12"]
+    assert "#table-4" in found["first-order"]
+    assert {"#section-4-5", "#setting-smoothing"} <= set(found["smoothing"])
+    assert "#in-text-short" in found["short colour"]
+    assert found["xyzzy"] == []
+
+
+@needs_chromium
+def test_the_colours_are_chosen_and_remembered(page, tmp_path):
+    script = """
+    const dark = () => getComputedStyle(document.body).backgroundColor !== "rgb(255, 255, 255)";
+    const before = dark();
+    document.querySelector("button.theme").click();
+    return [before, dark(), localStorage.getItem("placecat-theme")];
+    """
+    first, console = evaluate(page, tmp_path, script)
+    second, _ = evaluate(page, tmp_path, script)
+    assert console == []
+    assert first == [False, True, "dark"]
+    assert second == [True, False, "light"]
+
+
+def test_every_table_figure_and_finding_has_a_link_to_itself(page):
+    html = page.read_text(encoding="utf-8")
+    anchors = re.findall(r'<(?:section class="table"|figure|tr) id="([^"]*)"', html)
+    assert len(anchors) > 31 + 20 + 34
+    assert [
+        one for one in anchors if html.count(f'<a href="#{one}"') + html.count(f'"anchor" href="#{one}"') == 0
+    ] == []

@@ -2,7 +2,7 @@ import numpy as np
 import pandas as pd
 
 from made_report import cells
-from placecat.report.summary import count_verdicts, headlines
+from placecat.report.summary import best_system, count_verdicts, headlines
 
 
 def test_the_headlines_are_the_thesis_own_where_the_numbers_are():
@@ -33,3 +33,16 @@ def test_the_best_cue_may_differ_from_the_published_one():
 def test_verdicts_are_counted_and_none_is_left_out():
     findings = pd.DataFrame({"verdict": ["holds", "undecided", "holds"]})
     assert count_verdicts(findings) == {"holds": 2, "does not hold": 0, "undecided": 1}
+
+
+def test_the_best_system_is_the_highest_average_that_was_measured():
+    table = cells(26)
+    best = best_system(table)
+    assert (best.group, best.row, best.cell.measured) == (
+        "5-5-1, HOG+SIFT+Centrist+Gist+holistic Centrist",
+        "HMM",
+        "47.68",
+    )
+    table.loc[table["row"] == "HMM", "measured"] = np.nan
+    assert best_system(table).row == "Integration"
+    assert best_system(table.assign(measured=np.nan)) is None

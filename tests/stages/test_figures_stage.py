@@ -38,7 +38,14 @@ def test_what_the_data_lack_is_left_out_with_its_reason(project, tmp_path):
     assert "was not computed" in entries[1]["reason"] and entries[0]["reason"] is None
     assert entries[2]["title"] == figures.caption("figure_19")
     written = {path.name for path in (tmp_path / "reports/figures").iterdir()}
-    assert written == {"figure_02.png", "figure_19.png", "figures.json"}
+    assert written == {
+        *(f"figure_{name}" for name in ("02.pdf", "02.png", "19.pdf", "19.png")),
+        "figures.json",
+    }
+    pdf = (tmp_path / "reports/figures/figure_19.pdf").read_bytes()
+    assert b"/Subject (figures.figure_19." in pdf
+    assert b"; dataset.name=" in pdf
+    assert b"CreationDate" not in pdf
 
 
 @pytest.mark.parametrize(

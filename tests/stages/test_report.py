@@ -87,10 +87,11 @@ def test_it_reads_everything_and_writes_the_page(folder):
     report.main()
     text = page()
     assert re.findall(r'<section class="table" id="table-(\d+)"', text) == [str(n) for n in range(1, 32)]
-    assert '<figure id="figure-2">\n<img src="data:image/' in text
+    assert '<figure id="figure-2">\n<div class="sheet"><img src="data:image/' in text
     assert "Not drawn: there is no university." in text
-    assert '<figure id="addition-figure-more">\n<img src="data:image/' in text
+    assert '<figure id="addition-figure-more">\n<div class="sheet"><img src="data:image/' in text
     assert "<b>Addition</b> More." in text
+    assert text.count('<a href="figures/figure_02.pdf">PDF</a>') == 2
     assert (
         '<th scope="row">Home 1: home_1</th><td>2</td><td>1</td><td>0</td><td>0</td><td>0</td><td>1</td>'
         in text
@@ -98,7 +99,7 @@ def test_it_reads_everything_and_writes_the_page(folder):
     assert "<code>00ff.dir</code>" in text
     # Text that looks like a number stays as it is.
     assert '<td class="f-section">4.10</td>' in text
-    assert "<span>4.10 flat k means</span>" in text
+    assert "<span>4.10 flat k means<" in text
     assert 'colspan="2">0.1</th>' in text
     assert "No record of times is kept" in text
     assert not re.search(r">\s*(?:nan|None)\s*<", text)

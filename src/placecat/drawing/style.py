@@ -1,4 +1,4 @@
-"""The style of every chart and figure, and writing them as PNG."""
+"""The style of every chart and figure, and writing them as PNG and PDF."""
 
 import io
 from collections.abc import Callable, Mapping
@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from matplotlib import style
+from matplotlib.backends.backend_pdf import FigureCanvasPdf
 from matplotlib.figure import Figure
 
 from placecat import files
@@ -23,6 +24,24 @@ def save(figure: Figure, target: Path) -> None:
     """Write a figure as PNG at the style's resolution; the same figure gives the same bytes."""
     with files.replacing(target) as temporary:
         figure.savefig(temporary, format="png", metadata={"Software": None})
+
+
+def save_pdf(figure: Figure, target: Path, *, title: str, settings: str) -> None:
+    """Write a figure that `save` has written as PDF; the same figure gives the same bytes.
+
+    Its properties have the `title`, and the `settings` as subject.
+    """
+    # The layout is that of the PNG; `savefig` would make it again, by drawing everything twice.
+    figure.set_layout_engine("none")
+    properties = {
+        "Title": title,
+        "Subject": settings,
+        "Creator": "placecat",
+        "Producer": None,
+        "CreationDate": None,
+    }
+    with files.replacing(target) as temporary:
+        FigureCanvasPdf(figure).print_pdf(temporary, metadata=properties)
 
 
 def png_of(draw: Callable[..., Figure | None], *arguments: Any) -> bytes | None:

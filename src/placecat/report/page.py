@@ -23,6 +23,7 @@ from placecat.report.summary import (
     WU_FILTERED,
     WU_FRAMES,
     WU_SIFT,
+    best_system,
     count_verdicts,
     headlines,
     readings_of,
@@ -38,7 +39,8 @@ _FIGURE_SCALE = 0.6
 class Figure:
     """One figure: its number in the thesis, None for an added one; its caption; its name, e.g. "figure_02".
 
-    What was not drawn has no `png`, but a reason why.
+    What was not drawn has no `png`, but a reason why. `pdf` is the same as PDF, a path from the page, "" for
+    none; `settings` are those of the figure, e.g. "frames=300, home=2".
     """
 
     number: int | None
@@ -46,6 +48,8 @@ class Figure:
     png: bytes | None
     reason: str = ""
     name: str = ""
+    pdf: str = ""
+    settings: str = ""
 
 
 @dataclass(frozen=True)
@@ -111,10 +115,11 @@ def page_html(report: Report) -> str:
     sections, rest = arrange(tables, figures)
     table_26 = next((one.cells for one in report.tables if one.settings["number"] == 26), None)
     return (
-        _environment()
+        page_templates()
         .get_template("page.html.j2")
         .render(
             **{name: getattr(report, name) for name in ("dataset", "frames", "data_version", "times")},
+            best=None if table_26 is None else best_system(table_26),
             headlines=[] if table_26 is None else headlines(table_26),
             wu={"frames": WU_FRAMES, "filtered": WU_FILTERED, "sift": WU_SIFT},
             verdicts=count_verdicts(report.findings),
@@ -160,9 +165,10 @@ def duration(seconds: float) -> str:
     return " ".join(parts + [f"{rest} s"] * (not hours and bool(rest or not minutes)))
 
 
-def _environment() -> Any:
-    page_templates = environment("placecat.report").overlay()
-    page_templates.filters = page_templates.filters | {
+def page_templates() -> Any:
+    """Templates of pages, with the filters that they use."""
+    templates = environment("placecat.report").overlay()
+    templates.filters = templates.filters | {
         "at": _at,
         "breakable": _breakable,
         "duration": duration,
@@ -170,7 +176,7 @@ def _environment() -> Any:
         "shade": shade,
         "signed": _signed,
     }
-    return page_templates
+    return templates
 
 
 def _shown_table(table: Table) -> dict[str, Any]:
@@ -185,11 +191,14 @@ def _shown_figure(figure: Figure) -> dict[str, Any]:
         "name": figure.name.removeprefix("figure_").replace("_", " "),
         "title": figure.title,
         "reason": figure.reason,
-        **({"source": None} if figure.png is None else _shown_picture(figure.png)),
+        "pdf": figure.pdf,
+        "settings": figure.settings,
+        **({"source": None} if figure.png is None else shown_picture(figure.png)),
     }
 
 
-def _shown_picture(png: bytes) -> dict[str, Any]:
+def shown_picture(png: bytes) -> dict[str, Any]:
+    """A picture as a data URI, ``source``, with the ``width`` and ``height`` to show it at, in CSS pixels."""
     picture = embed(png)
     width, height = (round(pixels * _FIGURE_SCALE) for pixels in (picture.width, picture.height))
     return {"source": picture.source, "width": width, "height": height}
@@ -199,7 +208,7 @@ def _with_chart(record: Mapping[str, Any] | None) -> dict[str, Any] | None:
     """A record with its chart ready to be shown."""
     if record is None:
         return None
-    return {**record, "chart": None if record["chart"] is None else _shown_picture(record["chart"])}
+    return {**record, "chart": None if record["chart"] is None else shown_picture(record["chart"])}
 
 
 def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
@@ -216,7 +225,14 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
             for record in part.to_dict("records")
         ]
         section = part["section"].iloc[0]
-        entries.append({"name": str(name).replace("_", " "), "section": section, "rows": rows})
+        entries.append(
+            {
+                "anchor": f"in-text-{name}".replace("_", "-"),
+                "name": str(name).replace("_", " "),
+                "section": section,
+                "rows": rows,
+            }
+        )
     return entries
 
 

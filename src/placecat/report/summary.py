@@ -33,6 +33,25 @@ class Headline:
     smoothed: Cell
 
 
+@dataclass(frozen=True)
+class Best:
+    """The row of Table 26 with the highest average over homes."""
+
+    group: str
+    row: str
+    cell: Cell
+
+
+def best_system(table: pd.DataFrame) -> Best | None:
+    """Find the best system in Table 26 (:func:`placecat.thesis.tables.fill_table`); None without a number."""
+    averages = table[(table["column"] == AVERAGE) & table["measured"].notna()]
+    if averages.empty:
+        return None
+    best = _first(averages.nlargest(1, "measured"))
+    numbers = (best[name] for name in ("measured", "published", "spread", "seeds"))
+    return Best(best["group"], best["row"], make_cell(*numbers))
+
+
 def headlines(table: pd.DataFrame) -> list[Headline]:
     """Condense Table 26 (:func:`placecat.thesis.tables.fill_table`) to a headline a group, in its order."""
     averages = table[table["column"] == AVERAGE]

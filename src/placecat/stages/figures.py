@@ -10,7 +10,7 @@ from placecat.stages import run
 
 
 def main() -> None:
-    """Write reports/figures/: a PNG each, and figures.json with captions, and reasons for what is missing."""
+    """Write reports/figures/: PNGs and PDFs, figures.json with captions and reasons for what is missing."""
     of_run = Run(settings.load())
     settings.refuse_unknown(
         settings.get(of_run.params, "figures"), ["example", "clusters", *figures.names()], "figures"

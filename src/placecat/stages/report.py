@@ -52,7 +52,7 @@ def main() -> None:
         frames={home: _frames(home, dataset["classes"]) for home in dataset["homes"]},
         data_version=data_version(),
         tables=tables,
-        figures=[_figure(one) for one in files.read_json(_existing(paths.FIGURES / "figures.json"))],
+        figures=[_figure(one, params) for one in files.read_json(_existing(paths.FIGURES / "figures.json"))],
         in_text=texts,
         findings=files.read_table(paths.FINDINGS, _TEXT),
         comparisons=comparisons,
@@ -77,9 +77,19 @@ def _frames(home: str, places: list[str]) -> dict[str, int]:
     return counts | {"unlabelled": int((labels < 0).sum())}
 
 
-def _figure(entry: dict[str, Any]) -> Figure:
-    png = None if entry["file"] is None else _existing(paths.FIGURES / entry["file"]).read_bytes()
-    return Figure(entry["number"], entry["title"], png, entry["reason"] or "", entry["name"])
+def _figure(entry: dict[str, Any], params: dict[str, Any]) -> Figure:
+    if entry["file"] is None:
+        return Figure(entry["number"], entry["title"], None, entry["reason"], entry["name"])
+    file = _existing(paths.FIGURES / entry["file"])
+    own = settings.flatten(params["figures"].get(entry["name"]) or {})
+    return Figure(
+        entry["number"],
+        entry["title"],
+        file.read_bytes(),
+        name=entry["name"],
+        pdf=file.with_suffix(".pdf").relative_to(paths.PAGE.parent).as_posix(),
+        settings=", ".join(f"{name}={value}" for name, value in own.items()),
+    )
 
 
 def _times() -> dict[str, Any] | None:

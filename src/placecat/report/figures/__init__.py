@@ -14,11 +14,13 @@ from pathlib import Path
 from matplotlib.figure import Figure
 
 from placecat import settings
-from placecat.drawing.style import house_style, save
+from placecat.drawing.style import house_style, save, save_pdf
 from placecat.errors import PlacecatError, SettingError
 from placecat.report.run import Run
 
 _PREFIX = "figure_"
+# Settings that no result depends on.
+_WITHOUT_EFFECT = ("compute", "reproducibility")
 
 
 def names() -> list[str]:
@@ -60,9 +62,22 @@ def draw(name: str, run: Run) -> Figure:
 
 
 def render(name: str, run: Run, target: Path) -> None:
-    """Draw one figure (see `draw`) in the house's style and write it as PNG; an error writes nothing."""
+    """Draw one figure (see `draw`) in the house's style and write it as PNG; an error writes nothing.
+
+    Beside it, with the ending ``.pdf``, it is written as PDF with all settings of the run in its properties.
+    """
     with house_style():
-        save(draw(name, run), target)
+        figure = draw(name, run)
+        save(figure, target)
+        save_pdf(figure, target.with_suffix(".pdf"), title=caption(name), settings=_made_by(name, run))
+
+
+def _made_by(name: str, run: Run) -> str:
+    """The settings that made a figure: its own first, then all that are of no other figure."""
+    of_all = {key: value for key, value in run.params.items() if key not in _WITHOUT_EFFECT}
+    flat = settings.flatten(of_all | {"figures": {"example": run.options("example")}})
+    own = settings.flatten(run.options(name), f"figures.{name}.")
+    return "; ".join(f"{key}={value}" for key, value in (own | flat).items())
 
 
 @cache

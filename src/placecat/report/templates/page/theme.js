@@ -1,0 +1,33 @@
+(() => {
+  "use strict";
+  // In the page's head, so that it is never shown in the other colours first.
+  const root = document.documentElement;
+  const system = matchMedia("(prefers-color-scheme: dark)");
+  const remembered = () => {
+    try {
+      return localStorage.getItem("placecat-theme") ?? "";
+    } catch {
+      return ""; // A browser may keep nothing of a file.
+    }
+  };
+  const apply = (theme) => (root.style.colorScheme = theme);
+  const isDark = () => (root.style.colorScheme ? root.style.colorScheme === "dark" : system.matches);
+  apply(remembered());
+  addEventListener("DOMContentLoaded", () => {
+    const button = document.querySelector("button.theme");
+    const name = () => (button.textContent = isDark() ? "Light" : "Dark");
+    button.addEventListener("click", () => {
+      const theme = isDark() ? "light" : "dark";
+      apply(theme);
+      try {
+        localStorage.setItem("placecat-theme", theme);
+      } catch {
+        // The choice holds until the page is left.
+      }
+      name();
+    });
+    system.addEventListener("change", name);
+    button.closest(".tools").hidden = false;
+    name();
+  });
+})();

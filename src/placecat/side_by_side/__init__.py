@@ -1,0 +1,1 @@
+"""A page that shows two runs side by side."""

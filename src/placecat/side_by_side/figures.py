@@ -1,0 +1,50 @@
+"""The figures of a run, from a folder or, for a git revision, from DVC."""
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from placecat import kept_in_git, paths
+
+_LIST = (paths.FIGURES / "figures.json").as_posix()
+
+
+@dataclass(frozen=True)
+class Figures:
+    """Figures of one side: name to PNG and to caption; without any, `missing` says why and what to do."""
+
+    pictures: dict[str, bytes] = field(default_factory=dict)
+    captions: dict[str, str] = field(default_factory=dict)
+    missing: str = ""
+
+
+def read_figures(side: str) -> Figures:
+    """Read the figures of a side (see :func:`placecat.kept_in_git.read`)."""
+    if not side or kept_in_git.is_folder(side):
+        remedy = f"there are no figures in {Path(side) / paths.FIGURES}: run `dvc repro figures` there"
+        return _read(lambda name: (Path(side) / name).read_bytes(), remedy, (OSError,))
+    # It takes a second to import.
+    from dvc.api import DVCFileSystem
+    from dvc.exceptions import DvcException
+
+    commit = kept_in_git.commit_of(side)
+    remedy = (
+        f"DVC does not have the figures of git {side}: run `dvc fetch --all-commits {paths.FIGURES}` if a "
+        f"remote has them, or else `placecat repro` on {side} in a clone, and compare with that folder"
+    )
+    refused = (OSError, DvcException)
+    try:
+        system = DVCFileSystem(".", rev=commit)
+    except refused:
+        return Figures(missing=remedy)
+    return _read(system.read_bytes, remedy, refused)
+
+
+def _read(read: Callable[[str], bytes], remedy: str, refused: tuple[type[Exception], ...]) -> Figures:
+    try:
+        drawn = [one for one in json.loads(read(_LIST)) if one["file"] is not None]
+        pictures = {one["name"]: read((paths.FIGURES / one["file"]).as_posix()) for one in drawn}
+    except refused:
+        return Figures(missing=remedy)
+    return Figures(pictures, {one["name"]: one["title"] for one in drawn})
