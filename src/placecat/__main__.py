@@ -95,6 +95,14 @@ def _parser() -> argparse.ArgumentParser:
         help=f"copy them to {paths.KEPT_TIMES} and {paths.KEPT_TIMES_FACTS}, which git keeps",
     )
     times.set_defaults(run=_times)
+    demo = commands.add_parser(
+        "demo",
+        help="the first minute: train on a few frames of five homes, walk through the sixth",
+        description="Train the five-cue system on every 10th frame of five of the homes that come with the "
+        "project, and name the places of a walk through the sixth. Writes a timeline, an annotated clip and "
+        "a page with both to predictions/demo. Needs no `placecat repro` before.",
+    )
+    demo.set_defaults(run=_demo)
     _add_train(commands)
     _add_predict(commands)
     _add_worker(commands)
@@ -300,6 +308,12 @@ def _train(options: argparse.Namespace) -> int:
     check(settings.load())
     with compute.as_set():
         return train_command(options.system, options.without, options.seed, options.output)
+
+
+def _demo(options: argparse.Namespace) -> int:
+    from placecat.demo.command import demo_command
+
+    return demo_command()
 
 
 def _worker(options: argparse.Namespace) -> int:
