@@ -46,20 +46,19 @@ def demo_command() -> int:
     start = time.perf_counter()
     _check(OUTPUT)
     params = yaml.safe_load(compose(["dataset=homes"]))
-    root = Path(params["dataset"]["root"]).absolute()
+    relative = Path(params["dataset"]["root"])
+    root = relative.absolute()
     *homes, tested = params["dataset"]["homes"]
     complete = _complete_run(params, tested)
     with files.replacing(OUTPUT.absolute()) as temporary:
         work = temporary / _WORK
         work.mkdir(parents=True)
         with chdir(work):
-            _say(
-                f"Every {training.EVERY}th frame of {len(homes) + 1} homes is read from {params['dataset']['root']}."
-            )
+            _say(f"Reading every {training.EVERY}th frame of {len(homes) + 1} homes from {relative}.")
             params = training.thin_homes(params, root)
-            _say(f"The five-cue system is trained on {len(homes)} of them.")
+            _say(f"Training the five-cue system on {len(homes)} of them.")
             system = training.train(params, tested)
-            _say(f"It walks through {tested}, which it has never seen.")
+            _say(f"Walking through {tested}, which the system has never seen.")
             table = _walk(params, system, tested, temporary)
         shutil.rmtree(work)
         table = table.join(complete)
