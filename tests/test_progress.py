@@ -13,7 +13,8 @@ LOOP = """
 import time
 from placecat import progress
 progress.IN_LOG = 0.1
-for _ in progress.Progress(range(40), description="frames of a home with a long name", total=40, unit="tasks"):
+name = "frames of a home with a long name"
+for _ in progress.Progress(range(40), description=name, total=40, unit="tasks"):
     time.sleep(0.02)
 print("done", flush=True)
 """
