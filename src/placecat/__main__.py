@@ -1,4 +1,4 @@
-"""The command line: ``placecat demo``, ``params``, ``repro``, ``compare``, ``times``, ``train``, ``predict`` ..."""
+"""The command line: ``placecat demo``, ``params``, ``repro``, ``compare``, ``train``, ``predict`` ..."""
 
 import argparse
 import sys
