@@ -51,6 +51,11 @@ class Progress(tqdm):  # type: ignore[type-arg]
             delay=0 if is_terminal else IN_LOG,
         )
 
+    def close(self) -> None:
+        """End the line of a terminal; a log gets nothing more."""
+        self.disable = self.disable or not self.fp.isatty()
+        super().close()
+
     @staticmethod
     def status_printer(file: Any) -> Callable[[str], None]:
         """Write over the line in a terminal, and below it elsewhere."""
