@@ -1,6 +1,5 @@
-# Two commands: `make repro` regenerates every table, `make test` runs every test (`make test-quick` most of them).
-# Both first install what they need, pinned, into .venv: the tests also need what renders the homes.
-# `make bench` times each piece beside what one would use instead, which it installs too.
+# `make` lists the targets. Each first installs what it needs, pinned, into .venv: the tests also need what renders
+# the homes, and `make bench` what it compares with.
 PYTHON ?= python3
 # Hydra overrides that choose other data or settings, e.g. SET="dataset=vpc2009 dataset.root=PATH".
 SET ?=
@@ -25,36 +24,41 @@ ifneq ($(shell $(PYTHON) install.py --moved),)
 .PHONY: $(READY) $(READY_TEST) $(READY_BENCH)
 endif
 
-.PHONY: repro test test-quick campaign choose bench bench-scale lint ui lock clean
+.PHONY: help demo repro test test-quick campaign choose bench bench-scale lint ui lock clean
+.DEFAULT_GOAL := help
 
-repro: $(READY)
+help: ## list the targets
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | awk -F'|' '{printf "%-20s%s\n", $$1, $$2}'
+
+demo: $(READY) ## a first result in a minute: train on five homes, walk through the sixth
+	$(BIN)/placecat demo
+
+repro: $(READY) ## regenerate every table, figure and number; SET="dataset=..." chooses other data or settings
 	$(BIN)/placecat repro $(SET)
 
-test: $(READY_TEST) lint
+test: $(READY_TEST) lint ## run every test
 	$(BIN)/python -m pytest $(WORKERS) tests
 
-# Without what runs DVC, a server, a browser or the renderer, or takes more than a few seconds.
-test-quick: $(READY_TEST)
+test-quick: $(READY_TEST) ## run the tests that take seconds at most, without DVC, servers, browsers and the renderer
 	$(BIN)/python -m pytest $(WORKERS) -m "not slow" tests
 
-bench: $(READY_BENCH)
+bench: $(READY_BENCH) ## time each piece beside what one would use instead; PIECE="..." chooses some
 	$(BIN)/python -m placecat_bench $(PIECE)
 
-# Needs what `make repro` left; takes about an hour.
-bench-scale: $(READY)
+bench-scale: $(READY) ## measure how time and memory grow with the data; needs `make repro`, takes about an hour
 	$(BIN)/python -m placecat_bench.scale
 
-# Damages inputs, kills runs, fills disks, for SECONDS in all; counts what became of it in reports/robustness.csv.
+# Counts go to reports/robustness.csv.
 SECONDS ?= 1800
 SEED ?= 0
-campaign: $(READY_TEST)
+campaign: $(READY_TEST) ## damage inputs, kill runs, fill disks for SECONDS, and count what became of it
 	$(BIN)/python tests/campaign/campaign.py --seconds $(SECONDS) --seed $(SEED)
 
-# Judges what the thesis leaves open on training homes, from what `make repro` left (conf/choice.yaml).
-choose: $(READY)
+# What is tried is in conf/choice.yaml.
+choose: $(READY) ## judge on training homes what the thesis leaves open; needs `make repro`
 	$(BIN)/python -m placecat.choice $(KIND)
 
-lint: $(READY_TEST)
+lint: $(READY_TEST) ## check format, style and types
 	$(BIN)/ruff format --check src tests
 	$(BIN)/ruff check src tests
 	$(BIN)/mypy
@@ -66,17 +70,16 @@ $(READY_BENCH): requirements-bench.lock pyproject.toml
 $(READY) $(READY_TEST) $(READY_BENCH):
 	$(PYTHON) install.py $< $@
 
-ui: $(READY)
+ui: $(READY) ## open MLflow on what `make repro` logged
 	MLFLOW_SERVER_ENABLE_JOB_EXECUTION=false MLFLOW_DISABLE_TELEMETRY=true \
 		$(BIN)/mlflow ui --backend-store-uri sqlite:///mlflow.db --workers 1
 
-# Needs uv; run after changing the dependencies in pyproject.toml.
 COMPILE := uv pip compile pyproject.toml --universal --python-version 3.11 --generate-hashes --no-header --upgrade
 TESTED := --extra build --extra cluster --extra dask --extra render --extra search --extra test
-lock:
+lock: ## write the lock files; needs uv, after a change of the dependencies in pyproject.toml
 	$(COMPILE) $(TESTED) -o requirements-test.lock
 	$(COMPILE) --extra build -c requirements-test.lock -o requirements.lock
 	$(COMPILE) $(TESTED) --extra bench -c requirements-test.lock -o requirements-bench.lock
 
-clean:
+clean: ## remove .venv
 	rm -rf $(VENV)

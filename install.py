@@ -34,7 +34,9 @@ def main(lock: str, marker: Path) -> None:
                 sys.exit(status)
 
         run(sys.executable, "-m", "venv", *(["--clear"] if is_moved else []), VENV)
-        pip = (VENV / "bin/python", "-m", "pip", "install", "--quiet", "--disable-pip-version-check")
+        # Twice quiet: errors, but none of the notices about this machine's pip.
+        pip = (VENV / "bin/python", "-m", "pip", "install", "-qq", "--disable-pip-version-check")
+        print(f"Installing what {lock} pins into {VENV}; the first time it takes minutes.", flush=True)
         run(*pip, "--require-hashes", "-r", lock)
         run(*pip, "--no-deps", "--no-build-isolation", "-e", ".")
         marker.touch()

@@ -57,7 +57,7 @@ def test_a_missing_data_set_stops_the_first_stage(folder):
     assert "Traceback" not in result.stderr
 
 
-@pytest.mark.parametrize("command", ["", "params", "repro", "compare", "times", "train", "predict"])
+@pytest.mark.parametrize("command", ["", "params", "repro", "compare", "times", "train", "predict", "demo"])
 def test_every_command_has_help(command, capsys):
     with pytest.raises(SystemExit) as caught:
         main([*command.split(), "--help"])

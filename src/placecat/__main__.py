@@ -1,4 +1,4 @@
-"""The command line: ``placecat params``, ``repro``, ``compare``, ``times``, ``train``, ``predict`` ..."""
+"""The command line: ``placecat demo``, ``params``, ``repro``, ``compare``, ``train``, ``predict`` ..."""
 
 import argparse
 import sys
@@ -110,6 +110,14 @@ def _parser() -> argparse.ArgumentParser:
     )
     times.set_defaults(run=_times)
     _add_explain(commands)
+    demo = commands.add_parser(
+        "demo",
+        help="the first minute: train on a few frames of five homes, walk through the sixth",
+        description="Train the five-cue system on every 10th frame of five of the homes that come with the "
+        "project, and name the places of a walk through the sixth. Writes a timeline, an annotated clip and "
+        "a page with both to predictions/demo. Needs no `placecat repro` before.",
+    )
+    demo.set_defaults(run=_demo)
     _add_train(commands)
     _add_predict(commands)
     _add_worker(commands)
@@ -347,6 +355,12 @@ def _train(options: argparse.Namespace) -> int:
     check(settings.load())
     with compute.as_set():
         return train_command(options.system, options.without, options.seed, options.output)
+
+
+def _demo(options: argparse.Namespace) -> int:
+    from placecat.demo.command import demo_command
+
+    return demo_command()
 
 
 def _worker(options: argparse.Namespace) -> int:

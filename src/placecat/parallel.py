@@ -9,10 +9,10 @@ from typing import Any
 
 from joblib import Parallel, delayed
 from threadpoolctl import threadpool_limits
-from tqdm import tqdm
 
 from placecat import compute
 from placecat.errors import PlacecatError
+from placecat.progress import Progress
 from placecat.runs import lifeline
 
 
@@ -37,7 +37,7 @@ def stream(
     n_jobs: int | None = None,
     locally: bool = False,
 ) -> Iterator[Any]:
-    """Call ``function(*task)`` for every task in parallel processes, with a progress bar.
+    """Call ``function(*task)`` for every task in parallel processes, with a progress line.
 
     Every call is limited to one thread in BLAS, OpenMP and OpenCV, because the number of threads can change
     the last bits of a sum.
@@ -49,7 +49,7 @@ def stream(
     tasks
         Arguments of each call.
     description
-        Of the progress bar.
+        Of the progress line.
     n_jobs
         Processes on this machine, if not as many as :func:`workers` says.
     locally
@@ -72,7 +72,7 @@ def stream(
         jobs = min(n_jobs or compute.local_workers(), max(len(tasks), 1))
         calls = (delayed(_in_worker)(os.getpid(), function, task) for task in tasks)
         results = _explained(Parallel(n_jobs=jobs, return_as="generator")(calls), description, jobs)
-    return iter(tqdm(results, total=len(tasks), desc=description, unit="task", mininterval=1.0))
+    return iter(Progress(results, description=description, total=len(tasks), unit="tasks"))
 
 
 def _explained(results: Iterator[Any], description: str, jobs: int) -> Iterator[Any]:

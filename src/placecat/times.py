@@ -87,6 +87,17 @@ def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
     return pd.DataFrame(content["by_stage"], columns=COLUMNS), content["facts"]
 
 
+def known() -> dict[str, float]:
+    """Seconds that each stage took in a complete run: the last one here, else the one that git keeps."""
+    try:
+        by_stage, _ = read_complete()
+    except PlacecatError:
+        if not paths.KEPT_TIMES.is_file():
+            return {}
+        by_stage = files.read_csv(paths.KEPT_TIMES)
+    return dict(zip(by_stage["stage"], by_stage["seconds"].astype(float), strict=True))
+
+
 def keep() -> None:
     """Copy the times of the last complete run to reports/times.csv and times.json, which git keeps."""
     by_stage, facts = read_complete()

@@ -11,7 +11,6 @@ from typing import Any
 import cv2
 import numpy as np
 from numpy.typing import NDArray
-from tqdm import tqdm
 
 from placecat import files
 from placecat.categorizer import Categorizer, Decision
@@ -24,6 +23,7 @@ from placecat.predict.frame import Frame, Source
 from placecat.predict.prediction import Prediction
 from placecat.predict.run import Speed, Wish, run
 from placecat.predict.sources import open_source, without_password
+from placecat.progress import Progress
 
 TIMELINE, SPEED = "timeline.png", "speed.json"
 ANNOTATED = "annotated"
@@ -106,14 +106,11 @@ def _write(
         temporary.mkdir()
         film = temporary / f"{ANNOTATED}{options.film}" if options.film else None
         wish = Wish(every=options.every, seconds=options.seconds, film=film, truth=labels)
-        # Nothing where no one looks, such as in a log.
-        with tqdm(
-            total=_total(source, wish), unit=" frames", disable=None, dynamic_ncols=True
-        ) as progress_bar:
+        with Progress(description=source.name, total=_total(source, wish), unit="frames") as progress:
 
             def show(frame: Frame, decision: Decision, speed: Speed) -> None:
-                progress_bar.set_postfix_str(f"{decision.place} {decision.confidence:.0%}", refresh=False)
-                progress_bar.update()
+                progress.set_postfix_str(f"{decision.place} {decision.confidence:.0%}", refresh=False)
+                progress.update()
 
             prediction, speed, was_stopped = run(categorizer, source, chosen, wish, show)
         if was_stopped:

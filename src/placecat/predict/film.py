@@ -1,16 +1,22 @@
 """Pictures into a video."""
 
+from fractions import Fraction
 from pathlib import Path
 
+import av
 import cv2
 import numpy as np
+from av.video.frame import VideoFrame
+from av.video.stream import VideoStream
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 
-CODECS = {".mp4": "mp4v", ".webm": "VP80"}
-"""Of those that OpenCV writes everywhere: MPEG-4 takes 2 ms for 640x480 pixels and opens in most players, but
-not in browsers; VP8 opens in browsers, but takes 70 ms."""
+# Suffix to codec and its options, for speed: browsers show both.
+_CODECS = {
+    ".mp4": ("libx264", {"preset": "ultrafast"}),
+    ".webm": ("libvpx", {"deadline": "good", "cpu-used": "5", "crf": "20", "b": "2M"}),
+}
 
 
 class Film:
@@ -19,7 +25,7 @@ class Film:
     Parameters
     ----------
     path
-        Ends with one of `CODECS`.
+        Ends with .mp4 (H.264) or .webm (VP8).
     fps
         Frames a second.
     size
@@ -28,20 +34,25 @@ class Film:
     Raises
     ------
     PlacecatError
-        If OpenCV cannot write it, at once or, at the end of a ``with`` block, all of it.
+        If this FFmpeg cannot write it, or, at the end of a ``with`` block, did not write all of it.
     """
 
     def __init__(self, path: Path, fps: float, size: tuple[int, int]) -> None:
-        codec = cv2.VideoWriter.fourcc(*CODECS[path.suffix])
-        self._writer = cv2.VideoWriter(str(path), cv2.CAP_FFMPEG, codec, fps, size)
-        self._path = path
-        self._fps = fps
-        self._count = 0
-        if not self._writer.isOpened():
+        codec, options = _CODECS[path.suffix]
+        self._path, self._fps, self._count = path, fps, 0
+        av.logging.set_level(av.logging.PANIC)
+        try:
+            self._container = av.open(str(path), "w")
+            rate = Fraction(fps).limit_denominator(1001)
+            self._stream = self._container.add_stream(codec, rate=rate, options=options)
+        except (av.FFmpegError, ValueError):
             raise PlacecatError(
-                f"this OpenCV writes no {path.suffix} of {size[0]}x{size[1]} pixels at {fps:g} frames/s: "
-                "leave out --video, or try the other of --video and --webm"
-            )
+                f"this FFmpeg writes no {path.suffix} with {codec}: leave out --video, or try the other of "
+                "--video and --webm"
+            ) from None
+        assert isinstance(self._stream, VideoStream)
+        self._stream.width, self._stream.height = size
+        self._stream.pix_fmt = "yuv420p"
 
     def add(self, picture: NDArray[np.uint8], seconds: float) -> None:
         """Add a picture.
@@ -53,23 +64,37 @@ class Film:
         seconds
             When it was taken: it is repeated up to this time, so that the film runs as time did.
         """
-        times = round(seconds * self._fps) + 1 - self._count
-        for _ in range(times):
-            self._writer.write(picture)
-        self._count += max(times, 0)
+        for _ in range(round(seconds * self._fps) + 1 - self._count):
+            self._write(VideoFrame.from_ndarray(picture, "bgr24"))
+            self._count += 1
+
+    def _write(self, frame: VideoFrame | None) -> None:
+        try:
+            self._container.mux(self._stream.encode(frame))
+        except av.FFmpegError:
+            raise self._cut() from None
 
     def __enter__(self) -> "Film":
         return self
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
-        self._writer.release()
+        try:
+            if kind is None:
+                self._write(None)
+        finally:
+            try:
+                self._container.close()
+            except av.FFmpegError:
+                if kind is None:
+                    raise self._cut() from None
         if kind is None and self._count and not self._is_whole():
-            raise PlacecatError(
-                f"the film {self._path.name} could not be written to its end: is the disk full?"
-            )
+            raise self._cut()
+
+    def _cut(self) -> PlacecatError:
+        return PlacecatError(f"the film {self._path.name} could not be written to its end: is the disk full?")
 
     def _is_whole(self) -> bool:
-        """Whether the last picture is there: OpenCV does not say that writing failed."""
+        """Whether the last picture is there: FFmpeg does not always say that writing failed."""
         film = cv2.VideoCapture(str(self._path), cv2.CAP_FFMPEG)
         try:
             film.set(cv2.CAP_PROP_POS_FRAMES, self._count - 1)

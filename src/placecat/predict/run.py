@@ -66,12 +66,15 @@ class Wish:
         Path of the annotated video, if any.
     truth
         (frames of the footage,) class indices to write into the video, -1 for none.
+    pace
+        How many times as fast as the footage the video runs.
     """
 
     every: int = 1
     seconds: float | None = None
     film: Path | None = None
     truth: NDArray[np.int16] | None = None
+    pace: float = 1.0
 
 
 def run(
@@ -110,7 +113,7 @@ def run(
     with ExitStack() as stack:
         film, annotator = None, Annotator(system.classes, fit.target)
         if wish.film is not None:
-            film = stack.enter_context(Film(wish.film, speed.wanted, annotator.size))
+            film = stack.enter_context(Film(wish.film, speed.wanted * wish.pace, annotator.size))
         frames = source.frames(wish.every)
         stack.callback(frames.close)  # type: ignore[attr-defined]
         start = time.perf_counter()
@@ -130,7 +133,7 @@ def run(
                 speed.categorizing += time.perf_counter() - before
                 if film is not None:
                     label = _label(wish.truth, frame.number, system.classes)
-                    film.add(annotator(frame, decision, label), frame.seconds)
+                    film.add(annotator(frame, decision, label), frame.seconds / wish.pace)
                 # One step, so that Ctrl-C leaves no half of a row.
                 rows.append((frame.number, frame.seconds, frame.file, decision.proba, decision.integrated))
                 speed.frames, speed.seconds = len(rows), time.perf_counter() - start

@@ -1,22 +1,29 @@
 """DVC as `placecat repro` runs it: ``python -m placecat.runs.dvc repro``.
 
 It writes dvc.lock under another name and renames it, where plain DVC writes in place, so that a run killed
-just then does not lose its records. On SIGTERM it ends its stage first, and does so when the run that started
+just then does not lose its records. It says how many stages and how much time are left, and nothing of frozen
+stages, which nobody is to mend. On SIGTERM it ends its stage first, and does so when the run that started
 it is gone.
 """
 
+import logging
 import os
+import re
 import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from types import FrameType
 from typing import Any, TextIO
 
 import psutil
 
-from placecat import files
+from placecat import files, repro, times
 from placecat.runs import lifeline
+
+_RUNNING = re.compile(r"Running stage '([^']+)':")
+_PASSED = re.compile(r"Stage '([^']+)' didn't change, skipping")
+_FROZEN = re.compile(r".* is frozen\. Its dependencies|Verifying outputs in frozen stage")
 
 
 def main() -> None:
@@ -30,7 +37,46 @@ def main() -> None:
     _common._dump_data = _write_whole
     from dvc.cli import main as dvc
 
+    left = _Left(repro.stages(), times.known())
+    for handler in logging.getLogger("dvc").handlers:
+        handler.addFilter(left)
     sys.exit(dvc(sys.argv[1:]))
+
+
+class _Left(logging.Filter):
+    """Adds to the line of a stage which of the stages it is and how long those from it on may take.
+
+    Parameters
+    ----------
+    stages
+        In order.
+    seconds
+        That each took before; those that are missing count nothing.
+    """
+
+    def __init__(self, stages: Sequence[str], seconds: Mapping[str, float]) -> None:
+        super().__init__()
+        self._left = list(stages)
+        self._count = len(stages)
+        self._seconds = seconds
+
+    def filter(self, record: logging.LogRecord) -> bool:
+        text = record.getMessage()
+        if _FROZEN.match(text):
+            return False
+        running, passed = _RUNNING.fullmatch(text), _PASSED.fullmatch(text)
+        if running and running[1] in self._left:
+            number = self._count - len(self._left) + 1
+            seconds = sum(self._seconds.get(name, 0.0) for name in self._left)
+            record.msg, record.args = f"{text} {number} of {self._count}, {_written(seconds)}", ()
+        for found in filter(None, (running, passed)):
+            if found[1] in self._left:
+                self._left.remove(found[1])
+        return True
+
+
+def _written(seconds: float) -> str:
+    return f"at most {seconds / 60:.0f} min left" if seconds >= 90 else f"at most {seconds:.0f} s left"
 
 
 def _stop(number: int, frame: FrameType | None) -> None:

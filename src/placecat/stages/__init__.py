@@ -44,6 +44,8 @@ def _end(kind: type[BaseException], error: BaseException, traceback: TracebackTy
 
 
 sys.excepthook = _end
+# It builds its font cache once, which nobody is to mend.
+logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)
 shadowed.check()
 
 # Before the code of the stage is imported, which may be changed a moment later. Not in its workers.

@@ -1,0 +1,159 @@
+"""``placecat demo``: train on thinned frames of five homes, walk through the sixth, show what came out."""
+
+import shutil
+import time
+from collections.abc import Mapping, Sequence
+from contextlib import chdir
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import yaml
+from numpy.typing import NDArray
+
+from placecat import files, paths
+from placecat.categorizer import Categorizer, Decision
+from placecat.compose import compose
+from placecat.demo import page, training
+from placecat.drawing.style import house_style, save
+from placecat.errors import PlacecatError
+from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
+from placecat.predict import tables, timeline, truth
+from placecat.predict.fitting import fit
+from placecat.predict.frame import Frame
+from placecat.predict.prediction import Prediction
+from placecat.predict.run import Speed, Wish, run
+from placecat.predict.sources import Folder
+from placecat.progress import Progress
+
+OUTPUT = Path("predictions/demo")
+PAGE, TIMELINE, CLIP, TABLE = "index.html", "timeline.png", "annotated.webm", "accuracy.csv"
+FILES = (PAGE, TIMELINE, CLIP, TABLE, tables.FRAMES)
+# How many times as fast as the walk the clip runs.
+PACE = 10.0
+_WORK = "work"
+
+
+def demo_command() -> int:
+    """Run the demo in the project's folder, print its table and where to look.
+
+    Returns
+    -------
+    int
+        0; mistakes raise PlacecatError and leave nothing behind.
+    """
+    start = time.perf_counter()
+    _check(OUTPUT)
+    params = yaml.safe_load(compose(["dataset=homes"]))
+    relative = Path(params["dataset"]["root"])
+    root = relative.absolute()
+    *homes, tested = params["dataset"]["homes"]
+    complete = _complete_run(params, tested)
+    with files.replacing(OUTPUT.absolute()) as temporary:
+        work = temporary / _WORK
+        work.mkdir(parents=True)
+        with chdir(work):
+            _say(f"Reading every {training.EVERY}th frame of {len(homes) + 1} homes from {relative}.")
+            params = training.thin_homes(params, root)
+            _say(f"Training the five-cue system on {len(homes)} of them.")
+            system = training.train(params, tested)
+            _say(f"Walking through {tested}, which the system has never seen.")
+            table = _walk(params, system, tested, temporary)
+        shutil.rmtree(work)
+        table = table.join(complete)
+        files.write_csv(temporary / TABLE, table.rename_axis("result").reset_index())
+        page.write(temporary / PAGE, table, tested, len(homes), temporary / TIMELINE, temporary / CLIP)
+    print(f"\nAccuracy in {tested}, percent (mean over the places; a guess has {_chance(params):.0f}):\n")
+    print(table.to_string(float_format="%.0f", na_rep="-"))
+    print(f"\nA few frames teach little: {page.COMPLETE} trains on all and tests every home.\n")
+    for name, what in (
+        (TIMELINE, "the walk over time"),
+        (CLIP, "the annotated clip"),
+        (PAGE, "all on one page"),
+    ):
+        print(f"  {OUTPUT / name}: {what}")
+    print(f"\nIt took {time.perf_counter() - start:.0f} s.")
+    return 0
+
+
+def _say(text: str) -> None:
+    print(text, flush=True)
+
+
+def _check(folder: Path) -> None:
+    """Refuse to replace what the demo did not write."""
+    files.check_target(folder)
+    if folder.exists() and not folder.is_dir():
+        raise PlacecatError(f"{folder} is a file, where the demo writes a folder: move it away")
+    for path in sorted(folder.iterdir()) if folder.is_dir() else ():
+        if path.name not in FILES:
+            raise PlacecatError(f"{path} is not the demo's, which would replace {folder}: move it away")
+
+
+def _walk(params: Mapping[str, Any], system: Any, home: str, folder: Path) -> pd.DataFrame:
+    """Write timeline, clip and frames of the tested home; give the accuracy of each cue and of the system."""
+    dataset = params["dataset"]
+    categorizer = Categorizer(system)
+    source = Folder(training.FRAMES / home, dataset["fps"])
+    count = source.exact_count()
+    labels = truth.read(
+        training.FRAMES / f"{home}.csv", count, source.fps, categorizer.classes, dataset["ignored"]
+    )
+    chosen = fit(source.size, categorizer.frame_sizes, resize=False)
+    by_cue: dict[str, list[int]] = {name: [] for name in params["systems"][training.SYSTEM]["cues"]}
+    with Progress(description=home, total=count, unit="frames") as progress:
+
+        def show(frame: Frame, decision: Decision, speed: Speed) -> None:
+            for name, proba in decision.cues.items():
+                by_cue[name].append(int(proba.argmax()))
+            progress.update()
+
+        wish = Wish(film=folder / CLIP, truth=labels, pace=PACE)
+        prediction, _, _ = run(categorizer, source, chosen, wish, show)
+    tables.write_frames(folder / tables.FRAMES, prediction)
+    with house_style():
+        title = f"{home}: {params['systems'][training.SYSTEM]['title']}"
+        save(timeline.draw(prediction, title, labels), folder / TIMELINE)
+    return _table(params, by_cue, prediction, labels)
+
+
+def _table(
+    params: Mapping[str, Any],
+    by_cue: Mapping[str, Sequence[int]],
+    prediction: Prediction,
+    labels: NDArray[np.int16],
+) -> pd.DataFrame:
+    decisions = {name: np.array(places) for name, places in by_cue.items()}
+    decisions |= {_INTEGRATION: prediction.frame_decision, _SMOOTHING: prediction.decision}
+    n_classes = len(prediction.classes)
+    percent = [home_accuracy(confusion_matrix(labels, places, n_classes)) for places in decisions.values()]
+    return pd.DataFrame(
+        {f"every {training.EVERY}th frame": percent}, [_titles(params)[name] for name in decisions]
+    )
+
+
+_INTEGRATION, _SMOOTHING = f"integration/{training.SYSTEM}", f"smoothing/{training.SYSTEM}"
+
+
+def _titles(params: Mapping[str, Any]) -> dict[str, str]:
+    cues = params["systems"][training.SYSTEM]["cues"]
+    own = {name: str(params["cues"][name]["title"]) for name in cues}
+    return own | {_INTEGRATION: f"DAS {training.SCHEME}, all five", _SMOOTHING: "and the HMM"}
+
+
+def _complete_run(params: Mapping[str, Any], home: str) -> pd.DataFrame:
+    """What the kept results of `make repro` say of the same home; no row without them."""
+    column = f"all frames ({page.COMPLETE})"
+    if not paths.ACCURACIES.is_file():
+        return pd.DataFrame({column: []}, dtype=float)
+    known = pd.read_csv(paths.ACCURACIES)
+    known = known[(known["home"] == home) & (known["place"] == "all")].set_index("result")["accuracy"]
+    titles = _titles(params)
+    cues = params["systems"][training.SYSTEM]["cues"]
+    names = {f"cues/{name}/{training.SCHEME}" if name in cues else name: titles[name] for name in titles}
+    return known.reindex(list(names)).rename(index=names).to_frame(column)
+
+
+def _chance(params: Mapping[str, Any]) -> float:
+    return 100 / len(params["dataset"]["classes"])

@@ -1,0 +1,50 @@
+"""The demo's page: the table, the timeline and the clip in one file, which needs no network."""
+
+import base64
+from pathlib import Path
+
+import pandas as pd
+
+from placecat import files
+from placecat.report.embed import embed
+from placecat.templates import environment
+
+# What trains on all frames.
+COMPLETE = "make repro"
+
+
+def write(
+    target: Path, table: pd.DataFrame, home: str, training_homes: int, timeline: Path, clip: Path
+) -> None:
+    """Write the page.
+
+    Parameters
+    ----------
+    table
+        Percent, a row a result.
+    home
+        Name of the tested home.
+    training_homes
+        How many homes the system learned from.
+    timeline, clip
+        A PNG and a WebM, which the page holds.
+    """
+    rows = [
+        (name, ["" if pd.isna(value) else f"{value:.0f}" for value in values])
+        for name, *values in table.itertuples()
+    ]
+    video = base64.b64encode(clip.read_bytes()).decode("ascii")
+    text = (
+        environment("placecat.demo")
+        .get_template("demo.html.j2")
+        .render(
+            columns=list(table.columns),
+            rows=rows,
+            home=home.replace("_", " "),
+            training_homes=training_homes,
+            timeline=embed(timeline.read_bytes()),
+            clip=f"data:video/webm;base64,{video}",
+            complete=COMPLETE,
+        )
+    )
+    files.write_text(target, text)

@@ -1,0 +1,43 @@
+"""A video home as a folder of every n-th frame, with its labels."""
+
+from pathlib import Path
+
+import cv2
+import pandas as pd
+
+from placecat.footage.recording import Recording
+from placecat.sequences.labels import FRAME_HEADER, read_label_csv
+
+
+def thin(root: Path, home: str, every: int, target: Path) -> float:
+    """Write the first of each `every` frames of a home, in the layout `folder`.
+
+    Parameters
+    ----------
+    root
+        Folder of ``HOME.mp4`` and ``HOME.csv``.
+    target
+        Gets the folder ``HOME`` with JPEG files, and ``HOME.csv``.
+
+    Returns
+    -------
+    float
+        Frames a second that are left.
+
+    Raises
+    ------
+    PlacecatError
+        A video or its labels are missing or damaged.
+    """
+    recording = Recording(root / f"{home}.mp4")
+    fps = recording.timing().fps
+    labels, _ = read_label_csv(root / f"{home}.csv", recording.count, fps, "the video")
+    folder = target / home
+    folder.mkdir(parents=True)
+    rows = []
+    for picture in recording.pictures():
+        if (picture.number - 1) % every == 0:
+            cv2.imwrite(str(folder / f"{picture.number:06}.jpg"), picture.image())
+            rows.append((len(rows) + 1, len(rows) + 1, labels[picture.number - 1]))
+    pd.DataFrame(rows, columns=FRAME_HEADER).to_csv(target / f"{home}.csv", index=False)
+    return fps / every

@@ -1,0 +1,83 @@
+"""The demo's system: settings for thinned frames, features of them, and training, all in one folder."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from placecat import parallel, paths
+from placecat.categorizer.system import TrainedCue, TrainedSystem
+from placecat.demo.thin import thin
+from placecat.listing import frame_size
+from placecat.stages.features import describe, feature_options, plan
+from placecat.stages.sequences import list_homes
+from placecat.training import plan as plans
+from placecat.training import system as systems
+
+# Our choice: a few frames teach something, and all of it takes half a minute.
+EVERY = 10
+SYSTEM, SCHEME, SEED = "das_551_best", "5-5-1", 0
+FRAMES = Path("frames")
+# Cues learn from every other of the thinned frames, the integration from those between.
+_FRAMES = {"cue_frames": {"offset": 0, "step": 2}, "integration_frames": {"offset": 1, "step": 2}}
+
+
+def thin_homes(params: Mapping[str, Any], root: Path) -> dict[str, Any]:
+    """Write every 10th frame of all homes to the current folder; give the settings for these frames.
+
+    Parameters
+    ----------
+    params
+        All settings, of a data set in the layout ``video``.
+    root
+        Its folder.
+    """
+    homes = list(params["dataset"]["homes"])
+    tasks = [(root, home, EVERY, FRAMES.absolute()) for home in homes]
+    fps = parallel.in_parallel(thin, tasks, f"every {EVERY}th frame", locally=True)
+    dataset = {"layout": "folder", "root": str(FRAMES), "fps": fps[0]}
+    return {
+        **params,
+        "dataset": {**params["dataset"], **dataset},
+        "protocol": {**params["protocol"], **_FRAMES},
+    }
+
+
+def train(params: Mapping[str, Any], tested: str) -> TrainedSystem:
+    """Train the five-cue system on all homes but one.
+
+    Parameters
+    ----------
+    params
+        From :func:`thin_homes`.
+    tested
+        The home that is left out.
+    """
+    system = systems.System.of(params, SYSTEM)
+    options = feature_options(params, system.descriptors(params))
+    dataset = params["dataset"]
+    training = [home for home in dataset["homes"] if home != tested]
+    list_homes({**dataset, "homes": training}, paths.SEQUENCES, "dataset")
+    _describe(training, options)
+    (fold,) = plans.of_homes(params, SCHEME, tested)
+    trained = systems.train(fold, system, SEED)
+    title = f"{params['systems'][SYSTEM]['title']}, with smoothing; every {EVERY}th frame"
+    card = {"title": title, "classes": dataset["classes"], "frame_sizes": [frame_size(training[0])]}
+    sections = {section: params[section] for section in ("attention", "regions", "information")}
+    return TrainedSystem(
+        card=card,
+        vision=sections | system.descriptors(params),
+        tracking=None,
+        cues=tuple(TrainedCue(name, dict(cue.descriptor), cue.model) for name, cue in trained.cues.items()),
+        integrator=trained.integrator,
+        smoothing=trained.smoothing,
+    )
+
+
+def _describe(homes: Sequence[str], options: Mapping[str, Any]) -> None:
+    """Describe the frames of all homes in one loop, so that no worker waits for a home's end."""
+    works = {home: plan(home, FRAMES.absolute(), options) for home in homes}
+    done = iter(
+        parallel.in_parallel(describe, [task for tasks, _ in works.values() for task in tasks], "features")
+    )
+    for home, (tasks, write) in works.items():
+        write(paths.FEATURES / home, [next(done) for _ in tasks])

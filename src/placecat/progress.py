@@ -1,0 +1,71 @@
+"""The progress of a loop: one line that stays one line in a terminal, a line now and then in a log."""
+
+import sys
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from tqdm import tqdm
+
+# Seconds between two lines of a log, and before the first.
+IN_LOG = 30.0
+_IN_TERMINAL = 0.2
+_COUNT = "{desc}: {n_fmt}{unit}, {rate_fmt}{postfix}"
+_TIME_LEFT = "{desc}: {n_fmt} of {total_fmt}{unit}, {remaining} left{postfix}"
+_BAR = "{desc}: {percentage:3.0f} % |{bar:20}| {n_fmt} of {total_fmt}{unit}, {remaining} left{postfix}"
+
+
+class Progress(tqdm):  # type: ignore[type-arg]
+    """A progress line on the standard error, with the time that is left.
+
+    In a terminal it keeps to one line, whatever the width, and is gone at the end. Elsewhere a line is
+    written every `IN_LOG` seconds, and none of what ends sooner.
+
+    Parameters
+    ----------
+    iterable
+        What is looped over; None if :meth:`update` is called instead.
+    description
+        What is done.
+    total
+        Number of steps; None if nobody knows.
+    unit
+        What is counted, in the plural.
+    """
+
+    def __init__(
+        self, iterable: Iterable[Any] | None = None, *, description: str, total: int | None, unit: str
+    ) -> None:
+        is_terminal = sys.stderr.isatty()
+        with_total = _BAR if is_terminal else _TIME_LEFT
+        super().__init__(
+            iterable,
+            desc=description,
+            total=total,
+            unit=f" {unit}",
+            bar_format=with_total if total is not None else _COUNT,
+            file=sys.stderr,
+            leave=False,
+            dynamic_ncols=is_terminal,
+            mininterval=_IN_TERMINAL if is_terminal else IN_LOG,
+            maxinterval=IN_LOG,
+            delay=0 if is_terminal else IN_LOG,
+        )
+
+    def close(self) -> None:
+        """End the line of a terminal; a log gets nothing more."""
+        self.disable = self.disable or not self.fp.isatty()
+        super().close()
+
+    @staticmethod
+    def status_printer(file: Any) -> Callable[[str], None]:
+        """Write over the line in a terminal, and below it elsewhere."""
+        if file.isatty():
+            return tqdm.status_printer(file)
+
+        def write_line(text: str) -> None:
+            # tqdm clears its line by an empty one.
+            if text.strip():
+                file.write(f"{text}\n")
+                file.flush()
+
+        return write_line

@@ -1,0 +1,30 @@
+"""What DVC's lines become in `placecat repro`."""
+
+import logging
+
+import pytest
+
+from placecat.runs.dvc import _Left
+
+
+def said(left, text):
+    record = logging.LogRecord("dvc", logging.INFO, "", 0, text, (), None)
+    return record.getMessage() if left.filter(record) and left.filter(record) else None
+
+
+def test_a_stage_says_which_it_is_and_what_is_left():
+    left = _Left(["features", "cues", "report"], {"features": 600.0, "cues": 60.0, "report": 9.0})
+    assert said(left, "Running stage 'features':") == "Running stage 'features': 1 of 3, at most 11 min left"
+    assert said(left, "Stage 'cues' didn't change, skipping") == "Stage 'cues' didn't change, skipping"
+    assert said(left, "Running stage 'report':") == "Running stage 'report': 3 of 3, at most 9 s left"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Stage 'render' is frozen. Its dependencies are not going to be",
+        "Verifying outputs in frozen stage: 'a'",
+    ],
+)
+def test_nothing_is_said_of_frozen_stages(text):
+    assert said(_Left([], {}), text) is None
