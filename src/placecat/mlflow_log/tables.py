@@ -166,7 +166,7 @@ def _log_new(
 ) -> None:
     known: dict[str, list[Run]] = {}
     # Not superseded: current ones, complete ones that did not become current yet, and torsos.
-    for one in _search(client, experiment_id, f"tags.`{DIGEST}` LIKE '%'"):
+    for one in search(client, experiment_id, f"tags.`{DIGEST}` LIKE '%'"):
         if SUPERSEDED_BY not in one.data.tags:
             known.setdefault(one.data.tags.get(TABLE, ""), []).append(one)
     for run in reversed(runs):
@@ -177,7 +177,7 @@ def _log_new(
         chosen = same[0].info.run_id if same else None
         for torso in earlier:
             if torso not in complete and _is_torso(torso):
-                _delete(client, experiment_id, torso.info.run_id)
+                delete(client, experiment_id, torso.info.run_id)
         if chosen is None:
             chosen = _log(client, experiment_id, run, digest, common)
         elif same[0].data.tags.get(CURRENT) == "true" and len(complete) == 1:
@@ -199,7 +199,7 @@ def _is_torso(run: Run) -> bool:
 def _settle(client: MlflowClient, experiment_id: str) -> None:
     """Leave the latest run of each table current, where other machines logged meanwhile."""
     current: dict[str, list[Run]] = {}
-    for one in _search(client, experiment_id, f"tags.`{DIGEST}` LIKE '%' and tags.`{CURRENT}` = 'true'"):
+    for one in search(client, experiment_id, f"tags.`{DIGEST}` LIKE '%' and tags.`{CURRENT}` = 'true'"):
         current.setdefault(one.data.tags.get(TABLE, ""), []).append(one)
     for of_table in current.values():
         *others, latest = sorted(of_table, key=lambda one: (one.info.start_time, one.info.run_id))
@@ -250,18 +250,20 @@ def _supersede(client: MlflowClient, experiment_id: str, run_id: str, by: str) -
         store.log(client, each, tags={CURRENT: "false", SUPERSEDED_BY: by})
 
 
-def _delete(client: MlflowClient, experiment_id: str, run_id: str) -> None:
+def delete(client: MlflowClient, experiment_id: str, run_id: str) -> None:
+    """Delete a run and those nested in it, as the user interface does: `mlflow gc` removes them for good."""
     with store.writing(client):
         for each in [*_nested(client, experiment_id, run_id), run_id]:
             client.delete_run(each)
 
 
 def _nested(client: MlflowClient, experiment_id: str, run_id: str) -> list[str]:
-    found = _search(client, experiment_id, f"tags.`{store.PARENT}` = '{run_id}'")
+    found = search(client, experiment_id, f"tags.`{store.PARENT}` = '{run_id}'")
     return [str(one.info.run_id) for one in found]
 
 
-def _search(client: MlflowClient, experiment_id: str, condition: str) -> list[Run]:
+def search(client: MlflowClient, experiment_id: str, condition: str) -> list[Run]:
+    """Find all runs of an experiment that meet a condition in MLflow's language, however many there are."""
     found: list[Run] = []
     token = None
     with store.writing(client):
