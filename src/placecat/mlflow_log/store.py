@@ -43,8 +43,13 @@ def queued_in() -> Path | None:
     return copies[-1].parents[2] if copies else None
 
 
+def queued_experiment() -> str:
+    """Name of the queued DVC experiment that runs this, "" if none does."""
+    return os.environ.get("DVC_EXP_NAME", "queued") if queued_in() else ""
+
+
 def tracking_uri() -> str:
-    """The tracking server in the environment variable MLFLOW_TRACKING_URI, or mlflow.db in the project's folder."""
+    """The tracking server in MLFLOW_TRACKING_URI (environment), or mlflow.db in the project's folder."""
     project = queued_in()
     own = "sqlite:///mlflow.db" if project is None else f"sqlite:///{project / 'mlflow.db'}"
     return os.environ.get("MLFLOW_TRACKING_URI") or own
