@@ -97,7 +97,7 @@ def _outdated(stage: str, folder: Path, wanted: Mapping[str, Inputs]) -> Iterato
     keep_only(folder, wanted)
     code = _code_of(stage)
     for name, inputs in wanted.items():
-        content = [code, json.dumps(inputs.settings, sort_keys=True), *map(_checksum, inputs.paths)]
+        content = [code, json.dumps(inputs.settings, sort_keys=True), *map(checksum, inputs.paths)]
         made_from = hashlib.sha256("\n".join(content).encode()).hexdigest()
         if not _is_made(folder / name, made_from):
             yield name, made_from
@@ -135,15 +135,15 @@ def _manifest(folder: Path) -> dict[str, Any] | None:
         return None
 
 
-def _checksum(path: Path) -> str:
+def checksum(path: Path) -> str:
     """Of a file or of all files in a folder; what an item's manifest tells is not read again."""
     for folder in (path, *path.parents):
         manifest = _manifest(folder)
         if manifest is not None:
             inner = path.relative_to(folder).as_posix()
             known = {
-                name: checksum
-                for name, checksum in manifest["files"].items()
+                name: of_file
+                for name, of_file in manifest["files"].items()
                 if inner == "." or name == inner or name.startswith(f"{inner}/")
             }
             return _of(known)

@@ -10,13 +10,15 @@ from placecat.errors import PlacecatError
 _PLAIN_IN_QUOTES = re.compile(r"[^\"$`\\!]*")
 
 
-def check(overrides: Sequence[str]) -> None:
+def check(overrides: Sequence[str], *, several: bool = False) -> None:
     """Refuse overrides that Hydra cannot read, or would read as several values.
 
     Parameters
     ----------
     overrides
         As given on the command line, e.g. ``dataset.root=PATH``.
+    several
+        Whether a setting may have several values: those of a sweep.
 
     Raises
     ------
@@ -24,18 +26,18 @@ def check(overrides: Sequence[str]) -> None:
         Naming the setting, and how to write it, for a shell and for make.
     """
     for number, override in enumerate(overrides):
-        if _is_read(override):
+        if _is_read(override, several=several):
             continue
         if not override.strip():
             raise PlacecatError("an override is empty: write NAME=VALUE, e.g. dataset.root=PATH")
         if "=" not in override:
             before = overrides[number - 1] if number else ""
             right = _quoted(f"{before} {override}") if "=" in before else None
-            hint = f"if it belongs to {before!r}, {_how(right)}" if right else "write NAME=VALUE"
+            hint = f"if it belongs to {before!r}, {_how(right, several)}" if right else "write NAME=VALUE"
             raise PlacecatError(f"the override {override!r} has no value: {hint}")
         name, _, value = override.partition("=")
         right = _quoted(override)
-        hint = _how(right) if right else "put it between quotes"
+        hint = _how(right, several) if right else "put it between quotes"
         raise PlacecatError(f"Hydra cannot read the value {value!r} of {name} without quotes: {hint}")
 
 
@@ -53,18 +55,20 @@ def for_make(argument: str) -> str:
     return f"SET={shlex.quote(inner.replace('$', '$$'))}"
 
 
-def _how(right: str) -> str:
-    return f"write {for_shell(right)}, and with make {for_make(right)}"
+def _how(right: str, several: bool) -> str:
+    # make starts no sweep.
+    return f"write {for_shell(right)}" + ("" if several else f", and with make {for_make(right)}")
 
 
-def _is_read(override: str) -> bool:
+def _is_read(override: str, *, several: bool = False) -> bool:
     from hydra.core.override_parser.overrides_parser import OverridesParser
     from hydra.errors import HydraException
 
     try:
-        return not OverridesParser.create().parse_override(override).is_sweep_override()
+        parsed = OverridesParser.create().parse_override(override)
     except HydraException:
         return False
+    return several or not parsed.is_sweep_override()
 
 
 def _quoted(override: str) -> str | None:

@@ -13,6 +13,7 @@ from made_experiments import SMALL, make_project, resolved
 
 from placecat import __main__, files
 from placecat.experiment import sweep as sweeping
+from placecat.experiment.made_from import made_from
 from placecat.experiment.running import compute
 
 # One worker for all, so that the sweep runs once.
@@ -60,8 +61,8 @@ def test_two_workers_give_the_bytes_of_one(sweep, tmp_path, monkeypatch):
     folder, _ = sweep
     monkeypatch.chdir(folder)
     for number, home in enumerate(("h1", "H_2")):
-        alone = compute(resolved("descriptor=gist", "classifier=knn", *CLUSTERS, f"test_home={home}"))
-        files.write_json(tmp_path / "result.json", alone)
+        experiment = resolved("descriptor=gist", "classifier=knn", *CLUSTERS, f"test_home={home}")
+        files.write_json(tmp_path / "result.json", compute(experiment) | made_from(experiment))
         assert (folder / f"swept/{number}/result.json").read_bytes() == (
             tmp_path / "result.json"
         ).read_bytes()
@@ -159,7 +160,7 @@ def test_results_are_kept_though_mlflow_is_down(sweep, monkeypatch, capsys):
     monkeypatch.chdir(folder)
     monkeypatch.setenv("MLFLOW_TRACKING_URI", "http://127.0.0.1:9")
     monkeypatch.setenv("MLFLOW_HTTP_REQUEST_MAX_RETRIES", "0")
-    assert not sweeping.tell(Path("swept"), [{}], log=True)
+    assert not sweeping.tell(Path("swept"), [{}], log=[])
     printed = capsys.readouterr()
     assert "nothing logged: MLflow at http://127.0.0.1:9" in printed.err
     assert "All of it: swept/summary.csv" in printed.out

@@ -1,10 +1,9 @@
 """The summary of a sweep."""
 
 import pandas as pd
-from omegaconf import OmegaConf
 
 from placecat import files
-from placecat.experiment import output, summary, sweep
+from placecat.experiment import output, summary
 
 SWEPT = ("descriptor", "classifier.clusters", "test_home")
 
@@ -67,12 +66,6 @@ def test_spread_is_the_range_of_the_seeds(tmp_path):
     frame = summary.as_frame(made(tmp_path))
     assert frame["spread"].tolist()[0] == 1.0
     assert frame["note"].tolist()[:3] == ["", "too few", "no memory"]
-
-
-def test_an_earlier_sweep_in_the_same_folder_is_no_result(tmp_path):
-    made(tmp_path)
-    sweep.begin(OmegaConf.create({"hydra": {"sweep": {"dir": str(tmp_path)}}}))
-    assert not list(tmp_path.glob("*/result.json"))
 
 
 def test_homes_alone_are_averaged_below(tmp_path):

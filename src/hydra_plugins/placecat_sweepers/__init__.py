@@ -2,7 +2,7 @@
 
 import sys
 from abc import abstractmethod
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hydra.plugins.sweeper import Sweeper
 from hydra.types import HydraContext, TaskFunction
@@ -44,6 +44,14 @@ class _Checked(Sweeper):
         if not is_well:
             sys.exit(1)
 
+    def launch(self, lines: "Sequence[Sequence[str]]") -> None:
+        """Run jobs with these overrides."""
+        self.launcher.launch(lines, initial_job_idx=0)
+
+    def logged(self, arguments: "Sequence[str]") -> "Sequence[str] | None":
+        """What MLflow knows the sweep by; None if it is not to know it."""
+        return [str(self.config.hydra.sweeper._target_), *arguments] if self.config.track else None
+
     @abstractmethod
     def run(self, arguments: list[str]) -> bool:
         """Check, run and tell; say whether all went well."""
@@ -54,7 +62,7 @@ class GridSweeper(_Checked):
 
     def run(self, arguments: list[str]) -> bool:
         """Run the combinations."""
-        from placecat.experiment import summary, sweep
+        from placecat.experiment import jobs, summary, sweep
 
         lines, combinations = sweep.grid(arguments, self.hydra_context.config_loader)
         experiments = sweep.check(self.config, lines, combinations)
@@ -62,14 +70,9 @@ class GridSweeper(_Checked):
             if own.get(summary.HOME, "all") != "all":
                 # By its name, however it was spelled.
                 own[summary.HOME] = "+".join(experiment.homes)
-        folder = sweep.begin(self.config)
-        is_well = False
-        try:
-            self.launcher.launch(lines, initial_job_idx=0)
-        finally:
-            # What was computed is told even if the rest could not be.
-            is_well = sweep.tell(folder, combinations, log=bool(self.config.track))
-        return is_well
+        with sweep.begun(self.config, combinations) as folder:
+            jobs.run(folder, lines, experiments, self.launch)
+            return sweep.tell(folder, combinations, log=self.logged(arguments))
 
 
 class OptunaSweeper(_Checked):
@@ -101,7 +104,7 @@ class OptunaSweeper(_Checked):
     def run(self, arguments: list[str]) -> bool:
         """Search, and write what was found to the folder of the sweep."""
         from placecat import settings
-        from placecat.experiment import sweep
+        from placecat.experiment import jobs, sweep
         from placecat.search import report, requirements, space, study
 
         config = self.config
@@ -110,23 +113,18 @@ class OptunaSweeper(_Checked):
         requirements.check(config)
         ends = [[*own.fixed, *line] for line in own.ends()]
         sweep.check(config, ends, [space.values(line) for line in own.ends()])
-        folder = sweep.begin(config)
         started: list[dict[str, str]] = []
 
         def launch(lines: "Sequence[tuple[str, ...]]", first: int) -> list[float]:
             started.extend(space.values(line) for line in lines)
-            returns: Any = self.launcher.launch(
-                [[*own.fixed, *line] for line in lines], initial_job_idx=first
-            )
-            return [float(one.return_value) for one in returns]
+            whole = [[*own.fixed, *line] for line in lines]
+            experiments = [sweep.meant(config, line) for line in whole]
+            return jobs.run(folder, whole, experiments, self.launch, first=first)
 
-        is_well = False
-        try:
+        with sweep.begun(config, started) as folder:
             tried = study.search(own, launch, **self.numbers)
             choices = config.hydra.runtime.choices
             base = {key: str(choices[key]) for key in ("descriptor", "classifier", "data") if key in choices}
             home = config.test_home if isinstance(config.test_home, str) else config.test_home[0]
             print(f"\n{report.write(folder, tried, own, base, home)}")
-        finally:
-            is_well = sweep.tell(folder, started, log=bool(config.track))
-        return is_well
+            return sweep.tell(folder, started, log=self.logged(arguments))

@@ -1,16 +1,21 @@
 """The Hydra application of conf/experiment.yaml: ``placecat experiment`` and ``placecat search``."""
 
+import hashlib
 import os
+import re
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
 import hydra
 
-from placecat import compute, paths
+from placecat import compute, overrides, paths
 from placecat.errors import PlacecatError
 from placecat.experiment import options
 from placecat.experiment.job import job
+
+# Characters of the keys in the name of a folder.
+_LONGEST = 80
 
 
 def main(arguments: Sequence[str]) -> None:
@@ -31,6 +36,13 @@ def main(arguments: Sequence[str]) -> None:
     for path in (paths.CONF / f"{options.CONFIG}.yaml", paths.PARAMS):
         if not path.is_file():
             raise PlacecatError(f"{path} is missing here ({Path.cwd()}): run this in the project's folder")
+    from hydra._internal.utils import get_args
+
+    arguments = list(arguments)
+    given = get_args(arguments)
+    overrides.check(given.overrides, several=True)
+    if given.multirun and not any(one.startswith("hydra.sweep.dir=") for one in given.overrides):
+        arguments.append(f"hydra.sweep.dir={folder_of(given.overrides)}")
     options.register()
     # The launcher uses all the cores that joblib counts.
     workers = compute.wanted_workers()
@@ -42,6 +54,16 @@ def main(arguments: Sequence[str]) -> None:
     )
     with compute.as_set():
         start()
+
+
+def folder_of(given: Sequence[str]) -> str:
+    """Name the folder of a sweep by its overrides, so that the same command finds it again.
+
+    How and where it runs (``hydra.launcher``) does not count.
+    """
+    own = [one for one in given if not one.startswith(("hydra.", "hydra/launcher"))]
+    keys = "-".join(re.sub(r"[^\w.]", "", one.partition("=")[0]) for one in own)
+    return f"multirun/{keys[:_LONGEST]}-{hashlib.sha256(repr(own).encode()).hexdigest()[:8]}"
 
 
 def search(arguments: Sequence[str]) -> None:

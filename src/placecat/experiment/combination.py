@@ -55,6 +55,17 @@ class Experiment:
             for home in self.homes
         }
 
+    def described(self) -> dict[str, Any]:
+        """All settings that the numbers depend on, in JSON types."""
+        return {
+            "data": self.data.name,
+            "judge": self.judge,
+            "test_home": list(self.homes),
+            "frames": self.frames,
+            "seeds": list(self.seeds),
+            **self.settings,
+        }
+
 
 def resolve(config: Mapping[str, Any], params: Mapping[str, Any]) -> Experiment:
     """Find out what a combination means, and refuse what cannot be computed.

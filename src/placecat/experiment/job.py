@@ -2,10 +2,12 @@
 
 import logging
 import math
+import os
 import sys
 import time
 import traceback
 from pathlib import Path
+from typing import Any
 
 from hydra.core.hydra_config import HydraConfig
 from hydra.types import RunMode
@@ -14,7 +16,10 @@ from omegaconf import DictConfig, OmegaConf
 from placecat import compute, files, parallel, settings
 from placecat.errors import PlacecatError
 from placecat.experiment import output
+from placecat.runs import lifeline
 
+# The process of the sweep, in the environment of its workers.
+WORKERS_OF = "PLACECAT_SWEEP"
 _log = logging.getLogger(__name__)
 
 
@@ -22,7 +27,8 @@ def job(config: DictConfig) -> float:
     """Compute one experiment and write result.json to Hydra's output folder.
 
     In a sweep nothing is raised, so that a failure does not cost the other experiments: it is in result.json,
-    and the sweep ends with status 1. A single experiment is told and logged here.
+    and the sweep ends with status 1. A single experiment is told and logged here. result.json has what
+    :func:`placecat.experiment.running.compute` gives and what it was made from.
 
     Returns
     -------
@@ -32,17 +38,23 @@ def job(config: DictConfig) -> float:
     # Here, since they import scikit-learn, which `--help` does without.
     from placecat.experiment import running
     from placecat.experiment.combination import resolve
+    from placecat.experiment.made_from import made_from
 
     hydra = HydraConfig.get()
     folder = Path(hydra.runtime.output_dir)
-    for name in (output.RESULT, output.TRACEBACK):
-        (folder / name).unlink(missing_ok=True)
     is_single = hydra.mode == RunMode.RUN
+    if os.environ.get(WORKERS_OF) == str(os.getppid()):
+        lifeline.end_with(os.getppid())
     start = time.perf_counter()
+    # Until there is another: whoever is killed cannot say so.
+    files.write_json(folder / output.RESULT, output.failure(output.KILLED))
+    (folder / output.TRACEBACK).unlink(missing_ok=True)
+    origin: dict[str, Any] = {}
     try:
         # A sweep's experiments run beside each other, unless each can use a cluster.
         workers = parallel.workers() if is_single or compute.cluster() is not None else 1
         experiment = resolve(OmegaConf.to_container(config, resolve=True), settings.load())  # type: ignore[arg-type]
+        origin = made_from(experiment)
         result = running.compute(experiment, workers=workers)
     except PlacecatError as error:
         result = output.failure(str(error))
@@ -52,9 +64,10 @@ def job(config: DictConfig) -> float:
         result = output.failure(
             f"{type(error).__name__}: {error} (an error of placecat: see {folder / output.TRACEBACK})"
         )
-    files.write_json(folder / output.RESULT, result)
     # By itself, since the result is the same whenever and wherever it is computed.
     files.write_json(folder / output.SECONDS, round(time.perf_counter() - start, 2))
+    # Last: a sweep that was killed knows by it what is finished.
+    files.write_json(folder / output.RESULT, result | origin)
     if not is_single:
         _log.info("%s: %s", " ".join(hydra.overrides.task), output.shown(result))
     elif output.FAILED in result:

@@ -1,17 +1,41 @@
 """The files of an experiment, and its result in a few words."""
 
+from pathlib import Path
 from typing import Any
+
+from placecat import files
+from placecat.errors import PlacecatError
 
 RESULT = "result.json"
 SECONDS = "seconds.json"
 TRACEBACK = "traceback.txt"
 SUMMARY = "summary.csv"
 FAILED = "failed"
+# The result of a job until it has another one.
+KILLED = "its process was killed, perhaps because memory ran out"
 
 
 def failure(message: str) -> dict[str, Any]:
     """The result of an experiment that failed."""
     return {FAILED: message, "accuracy": None, "reason": None}
+
+
+def read(folder: Path) -> dict[str, Any]:
+    """Read result.json of a job's folder.
+
+    Raises
+    ------
+    PlacecatError
+        There is none, or it is no JSON file.
+    """
+    path = folder / RESULT
+    try:
+        result: dict[str, Any] = files.read_json(path)
+    except FileNotFoundError:
+        raise PlacecatError(f"it left no result in {folder}") from None
+    except ValueError:
+        raise PlacecatError(f"{path} is damaged: remove it and run again") from None
+    return result
 
 
 def shown(result: dict[str, Any]) -> str:

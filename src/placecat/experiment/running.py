@@ -49,7 +49,7 @@ def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
         homes[home] = _of_home(own)
     accuracies = [own["accuracy"] for own in homes.values() if own["accuracy"] is not None]
     return {
-        "settings": _described(experiment),
+        "settings": experiment.described(),
         "classes": list(experiment.data.classes),
         "accuracy": float(np.mean(accuracies)) if accuracies else None,
         "reason": next((own["reason"] for own in homes.values() if own["reason"]), None),
@@ -70,16 +70,4 @@ def _of_home(outcomes: list[tuple[str, int | None, Outcome]]) -> dict[str, Any]:
         "accuracy": None if reasons else float(np.mean(accuracies)),
         "reason": reasons[0] if reasons else None,
         "folds": folds,
-    }
-
-
-def _described(experiment: Experiment) -> dict[str, Any]:
-    data = experiment.data
-    return {
-        "data": data.name,
-        "judge": experiment.judge,
-        "test_home": list(experiment.homes),
-        "frames": experiment.frames,
-        "seeds": list(experiment.seeds),
-        **experiment.settings,
     }

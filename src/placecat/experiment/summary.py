@@ -9,6 +9,7 @@ import numpy as np
 import pandas as pd
 
 from placecat import files
+from placecat.errors import PlacecatError
 from placecat.experiment import output
 from placecat.experiment.options import TEST_HOME
 from placecat.paths import seed_name
@@ -76,10 +77,12 @@ def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
     """
     found = []
     for number, values in enumerate(combinations):
-        path = folder / str(number) / output.RESULT
-        missing = output.failure(f"it left no result in {path.parent}")
-        result = files.read_json(path) if path.is_file() else missing
-        found.append(Ran(number, dict(values), path.parent, result))
+        own = folder / str(number)
+        try:
+            result = output.read(own)
+        except PlacecatError as error:
+            result = output.failure(str(error))
+        found.append(Ran(number, dict(values), own, result))
     return found
 
 

@@ -2,7 +2,8 @@
 
 import itertools
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +16,10 @@ from omegaconf.errors import OmegaConfBaseException
 
 from placecat import files, settings
 from placecat.errors import PlacecatError
-from placecat.experiment import output, summary
+from placecat.experiment import jobs, output, summary
 from placecat.experiment.combination import Experiment, resolve
 
+_REFUSALS = (PlacecatError, HydraException, OmegaConfBaseException)
 # As many refused combinations as a message lists for one reason.
 _LISTED = 8
 
@@ -82,14 +84,13 @@ def check(
     PlacecatError
         Naming each combination that cannot be, and why.
     """
-    params, of_hydra = settings.load(), list(config.hydra.overrides.hydra)
+    params = settings.load()
     experiments: list[Experiment] = []
     refused: dict[str, list[str]] = {}
     for line, own in zip(lines, combinations, strict=True):
         try:
-            composed = compose(config.hydra.job.config_name, overrides=[*of_hydra, *line])
-            experiments.append(resolve(OmegaConf.to_container(composed, resolve=True), params))  # type: ignore[arg-type]
-        except (PlacecatError, HydraException, OmegaConfBaseException) as error:
+            experiments.append(_meant(config, line, params))
+        except _REFUSALS as error:
             refused.setdefault(" ".join(str(error).split()), []).append(summary.label(own))
     if refused:
         count = sum(map(len, refused.values()))
@@ -102,17 +103,39 @@ def check(
     return experiments
 
 
-def begin(config: DictConfig) -> Path:
-    """Make the folder of the sweep, without what an earlier one left there as results."""
+def meant(config: DictConfig, line: Sequence[str]) -> Experiment | None:
+    """What one combination means; None if it is refused. Parameters as for `check`."""
+    try:
+        return _meant(config, line, settings.load())
+    except _REFUSALS:
+        return None
+
+
+def _meant(config: DictConfig, line: Sequence[str], params: Mapping[str, Any]) -> Experiment:
+    composed = compose(config.hydra.job.config_name, overrides=[*config.hydra.overrides.hydra, *line])
+    return resolve(OmegaConf.to_container(composed, resolve=True), params)  # type: ignore[arg-type]
+
+
+@contextmanager
+def begun(config: DictConfig, combinations: Sequence[dict[str, str]]) -> Iterator[Path]:
+    """Give the folder of the sweep, to this process alone; what is finished there stays.
+
+    What was computed is told even if the block fails.
+    """
     folder = Path(config.hydra.sweep.dir)
-    folder.mkdir(parents=True, exist_ok=True)
-    for path in [*folder.glob(f"*/{output.RESULT}"), folder / output.SUMMARY]:
-        path.unlink(missing_ok=True)
-    OmegaConf.save(config, folder / "multirun.yaml")
-    return folder
+    with jobs.alone(folder):
+        # It is of all jobs, some of which may have to run again.
+        (folder / output.SUMMARY).unlink(missing_ok=True)
+        OmegaConf.save(config, folder / "multirun.yaml")
+        try:
+            yield folder
+        except Exception:
+            # Not logged, since the same command goes on.
+            tell(folder, combinations, log=None)
+            raise
 
 
-def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: bool) -> bool:
+def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: Sequence[str] | None) -> bool:
     """Print, write and log what the experiments of a sweep gave.
 
     Parameters
@@ -122,7 +145,7 @@ def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: bool) -> 
     combinations
         The swept keys and their values, of each experiment that was started.
     log
-        Whether to log to MLflow, too.
+        Overrides of the sweep, to log it to MLflow, too; None not to.
 
     Returns
     -------
@@ -134,7 +157,7 @@ def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: bool) -> 
         return True
     files.write_csv(folder / output.SUMMARY, summary.as_frame(ran))
     print(f"\n{summary.text(ran)}\n\nAll of it: {folder / output.SUMMARY}")
-    is_logged = not log or _log(lambda tracking: tracking.log_sweep(ran, folder))
+    is_logged = log is None or _log(lambda tracking: tracking.log_sweep(ran, folder, log))
     return is_logged and not any(one.has_failed for one in ran)
 
 

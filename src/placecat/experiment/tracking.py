@@ -3,6 +3,8 @@
 They are logged at the end and by one process, so that workers, on whatever machine, need no MLflow.
 """
 
+import hashlib
+import json
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
@@ -13,23 +15,28 @@ import pandas as pd
 from placecat import files, settings
 from placecat.errors import PlacecatError
 from placecat.experiment import output, summary
+from placecat.experiment.made_from import made_from_of
 from placecat.experiment.summary import Ran
 from placecat.lockfile import data_version, git_commit
 from placecat.mlflow_log import store
-from placecat.mlflow_log.tables import ARTIFACTS, DESCRIPTION
+from placecat.mlflow_log.tables import ARTIFACTS, DESCRIPTION, delete, search
 from placecat.search import report
 
 _KIND = "placecat.kind"
+# Of a sweep: what it is known by.
+_SWEEP = "placecat.sweep"
 _FILES = (output.SUMMARY, report.SUMMARY, report.RESULTS)
 
 
-def log_sweep(ran: Sequence[Ran], folder: Path) -> str:
-    """Log a sweep and its experiments.
+def log_sweep(ran: Sequence[Ran], folder: Path, overrides: Sequence[str]) -> str:
+    """Log a sweep and its experiments, unless that was done; replace what is there of one that failed.
 
     Parameters
     ----------
     folder
         Of the sweep, with its summary.
+    overrides
+        Of the sweep, by which it is known, with the settings, data and code of its experiments.
 
     Returns
     -------
@@ -41,9 +48,24 @@ def log_sweep(ran: Sequence[Ran], folder: Path) -> str:
     PlacecatError
         MLflow cannot be written to.
     """
-    client, experiment, where = _open()
     swept = list(ran[0].values)
     name = f"{' x '.join(swept) or 'one combination'}: {len(ran)} experiments"
+    origins = sorted({json.dumps(made_from_of(one.result), sort_keys=True) for one in ran})
+    identity = hashlib.sha256(json.dumps([*overrides, *origins]).encode()).hexdigest()
+    with store.alone(store.tracking_uri()):
+        client, experiment, where = _open()
+        earlier = search(client, experiment, f"tags.`{_SWEEP}` = '{identity}'")
+        if not any(one.info.status == "FINISHED" for one in earlier):
+            for one in earlier:
+                delete(client, experiment, one.info.run_id)
+            _log_sweep(client, experiment, name, ran, folder, {_SWEEP: identity})
+    return f"run {name!r} of {where}"
+
+
+def _log_sweep(
+    client: Any, experiment: str, name: str, ran: Sequence[Ran], folder: Path, tags: dict[str, str]
+) -> None:
+    swept = list(ran[0].values)
     top = summary.highest(ran)
     metrics: dict[str, float] = {
         "experiments": len(ran),
@@ -60,7 +82,7 @@ def log_sweep(ran: Sequence[Ran], folder: Path) -> str:
         name,
         params=own_params,
         metrics=metrics,
-        tags={_KIND: "sweep"} | _versions(),
+        tags={_KIND: "sweep"} | tags | _versions(),
         files=[path for name in _FILES if (path := folder / name).is_file()],
         description=summary.markdown(ran),
     )
@@ -69,7 +91,6 @@ def log_sweep(ran: Sequence[Ran], folder: Path) -> str:
         _log_one(client, experiment, label, one, parent)
     failed = any(one.has_failed for one in ran)
     store.finish_run(client, parent, status="FAILED" if failed else "FINISHED")
-    return f"run {name!r} of {where}"
 
 
 def log_one(result: dict[str, Any], folder: Path) -> str:

@@ -60,7 +60,8 @@ def table_run(
     written
         The table's own files, e.g. its CSV.
     """
-    title = f"{label(table)}: {table['title']}"
+    # The title of an addition says that it is one.
+    title = f"{label(table)}: {table['title'].removeprefix(f'{label(table)}: ')}"
     beside = comparable(table, dataset)
     decisions = decisions_of(table, results)
     quality = _quality(table, results)

@@ -27,15 +27,32 @@ COMMIT = "mlflow.source.git.commit"
 PARENT = "mlflow.parentRunId"
 _EXPERIMENT_KIND = {"mlflow.experimentKind": "custom_model_development"}
 
+# Where DVC makes the copies.
+_QUEUED = (".dvc", "tmp", "exps")
+
 # Limits of MLflow.
 _MOST_METRICS, _MOST_PARAMS, _MOST_TAGS = 800, 100, 100
 _LONGEST_PARAM = 6000
 _LONGEST_KEY = 250
 
 
+def queued_in() -> Path | None:
+    """The project's folder, if this one is the temporary copy in which DVC runs a queued experiment."""
+    here = Path.cwd()
+    copies = [folder for folder in here.parents if folder.parts[-3:] == _QUEUED]
+    return copies[-1].parents[2] if copies else None
+
+
+def queued_experiment() -> str:
+    """Name of the queued DVC experiment that runs this, "" if none does."""
+    return os.environ.get("DVC_EXP_NAME", "queued") if queued_in() else ""
+
+
 def tracking_uri() -> str:
-    """The tracking server in the environment variable MLFLOW_TRACKING_URI, or mlflow.db in this folder."""
-    return os.environ.get("MLFLOW_TRACKING_URI") or "sqlite:///mlflow.db"
+    """The tracking server in MLFLOW_TRACKING_URI (environment), or mlflow.db in the project's folder."""
+    project = queued_in()
+    own = "sqlite:///mlflow.db" if project is None else f"sqlite:///{project / 'mlflow.db'}"
+    return os.environ.get("MLFLOW_TRACKING_URI") or own
 
 
 def connect(uri: str) -> MlflowClient:

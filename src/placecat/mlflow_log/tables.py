@@ -17,7 +17,7 @@ import platform
 import tempfile
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 
 KIND, TABLE, DIGEST = "placecat.kind", "placecat.table", "placecat.digest"
 CURRENT, SUPERSEDED_BY = "placecat.current", "placecat.superseded_by"
+# Name of the queued DVC experiment that logged a run. It is current beside the project's own, by this name.
+DVC_EXPERIMENT = "placecat.dvc_experiment"
 # The machine that logs a run: until it is finished, another one cannot know whether it goes on.
 MACHINE = "placecat.machine"
 # Milliseconds after which it does not.
@@ -113,6 +115,7 @@ def log_tables(
     data_version: str,
     commit: str,
     artifacts: Path,
+    dvc_experiment: str = "",
 ) -> dict[str, str]:
     """Log every table whose content is new; mark what it supersedes.
 
@@ -131,6 +134,8 @@ def log_tables(
         Git commit, or "" if there is none.
     artifacts
         Where a new experiment on a local database keeps its files.
+    dvc_experiment
+        Name of the queued experiment that logs, if one does: it supersedes its own runs only.
 
     Returns
     -------
@@ -151,9 +156,12 @@ def log_tables(
             "mlflow.source.name": "placecat.stages.tracking",
         }
         common |= {COMMIT: commit} if commit else {}
+        if dvc_experiment:
+            common[DVC_EXPERIMENT] = dvc_experiment
+            runs = [replace(run, title=f"{run.title} ({dvc_experiment})") for run in runs]
         digests = {run.name: run.digest(data_version) for run in reversed(runs)}
         _log_new(client, number, runs, digests, common)
-        _settle(client, number)
+        _settle(client, number, dvc_experiment)
         return digests
 
 
@@ -165,9 +173,10 @@ def _log_new(
     common: Mapping[str, str],
 ) -> None:
     known: dict[str, list[Run]] = {}
+    scope = common.get(DVC_EXPERIMENT, "")
     # Not superseded: current ones, complete ones that did not become current yet, and torsos.
-    for one in _search(client, experiment_id, f"tags.`{DIGEST}` LIKE '%'"):
-        if SUPERSEDED_BY not in one.data.tags:
+    for one in search(client, experiment_id, f"tags.`{DIGEST}` LIKE '%'"):
+        if SUPERSEDED_BY not in one.data.tags and one.data.tags.get(DVC_EXPERIMENT, "") == scope:
             known.setdefault(one.data.tags.get(TABLE, ""), []).append(one)
     for run in reversed(runs):
         digest = digests[run.name]
@@ -177,13 +186,13 @@ def _log_new(
         chosen = same[0].info.run_id if same else None
         for torso in earlier:
             if torso not in complete and _is_torso(torso):
-                _delete(client, experiment_id, torso.info.run_id)
+                delete(client, experiment_id, torso.info.run_id)
         if chosen is None:
             chosen = _log(client, experiment_id, run, digest, common)
-        elif same[0].data.tags.get(CURRENT) == "true" and len(complete) == 1:
+        elif same[0].data.tags.get(CURRENT) == (scope or "true") and len(complete) == 1:
             continue
         old = [one.info.run_id for one in complete if one.info.run_id != chosen]
-        _make_current(client, experiment_id, chosen, old)
+        _make_current(client, experiment_id, chosen, old, scope)
     for name in known.keys() - digests.keys():
         # A table that there is no more.
         for one in known[name]:
@@ -196,10 +205,12 @@ def _is_torso(run: Run) -> bool:
     return is_own or run.info.start_time < time.time() * 1000 - _TORSO
 
 
-def _settle(client: MlflowClient, experiment_id: str) -> None:
+def _settle(client: MlflowClient, experiment_id: str, scope: str) -> None:
     """Leave the latest run of each table current, where other machines logged meanwhile."""
     current: dict[str, list[Run]] = {}
-    for one in _search(client, experiment_id, f"tags.`{DIGEST}` LIKE '%' and tags.`{CURRENT}` = 'true'"):
+    for one in search(
+        client, experiment_id, f"tags.`{DIGEST}` LIKE '%' and tags.`{CURRENT}` = '{scope or 'true'}'"
+    ):
         current.setdefault(one.data.tags.get(TABLE, ""), []).append(one)
     for of_table in current.values():
         *others, latest = sorted(of_table, key=lambda one: (one.info.start_time, one.info.run_id))
@@ -235,13 +246,15 @@ def _log(
     return run_id
 
 
-def _make_current(client: MlflowClient, experiment_id: str, run_id: str, old: Sequence[str]) -> None:
+def _make_current(
+    client: MlflowClient, experiment_id: str, run_id: str, old: Sequence[str], scope: str
+) -> None:
     # Another process sees all of it or nothing.
     with store.writing(client):
         for one in old:
             _supersede(client, experiment_id, one, run_id)
         for each in [*_nested(client, experiment_id, run_id), run_id]:
-            store.log(client, each, tags={CURRENT: "true"})
+            store.log(client, each, tags={CURRENT: scope or "true"})
 
 
 def _supersede(client: MlflowClient, experiment_id: str, run_id: str, by: str) -> None:
@@ -250,18 +263,20 @@ def _supersede(client: MlflowClient, experiment_id: str, run_id: str, by: str) -
         store.log(client, each, tags={CURRENT: "false", SUPERSEDED_BY: by})
 
 
-def _delete(client: MlflowClient, experiment_id: str, run_id: str) -> None:
+def delete(client: MlflowClient, experiment_id: str, run_id: str) -> None:
+    """Delete a run and those nested in it, as the user interface does: `mlflow gc` removes them for good."""
     with store.writing(client):
         for each in [*_nested(client, experiment_id, run_id), run_id]:
             client.delete_run(each)
 
 
 def _nested(client: MlflowClient, experiment_id: str, run_id: str) -> list[str]:
-    found = _search(client, experiment_id, f"tags.`{store.PARENT}` = '{run_id}'")
+    found = search(client, experiment_id, f"tags.`{store.PARENT}` = '{run_id}'")
     return [str(one.info.run_id) for one in found]
 
 
-def _search(client: MlflowClient, experiment_id: str, condition: str) -> list[Run]:
+def search(client: MlflowClient, experiment_id: str, condition: str) -> list[Run]:
+    """Find all runs of an experiment that meet a condition in MLflow's language, however many there are."""
     found: list[Run] = []
     token = None
     with store.writing(client):

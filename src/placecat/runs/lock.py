@@ -52,14 +52,22 @@ def one_at_a_time(stage: str) -> Iterator[None]:
     if not TEMPORARY.parent.is_dir():
         yield
         return
+    TEMPORARY.mkdir(exist_ok=True)
+    said = f"Another process makes {stage} here: this one waits for it."
+    with waiting(TEMPORARY / f"placecat.{stage}.lock", said):
+        yield
+
+
+@contextmanager
+def waiting(path: Path, said: str) -> Iterator[None]:
+    """Hold a lock during a block; print why this process waits for it, if it does."""
     from filelock import FileLock, Timeout
 
-    TEMPORARY.mkdir(exist_ok=True)
-    lock = FileLock(TEMPORARY / f"placecat.{stage}.lock")
+    lock = FileLock(path)
     try:
         lock.acquire(timeout=2)
     except Timeout:
-        print(f"Another process makes {stage} here: this one waits for it.", file=sys.stderr, flush=True)
+        print(said, file=sys.stderr, flush=True)
         lock.acquire()
     try:
         yield

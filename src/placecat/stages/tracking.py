@@ -2,12 +2,13 @@
 
 import json
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 from placecat import files, paths, settings
 from placecat.lockfile import data_version, git_commit
 from placecat.mlflow_log.content import figures_run, findings_run, table_run
-from placecat.mlflow_log.store import tracking_uri
+from placecat.mlflow_log.store import queued_experiment, queued_in, tracking_uri
 from placecat.mlflow_log.tables import ARTIFACTS, DESCRIPTION, TableRun, log_tables
 from placecat.report.charts.draw import MatrixDrawer
 from placecat.results.collect import read_results
@@ -47,7 +48,8 @@ def main() -> None:
             data=dataset["title"],
             data_version=data_version("site_sequences" if split else "sequences"),
             commit=git_commit(),
-            artifacts=ARTIFACTS,
+            artifacts=(queued_in() or Path()) / ARTIFACTS,
+            dvc_experiment=queued_experiment(),
         )
     files.write_json(paths.TRACKING, digests)
 

@@ -1,0 +1,110 @@
+"""The jobs of a sweep: what is finished is not run again, and one that is killed does not end the others."""
+
+import math
+import os
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import Any
+
+from joblib.externals.loky.process_executor import TerminatedWorkerError
+
+from placecat.errors import PlacecatError
+from placecat.experiment import job, output
+from placecat.experiment.combination import Experiment
+from placecat.experiment.made_from import is_finished, made_from
+from placecat.runs import lock
+
+# Takes the overrides of some jobs, and runs them.
+Launch = Callable[[Sequence[Sequence[str]]], Any]
+
+
+@contextmanager
+def alone(folder: Path) -> Iterator[None]:
+    """Wait while another process runs the sweep of a folder, which is made; tell how to go on if stopped."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with lock.waiting(
+        folder / ".lock", f"Another process runs this sweep ({folder}): this one waits for it."
+    ):
+        try:
+            yield
+        except KeyboardInterrupt:
+            print(f"placecat: stopped; the same command goes on with {folder}", file=sys.stderr, flush=True)
+            raise
+
+
+def run(
+    folder: Path,
+    lines: Sequence[Sequence[str]],
+    experiments: Sequence[Experiment | None],
+    launch: Launch,
+    *,
+    first: int = 0,
+) -> list[float]:
+    """Run the jobs that are not finished; each has a folder that is named by its number.
+
+    Parameters
+    ----------
+    folder
+        Of the sweep.
+    lines, experiments
+        Of each job its overrides and what they mean, None for those that only the job itself can refuse.
+    launch
+        Hydra's launcher.
+    first
+        Number of the first job.
+
+    Returns
+    -------
+    list
+        Accuracies in percent, in the order of the jobs; NaN where there is none.
+    """
+    numbers = range(first, first + len(lines))
+    todo = []
+    for number, experiment in zip(numbers, experiments, strict=True):
+        own = folder / str(number)
+        if experiment is None or not is_finished(own, made_from(experiment)):
+            # What stands there is of other settings, data or code, or of a job that failed.
+            (own / output.RESULT).unlink(missing_ok=True)
+            todo.append(number)
+    if len(todo) < len(lines):
+        print(f"{len(lines) - len(todo)} of {len(lines)} experiments are finished in {folder}: not run again")
+    os.environ[job.WORKERS_OF] = str(os.getpid())
+
+    def start(some: Sequence[int]) -> None:
+        # The number by itself, since Hydra counts the jobs of this call.
+        launch([[*lines[number - first], f"hydra.sweep.subdir={number}"] for number in some])
+
+    while todo:
+        try:
+            start(todo)
+            break
+        except TerminatedWorkerError:
+            # All jobs that ran then were killed, of which one was the reason: each again by itself.
+            killed = [number for number in todo if _failed(folder, number) == output.KILLED]
+            if not killed:
+                raise
+            for number in killed:
+                with suppress(TerminatedWorkerError):
+                    start([number])
+            todo = [number for number in todo if _failed(folder, number) == _NO_RESULT]
+    return [_accuracy(folder, number) for number in numbers]
+
+
+_NO_RESULT = "no result"
+
+
+def _failed(folder: Path, number: int) -> str | None:
+    try:
+        return output.read(folder / str(number)).get(output.FAILED)
+    except PlacecatError:
+        return _NO_RESULT
+
+
+def _accuracy(folder: Path, number: int) -> float:
+    try:
+        accuracy = output.read(folder / str(number))["accuracy"]
+    except PlacecatError:
+        return math.nan
+    return math.nan if accuracy is None else float(accuracy)

@@ -1,0 +1,56 @@
+"""What an experiment's result was made from, by which a sweep knows what is finished."""
+
+import hashlib
+from pathlib import Path
+from typing import Any
+
+from placecat import items, paths, store
+from placecat.compute.fingerprint import PACKAGES, fingerprint
+from placecat.errors import PlacecatError
+from placecat.experiment import output
+from placecat.experiment.combination import Experiment
+
+_OF_CODE = ("placecat", "Python", *PACKAGES, "OpenCV")
+
+
+def made_from(experiment: Experiment) -> dict[str, Any]:
+    """Describe what a result depends on, in JSON types: a part of result.json.
+
+    Returns
+    -------
+    dict
+        ``settings``; ``plans``, a checksum of who trains and who is tested; ``data``, for each sequence a
+        checksum of its labels and of the descriptor; ``code``, versions of placecat and the libraries.
+    """
+    plans = [plan for of_home in experiment.plans().values() for plan in of_home]
+    sequences = sorted({part.home for plan in plans for part in (*plan.cues, *plan.tested)})
+    versions = fingerprint()
+    return {
+        "settings": experiment.described(),
+        "plans": _short(repr(plans)),
+        "data": {name: _data(name, experiment.settings["descriptor"]) for name in sequences},
+        "code": {name: versions[name] for name in _OF_CODE},
+    }
+
+
+def made_from_of(result: dict[str, Any]) -> dict[str, Any]:
+    """The same as a result has it; of one that failed before it was known, a part."""
+    return {name: result[name] for name in ("settings", "plans", "data", "code") if name in result}
+
+
+def is_finished(folder: Path, wanted: dict[str, Any]) -> bool:
+    """Whether a job's folder has a result, accuracy or reason, that was made from what is wanted."""
+    try:
+        found = output.read(folder)
+    except PlacecatError:
+        return False
+    return output.FAILED not in found and made_from_of(found) == wanted
+
+
+def _data(sequence: str, descriptor: dict[str, Any]) -> str:
+    read = [paths.sequences(sequence) / "labels.csv", *store.files_of(sequence, descriptor)]
+    return _short("\n".join(items.checksum(path) for path in read))
+
+
+def _short(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
