@@ -25,7 +25,7 @@ ifneq ($(shell $(PYTHON) install.py --moved),)
 .PHONY: $(READY) $(READY_TEST) $(READY_BENCH)
 endif
 
-.PHONY: repro test test-quick campaign choose bench bench-scale lint ui lock clean
+.PHONY: repro test test-quick campaign choose bench bench-scale docs lint ui lock clean
 
 repro: $(READY)
 	$(BIN)/placecat repro $(SET)
@@ -54,9 +54,15 @@ campaign: $(READY_TEST)
 choose: $(READY)
 	$(BIN)/python -m placecat.choice $(KIND)
 
+# Fills the numbers of README.md and docs/ from the result files, and builds both into site/.
+docs: $(READY_TEST)
+	$(BIN)/python docs/fill.py
+	$(BIN)/sphinx-build -q -W --keep-going -c docs -d site/.doctrees . site
+	@echo "Open site/index.html."
+
 lint: $(READY_TEST)
-	$(BIN)/ruff format --check src tests
-	$(BIN)/ruff check src tests
+	$(BIN)/ruff format --check src tests docs/*.py
+	$(BIN)/ruff check src tests docs/*.py
 	$(BIN)/mypy
 
 # All locks hold the same version of a package, so that they go together in any order.
@@ -72,7 +78,7 @@ ui: $(READY)
 
 # Needs uv; run after changing the dependencies in pyproject.toml.
 COMPILE := uv pip compile pyproject.toml --universal --python-version 3.11 --generate-hashes --no-header --upgrade
-TESTED := --extra build --extra cluster --extra dask --extra render --extra search --extra test
+TESTED := --extra build --extra cluster --extra dask --extra docs --extra render --extra search --extra test
 lock:
 	$(COMPILE) $(TESTED) -o requirements-test.lock
 	$(COMPILE) --extra build -c requirements-test.lock -o requirements.lock

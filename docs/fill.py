@@ -1,8 +1,8 @@
 """Fill the numbers of README.md and docs/ from result files: ``python docs/fill.py``.
 
-A number is followed or surrounded by what it is computed from, in an HTML comment, which no reader sees:
+An HTML comment, which no reader sees, says what a number or a table is computed from:
 
-- ``<!-- = EXPRESSION -->12.3<!-- -->`` holds a number, rounded as it stands;
+- ``12.3<!-- = EXPRESSION -->`` is a number, rounded as it stands;
 - ``<!-- block: EXPRESSION -->``, lines, ``<!-- end -->`` hold a table.
 
 An expression calls the functions below. Every path is relative to the project's folder.
@@ -27,7 +27,7 @@ REAL = "docs/real_homes"
 ALL = "5-5-1, all cues"
 BEST = "5-5-1, HOG+SIFT+Centrist+Gist+holistic Centrist"
 
-_NUMBER = re.compile(r"<!-- = (.+?) -->(-?[\d,]+(?:\.(\d+))?)<!-- -->", re.DOTALL)
+_NUMBER = re.compile(r"(-?\d[\d,]*(?:\.(\d+))?)<!-- = (.+?) -->")
 _BLOCK = re.compile(r"<!-- block: (.+?) -->\n(.*?)<!-- end -->", re.DOTALL)
 
 
@@ -35,8 +35,8 @@ def fill(text: str) -> str:
     """Put what the files hold in place of every number and table that names its source."""
 
     def number(match: re.Match[str]) -> str:
-        value, decimals = _value(match[1]), len(match[3] or "")
-        return f"<!-- = {match[1]} -->{value:,.{decimals}f}<!-- -->"
+        value, decimals = _value(match[3]), len(match[2] or "")
+        return f"{value:,.{decimals}f}<!-- = {match[3]} -->"
 
     def block(match: re.Match[str]) -> str:
         return f"<!-- block: {match[1]} -->\n{_value(match[1])}\n<!-- end -->"

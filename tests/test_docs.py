@@ -4,6 +4,7 @@ import importlib.util
 import re
 import shlex
 import subprocess
+import sys
 import tomllib
 from functools import cache
 
@@ -12,6 +13,7 @@ import pytest
 import yaml
 from omegaconf import OmegaConf
 
+import placecat
 from placecat import settings
 from placecat.__main__ import _parser
 from placecat.experiment import options, sweep
@@ -28,6 +30,8 @@ ELSEWHERE = {
     "dask": "starts a server of Dask, and reads only the name of the command",
     "git": "changes a repository; its words are git's own",
     "unzip": "reads a trained model, which `make repro` leaves",
+    "pre-commit": "is installed by those who want it",
+    "ruff": "is run by `make lint`",
     ".": "activates .venv",
 }
 ADDED = ("SET=dataset=rooms", "classifier=rvm", "classifier=nearest_mean")
@@ -239,10 +243,20 @@ def test_no_number_of_a_result_is_without_its_file(page):
 
 
 def test_a_number_that_a_file_does_not_have_is_filled():
-    text = '<!-- = table("table_26", ALL, "HMM") -->1.00<!-- --> and <!-- = verdicts("holds") -->99<!-- -->'
+    text = '1.00<!-- = table("table_26", ALL, "HMM") --> and 99<!-- = verdicts("holds") -->'
     first, second = fill._NUMBER.findall(fill.fill(text))
-    assert first[1] == f"{fill.table('table_26', fill.ALL, 'HMM'):.2f}" != "1.00"
-    assert second[1] != "99"
+    assert first[0] == f"{fill.table('table_26', fill.ALL, 'HMM'):.2f}" != "1.00"
+    assert second[0] != "99"
+
+
+def test_the_readme_is_short():
+    assert len(PAGES["README.md"].splitlines()) <= 160
+
+
+def test_there_is_one_version():
+    assert "version" in tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["dynamic"]
+    assert yaml.safe_load((ROOT / "CITATION.cff").read_text())["version"] == placecat.__version__
+    assert f"\n## {placecat.__version__} " in (ROOT / "CHANGELOG.md").read_text()
 
 
 def anchors(text):
@@ -260,3 +274,25 @@ def test_links_lead_somewhere(page):
         assert target.exists(), link
         if anchor:
             assert anchor in anchors(target.read_text(encoding="utf-8")), link
+
+
+@pytest.mark.slow
+def test_the_site_is_built_without_a_warning_and_loads_nothing(tmp_path):
+    pytest.importorskip("sphinx")
+    build = (
+        "sphinx",
+        "-q",
+        "-W",
+        "--keep-going",
+        "-c",
+        "docs",
+        "-d",
+        tmp_path / "doctrees",
+        ".",
+        tmp_path / "site",
+    )
+    subprocess.run([sys.executable, "-m", *build], cwd=ROOT, check=True)
+    pages = list((tmp_path / "site").rglob("*.html"))
+    assert {page.stem for page in pages} >= {"index", "method", "security", "CONTRIBUTING"}
+    for page in pages:
+        assert re.findall(r"<(?:script|img|link)[^>]*(?:src|href)=\"https?:", page.read_text()) == []
