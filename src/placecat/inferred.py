@@ -1,4 +1,4 @@
-"""What no file of conf/ says by itself but others do, so that a cue is one module and one file of conf/."""
+"""Settings inferred from other settings, so that a cue is one module and one file of conf/."""
 
 import inspect
 from collections.abc import Iterator

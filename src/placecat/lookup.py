@@ -1,4 +1,4 @@
-"""The one lookup from a name in the settings to code: a module of a package, and what it defines.
+"""From a name in the settings to code: a module of a package, and what it defines.
 
 A name is that of a module, so that a new file is found without a list. Which modules there are, and which
 settings their functions and classes take, is read from their source: to import them takes seconds
@@ -202,7 +202,7 @@ def keys(package: str, name: str, dictionary: str) -> list[str]:
 
 
 def forget() -> None:
-    """Look again where packages are, which is remembered."""
+    """Forget where packages are, so that they are looked for again."""
     _locations.cache_clear()
 
 
@@ -214,7 +214,7 @@ def _locations(package: str) -> list[str]:
 
 
 def _defines(package: str, name: object, definitions: Collection[str]) -> bool:
-    """Whether a package has a module of a name that defines these."""
+    """Whether a package has a module of this name that defines these."""
     file = _file(package, name)
     return file is not None and (
         not definitions or set(definitions) <= set(_parsed(file, file.stat().st_mtime_ns))
@@ -262,7 +262,7 @@ def _literal(package: str, name: str, dictionary: str) -> dict[str, ast.expr]:
 
 
 def _resolve(full_name: str, name: str) -> _Definition | None:
-    """A definition where it stands; None for what this package does not define."""
+    """A definition and where it is; None for what this package does not define."""
     node = _statements(full_name).get(name)
     if isinstance(node, ast.FunctionDef | ast.ClassDef):
         return _Definition(full_name, node)

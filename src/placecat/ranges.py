@@ -1,4 +1,4 @@
-"""Types of settings with their ranges, which annotate them where they are taken.
+"""Types of settings with their ranges, for annotations.
 
 :mod:`placecat.schema` checks those of a section, :mod:`placecat.signatures` those of a function or an
 estimator, whose annotations it reads. NaN and infinity are in no range.

@@ -1,4 +1,4 @@
-"""Reading params.yaml, and refusing settings that nothing would use."""
+"""Read params.yaml; look settings up; refuse unknown ones."""
 
 import inspect
 from collections.abc import Callable, Mapping
@@ -20,7 +20,7 @@ def load(path: Path = paths.PARAMS) -> dict[str, Any]:
 
 
 def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]:
-    """Read a YAML file that has named values.
+    """Read a YAML file that holds a mapping.
 
     Raises
     ------

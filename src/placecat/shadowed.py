@@ -1,4 +1,4 @@
-"""Packages that PYTHONPATH puts before those that are installed: other versions give other numbers."""
+"""Refuse packages from PYTHONPATH that hide installed ones, since other versions give other numbers."""
 
 import importlib.machinery
 import os
@@ -11,7 +11,7 @@ PACKAGES = ("cv2", "numpy", "scipy", "sklearn", "pandas", "joblib", "matplotlib"
 
 
 def check() -> None:
-    """Refuse another package in a folder of PYTHONPATH than the one that this Python has.
+    """Refuse a package in a folder of PYTHONPATH that hides an installed one.
 
     Raises
     ------

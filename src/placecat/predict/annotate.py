@@ -1,4 +1,4 @@
-"""A frame with what the system makes of it: salient regions in it, places and probabilities beside it."""
+"""Draw a frame with its salient regions, and beside it the places and their probabilities."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""Footage through a system, into a folder of results."""
+"""Categorize footage and write a folder of results."""
 
 import time
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""The prediction as CSV."""
+"""A prediction as CSV."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ SEGMENTS = "segments.csv"
 
 
 def write_frames(path: Path, prediction: Prediction) -> None:
-    """Write a row a frame: the decision and its confidence, all probabilities, those of the frame alone.
+    """Write one row per frame: the decision and its confidence, all probabilities, those of the frame alone.
 
     Probabilities have as many digits as it takes to read back the same number, to the bit.
     """
@@ -32,7 +32,7 @@ def write_frames(path: Path, prediction: Prediction) -> None:
 
 
 def write_segments(path: Path, prediction: Prediction) -> None:
-    """Write a row a stretch of one place, as a label file of the project: correct it, and it is one."""
+    """Write one row per stretch of one place, in the format of a label file."""
     rows = [(part.start, part.end, part.label) for part in prediction.segments()]
     _write(path, pd.DataFrame(rows, columns=FRAME_HEADER))
 

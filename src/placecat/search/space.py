@@ -1,4 +1,4 @@
-"""What a search may choose, read from Hydra's overrides, and where it starts."""
+"""The space of a search, read from Hydra's overrides, and its starts."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -52,7 +52,7 @@ class Space:
         return min(max(float(f"{value:.{self.digits}g}"), own.low), own.high)
 
     def ends(self) -> list[tuple[str, ...]]:
-        """Overrides that bring each setting to each of its ends, the others as in the first start."""
+        """Overrides with each setting at each of its ends, and the others as in the first start."""
         first = next(iter(self.starts.values()))
         found = [first]
         for key, own in self.distributions.items():
