@@ -134,7 +134,7 @@ def _entry(default: Any, folder: str, package: str) -> _Entry:
     elif isinstance(default, dict) and len(default) == 1 and all(isinstance(key, str) for key in default):
         ((path, file),) = default.items()
         group, at, own = path.removeprefix(_OVERRIDE).partition("@")
-        # An empty list is no file.
+        # An empty list is not a file.
         file = file or ""
     else:
         raise Unusual(str(default))

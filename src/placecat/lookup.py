@@ -40,12 +40,12 @@ def names(package: str, *defining: str) -> list[str]:
     package
         Full name, e.g. ``placecat.learning``.
     *defining
-        Names that a module must define, e.g. ``describe``; those without one are no part of the list.
+        Names that a module must define, e.g. ``describe``; those without one are not in the list.
 
     Raises
     ------
     PlacecatError
-        A module whose source is no Python.
+        A module whose source is not Python.
     """
     found = sorted(module.name for module in pkgutil.iter_modules(_locations(package)))
     return [name for name in found if _defines(package, name, defining)]
@@ -127,7 +127,8 @@ def estimator(package: str, name: object, what: str) -> str:
     ]
     if len(public) != 1:
         raise PlacecatError(
-            f"{what} {name!r} is no estimator: {full} must define one class of scikit-learn's BaseEstimator"
+            f"{what} {name!r} is not an estimator: {full} must define one class "
+            "of scikit-learn's BaseEstimator"
         )
     return public[0]
 
@@ -241,7 +242,7 @@ def _parsed(file: Path, changed: int) -> dict[str, ast.stmt]:
     try:
         tree = ast.parse(file.read_bytes())
     except SyntaxError as error:
-        raise PlacecatError(f"{file}, line {error.lineno}, is no Python: {error.msg}") from None
+        raise PlacecatError(f"{file}, line {error.lineno}, is not Python: {error.msg}") from None
     found: dict[str, ast.stmt] = {}
     for node in tree.body:
         if isinstance(node, ast.FunctionDef | ast.ClassDef):

@@ -32,7 +32,7 @@ def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]
     except FileNotFoundError:
         raise PlacecatError(f"{path} is missing: {remedy}") from None
     except (yaml.YAMLError, UnicodeDecodeError) as error:
-        raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None
+        raise PlacecatError(f"{path} is not valid YAML: {' '.join(str(error).split())}") from None
     if not isinstance(content, dict):
         raise PlacecatError(f"{path} is empty: {remedy}")
     return content

@@ -26,7 +26,7 @@ def check() -> None:
     find = importlib.machinery.PathFinder.find_spec
     for name in PACKAGES:
         other = find(name, folders)
-        # A folder without code of its own is no package.
+        # A folder without code of its own is not a package.
         if other is not None and other.origin is not None and find(name, installed) is not None:
             raise PlacecatError(
                 f"PYTHONPATH gives another {name} than the installed one, {other.origin}: unset PYTHONPATH"

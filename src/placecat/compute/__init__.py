@@ -86,8 +86,8 @@ def wanted_workers() -> int | None:
         return None
     if not (value.isascii() and value.isdigit() and 1 <= int(value[:9]) <= _MOST_WORKERS and len(value) < 9):
         raise PlacecatError(
-            f"PLACECAT_WORKERS={value} is no number of processes: give 1 to {_MOST_WORKERS}, or unset it for "
-            "as many as there are cores"
+            f"PLACECAT_WORKERS={value} is not a number of processes: give 1 to {_MOST_WORKERS}, or unset it "
+            "for as many as there are cores"
         )
     return int(value)
 

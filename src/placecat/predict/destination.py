@@ -78,7 +78,7 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
     read
         Files and folders that are read: they may not be in there.
     force
-        Replace a prediction of another source or one that was edited. What is no prediction is never
+        Replace a prediction of another source or one that was edited. What is not a prediction is never
         replaced.
 
     Raises

@@ -20,7 +20,7 @@ def write_frames(path: Path, prediction: Prediction) -> None:
     columns = {
         "frame": prediction.numbers,
         "seconds": [f"{seconds:.3f}" for seconds in prediction.seconds],
-        # As objects: names that are no UTF-8 are no text to pandas.
+        # As objects: names that are not UTF-8 are not text to pandas.
         **({"file": pd.Series(prediction.names, dtype=object)} if prediction.names else {}),
         "place": [classes[place] for place in prediction.decision],
         "confidence": prediction.confidence,
@@ -38,5 +38,5 @@ def write_segments(path: Path, prediction: Prediction) -> None:
 
 
 def _write(path: Path, table: pd.DataFrame) -> None:
-    # File names may be in any coding: what is no UTF-8 is shown as \xNN.
+    # File names may be in any coding: what is not UTF-8 is shown as \xNN.
     table.to_csv(path, index=False, lineterminator="\n", errors="backslashreplace")

@@ -14,7 +14,7 @@ from placecat.search import starts
 if TYPE_CHECKING:
     from optuna.distributions import BaseDistribution
 
-# What describes the method. Data, homes, seeds and judge are how it is measured: choosing these is no search.
+# What describes the method. Data, homes, seeds and judge say how it is measured: they are not searched.
 _OF_THE_METHOD = ("descriptor", "classifier", "codebook", "clustering")
 
 
@@ -141,7 +141,7 @@ def _distribution(
         try:
             distribution = kind(ends[0], ends[-1], log="log" in span.tags, **options)
         except (ValueError, IndexError) as error:
-            raise PlacecatError(f"{override.input_line} is no span: {error}") from None
+            raise PlacecatError(f"{override.input_line} is not a span: {error}") from None
     else:
         texts = list(dict.fromkeys(override.sweep_string_iterator()))
         meaning = [parser.parse_override(f"{key}={text}").value() for text in texts]

@@ -1,4 +1,4 @@
-"""What a bar chart of a table shows: a bar a result, its single homes as points."""
+"""Data of a table's bar chart: one bar per result, its homes as points."""
 
 from dataclasses import dataclass
 
