@@ -60,7 +60,7 @@ def draw(name: str, run: Run) -> Figure:
 
 
 def render(name: str, run: Run, target: Path) -> None:
-    """Draw one figure (see `draw`) in the common style and write it as PNG; after an error nothing is written."""
+    """Draw one figure (see `draw`) in the common style and write it as PNG, or nothing after an error."""
     with house_style():
         save(draw(name, run), target)
 
