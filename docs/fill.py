@@ -158,6 +158,14 @@ def benchmarks() -> str:
     return _markdown(["piece", "input", "beside", "asked", "measured"], rows, 5)
 
 
+def robustness() -> str:
+    """Count what became of damaged inputs and disturbed runs."""
+    counts = _read("reports/robustness.csv")
+    columns = ["part", "tried", "right", "message", "traceback", "wrong"]
+    rows = ([str(cell).replace("_", " ") for cell in row] for row in counts[columns].itertuples(index=False))
+    return _markdown(columns, rows)
+
+
 def scale(quantity: str) -> float:
     """A quantity of the largest size of `make bench-scale`."""
     return pd.read_json(ROOT / "reports/scale.json", typ="series")["largest"][quantity]
