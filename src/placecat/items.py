@@ -28,7 +28,7 @@ Work = tuple[Sequence[tuple[Any, ...]], Callable[[Path, list[Any]], None]]
 
 @dataclass(frozen=True)
 class Inputs:
-    """What an item is made from.
+    """Inputs of an item.
 
     Attributes
     ----------

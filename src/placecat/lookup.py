@@ -231,7 +231,7 @@ def _file(package: str, name: object) -> Path | None:
 
 
 def _statements(full_name: str) -> dict[str, ast.stmt]:
-    """What a module defines or imports at its top, by name."""
+    """Top-level definitions and imports of a module, by name."""
     package, _, name = full_name.rpartition(".")
     file = _file(package, name)
     return _parsed(file, file.stat().st_mtime_ns) if file is not None else {}
@@ -325,7 +325,7 @@ def _settings(found: _Definition) -> Iterator[tuple[ast.arg, bool]]:
 
 
 class _Names(dict[str, Any]):
-    """What the names in an annotation mean: types, ranges, and constants of modules of this package."""
+    """Meanings of names in annotations: types, ranges, and constants of modules of this package."""
 
     def __init__(self, module: str) -> None:
         super().__init__(vars(typing) | vars(abc) | vars(builtins) | vars(annotated_types) | vars(ranges))

@@ -136,7 +136,7 @@ def _check_figures(figures: Mapping[str, Any]) -> None:
 
 
 class _Setting(NamedTuple):
-    """What is known of a setting: whether it must be given, and what checks its values."""
+    """A setting: whether it must be given, and what checks its values."""
 
     is_needed: bool
     values: TypeAdapter[Any]

@@ -162,7 +162,7 @@ _TASKS = {"cues": _cue_tasks, "systems": _system_tasks, "smoothing": _smoothing_
 
 
 def text(chosen: pd.DataFrame) -> str:
-    """What is chosen, for people: the three best candidates of each cue and system, the chosen one first."""
+    """Write the choice for people: the three best candidates of each cue and system, the chosen one first."""
     lines = []
     for (kind, name), part in chosen.groupby(["kind", "name"], sort=False):
         ordered = part.sort_values(["chosen", "accuracy"], ascending=False)

@@ -54,7 +54,7 @@ class Speed:
 
 @dataclass(frozen=True)
 class Wish:
-    """What the user asked for.
+    """Wishes of the user.
 
     Attributes
     ----------

@@ -20,7 +20,7 @@ _OF_THE_METHOD = ("descriptor", "classifier", "codebook", "clustering")
 
 @dataclass(frozen=True)
 class Space:
-    """What a search may choose.
+    """The space of a search.
 
     Attributes
     ----------
@@ -124,7 +124,7 @@ def read(
 def _distribution(
     override: Override, found: Mapping[str, Any], parser: OverridesParser
 ) -> "tuple[BaseDistribution, dict[str, Any]]":
-    """What may be chosen of a setting, and the starts' values of it as Optuna knows them."""
+    """The distribution of a setting, and the starts' values of it, as Optuna knows them."""
     from optuna.distributions import CategoricalDistribution, FloatDistribution, IntDistribution
     from optuna.trial import create_trial
 
