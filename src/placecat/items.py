@@ -1,4 +1,4 @@
-"""Items of a stage's output. An item is made again only if its inputs have changed.
+"""Items of a stage's output: each is made again only if what it was made from has changed.
 
 A stage that loops over cues, systems or homes keeps a manifest in each item: checksums of what it was made
 from and of its files. It holds no times and no paths of the machine, so that equal items are equal files.
@@ -28,7 +28,7 @@ Work = tuple[Sequence[tuple[Any, ...]], Callable[[Path, list[Any]], None]]
 
 @dataclass(frozen=True)
 class Inputs:
-    """Inputs of an item.
+    """What an item is made from.
 
     Attributes
     ----------
@@ -45,7 +45,7 @@ class Inputs:
 def refresh(
     stage: str, folder: Path, wanted: Mapping[str, Inputs], make: Callable[[str, Path], None]
 ) -> None:
-    """Make the items that are missing, damaged or out of date; remove those that are not wanted.
+    """Make the items that are missing, damaged or made from something else; remove those that nobody wants.
 
     Each is written under a temporary name and renamed, so that a stage that was killed goes on where it was.
 
@@ -72,7 +72,7 @@ def refresh_together(
     function: Callable[..., Any],
     plan: Callable[[str], Work],
 ) -> None:
-    """Do as :func:`refresh`, with the tasks of all items in one pool: no worker waits for the end of an item.
+    """As :func:`refresh`, with the tasks of all items in one pool, so that no worker waits for an item's end.
 
     Parameters
     ----------
@@ -93,7 +93,7 @@ def refresh_together(
 
 
 def _outdated(stage: str, folder: Path, wanted: Mapping[str, Inputs]) -> Iterator[tuple[str, str]]:
-    """Items to make, each with the checksum of its inputs; those that are not wanted are removed."""
+    """Items to make, each with the checksum of what it is made from; those that nobody wants are removed."""
     keep_only(folder, wanted)
     code = _code_of(stage)
     for name, inputs in wanted.items():
@@ -113,7 +113,7 @@ def _item(folder: Path, made_from: str) -> Iterator[Path]:
 
 
 def keep_only(folder: Path, names: Collection[str]) -> None:
-    """Remove everything else from a folder, e.g. items of other settings; make a missing folder."""
+    """Remove all else in a folder, such as items of other settings; make the folder if it is not there."""
     folder.mkdir(parents=True, exist_ok=True)
     for path in folder.iterdir():
         if path.name not in names:
@@ -136,7 +136,7 @@ def _manifest(folder: Path) -> dict[str, Any] | None:
 
 
 def _checksum(path: Path) -> str:
-    """Checksum of a file or of all files in a folder; files that a manifest lists are not read again."""
+    """Of a file or of all files in a folder; what an item's manifest tells is not read again."""
     for folder in (path, *path.parents):
         manifest = _manifest(folder)
         if manifest is not None:
@@ -151,7 +151,7 @@ def _checksum(path: Path) -> str:
 
 
 def _files_in(path: Path) -> dict[str, str]:
-    """Checksums of all files below a path, except manifests and Python's caches."""
+    """Checksums of all files below a path, but for manifests and caches of Python."""
     found: Iterable[Path] = sorted(path.rglob("*")) if path.is_dir() else [path]
     return {
         one.relative_to(path).as_posix(): files.checksum(one)

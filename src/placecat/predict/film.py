@@ -1,4 +1,4 @@
-"""Write pictures as a video."""
+"""Pictures into a video."""
 
 from pathlib import Path
 
@@ -69,7 +69,7 @@ class Film:
             )
 
     def _is_whole(self) -> bool:
-        """Whether the last picture can be read: OpenCV does not say if writing failed."""
+        """Whether the last picture is there: OpenCV does not say that writing failed."""
         film = cv2.VideoCapture(str(self._path), cv2.CAP_FFMPEG)
         try:
             film.set(cv2.CAP_PROP_POS_FRAMES, self._count - 1)

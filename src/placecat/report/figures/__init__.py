@@ -33,7 +33,7 @@ def number(name: str) -> int | None:
 
 
 def caption(name: str) -> str:
-    """Caption of a figure."""
+    """What stands below a figure."""
     return _all()[name][0]
 
 
@@ -60,7 +60,7 @@ def draw(name: str, run: Run) -> Figure:
 
 
 def render(name: str, run: Run, target: Path) -> None:
-    """Draw one figure (see `draw`) in the common style and write it as PNG, or nothing after an error."""
+    """Draw one figure (see `draw`) in the house's style and write it as PNG; an error writes nothing."""
     with house_style():
         save(draw(name, run), target)
 
