@@ -54,8 +54,7 @@ campaign: $(READY_TEST)
 choose: $(READY)
 	$(BIN)/python -m placecat.choice $(KIND)
 
-# Fills the numbers of README.md and docs/ from the result files, and builds both into site/.
-docs: $(READY_TEST)
+docs: $(READY_TEST) ## fill the numbers of README.md and docs/ from the result files, build both into site/
 	$(BIN)/python docs/fill.py
 	$(BIN)/sphinx-build -q -W --keep-going -c docs -d site/.doctrees . site
 	@echo "Open site/index.html."
