@@ -1,6 +1,7 @@
 """README.md and docs/: commands that exist, numbers from result files, links that lead somewhere."""
 
 import importlib.util
+import json
 import re
 import shlex
 import subprocess
@@ -256,6 +257,21 @@ def test_there_is_one_version():
     assert "version" in tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["dynamic"]
     assert yaml.safe_load((ROOT / "CITATION.cff").read_text())["version"] == placecat.__version__
     assert f"\n## {placecat.__version__} " in (ROOT / "CHANGELOG.md").read_text()
+
+
+def test_the_public_checks_run_every_python_that_the_project_takes():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    versions = re.findall(r"Python :: (3\.\d+)", " ".join(project["classifiers"]))
+    job = yaml.safe_load((ROOT / ".github/workflows/ci.yml").read_text())["jobs"]["test"]
+    assert job["strategy"]["matrix"]["python"] == versions
+    assert {"run": ".ci/run"} in job["steps"]
+    low, high = (int(one) for one in re.findall(r"3\.(\d+)", project["requires-python"]))
+    assert versions == [f"3.{minor}" for minor in range(low, high)]
+
+
+def test_the_devcontainer_runs_a_target_of_make():
+    opened = json.loads((ROOT / ".devcontainer/devcontainer.json").read_text())
+    assert opened["postCreateCommand"].startswith("make ")
 
 
 def anchors(text):
