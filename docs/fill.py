@@ -154,7 +154,12 @@ def benchmarks() -> str:
             unit = "frames/s" if "frames/s" in line.quantity else "s"
             target, measured = f"{target} {unit}", f"{line.ours:.3g} {unit}"
         measured = measured if line.met == "yes" else f"**{measured}**"
-        rows.append([line.piece, line.input, "" if pd.isna(line.peer) else line.peer, target, measured])
+        peer = (
+            ""
+            if pd.isna(line.peer)
+            else re.split(r"[:(]", line.peer)[0].replace("OneVsRestClassifier", "scikit-learn")
+        )
+        rows.append([line.piece, line.input, peer, target, measured])
     return _markdown(["piece", "input", "beside", "asked", "measured"], rows, 5)
 
 
