@@ -24,7 +24,7 @@ ifneq ($(shell $(PYTHON) install.py --moved),)
 .PHONY: $(READY) $(READY_TEST) $(READY_BENCH)
 endif
 
-.PHONY: help demo repro test test-quick campaign choose bench bench-scale lint ui lock clean
+.PHONY: help demo repro test test-quick campaign choose bench bench-scale docs lint ui lock clean
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -58,9 +58,14 @@ campaign: $(READY_TEST) ## damage inputs, kill runs, fill disks for SECONDS, and
 choose: $(READY) ## judge on training homes what the thesis leaves open; needs `make repro`
 	$(BIN)/python -m placecat.choice $(KIND)
 
+docs: $(READY_TEST) ## fill the numbers of README.md and docs/ from the result files, build both into site/
+	$(BIN)/python docs/fill.py
+	$(BIN)/sphinx-build -q -W --keep-going -c docs -d site/.doctrees . site
+	@echo "Open site/index.html."
+
 lint: $(READY_TEST) ## check format, style and types
-	$(BIN)/ruff format --check src tests
-	$(BIN)/ruff check src tests
+	$(BIN)/ruff format --check src tests docs/*.py
+	$(BIN)/ruff check src tests docs/*.py
 	$(BIN)/mypy
 
 # All locks hold the same version of a package, so that they go together in any order.
@@ -75,7 +80,7 @@ ui: $(READY) ## open MLflow on what `make repro` logged
 		$(BIN)/mlflow ui --backend-store-uri sqlite:///mlflow.db --workers 1
 
 COMPILE := uv pip compile pyproject.toml --universal --python-version 3.11 --generate-hashes --no-header --upgrade
-TESTED := --extra build --extra cluster --extra dask --extra render --extra search --extra test
+TESTED := --extra build --extra cluster --extra dask --extra docs --extra render --extra search --extra test
 lock: ## write the lock files; needs uv, after a change of the dependencies in pyproject.toml
 	$(COMPILE) $(TESTED) -o requirements-test.lock
 	$(COMPILE) --extra build -c requirements-test.lock -o requirements.lock

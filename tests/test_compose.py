@@ -104,7 +104,7 @@ def own_conf(tmp_path):
             "{kind: holistic, name: ../gist}",
             r"cue/new\.yaml: holistic descriptor '\.\./gist' does not exist; did you mean 'gist'\?: use",
         ),
-        ("{kind: holistic", r"cue/new\.yaml is no valid YAML"),
+        ("{kind: holistic", r"cue/new\.yaml is not valid YAML"),
     ],
 )
 def test_a_cue_of_a_descriptor_that_is_not_there_is_refused_with_its_file(own_conf, descriptor, message):

@@ -53,7 +53,7 @@ def test_a_module_that_is_no_python_or_lacks_a_package_is_no_traceback(shapes):
     ):
         lookup.module(shapes.name, "lacking", "shape", "describe")
     (shapes / "broken.py").write_text("def describe(:\n")
-    with pytest.raises(PlacecatError, match=r"broken\.py, line 1, is no Python"):
+    with pytest.raises(PlacecatError, match=r"broken\.py, line 1, is not Python"):
         lookup.names(shapes.name, "describe")
 
 

@@ -22,7 +22,7 @@ def test_missing_setting_names_what_there_is():
         settings.get({"a": {"b": 1}}, "a.c")
 
 
-@pytest.mark.parametrize(("text", "message"), [("a: [1", "is no valid YAML"), ("", "is empty")])
+@pytest.mark.parametrize(("text", "message"), [("a: [1", "is not valid YAML"), ("", "is empty")])
 def test_broken_params_give_one_message(tmp_path, text, message):
     (tmp_path / "params.yaml").write_text(text)
     with pytest.raises(PlacecatError, match=message):

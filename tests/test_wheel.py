@@ -20,7 +20,7 @@ def installed(tmp_path_factory):
     source, own = folder / "source", folder / "own"
     # Building writes beside the source.
     shutil.copytree(ROOT / "src", source / "src", ignore=shutil.ignore_patterns("__pycache__", "*.egg-info"))
-    for name in ("pyproject.toml", "README.md"):
+    for name in ("pyproject.toml", "README.md", "LICENSE"):
         shutil.copy(ROOT / name, source)
     pip = (sys.executable, "-m", "pip", "--disable-pip-version-check")
     run(folder, *pip, "wheel", "-q", "--no-deps", "--no-build-isolation", "-w", ".", "./source")

@@ -1,4 +1,4 @@
-"""All that is checked of the settings, whoever wrote params.yaml."""
+"""Every check of the settings."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -7,7 +7,7 @@ from placecat import references, schema, signatures
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse settings that nothing reads, that are missing, impossible, or name what is not there.
+    """Refuse settings that are unknown, missing, impossible, or name something that does not exist.
 
     Parameters
     ----------

@@ -33,7 +33,7 @@ _COMPOSED = Path("data/params.sha256")
 
 
 def found(conf: Path = paths.CONF) -> str:
-    """List what is used because it is there, as the content of conf/found.yaml.
+    """List the files of conf/ that are used without being named, as the content of conf/found.yaml.
 
     Hydra has no pattern for file names in its defaults, and `dvc exp run` composes from files alone. What a
     cue needs and no file describes (:mod:`placecat.inferred`) comes after the files.
@@ -113,7 +113,7 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
 
 
 def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any]) -> "DictConfig":
-    """Hydra's way: apply overrides to what is merged already, or to a folder that has config.yaml."""
+    """Apply overrides with Hydra, to merged settings or to a folder with config.yaml."""
     from hydra import compose as hydra_compose
     from hydra import initialize, initialize_config_dir
     from hydra.core.config_store import ConfigStore
@@ -140,7 +140,7 @@ def _refusal(error: Exception) -> PlacecatError:
 
 @lock.alone()
 def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> None:
-    """List what is there in conf/found.yaml, compose the settings and write them to params.yaml.
+    """Write conf/found.yaml, compose the settings and write them to params.yaml.
 
     Nothing is composed where it was from the same files and overrides before.
 
@@ -170,7 +170,7 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
 
 
 def _digest(overrides: Sequence[str], target: Path) -> str:
-    """Of all that params.yaml is composed of and checked against, and of itself."""
+    """Checksum of params.yaml, of all that it is composed of, and of what checks it."""
     content = hashlib.sha256(repr(list(overrides)).encode())
     read = [*paths.CONF.rglob("*.yaml"), *paths.TABLE_DEFINITIONS.rglob("*.yaml")]
     for path in [*sorted(read), target]:

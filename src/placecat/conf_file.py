@@ -1,4 +1,4 @@
-"""Settings of a command that are a file of conf/ by themselves, no part of params.yaml."""
+"""Settings of a command in a file of conf/ of their own, outside params.yaml."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -8,7 +8,7 @@ from placecat import settings
 
 
 def read(path: Path, names: Sequence[str]) -> dict[str, Any]:
-    """Read a file that has the settings named, and no others.
+    """Read a file that must have exactly these settings.
 
     Raises
     ------

@@ -20,7 +20,7 @@ if yaml.__with_libyaml__:
 
 
 class Unusual(Exception):
-    """What only Hydra composes, or refuses."""
+    """Something that is left to Hydra to compose or refuse."""
 
 
 class _Entry(NamedTuple):
@@ -77,9 +77,9 @@ class _Tree:
     parts
         Package (a dotted name, empty for the whole) and content of each file.
     choices
-        Those that were made, outside or by an ``override`` in a defaults list.
+        Choices made, outside or by an ``override`` in a defaults list.
     seen
-        Names of all that there are.
+        Names of all choices.
     """
 
     def __init__(self, conf: Path, choices: dict[str, str]) -> None:
@@ -134,7 +134,7 @@ def _entry(default: Any, folder: str, package: str) -> _Entry:
     elif isinstance(default, dict) and len(default) == 1 and all(isinstance(key, str) for key in default):
         ((path, file),) = default.items()
         group, at, own = path.removeprefix(_OVERRIDE).partition("@")
-        # An empty list is no file.
+        # An empty list is not a file.
         file = file or ""
     else:
         raise Unusual(str(default))

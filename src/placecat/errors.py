@@ -1,4 +1,4 @@
-"""The one exception that means: the user can mend this."""
+"""Errors that the user can mend, and how a program ends on them."""
 
 import difflib
 import errno
@@ -21,7 +21,7 @@ class PlacecatError(ValueError):
 
 
 class NotComputable(PlacecatError):
-    """These data cannot give this number, whatever the settings: a table says so in its place."""
+    """A number that these data cannot give, whatever the settings; a table says so in its place."""
 
 
 class SettingError(PlacecatError):
@@ -70,7 +70,7 @@ def exiting() -> Iterator[None]:
 
 
 def printable(text: str) -> str:
-    """Write what a terminal would obey, or could not show, as Python writes it, e.g. ``\\x1b``; lines stay.
+    """Escape what a terminal would obey or could not show, e.g. as ``\\x1b``; line ends stay.
 
     Titles, labels and names of files may hold such characters, and a message names them.
     """
@@ -111,7 +111,7 @@ def is_refusal(error: OSError) -> bool:
 
 
 def refusal(error: OSError, path: object = None) -> str:
-    """Say what the system refused, of which file (by default the one the error names), and what to do."""
+    """Say what the system refused, for which file (by default that of the error), and what to do."""
     name = error.filename if path is None else path
     where = "" if name is None else f"{os.fsdecode(name) if isinstance(name, bytes) else name}: "
     number = error.errno or errno.ENOSPC
@@ -119,6 +119,6 @@ def refusal(error: OSError, path: object = None) -> str:
 
 
 def did_you_mean(name: object, valid: Iterable[str], before: str = "; ") -> str:
-    """Ask whether the nearest of the valid names was meant, after `before`; empty if none is near."""
+    """Suggest the nearest valid name, after `before`; empty if none is near."""
     nearest = difflib.get_close_matches(str(name), list(valid), n=1)
     return f"{before}did you mean {nearest[0]!r}?" if nearest else ""

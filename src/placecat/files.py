@@ -1,6 +1,6 @@
 """Writing results: under a temporary name first, then renamed, with the same bytes for the same content.
 
-NumPy and pandas are imported where they are needed, since commands that write settings only are to be quick.
+NumPy and pandas are imported where they are needed: commands that only write settings have to be quick.
 """
 
 import hashlib
@@ -56,7 +56,7 @@ def replacing(target: Path) -> Iterator[Path]:
 
 
 def check_target(target: Path) -> None:
-    """Refuse a path that may not be replaced, whatever it is.
+    """Refuse a path that must never be replaced.
 
     Raises
     ------

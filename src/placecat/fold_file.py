@@ -1,6 +1,6 @@
-"""What a cue or a system left of one test home and seed: named arrays in one file, and facts beside it.
+"""Results of a cue or a system for one test home and seed: named arrays in one file, facts beside it.
 
-One file, since DVC takes about a millisecond for every folder that it looks through.
+It is one file, since DVC takes about a millisecond for each folder.
 """
 
 from collections.abc import Mapping
@@ -19,19 +19,19 @@ def path_of(folder: Path, home: str, seed: str) -> Path:
 
 
 def seeded(folder: Path, home: str, seed: int | None) -> Path:
-    """The file of one seed; a result that nothing random has a part in serves every seed."""
+    """The file of one seed; a result without anything random serves every seed."""
     fixed = path_of(folder, home, paths.NO_SEED)
     return fixed if fixed.exists() else path_of(folder, home, paths.seed_name(seed))
 
 
 def seeds_in(folder: Path, home: str) -> list[str]:
-    """Names of the seeds that left something of a test home: ``seed-0``, ``seed-1``, or ``no-seed`` alone."""
+    """Names of the seeds with results for a test home: ``seed-0``, ``seed-1``, or ``no-seed`` alone."""
     parts = [path.stem.rpartition(".") for path in folder.glob("*.npz")]
     return sorted(seed for of, _, seed in parts if of == home)
 
 
 def write(path: Path, arrays: Mapping[str, NDArray[Any]], facts: Mapping[str, Any] | None = None) -> None:
-    """Write the arrays, and facts where there are any."""
+    """Write the arrays, and the facts if there are any."""
     files.write_arrays(path, arrays)
     if facts is not None:
         files.write_json(path.with_suffix(".json"), facts)

@@ -1,4 +1,4 @@
-"""What no file of conf/ says by itself but others do, so that a cue is one module and one file of conf/."""
+"""Settings inferred from other settings, so that a cue is one module and one file of conf/."""
 
 import inspect
 from collections.abc import Iterator
@@ -30,7 +30,7 @@ def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
     Raises
     ------
     PlacecatError
-        A file of a cue or a codebook that is no YAML, that names a descriptor without a module, or one whose
+        A file of a cue or a codebook that is not YAML, that names a descriptor without a module, or one whose
         module cannot be imported or has a setting without a default.
     """
     found: dict[str, dict[str, dict[str, Any]]] = {}
@@ -70,7 +70,7 @@ def codebooks(conf: Path) -> dict[str, dict[str, Any]]:
     Raises
     ------
     PlacecatError
-        A file of a cue that is no YAML.
+        A file of a cue that is not YAML.
     """
     found = {}
     for path, cue in _files(conf, "cue"):
@@ -101,7 +101,7 @@ def optional_descriptors(conf: Path) -> dict[str, list[str]]:
     Raises
     ------
     PlacecatError
-        A file that is no YAML.
+        A file that is not YAML.
     """
     found: dict[str, list[str]] = {}
     for _, content in _read(conf, "optional"):
@@ -124,6 +124,6 @@ def _read(conf: Path, folder: str) -> Iterator[tuple[Path, dict[str, Any]]]:
         try:
             content = yaml.load(path.read_text(encoding="utf-8"), Loader=settings.Loader)
         except yaml.YAMLError as error:
-            raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None
+            raise PlacecatError(f"{path} is not valid YAML: {' '.join(str(error).split())}") from None
         if isinstance(content, dict):
             yield path, content

@@ -1,4 +1,4 @@
-"""The frames and labels of a home, as the stage `sequences` listed them."""
+"""Frames and labels of a home, as listed by the stage `sequences`."""
 
 import numpy as np
 import pandas as pd
@@ -20,7 +20,7 @@ def read_frames(home: str) -> pd.DataFrame:
 
 
 def sequence_slices(home: str) -> list[slice]:
-    """The stretches of a home's frames that were filmed without a cut, e.g. one a floor."""
+    """Stretches of a home's frames that were filmed without a cut, e.g. one per floor."""
     names = read_frames(home)["sequence"].to_numpy()
     starts = np.flatnonzero(np.r_[True, names[1:] != names[:-1]]) if len(names) else np.array([], int)
     return [

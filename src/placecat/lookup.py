@@ -1,4 +1,4 @@
-"""The one lookup from a name in the settings to code: a module of a package, and what it defines.
+"""From a name in the settings to code: a module of a package, and what it defines.
 
 A name is that of a module, so that a new file is found without a list. Which modules there are, and which
 settings their functions and classes take, is read from their source: to import them takes seconds
@@ -40,12 +40,12 @@ def names(package: str, *defining: str) -> list[str]:
     package
         Full name, e.g. ``placecat.learning``.
     *defining
-        Names that a module must define, e.g. ``describe``; those without one are no part of the list.
+        Names that a module must define, e.g. ``describe``; those without one are not in the list.
 
     Raises
     ------
     PlacecatError
-        A module whose source is no Python.
+        A module whose source is not Python.
     """
     found = sorted(module.name for module in pkgutil.iter_modules(_locations(package)))
     return [name for name in found if _defines(package, name, defining)]
@@ -127,7 +127,8 @@ def estimator(package: str, name: object, what: str) -> str:
     ]
     if len(public) != 1:
         raise PlacecatError(
-            f"{what} {name!r} is no estimator: {full} must define one class of scikit-learn's BaseEstimator"
+            f"{what} {name!r} is not an estimator: {full} must define one class "
+            "of scikit-learn's BaseEstimator"
         )
     return public[0]
 
@@ -202,7 +203,7 @@ def keys(package: str, name: str, dictionary: str) -> list[str]:
 
 
 def forget() -> None:
-    """Look again where packages are, which is remembered."""
+    """Forget where packages are, so that they are looked for again."""
     _locations.cache_clear()
 
 
@@ -214,7 +215,7 @@ def _locations(package: str) -> list[str]:
 
 
 def _defines(package: str, name: object, definitions: Collection[str]) -> bool:
-    """Whether a package has a module of a name that defines these."""
+    """Whether a package has a module of this name that defines these."""
     file = _file(package, name)
     return file is not None and (
         not definitions or set(definitions) <= set(_parsed(file, file.stat().st_mtime_ns))
@@ -230,7 +231,7 @@ def _file(package: str, name: object) -> Path | None:
 
 
 def _statements(full_name: str) -> dict[str, ast.stmt]:
-    """What a module defines or imports at its top, by name."""
+    """Top-level definitions and imports of a module, by name."""
     package, _, name = full_name.rpartition(".")
     file = _file(package, name)
     return _parsed(file, file.stat().st_mtime_ns) if file is not None else {}
@@ -241,7 +242,7 @@ def _parsed(file: Path, changed: int) -> dict[str, ast.stmt]:
     try:
         tree = ast.parse(file.read_bytes())
     except SyntaxError as error:
-        raise PlacecatError(f"{file}, line {error.lineno}, is no Python: {error.msg}") from None
+        raise PlacecatError(f"{file}, line {error.lineno}, is not Python: {error.msg}") from None
     found: dict[str, ast.stmt] = {}
     for node in tree.body:
         if isinstance(node, ast.FunctionDef | ast.ClassDef):
@@ -262,7 +263,7 @@ def _literal(package: str, name: str, dictionary: str) -> dict[str, ast.expr]:
 
 
 def _resolve(full_name: str, name: str) -> _Definition | None:
-    """A definition where it stands; None for what this package does not define."""
+    """A definition and where it is; None for what this package does not define."""
     node = _statements(full_name).get(name)
     if isinstance(node, ast.FunctionDef | ast.ClassDef):
         return _Definition(full_name, node)
@@ -324,7 +325,7 @@ def _settings(found: _Definition) -> Iterator[tuple[ast.arg, bool]]:
 
 
 class _Names(dict[str, Any]):
-    """What the names in an annotation mean: types, ranges, and constants of modules of this package."""
+    """Meanings of names in annotations: types, ranges, and constants of modules of this package."""
 
     def __init__(self, module: str) -> None:
         super().__init__(vars(typing) | vars(abc) | vars(builtins) | vars(annotated_types) | vars(ranges))

@@ -1,4 +1,4 @@
-"""Where things are, relative to the folder that holds dvc.yaml; every stage runs there."""
+"""Paths relative to the project's folder, in which every stage runs."""
 
 from pathlib import Path
 
@@ -69,7 +69,7 @@ VARIANT_FRAMES = "frames.npy"
 
 
 def sequences(home: str) -> Path:
-    """Folder of what the stage `sequences` or `site_sequences` listed of a home.
+    """Folder of a home's frames and labels, from the stage `sequences` or `site_sequences`.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def features(home: str) -> Path:
 
 
 def seed_name(seed: int | None) -> str:
-    """In names of what was computed with one seed, or without any: `seed-0`, or `no-seed`."""
+    """Name the seed of a result in file names: `seed-0`, or `no-seed` if nothing is random."""
     return NO_SEED if seed is None else f"seed-{seed}"
 
 

@@ -1,4 +1,4 @@
-"""Types of settings with their ranges, which annotate them where they are taken.
+"""Types of settings with their ranges, for annotations.
 
 :mod:`placecat.schema` checks those of a section, :mod:`placecat.signatures` those of a function or an
 estimator, whose annotations it reads. NaN and infinity are in no range.
@@ -37,7 +37,7 @@ PartShare = Annotated[float, Interval(gt=0, lt=1)]
 
 @dataclass(frozen=True)
 class OneOf:
-    """Of a text: one of the names that a tuple or the keys of a dictionary list."""
+    """A text that must be one of the names in a tuple, or one of the keys of a dictionary."""
 
     names: Collection[str]
 

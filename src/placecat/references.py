@@ -1,4 +1,4 @@
-"""Names in the settings that stand for other settings: each is there, before any stage runs."""
+"""Check that settings which name other settings name existing ones."""
 
 from collections.abc import Collection, Iterator, Mapping
 from typing import Any
@@ -15,7 +15,7 @@ _SECTIONS = (
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse settings that name a cue, codebook, descriptor, scheme, system or split that is not there.
+    """Refuse settings that name a cue, codebook, descriptor, scheme, system or split that does not exist.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Seeds derived from what is computed, never from order or time."""
+"""Seeds derived from what is computed, not from order or time."""
 
 import hashlib
 

@@ -1,4 +1,4 @@
-"""Reading params.yaml, and refusing settings that nothing would use."""
+"""Read params.yaml; look settings up; refuse unknown ones."""
 
 import inspect
 from collections.abc import Callable, Mapping
@@ -20,7 +20,7 @@ def load(path: Path = paths.PARAMS) -> dict[str, Any]:
 
 
 def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]:
-    """Read a YAML file that has named values.
+    """Read a YAML file that holds a mapping.
 
     Raises
     ------
@@ -32,7 +32,7 @@ def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]
     except FileNotFoundError:
         raise PlacecatError(f"{path} is missing: {remedy}") from None
     except (yaml.YAMLError, UnicodeDecodeError) as error:
-        raise PlacecatError(f"{path} is no valid YAML: {' '.join(str(error).split())}") from None
+        raise PlacecatError(f"{path} is not valid YAML: {' '.join(str(error).split())}") from None
     if not isinstance(content, dict):
         raise PlacecatError(f"{path} is empty: {remedy}")
     return content

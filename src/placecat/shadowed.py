@@ -1,4 +1,4 @@
-"""Packages that PYTHONPATH puts before those that are installed: other versions give other numbers."""
+"""Refuse packages from PYTHONPATH that hide installed ones, since other versions give other numbers."""
 
 import importlib.machinery
 import os
@@ -11,7 +11,7 @@ PACKAGES = ("cv2", "numpy", "scipy", "sklearn", "pandas", "joblib", "matplotlib"
 
 
 def check() -> None:
-    """Refuse another package in a folder of PYTHONPATH than the one that this Python has.
+    """Refuse a package in a folder of PYTHONPATH that hides an installed one.
 
     Raises
     ------
@@ -26,7 +26,7 @@ def check() -> None:
     find = importlib.machinery.PathFinder.find_spec
     for name in PACKAGES:
         other = find(name, folders)
-        # A folder without code of its own is no package.
+        # A folder without code of its own is not a package.
         if other is not None and other.origin is not None and find(name, installed) is not None:
             raise PlacecatError(
                 f"PYTHONPATH gives another {name} than the installed one, {other.origin}: unset PYTHONPATH"

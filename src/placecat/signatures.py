@@ -1,4 +1,4 @@
-"""Names in the settings that stand for code: each is there, and takes what is set beside it.
+"""Check that settings which name code name existing code, which takes the settings beside it.
 
 Checked when settings are composed, before any stage runs, without importing the code.
 """
@@ -22,7 +22,7 @@ GIVEN = frozenset({"base", "codebook", "n_clusters", "n_values", "n_jobs", "seed
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse what names no code, settings that the named code does not take or lacks, and impossible values.
+    """Refuse names without code, settings that are unknown or missing, and impossible values.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ def _check_figures(figures: Mapping[str, Any]) -> None:
 
 
 class _Setting(NamedTuple):
-    """What is known of a setting: whether it must be given, and what checks its values."""
+    """A setting: whether it must be given, and what checks its values."""
 
     is_needed: bool
     values: TypeAdapter[Any]
@@ -159,7 +159,7 @@ def _optional(package: str, name: str, definition: str) -> dict[str, _Setting]:
 
 @lru_cache
 def _of_regions() -> dict[str, _Setting]:
-    """Those of salient regions, of which a variant has some."""
+    """Settings of salient regions, some of which a variant has."""
     kinds = get_type_hints(Regions, include_extras=True)
     return {name: _Setting(False, schema.of_type(kinds[name])) for name in Regions.model_fields}
 

@@ -1,6 +1,6 @@
-"""How long stages took: measured by each stage, gathered by `placecat repro`, kept in git if asked to.
+"""Times of the stages: measured by each stage, gathered by `placecat repro`, kept in git on request.
 
-Nothing here is an output or a dependency of a stage that computes, so that no result depends on it.
+They are neither outputs nor dependencies of a stage that computes, so that no result depends on them.
 """
 
 import os
@@ -19,7 +19,7 @@ COLUMNS = ["stage", "runs", "seconds"]
 
 
 def new_call() -> str:
-    """A name that no other call has."""
+    """Make a name for this call that no other call has."""
     return uuid.uuid4().hex
 
 

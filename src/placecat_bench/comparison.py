@@ -1,4 +1,4 @@
-"""What a benchmark compares: ours with a peer, or a number with a limit."""
+"""Comparisons of a benchmark: ours with a peer, or a number with a limit."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -9,7 +9,7 @@ LEAST_REPEATS = 5
 
 @dataclass(frozen=True)
 class Peer:
-    """What a user would pick instead.
+    """An alternative that a user could pick instead.
 
     Attributes
     ----------
@@ -76,7 +76,7 @@ class Comparison:
         return f"at most {self.at_most:g}x its time"
 
     def ratio(self, ours: float, theirs: float) -> float:
-        """What the target is about, of two times in seconds."""
+        """Ratio of two times in seconds that the target is about."""
         return theirs / ours if self.faster is not None else ours / theirs
 
     def is_met(self, ratio: float) -> bool:

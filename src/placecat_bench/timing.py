@@ -59,7 +59,7 @@ class Latest:
         self._results[name] = self._calls[name]()
 
     def result(self, name: str) -> Any:
-        """What the last call gave; it is made if there was none."""
+        """Result of the last call, which is made if there was none."""
         if name not in self._results:
             self.call(name)
         return self._results[name]

@@ -73,7 +73,7 @@ def test_without_dask_the_extra_is_named(params, monkeypatch):
 @pytest.mark.parametrize("value", ["0", "-1", "abc", "1.5", "2000", "9" * 5000, "\u0662"])
 def test_a_number_of_processes_that_is_none_is_refused(monkeypatch, value):
     monkeypatch.setenv("PLACECAT_WORKERS", value)
-    with pytest.raises(PlacecatError, match=r"PLACECAT_WORKERS=.* is no number of processes"):
+    with pytest.raises(PlacecatError, match=r"PLACECAT_WORKERS=.* is not a number of processes"):
         compute.local_workers()
 
 

@@ -98,7 +98,7 @@ def test_nearest_neighbours_take_regions_and_whole_frames():
         ({"model": "magic"}, f"'magic' does not exist: use one of {', '.join(cues.model_names())}"),
         ({"model": "joint_probability", "cluster": 3}, "no setting 'cluster'; did you mean 'clusters'"),
         ({**naive_bayes(13), "base": {"name": "nave_bayes"}}, r"base\.name 'nave_bayes' does not exist"),
-        ({**naive_bayes(13), "base": {"name": "kernels"}}, "'kernels' is no estimator"),
+        ({**naive_bayes(13), "base": {"name": "kernels"}}, "'kernels' is not an estimator"),
         ({**naive_bayes(13), "base": {"name": "naive_bayes", "beta": 1}}, "no setting 'beta'"),
         (naive_bayes(13), "needs a codebook"),
     ],

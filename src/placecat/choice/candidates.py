@@ -1,4 +1,4 @@
-"""Candidates for settings, and which of them is chosen."""
+"""Candidates for settings, and the choice between them."""
 
 import copy
 import itertools

@@ -1,4 +1,4 @@
-"""All of `python -m placecat.choice`."""
+"""The command `python -m placecat.choice`."""
 
 import itertools
 from collections.abc import Callable, Mapping, Sequence
@@ -43,7 +43,7 @@ def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
 
 
 def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> pd.DataFrame:
-    """Judge every candidate on the data set of params.yaml; keep what other data sets gave.
+    """Judge every candidate on the data set of params.yaml; keep the rows of other data sets.
 
     Parameters
     ----------
@@ -162,7 +162,7 @@ _TASKS = {"cues": _cue_tasks, "systems": _system_tasks, "smoothing": _smoothing_
 
 
 def text(chosen: pd.DataFrame) -> str:
-    """What is chosen, for people: the three best candidates of each cue and system, the chosen one first."""
+    """Write the choice for people: the three best candidates of each cue and system, the chosen one first."""
     lines = []
     for (kind, name), part in chosen.groupby(["kind", "name"], sort=False):
         ordered = part.sort_values(["chosen", "accuracy"], ascending=False)

@@ -1,4 +1,4 @@
-"""Candidates judged on training homes, from the features and the cues that the stages left."""
+"""Judge candidates on training homes, from the stages' features and cues."""
 
 import itertools
 from collections.abc import Mapping, Sequence
@@ -27,7 +27,7 @@ def judge(truth: NDArray[np.int16], proba: NDArray[np.float64], smallest: float)
 
 
 def left_out(homes: Sequence[str]) -> list[tuple[str, ...]]:
-    """Which homes are left out together: every pair, and every home by itself."""
+    """List which homes are left out together: every pair, and every home by itself."""
     return [*itertools.combinations(homes, 2), *((home,) for home in homes)]
 
 
@@ -56,7 +56,7 @@ def judge_cue(plan: plans.Plan, cue: Cue, smallest: float) -> list[Judgement]:
 
 
 def judge_home(home: str, proba: NDArray[np.float64], smallest: float) -> tuple[float, float]:
-    """Judge the distributions of a home's every frame by those that are labelled."""
+    """Judge distributions of all frames of a home on its labelled frames."""
     labels = listing.read_labels(home)
     rows = np.flatnonzero(labels >= 0)
     return judge(labels[rows], proba[rows], smallest)

@@ -1,4 +1,4 @@
-"""Candidates for the smoothing, judged on training homes.
+"""Judge candidates for the smoothing on training homes.
 
 Only single cues: the distributions that train an integration come from cues that have seen other frames of
 the same home, and so look better than they are.

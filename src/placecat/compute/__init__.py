@@ -1,4 +1,4 @@
-"""Where loops run: in processes of this machine, or on a Dask cluster, as the settings `compute` say."""
+"""Where loops run: on this machine or on a Dask cluster, by the settings `compute`."""
 
 import os
 from collections.abc import Iterator
@@ -17,7 +17,7 @@ _MOST_WORKERS = 1024
 
 
 class _Choice:
-    """What params.yaml says, read when a loop first asks: many stages have none."""
+    """The choice of params.yaml, read when a loop first asks: many stages have no loop."""
 
     @cached_property
     def cluster(self) -> "Cluster | None":
@@ -47,7 +47,7 @@ _choice: _Choice | None = None
 
 @contextmanager
 def as_set() -> Iterator[None]:
-    """Let the loops in a block run where params.yaml says; without it they run on this machine.
+    """Run the loops in a block where params.yaml says; without it they run on this machine.
 
     The first loop connects to the cluster, the end of the block disconnects.
     """
@@ -63,12 +63,12 @@ def as_set() -> Iterator[None]:
 def local_workers() -> int:
     """Worker processes on this machine: the environment variable PLACECAT_WORKERS, else its cores.
 
-    It is no setting in params.yaml, since no result depends on it.
+    It is not a setting of params.yaml, since no result depends on it.
 
     Raises
     ------
     PlacecatError
-        The variable is no number from 1 on.
+        The variable is not a positive whole number.
     """
     wanted = wanted_workers()
     if wanted is not None:
@@ -80,14 +80,14 @@ def local_workers() -> int:
 
 
 def wanted_workers() -> int | None:
-    """What PLACECAT_WORKERS says, see :func:`local_workers`; None where it is not set or empty."""
+    """The value of PLACECAT_WORKERS, see :func:`local_workers`; None if it is not set or empty."""
     value = os.environ.get("PLACECAT_WORKERS", "").strip()
     if not value:
         return None
     if not (value.isascii() and value.isdigit() and 1 <= int(value[:9]) <= _MOST_WORKERS and len(value) < 9):
         raise PlacecatError(
-            f"PLACECAT_WORKERS={value} is no number of processes: give 1 to {_MOST_WORKERS}, or unset it for "
-            "as many as there are cores"
+            f"PLACECAT_WORKERS={value} is not a number of processes: give 1 to {_MOST_WORKERS}, or unset it "
+            "for as many as there are cores"
         )
     return int(value)
 

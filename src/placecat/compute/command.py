@@ -1,4 +1,4 @@
-"""``placecat worker``: worker processes of a Dask cluster, started so that they give this project's bits."""
+"""``placecat worker``: start worker processes of a Dask cluster that give the same bits as this machine."""
 
 import importlib.util
 import os

@@ -1,4 +1,4 @@
-"""A connection to a Dask cluster all of whose workers give the same bits as this machine."""
+"""A connection to a Dask cluster whose workers give the same bits as this machine."""
 
 import asyncio
 import contextlib
@@ -63,7 +63,7 @@ class Cluster:
             raise
 
     def _check_workers(self) -> None:
-        """Refuse a cluster before it computes anything; who joins later is checked by each task."""
+        """Refuse unfit workers before anything is computed; each task checks those that join later."""
         scheduler = self._expected.scheduler
         try:
             self._client.wait_for_workers(1, timeout=self._wait)
@@ -91,7 +91,7 @@ class Cluster:
     def run(self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]]) -> Iterator[Any]:
         """Call ``function(*task)`` on the cluster for every task.
 
-        If a worker dies, others do what it had to do. Closing the iterator cancels what is left.
+        If a worker dies, others take over its tasks. Closing the iterator cancels what is left.
 
         Returns
         -------
@@ -127,7 +127,7 @@ class Cluster:
                 self._client.cancel(list(left.values()))
 
     def _next(self, ended: "queue.SimpleQueue[Any]") -> Any:
-        """Wait for a task to end, but not where there has been no worker for long."""
+        """Wait for a task to end, but give up if there is no worker for too long."""
         patience = self._wait
         while True:
             with contextlib.suppress(queue.Empty):
@@ -151,7 +151,7 @@ class Cluster:
 
 
 def _result(future: Any) -> bytes:
-    """What a task returned; raises what it raised, or why it has no result."""
+    """The result of a task; raises its exception, or why it has no result."""
     from distributed import KilledWorker
 
     if future.status not in ("finished", "error"):
@@ -168,7 +168,7 @@ def _result(future: Any) -> bytes:
 
 
 def _distributed() -> Any:
-    """Give distributed's client, made to say nothing itself."""
+    """Import distributed's client and silence its own messages."""
     try:
         import dask
         from distributed import Client

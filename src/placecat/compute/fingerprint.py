@@ -1,4 +1,4 @@
-"""What the bits of a result depend on besides data and settings: code, versions, kernels, processor."""
+"""Fingerprint of what else the bits of a result depend on: code, versions, kernels, processor."""
 
 import hashlib
 import platform
@@ -58,6 +58,6 @@ def _digest(folder: Path) -> str:
 
 
 def _used(features: str) -> str:
-    """Of OpenCV's list the dispatched instructions that this processor has: others end with "?"."""
+    """Instructions of OpenCV's list that this processor has; the others end with "?"."""
     dispatched = [name[1:] for name in features.split() if name.startswith("*")]
     return " ".join(name for name in dispatched if not name.endswith("?")) or "baseline"

@@ -1,4 +1,4 @@
-"""What runs in a worker of the cluster: tasks, and the check that it gives the bits that any other gives."""
+"""What a worker of the cluster runs: tasks, and the check that it gives the same bits as any other."""
 
 import contextlib
 import pickle
@@ -16,7 +16,7 @@ _seen: set[str] = set()
 
 @dataclass(frozen=True)
 class Expected:
-    """What a worker has to be like.
+    """Requirements of a worker.
 
     Attributes
     ----------

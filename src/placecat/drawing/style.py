@@ -45,7 +45,7 @@ def save_pdf(figure: Figure, target: Path, *, title: str, settings: str) -> None
 
 
 def png_of(draw: Callable[..., Figure | None], *arguments: Any) -> bytes | None:
-    """The figure that `draw` gives as PNG in the house's style, with the same bytes for the same figure.
+    """Draw a figure in the common style and give it as PNG; the same figure gives the same bytes.
 
     Of this program's own text: what stands between two $ is mathematics, as in the powers of ten on an axis.
     """

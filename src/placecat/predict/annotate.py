@@ -1,4 +1,4 @@
-"""A frame with what the system makes of it: salient regions in it, places and probabilities beside it."""
+"""Draw a frame with its salient regions, and beside it the places and their probabilities."""
 
 from collections.abc import Sequence
 
@@ -141,7 +141,7 @@ class Annotator:
 
 
 def _fitting(text: str, size: int, width: int) -> int:
-    """A size of the font in which a line is at most `width` wide, `size` at most."""
+    """Largest font size, up to `size`, in which a line is at most `width` wide."""
     return max(6, min(size, size * width // max(1, mask(text, size, bold=True).shape[1])))
 
 

@@ -1,4 +1,4 @@
-"""A camera or a stream: always the newest frame; those that come meanwhile are dropped."""
+"""Frames of a camera or a stream: always the newest; those in between are dropped."""
 
 import threading
 import time

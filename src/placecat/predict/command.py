@@ -35,7 +35,7 @@ MOST_EVERY = 1_000_000
 
 @dataclass(frozen=True)
 class Options:
-    """What `placecat predict` was asked for; see its help."""
+    """Options of `placecat predict`; see its help."""
 
     source: str
     model: Path
@@ -211,7 +211,7 @@ def _summary(
 
 
 def _notes(source: Source, prediction: Prediction) -> list[str]:
-    """What is odd about the footage that was read."""
+    """Notes on oddities of the footage."""
     notes = [source.damage().note]
     if prediction.turned:
         first, count = prediction.turned[0], len(prediction.turned)

@@ -1,4 +1,4 @@
-"""The folder of results: what may be replaced, and what may not."""
+"""The folder of results, and what in it may be replaced."""
 
 import json
 from collections.abc import Iterator
@@ -88,7 +88,7 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
     read
         Files and folders that are read: they may not be in there.
     force
-        Replace a prediction of another source or one that was edited. What is no prediction is never
+        Replace a prediction of another source or one that was edited. What is not a prediction is never
         replaced.
 
     Raises
@@ -126,7 +126,7 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
 
 
 def checksums(folder: Path, names: list[str]) -> dict[str, Any]:
-    """What the summary has to hold for edited tables to be noticed later."""
+    """Checksums for the summary, by which edited tables are noticed later."""
     return {_CHECKED: {name: files.checksum(folder / name) for name in names}}
 
 

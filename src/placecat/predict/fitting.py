@@ -1,4 +1,4 @@
-"""Frames of another size, cut and scaled to one that the model knows."""
+"""Cut and scale frames to a size that the model knows."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ LEAST = 0.5
 
 @dataclass(frozen=True)
 class Fit:
-    """What is done with every frame.
+    """How every frame is cut and scaled.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Footage, and a frame of it."""
+"""Footage, and one frame."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
@@ -32,7 +32,7 @@ class Frame:
 
 @dataclass(frozen=True)
 class Damage:
-    """What footage lacks.
+    """Lost and damaged frames of footage.
 
     Attributes
     ----------
@@ -95,5 +95,5 @@ class Source(ABC):
         return None
 
     def damage(self) -> Damage:
-        """What of the frames passed is lost or damaged."""
+        """Which of the frames so far are lost or damaged."""
         return Damage()

@@ -1,4 +1,4 @@
-"""What a system made of footage."""
+"""A prediction: places and probabilities for every frame of footage."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

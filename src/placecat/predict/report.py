@@ -1,4 +1,4 @@
-"""The prediction in words and as JSON."""
+"""A prediction as text and as JSON."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -11,7 +11,7 @@ from placecat.predict.run import Speed
 
 
 def facts(prediction: Prediction, agreement: Mapping[str, Any] | None) -> dict[str, Any]:
-    """What the summary says of the prediction; no times of the run, so that it can be reproduced.
+    """Facts for the summary; they hold no times of the run, so that they can be reproduced.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Footage through a system, into a folder of results."""
+"""Categorize footage and write a folder of results."""
 
 import time
 from collections.abc import Callable
@@ -54,7 +54,7 @@ class Speed:
 
 @dataclass(frozen=True)
 class Wish:
-    """What the user asked for.
+    """Wishes of the user.
 
     Attributes
     ----------

@@ -104,7 +104,7 @@ class Video(Source):
         return None if self._timing.is_even else np.append(self._timing.seconds, self._timing.end)
 
     def damage(self) -> Damage:
-        """What of the frames passed is lost or damaged."""
+        """Which of the frames so far are lost or damaged."""
         return Damage(self._recording.lost, self._recording.damaged, self._recording.note())
 
 

@@ -1,4 +1,4 @@
-"""The prediction as CSV."""
+"""A prediction as CSV."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ SEGMENTS = "segments.csv"
 
 
 def write_frames(path: Path, prediction: Prediction) -> None:
-    """Write a row a frame: the decision and its confidence, all probabilities, those of the frame alone.
+    """Write one row per frame: the decision and its confidence, all probabilities, those of the frame alone.
 
     Probabilities have as many digits as it takes to read back the same number, to the bit.
     """
@@ -20,7 +20,7 @@ def write_frames(path: Path, prediction: Prediction) -> None:
     columns = {
         "frame": prediction.numbers,
         "seconds": [f"{seconds:.3f}" for seconds in prediction.seconds],
-        # As objects: names that are no UTF-8 are no text to pandas.
+        # As objects: names that are not UTF-8 are not text to pandas.
         **({"file": pd.Series(prediction.names, dtype=object)} if prediction.names else {}),
         "place": [classes[place] for place in prediction.decision],
         "confidence": prediction.confidence,
@@ -32,11 +32,11 @@ def write_frames(path: Path, prediction: Prediction) -> None:
 
 
 def write_segments(path: Path, prediction: Prediction) -> None:
-    """Write a row a stretch of one place, as a label file of the project: correct it, and it is one."""
+    """Write one row per stretch of one place, in the format of a label file."""
     rows = [(part.start, part.end, part.label) for part in prediction.segments()]
     _write(path, pd.DataFrame(rows, columns=FRAME_HEADER))
 
 
 def _write(path: Path, table: pd.DataFrame) -> None:
-    # File names may be in any coding: what is no UTF-8 is shown as \xNN.
+    # File names may be in any coding: what is not UTF-8 is shown as \xNN.
     table.to_csv(path, index=False, lineterminator="\n", errors="backslashreplace")

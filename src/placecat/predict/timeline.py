@@ -1,4 +1,4 @@
-"""The prediction as a picture: places as strips over time, the confidence below."""
+"""A prediction as a picture: places as strips over time, with the confidence below."""
 
 from collections.abc import Sequence
 

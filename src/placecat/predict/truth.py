@@ -1,4 +1,4 @@
-"""Labels of the footage, and how well the prediction agrees with them."""
+"""Labels of footage, and how well a prediction agrees with them."""
 
 from collections.abc import Collection, Sequence
 from pathlib import Path

@@ -1,1 +1,1 @@
-"""What people read: figures, charts, the page, LaTeX and Markdown."""
+"""Output for people: figures, charts, the page, LaTeX and Markdown."""

@@ -1,4 +1,4 @@
-"""What the report says of benchmarks."""
+"""Benchmarks in the report."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -34,7 +34,7 @@ def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
 
 
 def shown_speed(benchmarks: pd.DataFrame, facts: Mapping[str, str]) -> dict[str, Any]:
-    """Everything as text for a page.
+    """Give everything as text for a page.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What is said of tables that differ from those kept in git."""
+"""Differences from the tables kept in git, as text."""
 
 from collections.abc import Sequence
 
@@ -9,7 +9,7 @@ _TABLES, _VERDICTS, _SETTINGS = 10, 10, 3
 
 
 def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Sequence[str] = ()) -> list[str]:
-    """Say in lines of words how a run differs, with a tolerance in points.
+    """Say line by line how a run differs, with a tolerance in points.
 
     `kept` is where the kept tables are from, e.g. "git HEAD"; `settings` are names of those that are not the
     kept ones.

@@ -1,4 +1,4 @@
-"""What the figures may ask of a run: frames, maps, features, codebooks, distributions. Reads when asked."""
+"""A finished run for the figures: frames, maps, features, codebooks, distributions, read on demand."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
@@ -30,7 +30,7 @@ KEPT_FRAMES = 8
 class Run:
     """A finished run, read from the project's folder; the only thing that opens files for figures.
 
-    What a run does not have raises PlacecatError, e.g. a result that was not asked for.
+    Anything that the run lacks raises PlacecatError, e.g. a result that was not computed.
 
     Attributes
     ----------
@@ -70,11 +70,11 @@ class Run:
 
     @cached_property
     def sources(self) -> dict[str, Source]:
-        """Name of a result to where its distributions lie."""
+        """Where the distributions of each result are."""
         return sources(self.params)
 
     def source(self, result: str) -> Source:
-        """Where the distributions of one result lie."""
+        """Where the distributions of one result are."""
         if result not in self.sources:
             known = ", ".join(sorted(self.sources)) or "none"
             raise PlacecatError(f"there are no distributions of {result!r} in this run, only of {known}")
@@ -174,7 +174,7 @@ class Run:
         return Codebook.from_arrays(files.read_arrays(path))
 
     def fold(self, home: str, scheme: str = "5-5-1") -> protocol.Fold:
-        """Who trained for a test home."""
+        """The training plan of a test home."""
         for fold in protocol.folds(self.homes, scheme):
             if fold.test == home:
                 return fold
@@ -224,7 +224,7 @@ class Run:
 
 
 def home_of(run: Run, number: int) -> str:
-    """The home of a number from 1 on, as the thesis counts; the last one where there are fewer.
+    """Give a home by its number, from 1 as in the thesis; the last one if there are fewer.
 
     Raises
     ------

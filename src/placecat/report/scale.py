@@ -1,4 +1,4 @@
-"""What the report says of runs at the scale of the real home database."""
+"""Runs at the scale of the real home database, in the report."""
 
 from collections.abc import Mapping
 from typing import Any

@@ -1,1 +1,1 @@
-"""Runs that are killed, started twice, or whose settings change: what keeps the results right."""
+"""Keep results right when runs are killed, started twice, or their settings change."""

@@ -1,4 +1,4 @@
-"""A process of a run ends soon after the one that started it, however that ended.
+"""End a process soon after the one that started it has ended, for whatever reason.
 
 The run, DVC, a stage and its workers are a chain of processes, of which somebody may kill any one. Each
 watches its parent. The kernel's own signal (PR_SET_PDEATHSIG) is not used: it is for Linux alone, and comes
@@ -22,7 +22,7 @@ _watching = False
 
 
 def end_with(parent: int) -> None:
-    """Send this process SIGTERM once `parent` is gone, and end it if that does not. A second call is none."""
+    """Send this process SIGTERM once `parent` is gone, and kill it if it goes on. Later calls do nothing."""
     global _watching
     if not _watching:
         _watching = True

@@ -24,7 +24,7 @@ def alone() -> Iterator[None]:
     Raises
     ------
     PlacecatError
-        If a run goes on, of `placecat repro` or of DVC.
+        If `placecat repro` or DVC is already running here.
     """
     if not TEMPORARY.parent.is_dir():
         yield
@@ -48,7 +48,7 @@ def alone() -> Iterator[None]:
 
 @contextmanager
 def one_at_a_time(stage: str) -> Iterator[None]:
-    """Wait while another process makes the same stage: one whose DVC was killed may still be tidying up."""
+    """Wait while another process runs the same stage: after its DVC was killed it may still be tidying up."""
     if not TEMPORARY.parent.is_dir():
         yield
         return
@@ -91,7 +91,7 @@ def _wait_for_dvc() -> None:
 
 
 def _dvc_in_use() -> tuple[int, str] | None:
-    """Process and command of a DVC that runs a stage here."""
+    """Process and command of a DVC that is running a stage here."""
     import psutil
 
     try:

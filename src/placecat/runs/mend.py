@@ -1,4 +1,4 @@
-"""Mending what a killed run left: a cut dvc.lock, DVC's note of who uses what, temporary files."""
+"""Mend what a killed run left: a cut dvc.lock, DVC's locks, temporary files."""
 
 import os
 import re
@@ -36,7 +36,7 @@ def mend() -> list[str]:
     Returns
     -------
     list of str
-        What was done that a user wants to know, a line each.
+        What was done, one line each, for the user.
     """
     said = []
     if LOCK.exists():
@@ -55,7 +55,7 @@ def mend() -> list[str]:
 
 
 def keep() -> None:
-    """Keep the records of dvc.lock that are whole, and of others those of before.
+    """Keep the whole records of dvc.lock, and the earlier ones of the others.
 
     Without a dvc.lock none are kept: somebody removed it to start anew.
     """
@@ -70,7 +70,7 @@ def keep() -> None:
 
 
 def _mended(text: str) -> tuple[str, list[str]]:
-    """Content of dvc.lock with what it lacks from the copy; the stages whose records are in neither."""
+    """Content of dvc.lock, completed from the copy; the stages whose records are in neither."""
     # A merge that git could not make is for a person to finish.
     if "\n<<<<<<< " in text or not DEFINITION.is_file():
         return text, []

@@ -1,4 +1,4 @@
-"""What a stage depends on stays as it is from the stage's start to its end.
+"""Make sure that a stage's settings, code and data do not change while it runs.
 
 DVC notes settings and dependencies after a stage. Without this check, those that were changed meanwhile would
 be noted for results of the earlier ones.
@@ -18,14 +18,14 @@ _at_start: tuple[str, dict[str, str]] | None = None
 
 
 def start(stage: str) -> None:
-    """Note the state of what a stage depends on, before anything of it is read. A second call is none."""
+    """Note the state of what a stage depends on, before it is read. Later calls do nothing."""
     global _at_start
     if _at_start is None:
         _at_start = (stage, state(stage))
 
 
 def check() -> None:
-    """Refuse results if something was changed since :func:`start`; does nothing without one.
+    """Refuse results if something has changed since :func:`start`; without a start do nothing.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What a search found, to read and to use."""
+"""Results of a search."""
 
 import shlex
 from collections.abc import Sequence

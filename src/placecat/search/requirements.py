@@ -1,4 +1,4 @@
-"""What a search needs, checked before anything is computed."""
+"""Requirements of a search, checked before anything is computed."""
 
 import importlib.util
 from collections.abc import Mapping
@@ -10,7 +10,7 @@ JUDGE = "training_homes"
 
 
 def check(config: Mapping[str, Any]) -> None:
-    """Refuse a search whose result would not be worth its name.
+    """Refuse a search whose result would mean nothing.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What a search may choose, read from Hydra's overrides, and where it starts."""
+"""The space of a search, read from Hydra's overrides, and its starts."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -14,13 +14,13 @@ from placecat.search import starts
 if TYPE_CHECKING:
     from optuna.distributions import BaseDistribution
 
-# What describes the method. Data, homes, seeds and judge are how it is measured: choosing these is no search.
+# What describes the method. Data, homes, seeds and judge say how it is measured: they are not searched.
 _OF_THE_METHOD = ("descriptor", "classifier", "codebook", "clustering")
 
 
 @dataclass(frozen=True)
 class Space:
-    """What a search may choose.
+    """The space of a search.
 
     Attributes
     ----------
@@ -52,7 +52,7 @@ class Space:
         return min(max(float(f"{value:.{self.digits}g}"), own.low), own.high)
 
     def ends(self) -> list[tuple[str, ...]]:
-        """Overrides that bring each setting to each of its ends, the others as in the first start."""
+        """Overrides with each setting at each of its ends, and the others as in the first start."""
         first = next(iter(self.starts.values()))
         found = [first]
         for key, own in self.distributions.items():
@@ -124,7 +124,7 @@ def read(
 def _distribution(
     override: Override, found: Mapping[str, Any], parser: OverridesParser
 ) -> "tuple[BaseDistribution, dict[str, Any]]":
-    """What may be chosen of a setting, and the starts' values of it as Optuna knows them."""
+    """The distribution of a setting, and the starts' values of it, as Optuna knows them."""
     from optuna.distributions import CategoricalDistribution, FloatDistribution, IntDistribution
     from optuna.trial import create_trial
 
@@ -141,7 +141,7 @@ def _distribution(
         try:
             distribution = kind(ends[0], ends[-1], log="log" in span.tags, **options)
         except (ValueError, IndexError) as error:
-            raise PlacecatError(f"{override.input_line} is no span: {error}") from None
+            raise PlacecatError(f"{override.input_line} is not a span: {error}") from None
     else:
         texts = list(dict.fromkeys(override.sweep_string_iterator()))
         meaning = [parser.parse_override(f"{key}={text}").value() for text in texts]

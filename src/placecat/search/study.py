@@ -1,4 +1,4 @@
-"""Asking Optuna what to try next, in batches whose size does not depend on the workers."""
+"""Ask Optuna what to try next, in batches whose size does not depend on the number of workers."""
 
 import math
 from collections.abc import Callable, Sequence

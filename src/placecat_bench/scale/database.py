@@ -33,7 +33,7 @@ class Stretch:
 
 @dataclass(frozen=True)
 class Home:
-    """What the label file of a home counts.
+    """Counts from the label file of a home.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What a run from nothing on that many frames would take, every home tested."""
+"""Estimate the time of a complete run on that many frames, with every home tested."""
 
 from collections.abc import Mapping
 from typing import Any

@@ -1,4 +1,4 @@
-"""What a scale run comes to: the machine, the total and the peak."""
+"""Summary of a scale run: the machine, the total and the peak."""
 
 from collections.abc import Mapping
 from typing import Any

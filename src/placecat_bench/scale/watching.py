@@ -18,7 +18,7 @@ INTERVAL = 0.25
 
 @dataclass(frozen=True)
 class Watched:
-    """What a command took.
+    """Time and memory that a command took.
 
     Attributes
     ----------

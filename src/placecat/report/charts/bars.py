@@ -1,4 +1,4 @@
-"""What a bar chart of a table shows: a bar a result, its single homes as points."""
+"""Data of a table's bar chart: one bar per result, its homes as points."""
 
 from dataclasses import dataclass
 
@@ -53,7 +53,7 @@ def bars_of(cells: pd.DataFrame) -> list[Bar]:
 
 
 def point_name(cells: pd.DataFrame) -> str:
-    """What a point of `bars_of` is: "home" or "place"."""
+    """Say whether a point of `bars_of` is a "home" or a "place"."""
     axis = _averaged(cells)
     return "home" if axis is not None and cells[axis].str.fullmatch(_HOME).any() else "place"
 

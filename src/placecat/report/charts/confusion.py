@@ -1,4 +1,4 @@
-"""Charts of confusion matrices: one with its numbers, or those of a whole table at a glance."""
+"""Charts of confusion matrices: one with its numbers, or all those of a table."""
 
 from collections.abc import Mapping, Sequence
 
@@ -56,7 +56,7 @@ class Matrices:
 
 
 def confusion_sheet(title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> Figure | None:
-    """Draw all confusion matrices of a table: a line a row, and in it each column or each home.
+    """Draw all confusion matrices of a table: one line per row, with each column or each home.
 
     `rows` are from :func:`placecat.thesis.decisions.decisions_of`; without any there is no figure.
     """

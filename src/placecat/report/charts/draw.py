@@ -22,7 +22,7 @@ def draw_table(
     published: bool,
     chart: bool = True,
 ) -> list[Path]:
-    """Write ``chart.png`` and ``confusion.png`` of a table; gives the paths of what there is to show.
+    """Write ``chart.png`` and ``confusion.png`` of a table, if it has any, and give their paths.
 
     See `accuracy_chart` and `confusion_sheet`. A table whose numbers are no percentages has no `chart`.
     """

@@ -1,4 +1,4 @@
-"""Figure 11: what the hidden Markov model and the delay make of a classifier's output (thesis 3.4)."""
+"""Thesis 3.4, Figure 11: a classifier's output before and after the hidden Markov model and the delay."""
 
 from collections.abc import Mapping, Sequence
 

@@ -1,4 +1,4 @@
-"""Figure 15: which places are taken for which, after integration and after smoothing (thesis 4.5)."""
+"""Thesis 4.5, Figure 15: which places are confused, after integration and after smoothing."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -25,7 +25,7 @@ DARK = 55.0
 
 
 def draw(run: Run, *, home: Count, panels: Mapping[str, str]) -> Figure:
-    """One matrix a panel; settings in ``figures.figure_15``."""
+    """Draw one matrix per panel; settings in ``figures.figure_15``."""
     chosen = home_of(run, home)
     drawn = Figure(figsize=(WIDTH, WIDTH / len(panels) + 0.3))
     grid = drawn.subplots(1, len(panels), squeeze=False, sharey=True)[0]

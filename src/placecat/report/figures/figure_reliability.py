@@ -33,7 +33,7 @@ LARGEST, SMALLEST = 150.0, 5.0
 
 
 def draw(run: Run, *, panels: Mapping[str, str]) -> Figure:
-    """One diagram a result; settings in ``figures.figure_reliability``."""
+    """Draw one diagram per result; settings in ``figures.figure_reliability``."""
     rows = -(-len(panels) // COLUMNS)
     drawn = Figure(figsize=(WIDTH, rows * ROW + LEGEND))
     heights = [4.0, 1.0] * rows

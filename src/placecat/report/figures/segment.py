@@ -1,4 +1,4 @@
-"""The stretch of a film that shows best what smoothing does (Figure 11)."""
+"""Find the stretch of a film that best shows the effect of smoothing (Figure 11)."""
 
 from collections.abc import Sequence
 

@@ -46,7 +46,7 @@ def share_rows(
 
 
 def place_legend(figure: Figure, classes: Sequence[str], at: tuple[float, float]) -> None:
-    """Write which colour is which place; `at` is the legend's centre left in fractions of the figure."""
+    """Draw the legend of the places' colours; `at` is its centre left in fractions of the figure."""
     handles = [Patch(color=color) for color in place_colors(classes).values()]
     titles = [place_title(place) for place in classes]
     figure.legend(

@@ -1,0 +1,43 @@
+"""Settings of Sphinx for `make docs`, which makes a site of README.md and docs/.
+
+Sphinx with MyST and Furo: they are kept up, read the same Markdown as a forge, and their pages load nothing
+from the network.
+"""
+
+import shutil
+from pathlib import Path
+
+from sphinx.application import Sphinx
+
+project = "placecat"
+author = "The placecat authors"
+root_doc = "README"
+extensions = ["myst_parser"]
+include_patterns = ["*.md", "data/README.md", "docs/*.md"]
+exclude_patterns = [".*", "data/[!R]*", "outputs", "multirun", "reports", "site", "src", "tests"]
+myst_heading_anchors = 3
+html_theme = "furo"
+html_title = "placecat"
+html_show_sphinx = False
+html_copy_source = False
+# The sidebar, which a forge does not have.
+PAGES = (
+    "docs/method docs/usage docs/experiments docs/own-data docs/robots docs/cluster docs/benchmarks "
+    "docs/adding docs/embedding docs/results docs/security data/README CONTRIBUTING CHANGELOG"
+)
+
+
+def _add_sidebar(app: Sphinx, name: str, source: list[str]) -> None:
+    if name == root_doc:
+        source[0] += "\n```{toctree}\n:hidden:\n" + PAGES.replace(" ", "\n") + "\n```\n"
+
+
+def _add_index(app: Sphinx, error: Exception | None) -> None:
+    if error is None:
+        shutil.copy(Path(app.outdir) / f"{root_doc}.html", Path(app.outdir) / "index.html")
+
+
+def setup(app: Sphinx) -> None:
+    """Add what Sphinx calls."""
+    app.connect("source-read", _add_sidebar)
+    app.connect("build-finished", _add_index)

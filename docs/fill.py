@@ -1,0 +1,259 @@
+"""Fill the numbers of README.md and docs/ from result files: ``python docs/fill.py``.
+
+An HTML comment, which no reader sees, says what a number or a table is computed from:
+
+- ``12.3<!-- = EXPRESSION -->`` is a number, rounded as it stands;
+- ``<!-- block: EXPRESSION -->``, lines, ``<!-- end -->`` hold a table.
+
+An expression calls the functions below. Every path is relative to the project's folder.
+"""
+
+import re
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from placecat.report.benchmarks import times
+
+ROOT = Path(__file__).resolve().parents[1]
+PAGES = (
+    "README.md",
+    "data/README.md",
+    *(f"docs/{path.name}" for path in sorted((ROOT / "docs").glob("*.md"))),
+)
+REAL = "docs/real_homes"
+ALL = "5-5-1, all cues"
+BEST = "5-5-1, HOG+SIFT+Centrist+Gist+holistic Centrist"
+
+_NUMBER = re.compile(r"(-?\d[\d,]*(?:\.(\d+))?)<!-- = (.+?) -->")
+_BLOCK = re.compile(r"<!-- block: (.+?) -->\n(.*?)<!-- end -->", re.DOTALL)
+
+
+def fill(text: str) -> str:
+    """Put what the files hold in place of every number and table that names its source."""
+
+    def number(match: re.Match[str]) -> str:
+        value, decimals = _value(match[3]), len(match[2] or "")
+        return f"{value:,.{decimals}f}<!-- = {match[3]} -->"
+
+    def block(match: re.Match[str]) -> str:
+        return f"<!-- block: {match[1]} -->\n{_value(match[1])}\n<!-- end -->"
+
+    return _NUMBER.sub(number, _BLOCK.sub(block, text))
+
+
+def main() -> None:
+    """Fill every page in place."""
+    for page in PAGES:
+        path = ROOT / page
+        text = path.read_text(encoding="utf-8")
+        if fill(text) != text:
+            path.write_text(fill(text), encoding="utf-8")
+            print(f"{page}: numbers filled")
+
+
+def _value(expression: str) -> object:
+    # The pages belong to the project, as its code does.
+    return eval(expression, dict(globals()))
+
+
+def _read(path: str) -> pd.DataFrame:
+    return pd.read_csv(ROOT / path, dtype={"column": str})
+
+
+def _markdown(head: Sequence[str], rows: Iterable[Sequence[str]], texts: int = 1) -> str:
+    """A table whose first columns are text, its others numbers."""
+    rule = "|" + "---|" * texts + "---:|" * (len(head) - texts)
+    return "\n".join(["| " + " | ".join(head) + " |", rule, *("| " + " | ".join(row) + " |" for row in rows)])
+
+
+def table(name: str, group: str, row: str, column: str = "Average", folder: str = "reports/tables") -> float:
+    """Look up what was measured for a cell of a table."""
+    cells = _read(f"{folder}/{name}.csv")
+    chosen = cells[(cells["group"] == group) & (cells["row"] == row) & (cells["column"] == column)]
+    return float(chosen["measured"].item())
+
+
+def total(file: str, column: str) -> int:
+    """Sum a column."""
+    return int(_read(file)[column].sum())
+
+
+def run_minutes() -> float:
+    """Minutes that a complete `make repro` took."""
+    return pd.read_json(ROOT / "reports/times.json", typ="series")["total"] / 60
+
+
+def verdicts(verdict: str, folder: str = "reports") -> int:
+    """Count the findings with a verdict."""
+    return int((_read(f"{folder}/findings.csv")["verdict"] == verdict).sum())
+
+
+def table_26(folder: str) -> str:
+    """Averages of Table 26: a column a protocol, a row a cue."""
+    cells = _read(f"{folder}/table_26.csv")
+    averages = cells[cells["column"] == "Average"].pivot(index="row", columns="group", values="measured")
+    groups = {"4-5-1, all cues": "4-5-1", ALL: "5-5-1", BEST: "5-5-1, five best cues"}
+    rows = (
+        [
+            row,
+            *(
+                "" if np.isnan(averages.at[row, group]) else f"{averages.at[row, group]:.2f}"
+                for group in groups
+            ),
+        ]
+        for row in cells["row"].unique()
+    )
+    return _markdown(["average over homes", *groups.values()], rows)
+
+
+def findings() -> str:
+    """How many findings hold, and which."""
+    both = [_read(f"{folder}/findings.csv") for folder in ("reports", REAL)]
+
+    def cell(data: pd.DataFrame, verdict: str) -> str:
+        numbers = data.loc[data["verdict"] == verdict, "number"]
+        return f"{len(numbers)}" + (": " + ", ".join(map(str, numbers)) if len(numbers) < 10 else "")
+
+    rows = (
+        [verdict, *(cell(data, verdict) for data in both)]
+        for verdict in ("holds", "does not hold", "undecided")
+    )
+    return _markdown(["verdict", "rendered homes", "six real homes"], rows, 3)
+
+
+def averages(name: str) -> str:
+    """Averages over homes of a table with one column of them, group by group."""
+    cells = _read(name)
+    cells = cells[cells["column"] == "Average"]
+    rows = ([line.group, line.row, f"{line.measured:.2f}"] for line in cells.itertuples(index=False))
+    return _markdown(["", "", "average"], rows, 2)
+
+
+def bench(piece: str, input_part: str, quantity_part: str) -> float:
+    """A measured value of `make bench`."""
+    lines = _read("reports/benchmarks.csv")
+    is_it = lines["input"].str.contains(input_part) & lines["quantity"].str.contains(quantity_part)
+    return float(lines.loc[(lines["piece"] == piece) & is_it, "ours"].item())
+
+
+def benchmarks() -> str:
+    """Speed beside others; misses are bold."""
+    rows = []
+    for line in _read("reports/benchmarks.csv").itertuples(index=False):
+        if "second" not in line.quantity and "frames/s" not in line.quantity:
+            continue
+        target = line.target.replace("at least 1x faster", "faster")
+        if "faster" in target:
+            measured = f"{times(line.ratio)}x faster"
+        elif "its time" in target:
+            measured = f"{line.ratio:.1f}x its time"
+        else:
+            unit = "frames/s" if "frames/s" in line.quantity else "s"
+            target, measured = f"{target} {unit}", f"{line.ours:.3g} {unit}"
+        measured = measured if line.met == "yes" else f"**{measured}**"
+        peer = (
+            ""
+            if pd.isna(line.peer)
+            else re.split(r"[:(]", line.peer)[0].replace("OneVsRestClassifier", "scikit-learn")
+        )
+        rows.append([line.piece, line.input, peer, target, measured])
+    return _markdown(["piece", "input", "beside", "asked", "measured"], rows, 5)
+
+
+def robustness() -> str:
+    """Count what became of damaged inputs and disturbed runs."""
+    counts = _read("reports/robustness.csv")
+    columns = ["part", "tried", "right", "message", "traceback", "wrong"]
+    rows = ([str(cell).replace("_", " ") for cell in row] for row in counts[columns].itertuples(index=False))
+    return _markdown(columns, rows)
+
+
+def scale(quantity: str) -> float:
+    """A quantity of the largest size of `make bench-scale`."""
+    return pd.read_json(ROOT / "reports/scale.json", typ="series")["largest"][quantity]
+
+
+def growth(column: str) -> float:
+    """How everything grows with the number of frames."""
+    lines = _read("reports/scale_growth.csv")
+    return float(lines.loc[lines["stage"] == "all", column].item())
+
+
+def full_run_hours() -> float:
+    """Hours that everything on VPC-2009 would take."""
+    return pd.read_json(ROOT / "reports/scale.json", typ="series")["full_run"]["hours"]
+
+
+def sweep() -> str:
+    """What the sweep of README.md prints: the same trials as in Table 12."""
+    clusters, homes = ("46", "196", "496"), {"Home 1": "home_1", "Home 6": "home_6", "Average": "average"}
+    rows = [
+        [name, homes[home], *(f"{table('table_12', group, home, column):.2f}" for column in clusters)]
+        for name, group in (("hog", "HOG + y-Pos"), ("sift", "SIFT + y-Pos"))
+        for home in homes
+    ]
+    return _markdown(["descriptor", "test_home", *(f"{column} clusters" for column in clusters)], rows, 2)
+
+
+def _judged(kind: str, name: str, candidate: str) -> dict[str, str]:
+    """Means of a candidate over homes, real and rendered."""
+    lines = _read("reports/cross_validation.csv")
+    lines = lines[(lines["kind"] == kind) & (lines["name"] == name) & (lines["candidate"] == candidate)]
+    means = lines.groupby("data").mean(numeric_only=True).loc[["own homes", "rendered homes"]]
+    digits = {"accuracy": 2, "log_loss": 3, "test_accuracy": 2}
+    return {column: " / ".join(f"{value:.{n}f}" for value in means[column]) for column, n in digits.items()}
+
+
+_JUDGED = ["training homes, real / rendered", "log-loss there", "test homes, real / rendered"]
+
+
+def chosen_cues() -> str:
+    """Candidates for the whole-frame cues: calibration, scaling, scale of gamma; the chosen one first."""
+    by_home = "homes_centred {0} 1.0, homes_averaged {0} 1.0, samples distance 1.0, samples standard"
+    candidates = {
+        "gist": f"samples standard 0.7, consecutive standard 0.7, {by_home.format('standard')} 2.0",
+        "spatial_pact": f"samples root 1.4, consecutive root 1.4, {by_home.format('root')} 1.0",
+    }
+    rows = []
+    for name, title in (("gist", "Gist"), ("spatial_pact", "Centrist")):
+        for number, candidate in enumerate(candidates[name].split(", ")):
+            calibration, scaling, gamma = candidate.split()
+            settings = f"calibration={calibration}, scaling={scaling}, gamma_scale={gamma}"
+            mark = " (chosen)" if number == 0 else ""
+            judged = _judged("cues", name, settings)
+            rows.append([f"{title}: `{calibration}`, `{scaling}`, {gamma}{mark}", *judged.values()])
+    return _markdown(["cue", *_JUDGED], rows)
+
+
+def chosen_systems() -> str:
+    """Candidates for the integration."""
+    rows = []
+    for title, name, temperature, calibrations in (
+        ("all cues", "das_551_all", False, ("samples", "consecutive", "homes_centred", "homes_averaged")),
+        ("five best", "das_551_best", False, ("samples", "homes_averaged")),
+        ("five best, temperatures", "das_551_best", True, ("samples", "homes_averaged")),
+    ):
+        for calibration in calibrations:
+            settings = f"calibration={calibration}, scaling=standard, gamma_scale=1.0"
+            judged = _judged("systems", name, f"temperature={temperature}, {settings}")
+            mark = " (chosen)" if calibration == "homes_averaged" else ""
+            rows.append([f"{title}: `{calibration}`{mark}", *judged.values()])
+    return _markdown(["system", *_JUDGED], rows)
+
+
+def chosen_delays() -> str:
+    """Candidates for the delay."""
+    rows = []
+    for name, title in (("gist", "Gist"), ("spatial_pact", "Centrist")):
+        for seconds in (0.0, 1.0, 2.0, 4.0, 8.0):
+            mark = " (chosen)" if seconds == 2 else ""
+            judged = _judged("smoothing", name, f"delay_seconds={seconds}")
+            rows.append([f"{title}: {seconds:g} s{mark}", *judged.values()])
+    return _markdown(["cue and delay", *_JUDGED], rows)
+
+
+if __name__ == "__main__":
+    main()
