@@ -14,7 +14,7 @@ _TIME_LEFT = "{desc}: {n_fmt} of {total_fmt}{unit}, {remaining} left{postfix}"
 _BAR = "{desc}: {percentage:3.0f} % |{bar:20}| {n_fmt} of {total_fmt}{unit}, {remaining} left{postfix}"
 
 
-class Progress(tqdm):  # type: ignore[type-arg]
+class Progress(tqdm):
     """A progress line on the standard error, with the time that is left.
 
     In a terminal it keeps to one line, whatever the width, and is gone at the end. Elsewhere a line is

@@ -148,11 +148,12 @@ def _complete_run(params: Mapping[str, Any], home: str) -> pd.DataFrame:
     if not paths.ACCURACIES.is_file():
         return pd.DataFrame({column: []}, dtype=float)
     known = pd.read_csv(paths.ACCURACIES)
-    known = known[(known["home"] == home) & (known["place"] == "all")].set_index("result")["accuracy"]
+    known = known[(known["home"] == home) & (known["place"] == "all")]
+    accuracy = known.set_index("result")["accuracy"]
     titles = _titles(params)
     cues = params["systems"][training.SYSTEM]["cues"]
     names = {f"cues/{name}/{training.SCHEME}" if name in cues else name: titles[name] for name in titles}
-    return known.reindex(list(names)).rename(index=names).to_frame(column)
+    return accuracy.reindex(list(names)).rename(index=names).to_frame(column)
 
 
 def _chance(params: Mapping[str, Any]) -> float:

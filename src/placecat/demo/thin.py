@@ -34,7 +34,7 @@ def thin(root: Path, home: str, every: int, target: Path) -> float:
     labels, _ = read_label_csv(root / f"{home}.csv", recording.count, fps, "the video")
     folder = target / home
     folder.mkdir(parents=True)
-    rows = []
+    rows: list[tuple[int, int, str]] = []
     for picture in recording.pictures():
         if (picture.number - 1) % every == 0:
             cv2.imwrite(str(folder / f"{picture.number:06}.jpg"), picture.image())

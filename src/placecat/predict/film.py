@@ -44,13 +44,14 @@ class Film:
         try:
             self._container = av.open(str(path), "w")
             rate = Fraction(fps).limit_denominator(1001)
-            self._stream = self._container.add_stream(codec, rate=rate, options=options)
+            stream = self._container.add_stream(codec, rate=rate, options=options)
         except (av.FFmpegError, ValueError):
             raise PlacecatError(
                 f"this FFmpeg writes no {path.suffix} with {codec}: leave out --video, or try the other of "
                 "--video and --webm"
             ) from None
-        assert isinstance(self._stream, VideoStream)
+        assert isinstance(stream, VideoStream)
+        self._stream = stream
         self._stream.width, self._stream.height = size
         self._stream.pix_fmt = "yuv420p"
 
