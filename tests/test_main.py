@@ -57,7 +57,9 @@ def test_a_missing_data_set_stops_the_first_stage(folder):
     assert "Traceback" not in result.stderr
 
 
-@pytest.mark.parametrize("command", ["", "params", "repro", "compare", "times", "train", "predict", "demo"])
+@pytest.mark.parametrize(
+    "command", ["", "params", "repro", "compare", "times", "train", "predict", "demo", "explain"]
+)
 def test_every_command_has_help(command, capsys):
     with pytest.raises(SystemExit) as caught:
         main([*command.split(), "--help"])
@@ -72,6 +74,8 @@ def test_every_command_has_help(command, capsys):
         "times": "--keep",
         "train": "--without HOME",
         "predict": "--labels CSV",
+        "demo": "predictions/demo",
+        "explain": "--again",
     }[command] in text
 
 
