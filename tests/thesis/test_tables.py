@@ -69,7 +69,7 @@ def test_every_published_table_has_one_configuration_and_all_others_are_addition
 def test_every_published_cell_is_measured_and_no_other(name):
     filled = fill(name)
     own = PUBLISHED[PUBLISHED["table"] == TABLES[name]["number"]]
-    assert list(filled.columns) == [*COLUMNS, "notes"]
+    assert list(filled.columns) == [*COLUMNS, "notes", "number"]
     assert filled[KEY].values.tolist() == own[KEY].values.tolist()
     assert filled["measured"].between(0, 100).all()
     assert filled["published"].tolist() == pytest.approx(own["value"].tolist(), nan_ok=True)

@@ -21,7 +21,7 @@ def gains(table=TABLE, **named):
     made = results(**named)
     filled = by_home_with_gains(table, made)
     rows = by_home(table, made)
-    np.testing.assert_equal(filled[: len(rows)], rows)
+    assert repr(filled[: len(rows)]) == repr(rows)
     return {cell.column: cell for cell in filled[len(rows) :]}
 
 
