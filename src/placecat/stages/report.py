@@ -47,6 +47,9 @@ def main() -> None:
     versions = {stage: data_version(stage) for stage in listing_stages}
     explained = explanations(cells, params, versions)
     files.write_text(paths.EXPLANATIONS, lines.to_text(explained))
+    # Not of the stages that come after, of which dvc.lock may say nothing yet.
+    named = sorted({stage for cell in cells for stage in cell.stages})
+    recorded = lines.stage_texts(settings.read_yaml(LOCK))
     report = Report(
         dataset=dataset,
         frames={home: _frames(home, dataset["classes"]) for home in dataset["homes"]},
@@ -60,7 +63,7 @@ def main() -> None:
         times=_times(),
         speed=_speed(),
         scale=_scale(),
-        explanations=explained | {"stages": lines.stage_texts(settings.read_yaml(LOCK))},
+        explanations=explained | {"stages": {stage: recorded[stage] for stage in named if stage in recorded}},
     )
     files.write_text(paths.PAGE, page_html(report))
 
