@@ -19,10 +19,10 @@ from placecat.results.quality import QUALITY_COLUMNS, from_rows, quality_rows
 from placecat.results.sources import Source, sources
 from placecat.stages import filtering, integration, splits, toy
 from placecat.stages.scores import measure
-from placecat.thesis import definitions, in_text
+from placecat.thesis import filling, in_text
 from placecat.thesis.number import Number, Origin
-from placecat.thesis.records import RECORD, read_records
-from placecat.thesis.tables import contradictions_of, dataset_of, fill_table, tables_of
+from placecat.thesis.records import RECORD
+from placecat.thesis.tables import tables_of
 from placecat.training import plan as plans
 from placecat.training.cue import Cue, fit, read_frames
 from placecat.training.integration import smoothing_settings
@@ -83,29 +83,19 @@ def compute(number: str) -> tuple[bool, str]:
 def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[str, tuple[Key, Number]]:
     """Number of each cell of one table to its labels and what results give for it."""
     if table == in_text.NAME:
-        text = ["name", "section", "quantity", "home", "quote", "note"]
-        said = in_text.in_text(
-            definitions.in_text(),
-            results,
-            files.read_table(paths.PUBLISHED_TEXT, text),
-            settings.get(params, "dataset"),
-            {name: split["dataset"] for name, split in settings.get(params, "splits").items()},
-            read_records(params),
-        )
+        said = filling.text(results, params)
         rows = said[[*in_text.KEY, "number"]].itertuples(index=False, name=None)
         return {
             numbering.number_in_text(position, table): ((name, quantity, home), one)
             for position, (name, quantity, home, one) in enumerate(rows, start=1)
         }
-    own = tables_of(params)[table]
-    text = ["group", "row", "column", "note"]
-    contradictions = contradictions_of(files.read_table(paths.CONTRADICTIONS, text))
-    published = files.read_table(paths.PUBLISHED, text[:3])
-    filled = fill_table(own, results, published, dataset_of(own, params), contradictions)
+    filled = filling.table(tables_of(params)[table], results, params)
     ids = numbering.numbers(filled, table)
     return {
         ids[group, row, column]: ((group, row, column), one)
-        for group, row, column, one in filled[[*text[:3], "number"]].itertuples(index=False, name=None)
+        for group, row, column, one in filled[["group", "row", "column", "number"]].itertuples(
+            index=False, name=None
+        )
     }
 
 

@@ -1,44 +1,36 @@
 """Stage `tables`: accuracies of everything, and the numbers of the thesis beside those of this run."""
 
-from typing import Any
-
 import pandas as pd
 
 from placecat import files, paths, settings
 from placecat.explain.origins import to_json
 from placecat.report.formats import table_latex, table_markdown
 from placecat.results.collect import read_results
-from placecat.results.measured import Results
 from placecat.results.quality import quality_table
 from placecat.stages import run
-from placecat.thesis import definitions, in_text, notes, tables
+from placecat.thesis import filling, in_text, notes, tables
 from placecat.thesis.metrics import chosen_averages, nested_metrics, plot_data
-from placecat.thesis.records import read_records
-from placecat.thesis.tables import contradictions_of, dataset_of, fill_table, tables_of
+from placecat.thesis.tables import dataset_of, tables_of
 
 
 def main() -> None:
     """Write every table as CSV, Markdown and LaTeX, and reports/*.csv, metrics.json, summary.json, plots/."""
     params = settings.load()
     results = read_results(params)
-    published = files.read_table(paths.PUBLISHED, ["group", "row", "column"])
-    contradictions = contradictions_of(
-        files.read_table(paths.CONTRADICTIONS, ["group", "row", "column", "note"])
-    )
     filled = {}
     # DVC wants it, also where no table is optional.
     paths.OPTIONAL_TABLES.mkdir(parents=True, exist_ok=True)
     with files.replacing(paths.TABLES) as folder:
         for name, table in tables_of(params).items():
             dataset = dataset_of(table, params)
-            filled[name] = fill_table(table, results, published, dataset, contradictions)
+            filled[name] = filling.table(table, results, params)
             target = paths.OPTIONAL_TABLES if "needs" in table else folder
             files.write_csv(target / f"{name}.csv", filled[name][tables.COLUMNS])
             files.write_text(target / f"{name}.md", table_markdown(table, filled[name], dataset))
             files.write_text(target / f"{name}.tex", table_latex(table, filled[name], dataset))
     files.write_csv(paths.ACCURACIES, results.accuracy_table())
     files.write_csv(paths.PROBABILITIES, quality_table(results.quality))
-    said = _in_text(params, results)
+    said = filling.text(results, params)
     files.write_csv(paths.IN_TEXT, said[in_text.COLUMNS])
     origins = {name: to_json(table, results) for name, table in filled.items()}
     files.write_json(paths.ORIGINS, origins | {in_text.NAME: to_json(said, results, in_text.KEY)})
@@ -49,18 +41,6 @@ def main() -> None:
     with files.replacing(paths.PLOTS) as folder:
         for name, rows in plot_data(results, settings.load(paths.PLOT_DEFINITIONS)).items():
             files.write_csv(folder / name, rows)
-
-
-def _in_text(params: dict[str, Any], results: Results) -> pd.DataFrame:
-    text = ["name", "section", "quantity", "home", "quote", "note"]
-    return in_text.in_text(
-        definitions.in_text(),
-        results,
-        files.read_table(paths.PUBLISHED_TEXT, text),
-        settings.get(params, "dataset"),
-        {name: own["dataset"] for name, own in settings.get(params, "splits").items()},
-        read_records(params),
-    )
 
 
 if __name__ == "__main__":
