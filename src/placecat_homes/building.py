@@ -11,12 +11,13 @@ from placecat.errors import PlacecatError
 from placecat.seeds import derive
 from placecat_homes import palette
 from placecat_homes.doorways import doorway
-from placecat_homes.floorplan import SIDES, FloorPlan, WindowPlan
+from placecat_homes.floorplan import FloorPlan
 from placecat_homes.heating import heat
 from placecat_homes.mesh import Mesh, join
 from placecat_homes.placing.lattice import CELL, drawn, room_for_person
 from placecat_homes.placing.placed import Placed
 from placecat_homes.placing.room import Room
+from placecat_homes.plan_parts import SIDES, WindowPlan
 from placecat_homes.shell import Finish, glaze, shell
 from placecat_homes.style import Style
 from placecat_homes.walking.ground import DOORWAY, Ground

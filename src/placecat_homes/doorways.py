@@ -7,11 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.seeds import derive
-from placecat_homes.floorplan import DoorPlan, FloorPlan
+from placecat_homes.floorplan import FloorPlan
 from placecat_homes.furniture.door import door, frame, leaf_corners
 from placecat_homes.materials import Material
 from placecat_homes.mesh import Mesh, join
 from placecat_homes.placing.placed import rotation
+from placecat_homes.plan_parts import DoorPlan
 from placecat_homes.shapes import box
 from placecat_homes.shell import Finish, passage
 from placecat_homes.style import Style

@@ -391,28 +391,3 @@ def sheet(
     x, y, z = (np.broadcast_to(np.asarray(value, float), s.shape) for value in surface(s, t))
     uv = np.stack([s.ravel() * size[0], t.ravel() * size[1]], 1)
     return from_arrays(np.stack([x, y, z], -1).reshape(-1, 3), _lattice(rows + 1, columns + 1), uv=uv)
-
-
-def curtain(
-    width: float, height: float, folds: int = 8, depth: float = 0.05, thickness: float = 0.004
-) -> Mesh:
-    """Draw hanging cloth in folds, its back near y = 0.
-
-    Parameters
-    ----------
-    width, height, depth, thickness
-        Metres; `depth` is that of the folds.
-    folds
-        Over the width.
-
-    Returns
-    -------
-    Mesh
-        Standing on z = 0, centred in x.
-    """
-    steps = folds * 6
-    x = np.linspace(-width / 2, width / 2, steps + 1)
-    wave = depth / 2 * (1 + np.sin(np.linspace(0, 2 * math.pi * folds, steps + 1)))
-    front = [(float(a), float(b) + thickness) for a, b in zip(x, wave, strict=True)]
-    back = [(float(a), float(b)) for a, b in zip(x, wave, strict=True)]
-    return extrude([*back, *front[::-1]], height, smooth=True, caps=False)

@@ -8,9 +8,10 @@ from placecat_homes import palette
 from placecat_homes.materials import Material
 from placecat_homes.mesh import Mesh, join
 from placecat_homes.parts.fittings import hand_shower, wall_mixer
+from placecat_homes.parts.hanging import curtain
 from placecat_homes.parts.lofts import Outline, hung, loft, rounded
 from placecat_homes.parts.toiletries import bottle
-from placecat_homes.shapes import box, curtain, cylinder, lathe, superellipsoid, tube
+from placecat_homes.shapes import box, cylinder, lathe, superellipsoid, tube
 from placecat_homes.style import Style
 
 WATER = Material((0.7, 0.83, 0.85), gloss=0.08, roughness=0.0)

@@ -10,7 +10,8 @@ from placecat_homes.materials import Material
 from placecat_homes.mesh import Mesh, join
 from placecat_homes.parts.bedding import bedding
 from placecat_homes.parts.fittings import FRONTS, fronts
-from placecat_homes.shapes import box, curtain, lathe, superellipsoid, tube
+from placecat_homes.parts.hanging import curtain
+from placecat_homes.shapes import box, lathe, superellipsoid, tube
 from placecat_homes.style import Style
 
 KINDS = ("wood", "upholstered", "box spring", "metal", "four-poster", "platform")

@@ -1,8 +1,7 @@
-"""Dining chairs and stools."""
+"""Dining chairs, benches and high chairs."""
 
 import math
 from collections.abc import Sequence
-from itertools import pairwise
 
 import numpy as np
 
@@ -102,7 +101,8 @@ def _pad(outline: Sequence[tuple[float, float]], height: float) -> Mesh:
     return loft(rings, close=True)
 
 
-def _cover(rng: np.random.Generator, style: Style) -> Material:
+def seat_cover(rng: np.random.Generator, style: Style) -> Material:
+    """Draw what a seat is covered with."""
     kind = rng.random()
     if kind < 0.3:
         return palette.leather(rng)
@@ -117,7 +117,7 @@ def _seat(rng: np.random.Generator, style: Style, wood: Material, width: float, 
         return extrude(outline, 0.025).of(wood).moved(z=SEAT - 0.025)
     frame = extrude(outline, 0.04).of(wood).moved(z=SEAT - 0.06)
     if kind < 0.8:
-        return join(frame, _pad(outline, 0.045).of(_cover(rng, style)).moved(z=SEAT - 0.022))
+        return join(frame, _pad(outline, 0.045).of(seat_cover(rng, style)).moved(z=SEAT - 0.022))
     rush = Material(texture=palette.plain_fabric(rng).texture, colour=(0.9, 0.8, 0.55))
     return join(frame, _pad(outline, 0.025).of(rush).moved(z=SEAT - 0.022))
 
@@ -212,7 +212,7 @@ def _legs(
 
 
 def _upholstered(rng: np.random.Generator, style: Style) -> Mesh:
-    cover = _cover(rng, style)
+    cover = seat_cover(rng, style)
     width, depth = between(rng, 0.45, 0.52), between(rng, 0.46, 0.52)
     height = between(rng, 0.84, 1.05)
     outline = [(x, y + depth / 2) for x, y in rectangle(width, depth, 0.05)]
@@ -268,7 +268,7 @@ def _bentwood(rng: np.random.Generator, style: Style) -> Mesh:
     middle = r + 0.02
     disc = [(r * math.cos(a), r * math.sin(a)) for a in np.linspace(0, 2 * math.pi, 22)[:-1]]
     rim = extrude(disc, 0.035, smooth=True).moved(0, middle, SEAT - 0.035).of(wood)
-    seat = _cover(rng, style) if chance(rng, 0.4) else Material((0.85, 0.72, 0.45))
+    seat = seat_cover(rng, style) if chance(rng, 0.4) else Material((0.85, 0.72, 0.45))
     inner = _pad([(0.9 * x, 0.9 * y) for x, y in disc], 0.02).of(seat).moved(0, middle, SEAT - 0.005)
     parts = []
     for sx in (-1, 1):
@@ -314,7 +314,7 @@ def _windsor(rng: np.random.Generator, style: Style) -> Mesh:
 
 def _cantilever(rng: np.random.Generator, style: Style) -> Mesh:
     metal = style.metal
-    cover = _cover(rng, style)
+    cover = seat_cover(rng, style)
     width, depth, height = 0.46, 0.45, between(rng, 0.8, 0.95)
     parts = []
     for side in (-1, 1):
@@ -329,42 +329,6 @@ def _cantilever(rng: np.random.Generator, style: Style) -> Mesh:
     panel = _pad([(x, z + tall / 2) for x, z in rectangle(width - 0.02, tall, 0.04)], 0.04)
     rest = panel.turned(90, "x").turned(180).turned(9, "x").moved(0, -0.05, height - tall - 0.01).of(cover)
     return join(frame, seat.moved(0, 0.0, SEAT - 0.035), rest)
-
-
-def stool(rng: np.random.Generator, style: Style, *, height: float = 0.46) -> Mesh:
-    """Draw a stool; 0.65 m high for a breakfast bar."""
-    wood = style.any_wood(rng)
-    r = between(rng, 0.16, 0.19)
-    kind = rng.random()
-    parts: list[Mesh] = []
-    if kind < 0.65 or height < 0.55:
-        metal = chance(rng, 0.35)
-        material = style.metal if metal else wood
-        thick = (0.011, 0.011) if metal else (0.018, 0.013)
-        for k in range(4):
-            a = math.pi / 4 + k * math.pi / 2
-            top = (0.7 * r * math.cos(a), 0.7 * r * math.sin(a))
-            foot = (1.05 * r * math.cos(a), 1.05 * r * math.sin(a))
-            parts.append(leg(foot, top, height - 0.02, *thick, 8).of(material))
-        level = height * 0.35
-        reach = (1.05 - 0.35 * 0.35) * r
-        angles = [math.pi / 4 + k * math.pi / 2 for k in range(5)]
-        corners = [(reach * math.cos(a), reach * math.sin(a), level) for a in angles]
-
-        for start, end in pairwise(corners):
-            parts.append(tube([start, end], 0.008, 6).of(material))
-    else:
-        parts.append(lathe([(0, 0), (0.2, 0), (0.2, 0.01), (0.03, 0.03), (0.025, 0.05)], 18).of(style.metal))
-        parts.append(tube([(0, 0, 0.03), (0, 0, height - 0.03)], 0.022, 10).of(style.metal))
-        hoop = [(0.13 * math.cos(a), 0.13 * math.sin(a), 0.25) for a in np.linspace(0, 2 * math.pi, 15)]
-        parts.append(tube(hoop, 0.008, 6).of(style.metal))
-    if chance(rng, 0.5):
-        seat = lathe([(0, 0), (r, 0), (r + 0.004, 0.015), (r, 0.03), (0, 0.032)], 20).of(wood)
-    else:
-        cover = _cover(rng, style)
-        seat = lathe([(0, 0), (r, 0), (r + 0.01, 0.03), (r * 0.9, 0.055), (0, 0.06)], 20).of(cover)
-    parts.append(seat.moved(z=height - 0.03))
-    return grounded(parts)
 
 
 def bench(rng: np.random.Generator, style: Style, *, width: float = 1.4) -> Mesh:

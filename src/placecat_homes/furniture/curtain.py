@@ -8,7 +8,8 @@ from placecat_homes import palette
 from placecat_homes.furniture.blocks import between, block, chance, choose
 from placecat_homes.materials import Material
 from placecat_homes.mesh import Mesh, join
-from placecat_homes.shapes import curtain, quad, sheet, superellipsoid, tube
+from placecat_homes.parts.hanging import curtain
+from placecat_homes.shapes import quad, sheet, superellipsoid, tube
 from placecat_homes.style import Style
 
 NET = Material((0.95, 0.95, 0.93), opacity=0.5)

@@ -5,8 +5,9 @@ import math
 import numpy as np
 
 from placecat_homes.furniture.blocks import backed, between, chance, choose
-from placecat_homes.furniture.chair import bench, chair, stool
+from placecat_homes.furniture.chair import bench, chair
 from placecat_homes.furniture.dining_table import HEIGHT, dining_table, folding_table
+from placecat_homes.furniture.stool import stool
 from placecat_homes.furniture.table_setting import Tableware, centrepiece, place_setting, runner
 from placecat_homes.mesh import Mesh, join
 from placecat_homes.style import Style

@@ -7,7 +7,6 @@ import numpy as np
 from placecat_homes.furniture.bar_cart import bar_cart
 from placecat_homes.furniture.blocks import between, chance, choose
 from placecat_homes.furniture.ceiling_lamp import ceiling_lamp, pendant
-from placecat_homes.furniture.chair import stool
 from placecat_homes.furniture.china_cabinet import china_cabinet
 from placecat_homes.furniture.clock import clock
 from placecat_homes.furniture.cookware import hanging_rail
@@ -21,6 +20,7 @@ from placecat_homes.furniture.larder import larder, oven_tower
 from placecat_homes.furniture.picture import picture, poster
 from placecat_homes.furniture.plant import plant
 from placecat_homes.furniture.rug import mat
+from placecat_homes.furniture.stool import stool
 from placecat_homes.furniture.stove import stove
 from placecat_homes.furniture.waste_bin import waste_bin
 from placecat_homes.mesh import Mesh, join

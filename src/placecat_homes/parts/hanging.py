@@ -1,0 +1,33 @@
+"""Hanging cloth."""
+
+import math
+
+import numpy as np
+
+from placecat_homes.mesh import Mesh
+from placecat_homes.shapes import extrude
+
+
+def curtain(
+    width: float, height: float, folds: int = 8, depth: float = 0.05, thickness: float = 0.004
+) -> Mesh:
+    """Draw hanging cloth in folds, its back near y = 0.
+
+    Parameters
+    ----------
+    width, height, depth, thickness
+        Metres; `depth` is that of the folds.
+    folds
+        Over the width.
+
+    Returns
+    -------
+    Mesh
+        Standing on z = 0, centred in x.
+    """
+    steps = folds * 6
+    x = np.linspace(-width / 2, width / 2, steps + 1)
+    wave = depth / 2 * (1 + np.sin(np.linspace(0, 2 * math.pi * folds, steps + 1)))
+    front = [(float(a), float(b) + thickness) for a, b in zip(x, wave, strict=True)]
+    back = [(float(a), float(b)) for a, b in zip(x, wave, strict=True)]
+    return extrude([*back, *front[::-1]], height, smooth=True, caps=False)

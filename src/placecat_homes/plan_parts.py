@@ -1,0 +1,144 @@
+"""What a floor plan consists of: rooms, doors and windows, and where they are.
+
+Sides of a room are south (y0), east (x1), north (y1) and west (x0); they are walls 0 to 3 of `Room`.
+"""
+
+from dataclasses import dataclass
+
+SIDES = ("south", "east", "north", "west")
+"""Names of walls 0 to 3."""
+
+Rect = tuple[float, float, float, float]
+
+
+@dataclass(frozen=True)
+class RoomPlan:
+    """A room.
+
+    Attributes
+    ----------
+    name
+        Unique.
+    kind
+        Which furniture it gets.
+    rect
+        x0, y0, x1, y1 of its inner faces in metres.
+    label
+        The place it is an example of.
+    part
+        Part of the building; "" if it has none.
+    """
+
+    name: str
+    kind: str
+    rect: Rect
+    label: str
+    part: str = ""
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and depth in metres."""
+        return self.rect[2] - self.rect[0], self.rect[3] - self.rect[1]
+
+    def along(self, wall: int, low: float, high: float) -> tuple[float, float]:
+        """Turn world coordinates along a wall into metres from the wall's left end, seen from inside."""
+        x0, y0, x1, y1 = self.rect
+        if wall == 0:
+            return x1 - high, x1 - low
+        if wall == 1:
+            return y1 - high, y1 - low
+        return (low - x0, high - x0) if wall == 2 else (low - y0, high - y0)
+
+
+@dataclass(frozen=True)
+class DoorPlan:
+    """A door.
+
+    Attributes
+    ----------
+    rooms
+        Names of the two rooms it connects; the leaf swings into the last one. A closed door has one.
+    kind
+        "door", "open" (no leaf), "glass" (a leaf of glass) or "closed" (never opened, leads nowhere).
+    position
+        Of its middle along the shared wall, from 0 (south or west) to 1.
+    width, height
+        Metres.
+    side
+        Of a closed door: the side of the room.
+    """
+
+    rooms: tuple[str, ...]
+    kind: str = "door"
+    position: float = 0.5
+    width: float = 0.85
+    height: float = 2.05
+    side: str = ""
+
+
+@dataclass(frozen=True)
+class WindowPlan:
+    """A window.
+
+    Attributes
+    ----------
+    room
+        Name of its room.
+    side
+        "south", "east", "north" or "west".
+    start, end
+        World coordinates along the side, metres.
+    sill, top
+        Heights in metres.
+    """
+
+    room: str
+    side: str
+    start: float
+    end: float
+    sill: float
+    top: float
+
+
+@dataclass(frozen=True)
+class Doorway:
+    """Where a door is.
+
+    Attributes
+    ----------
+    rect
+        x0, y0, x1, y1 of the opening in the wall, from face to face, metres.
+    walls
+        The wall of each of its rooms.
+    """
+
+    rect: Rect
+    walls: tuple[int, ...]
+
+    @property
+    def middle(self) -> tuple[float, float]:
+        """World x and y."""
+        x0, y0, x1, y1 = self.rect
+        return (x0 + x1) / 2, (y0 + y1) / 2
+
+
+def side(rect: Rect, wall: int) -> tuple[float, float, float, int]:
+    """Give where a side starts and ends, where it is across, and the sign of outwards."""
+    x0, y0, x1, y1 = rect
+    return ((x0, x1, y0, -1), (y0, y1, x1, 1), (x0, x1, y1, 1), (y0, y1, x0, -1))[wall]
+
+
+def rect(wall: int, low: float, high: float, face: float, beyond: float) -> Rect:
+    """Give the rectangle from a face of a wall to what is beyond it."""
+    near, far = min(face, beyond), max(face, beyond)
+    return (low, near, high, far) if wall % 2 == 0 else (near, low, far, high)
+
+
+def extent(rect: Rect, wall: int) -> tuple[float, float]:
+    """Give where a rectangle starts and ends along a wall."""
+    return (rect[0], rect[2]) if wall % 2 == 0 else (rect[1], rect[3])
+
+
+def apart(a: Rect, b: Rect) -> float:
+    """Give the gap between two rectangles along an axis, negative if they overlap."""
+    return max(a[0] - b[2], b[0] - a[2], a[1] - b[3], b[1] - a[3])
