@@ -30,6 +30,8 @@ FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 ELSEWHERE = {
     "dask": "starts a server of Dask, and reads only the name of the command",
     "git": "changes a repository; its words are git's own",
+    "mkdir": "makes a folder for data that is downloaded",
+    "tar": "unpacks data that is downloaded",
     "unzip": "reads a trained model, which `make repro` leaves",
     "pre-commit": "is installed by those who want it",
     "ruff": "is run by `make lint`",
