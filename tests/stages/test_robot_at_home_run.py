@@ -10,7 +10,8 @@ from placecat.__main__ import main
 from placecat.check import check
 from placecat.compose import compose
 from placecat.stages import cues, features, integration, sequences, smoothing
-from project import light_conf
+from placecat.thesis import checks
+from project import ROOT, light_conf
 
 WIDTH, HEIGHT = 120, 160
 # Directions of stripes, in degrees, of the types of rooms that are classes.
@@ -65,6 +66,7 @@ def ran(tmp_path_factory):
         yield settings.load()
 
 
+@pytest.mark.slow
 def test_every_home_is_left_out_and_named(ran):
     assert ran["dataset"]["classes"] == ["bedroom", "bathroom", "kitchen", "living_room"]
     for home in HOMES:
@@ -79,8 +81,10 @@ def test_every_home_is_left_out_and_named(ran):
         assert (single.argmax(axis=1) == truth)[truth >= 0].mean() > 0.7, home
 
 
-def test_one_command_is_enough():
+def test_one_command_is_enough(monkeypatch):
     """The settings of the project with no other override."""
+    monkeypatch.chdir(ROOT)
     params = yaml.safe_load(compose(["dataset=robot_at_home", "dataset.root=/data/rah"]))
     check(params)
+    checks.check(params)
     assert (params["dataset"]["camera"], params["dataset"]["turn"]) == ("RGBD_1", 0)
