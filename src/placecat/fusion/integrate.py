@@ -1,4 +1,4 @@
-"""Integration of cues by one of the ways of thesis 3.3.3: SVM-DAS, or a plain vote."""
+"""Integration of cues by a method of thesis 3.3.3: SVM-DAS or a plain vote."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -27,8 +27,8 @@ class Integrator:
     model
         The integrating classifier of SVM-DAS; None for a vote.
     temperatures
-        (cues,) what the cues' distributions are tempered with before, see
-        :func:`placecat.fusion.temperature.temper`; None to take them as they are.
+        (cues,) temperatures of the cues' distributions, see :func:`placecat.fusion.temperature.temper`; None
+        for no tempering.
     """
 
     method: str
@@ -46,7 +46,7 @@ class Integrator:
 
 @dataclass(frozen=True)
 class Trained:
-    """An integration and what its training has to say.
+    """An integration and facts of its training.
 
     Attributes
     ----------
@@ -86,18 +86,13 @@ def fit(
     classes
         Names of the places.
     method
-        ``das`` (SVM-DAS), ``vote_distribution`` or ``vote_decision``.
+        ``das`` (SVM-DAS), ``vote_distribution`` or ``vote_decision``, else PlacecatError.
     classifier
         Of SVM-DAS, as for :func:`placecat.cues.fit`.
     temperatures
         Of each cue, as for :class:`Integrator`.
     cross_validated
-        Whether each home's frames are judged by an integration of the others as well.
-
-    Raises
-    ------
-    PlacecatError
-        An unknown method.
+        Whether to judge each home's frames by an integration of the others as well.
     """
     if method not in METHODS:
         raise PlacecatError(f"integrator.method {method!r} does not exist: use one of {', '.join(METHODS)}")
@@ -105,7 +100,7 @@ def fit(
     labels = np.concatenate([truth[home] for home in train])
     own = None if temperatures is None else np.asarray(temperatures, dtype=np.float64)
     if method != "das":
-        # A vote has nothing to train, so that its statistics need no cross-validation of its own.
+        # A vote has nothing to train, so its statistics need no cross-validation.
         vote = Integrator(method, None, own)
         return Trained(vote, vote.predict_proba(together) if cross_validated else None, labels, {})
     if classifier is None:
