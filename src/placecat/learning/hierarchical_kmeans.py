@@ -245,8 +245,8 @@ class HierarchicalKMeans(BaseEstimator):
                     "raise max_clusters and fit again"
                 )
             raise NotComputable(
-                f"{n_clusters} clusters are impossible: the training data split into {self.max_clusters_} at "
-                f"most, none of them with {self.branching} distinct points"
+                f"{n_clusters} clusters cannot be had: the training data split into {self.max_clusters_} at "
+                f"most, of which none has {self.branching} distinct points"
             )
         n_splits = (n_clusters - 1) // (self.branching - 1)
         in_cut = np.ones(1 + self.branching * n_splits, bool)

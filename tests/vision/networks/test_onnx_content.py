@@ -74,7 +74,7 @@ def test_the_checksum_covers_weights_in_other_files(path):
     expected = onnx_content.fingerprint(path, [weights])
     onnx_content.check(path, expected)
     weights.write_bytes(np.zeros(3, np.float32).tobytes())
-    refused("it is another file than was meant", path, expected)
+    refused("it is not the expected file", path, expected)
 
 
 @pytest.mark.skipif(shutil.which("sha256sum") is None, reason="there is no sha256sum")

@@ -79,7 +79,7 @@ def test_a_missing_file_and_one_with_another_checksum_are_named(file):
     one_message(
         r"nowhere\.onnx, the network of the settings, is missing", onnx_file.load, Path("nowhere.onnx")
     )
-    one_message("it is another file than was meant", onnx_file.load, file, None, "0" * 64)
+    one_message("it is not the expected file", onnx_file.load, file, None, "0" * 64)
 
 
 def test_without_onnxruntime_the_message_says_how_to_install_it(monkeypatch, file):
