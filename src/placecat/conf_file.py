@@ -1,4 +1,4 @@
-"""Settings of a command in a file of conf/ of their own, outside params.yaml."""
+"""Settings of a command in its own file of conf/, outside params.yaml."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -10,10 +10,7 @@ from placecat import settings
 def read(path: Path, names: Sequence[str]) -> dict[str, Any]:
     """Read a file that must have exactly these settings.
 
-    Raises
-    ------
-    PlacecatError
-        If it is missing or no YAML, or has an unknown setting or lacks one.
+    Raises PlacecatError if it is missing or no YAML, or a setting is unknown or missing.
     """
     content = settings.read_yaml(path, "run this in the project's folder, or restore it from git")
     settings.refuse_unknown(content, list(names), str(path))
