@@ -33,10 +33,10 @@ _REFUSED = {
     errno.ENOSPC: "make room and run again",
     errno.EDQUOT: "make room and run again",
     errno.EFBIG: "allow larger files (ulimit -f) and run again",
-    errno.EACCES: "give yourself the permission, or another place",
-    errno.EPERM: "give yourself the permission, or another place",
-    errno.EROFS: "give another place, which can be written to",
-    errno.EIO: "the disk or the network fails: check it",
+    errno.EACCES: "get the permission, or choose another place",
+    errno.EPERM: "get the permission, or choose another place",
+    errno.EROFS: "choose a writable place",
+    errno.EIO: "the disk or the network has an error: check it",
     errno.EMFILE: "allow more open files (ulimit -n)",
     errno.ENFILE: "close other programs",
     errno.ENAMETOOLONG: "give a shorter name",
@@ -112,7 +112,7 @@ def refusal(error: OSError, path: object = None) -> str:
     name = error.filename if path is None else path
     where = "" if name is None else f"{os.fsdecode(name) if isinstance(name, bytes) else name}: "
     number = error.errno or errno.ENOSPC
-    return f"{where}{error.strerror or os.strerror(number)}; {_REFUSED.get(number, 'give another place')}"
+    return f"{where}{error.strerror or os.strerror(number)}; {_REFUSED.get(number, 'choose another place')}"
 
 
 def did_you_mean(name: object, valid: Iterable[str], before: str = "; ") -> str:

@@ -139,8 +139,8 @@ def read_revision(revision: str = HEAD) -> Kept:
 
 def commit_of(revision: str) -> str:
     """Hash of a revision's commit; raises PlacecatError without git, repository or revision."""
-    _git("rev-parse", "--git-dir", message="this folder is in no git repository that has kept tables")
-    unknown = f"git has no revision {revision!r}, `git log --oneline` lists those there are"
+    _git("rev-parse", "--git-dir", message="this folder is not in a git repository with kept tables")
+    unknown = f"git has no revision {revision!r}, `git log --oneline` lists the existing ones"
     # The suffix makes git look for a commit, so it never takes a revision for an option.
     return _git("rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}", message=unknown).strip()
 

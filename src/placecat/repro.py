@@ -67,7 +67,7 @@ def _check_git() -> None:
     configurations = [path for path in (Path(".dvc/config"), Path(".dvc/config.local")) if path.is_file()]
     if not Path(".git").exists() and not any("no_scm" in path.read_text() for path in configurations):
         raise PlacecatError(
-            "this folder is no git repository, which DVC expects: run `git init`, or, without git, "
+            "this folder is not a git repository, which DVC expects: run `git init`, or, without git, "
             "`dvc config --local core.no_scm true`"
         )
 

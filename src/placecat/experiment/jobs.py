@@ -30,7 +30,7 @@ def alone(folder: Path) -> Iterator[None]:
         try:
             yield
         except KeyboardInterrupt:
-            print(f"placecat: stopped; the same command goes on with {folder}", file=sys.stderr, flush=True)
+            print(f"placecat: stopped; the same command continues {folder}", file=sys.stderr, flush=True)
             raise
 
 

@@ -146,14 +146,14 @@ def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: Sequence[
     if not ran:
         return True
     files.write_csv(folder / output.SUMMARY, summary.as_frame(ran))
-    print(f"\n{summary.text(ran)}\n\nAll of it: {folder / output.SUMMARY}")
+    print(f"\n{summary.text(ran)}\n\nDetails: {folder / output.SUMMARY}")
     is_logged = log is None or _log(lambda tracking: tracking.log_sweep(ran, folder, log))
     return is_logged and not any(one.has_failed for one in ran)
 
 
 def tell_one(folder: Path, result: dict[str, object], *, log: bool) -> bool:
     """Print and log the result of a single experiment, like `tell`."""
-    print(f"\n{summary.text_of_one(result)}\n\nAll of it: {folder / output.RESULT}")
+    print(f"\n{summary.text_of_one(result)}\n\nDetails: {folder / output.RESULT}")
     return not log or _log(lambda tracking: tracking.log_one(result, folder))
 
 
@@ -165,6 +165,8 @@ def _log(write: Callable[[Any], str]) -> bool:
     try:
         print(f"Logged: {write(tracking)}")
     except PlacecatError as error:
-        print(f"placecat: nothing logged: {error}; track=false does without", file=sys.stderr)
+        print(
+            f"placecat: nothing was logged to MLflow: {error}; track=false turns logging off", file=sys.stderr
+        )
         return False
     return True

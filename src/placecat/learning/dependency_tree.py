@@ -85,7 +85,7 @@ class DependencyTree(DiscreteBayes):
 
     def _fit_model(self, codes: NDArray[np.integer], labels: NDArray[np.intp]) -> None:
         if not 0 <= self.root < self.n_features_in_:
-            raise PlacecatError(f"root={self.root} is no variable: use 0 to {self.n_features_in_ - 1}")
+            raise PlacecatError(f"root={self.root} is not a variable: use 0 to {self.n_features_in_ - 1}")
         n_classes, n_values = len(self.classes_), self.n_values_
         members = [codes[labels == label] for label in range(n_classes)]
         self.parents_ = np.array(

@@ -45,7 +45,7 @@ def check_samples(X: ArrayLike, name: str = "X") -> NDArray[np.float32]:
     if not finite and not np.isfinite(samples).all():
         row = int(np.flatnonzero(~np.isfinite(samples).all(axis=1))[0])
         raise PlacecatError(
-            f"{name} holds NaN or infinite values, first in row {row}; drop or mend these samples"
+            f"{name} holds NaN or infinite values, first in row {row}; drop or fix these samples"
         )
     return samples
 

@@ -72,7 +72,7 @@ def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str,
     elif kind in ("dict_type", "mapping_type", "model_type"):
         said = "it must have settings of its own"
     if told["loc"][-1:] == ("[key]",):
-        return f"{'.'.join(place[:-1])}: {_short(repr(value))} is no good name: {said}"
+        return f"{'.'.join(place[:-1])}: {_short(repr(value))} is not a valid name: {said}"
     return f"{dotted}: {said}" if isinstance(value, Mapping) else f"{dotted}={_short(value)}: {said}"
 
 

@@ -91,7 +91,7 @@ def in_text(
 
 def _same_names(entries: Sequence[str], published: Sequence[str]) -> None:
     if more := [name for name in entries if name not in published]:
-        raise PlacecatError(f"in_text has an entry {more[0]!r} of which the thesis says nothing")
+        raise PlacecatError(f"in_text has an entry {more[0]!r} that the thesis does not mention")
     if more := [name for name in published if name not in entries]:
         raise PlacecatError(f"the thesis's number {more[0]!r} has no entry in in_text")
 

@@ -106,7 +106,7 @@ def test_damaged_files_give_one_message(path):
     path.with_name("weights.bin").write_bytes(bytes(12))
     for end in (0, 1, 7, len(content) // 2, len(content) - 1):
         path.write_bytes(content[:end])
-        refused("is no ONNX file", path)
+        refused("is not an ONNX file", path)
     for seed in range(200):
         rng = np.random.default_rng(seed)
         damaged = bytearray(content)

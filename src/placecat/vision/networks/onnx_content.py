@@ -111,7 +111,7 @@ def _content(path: Path) -> tuple[list[tuple[str, list[str]]], list[str]]:
     has_graph = False
     with path.open("rb") as file:
         if not file.seek(0, 2):
-            raise PlacecatError(f"{path} is no ONNX file: it is empty")
+            raise PlacecatError(f"{path} is not an ONNX file: it is empty")
         with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
             # Nested messages of any depth, without recursion.
             waiting = [("model", 0, len(content))]
@@ -131,9 +131,9 @@ def _content(path: Path) -> tuple[list[tuple[str, list[str]]], list[str]]:
                     elif kind == "entry" and texts.get(_KEY, [""])[-1] == "location":
                         weights.add(texts.get(_VALUE, [""])[-1])
             except ValueError as error:
-                raise PlacecatError(f"{path} is no ONNX file, or damaged: {error}") from None
+                raise PlacecatError(f"{path} is not an ONNX file, or damaged: {error}") from None
     if not has_graph:
-        raise PlacecatError(f"{path} is no ONNX file: it has no network")
+        raise PlacecatError(f"{path} is not an ONNX file: it has no network")
     return operators, sorted(weights)
 
 

@@ -54,7 +54,7 @@ def load(
         session = onnxruntime.InferenceSession(path, options, providers=["CPUExecutionProvider"])
     # onnxruntime's errors have no base class of their own.
     except Exception as error:
-        raise PlacecatError(f"{path} is no ONNX file that onnxruntime can run: {_short(error)}") from None
+        raise PlacecatError(f"{path} is not an ONNX file that onnxruntime can run: {_short(error)}") from None
     name = _input(session, path)
     outputs = [one.name for one in session.get_outputs()]
     wanted = outputs[0] if output is None else output
