@@ -10,7 +10,10 @@ from placecat import settings
 def read(path: Path, names: Sequence[str]) -> dict[str, Any]:
     """Read a file that must have exactly these settings.
 
-    Raises PlacecatError if it is missing or no YAML, or a setting is unknown or missing.
+    Raises
+    ------
+    PlacecatError
+        If it is missing or no YAML, or has an unknown setting or lacks one.
     """
     content = settings.read_yaml(path, "run this in the project's folder, or restore it from git")
     settings.refuse_unknown(content, list(names), str(path))

@@ -1,4 +1,4 @@
-"""Integration of cues by a method of thesis 3.3.3: SVM-DAS or a plain vote."""
+"""Integration of cues by one of the ways of thesis 3.3.3: SVM-DAS, or a plain vote."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -27,8 +27,8 @@ class Integrator:
     model
         The integrating classifier of SVM-DAS; None for a vote.
     temperatures
-        (cues,) temperatures of the cues' distributions, see :func:`placecat.fusion.temperature.temper`; None
-        for no tempering.
+        (cues,) what the cues' distributions are tempered with before, see
+        :func:`placecat.fusion.temperature.temper`; None to take them as they are.
     """
 
     method: str
@@ -86,7 +86,7 @@ def fit(
     classes
         Names of the places.
     method
-        ``das`` (SVM-DAS), ``vote_distribution`` or ``vote_decision``, else PlacecatError.
+        ``das`` (SVM-DAS), ``vote_distribution`` or ``vote_decision``.
     classifier
         Of SVM-DAS, as for :func:`placecat.cues.fit`.
     temperatures

@@ -20,7 +20,7 @@ def smoothing_settings(params: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def fused_parts(plan: Plan, *, extra: bool) -> tuple[Part, ...]:
-    """The parts that an integration trains on."""
+    """Name what an integration trains on."""
     return (*plan.integration, *(plan.extra if extra else ()))
 
 

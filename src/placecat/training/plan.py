@@ -118,7 +118,10 @@ def of_release(
 ) -> Plan:
     """Plan a system for other footage: every home trains, or every one but `without`, which is tested.
 
-    Parameters are as for :func:`of_homes`.
+    Parameters
+    ----------
+    params, scheme, extra
+        As for :func:`of_homes`.
     """
     if without is not None:
         return of_homes(params, scheme, without, extra=extra)[0]

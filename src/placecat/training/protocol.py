@@ -22,8 +22,8 @@ class Fold:
     Attributes
     ----------
     scheme
-        "5-5-1": cues and integration train on all other homes, on different frames. "4-5-1": only the
-        integration sees one of the other homes.
+        "5-5-1": cues and integration train on all other homes, on different frames. "4-5-1": one of the
+        other homes is kept from the cues and seen by the integration only.
     test
         The home that nothing fitted has seen; "" if all homes train.
     cue_homes
@@ -97,7 +97,7 @@ def folds(homes: Sequence[str], scheme: str, tested: str | Sequence[str] = ALL) 
     """
     if scheme not in SCHEMES:
         raise PlacecatError(f"scheme {scheme!r} is unknown: use one of {', '.join(SCHEMES)}")
-    # Cross-validation by home needs two homes that train the cues.
+    # Statistics come from cross-validation by home, so that what trains the cues must be two homes at least.
     needed = 3 if scheme == "5-5-1" else 4
     if len(homes) < needed:
         raise PlacecatError(
@@ -121,7 +121,10 @@ def folds(homes: Sequence[str], scheme: str, tested: str | Sequence[str] = ALL) 
 def fold_of_all(homes: Sequence[str], scheme: str) -> Fold:
     """Let every home train, for use on other footage; in 4-5-1 the first home is kept from the cues.
 
-    Homes and scheme must be valid for :func:`folds`.
+    Parameters
+    ----------
+    homes, scheme
+        As for :func:`folds`, which has to accept them.
     """
     folds(homes, scheme)
     return Fold(scheme, "", tuple(homes[1:] if scheme == "4-5-1" else homes), tuple(homes))

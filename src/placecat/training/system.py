@@ -132,6 +132,6 @@ def train(plan: Plan, system: System, seed: int) -> Trained:
 def _train_cue(
     plan: Plan, cue: Cue, seed: int, parts: Sequence[Part], tempered: bool
 ) -> tuple[TrainedCue, Probabilities, float]:
-    """Train one cue; return it, its distributions for the integration's frames, and its temperature."""
+    """Train one cue; give it, its distributions for the integration's frames, and its temperature."""
     trained = of_cue.train(plan, cue, seed, cross_validate=tempered)
     return trained, trained.predict_chosen(parts), trained.temperature

@@ -1,4 +1,4 @@
-"""Charts of confusion matrices: one with its numbers, or all of a table."""
+"""Charts of confusion matrices: one with its numbers, or all those of a table."""
 
 from collections.abc import Mapping, Sequence
 
@@ -16,7 +16,7 @@ _CELL = 0.11
 
 
 class Matrices:
-    """Confusion matrices side by side. The figure is reused, since drawing axes takes longest."""
+    """Confusion matrices side by side; used again for the next ones, since drawing axes takes longest."""
 
     def __init__(self, classes: Sequence[str], count: int) -> None:
         size = len(classes)
@@ -41,7 +41,7 @@ class Matrices:
     def fill(self, title: str, matrices: Mapping[str, Measured]) -> Figure:
         """Show percentages of each true place (row) decided as each place (column), over all homes and seeds.
 
-        `matrices` maps captions to measurements.
+        `matrices` are captions to what was measured.
         """
         self._title.set_text(title)
         parts = zip(matrices.items(), self._images, self._texts, self._titles, strict=True)

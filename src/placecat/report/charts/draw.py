@@ -40,7 +40,7 @@ def draw_table(
 
 
 class MatrixDrawer:
-    """Writes the confusion matrices of one row after another."""
+    """Writes the confusion matrices of one row after the other."""
 
     def __init__(self) -> None:
         self._sheets: dict[tuple[tuple[str, ...], int], Matrices] = {}
