@@ -39,7 +39,7 @@ class Descriptors:
         return np.arange(self.x.shape[1])[None, :] < self.counts[:, None]
 
     def rows(self) -> NDArray[np.float32]:
-        """All vectors below each other: (n, d), or (sum of counts, d) in the order of frames and regions."""
+        """All vectors, stacked: (n, d), or (sum of counts, d) in the order of frames and regions."""
         return self.x if self.counts is None else self.x[self.valid()]
 
     def frame_of_row(self) -> NDArray[np.int64]:

@@ -246,7 +246,7 @@ def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
 
 
 def _records(table: pd.DataFrame) -> list[dict[str, Any]]:
-    """Rows as dictionaries, None for what is missing."""
+    """Rows as dictionaries, None for missing values."""
     return [
         {str(name): None if pd.isna(value) else value for name, value in record.items()}
         for record in table.to_dict("records")

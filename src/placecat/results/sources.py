@@ -14,7 +14,7 @@ from placecat.training import protocol
 
 @dataclass(frozen=True)
 class Source:
-    """The distributions of one result over the places `classes`: one array `name` for each home and seed.
+    """Files of one result's distributions over the places `classes`: one array `name` for each home and seed.
 
     Test homes have the names of their folders; `site` is their further data set, "" for the main one.
     """
