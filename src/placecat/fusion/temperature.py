@@ -11,8 +11,9 @@ _EXPONENTS = (0.01, 100.0)
 def temper(proba: NDArray[np.float64], temperature: float | NDArray[np.float64]) -> NDArray[np.float64]:
     """Raise distributions to the power of 1 / T and normalise: flatter for T > 1, sharper for T < 1.
 
-    `proba` is (..., n_classes), and so is the result; rows sum to 1, and the order of the classes stays. T >
-    0 is one number, or an array that broadcasts against ``proba[..., 0]``. T = 1 changes only last bits.
+    `proba` is (..., n_classes), and so is the result; rows sum to 1, and the order of the classes stays. The
+    temperature is above 0: one number, or an array that broadcasts against ``proba[..., 0]``. 1 changes only
+    last bits.
 
     Examples
     --------

@@ -72,8 +72,8 @@ def saliency(
 ) -> Saliency:
     """Fuse the feature maps of a frame (thesis 3.1.1.1).
 
-    Maps are added across scales and radii within each sub-channel. The sub-channels are added with weights 1
-    / sqrt(m) into conspicuity maps. Each of these is stretched linearly to [0, largest local maximum of its
+    Maps are added across scales and radii within each sub-channel. With weights 1 / sqrt(m) the sub-channels
+    are added into conspicuity maps. Each of these is stretched linearly to [0, largest local maximum of its
     sub-channels], and they are added with weights 1 / sqrt(m) again. m is the number of local maxima strictly
     above the median of the map's local maxima; m = 0 gives the weight 0, so a map with a single peak does not
     count.
