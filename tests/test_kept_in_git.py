@@ -138,7 +138,7 @@ def test_tables_of_other_data_are_not_compared(folder):
 @pytest.mark.parametrize("revision", ["nowhere", "HEAD~1", "--all", "HEAD:project/params.yaml", ""])
 def test_an_unknown_revision_is_refused(folder, revision):
     with pytest.raises(
-        PlacecatError, match=f"git has no revision {revision!r}, `git log --oneline` lists those there are$"
+        PlacecatError, match=f"git has no revision {revision!r}, `git log --oneline` lists the existing ones$"
     ):
         kept_in_git.read_revision(revision)
 
@@ -158,7 +158,7 @@ def test_a_folder_without_tables_says_what_to_run(folder):
 
 def test_outside_a_repository_it_says_so(folder):
     shutil.rmtree(Path("../.git"))
-    with pytest.raises(PlacecatError, match="this folder is in no git repository"):
+    with pytest.raises(PlacecatError, match="this folder is not in a git repository"):
         kept_in_git.compare()
 
 

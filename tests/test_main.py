@@ -303,6 +303,6 @@ def test_force_runs_everything_but_what_is_frozen(committed):
 def test_mistakes_of_compare_give_one_message(committed, tmp_path):
     refused(placecat(committed, "compare", "nowhere"), "git has no revision 'nowhere'")
     shutil.copytree(committed, tmp_path / "bare", ignore=shutil.ignore_patterns(".git", ".dvc"))
-    refused(placecat(tmp_path / "bare", "compare"), "this folder is in no git repository")
+    refused(placecat(tmp_path / "bare", "compare"), "this folder is not in a git repository")
     shutil.rmtree(committed / "reports")
     refused(placecat(committed, "compare"), "reports/tables has no tables: run `placecat repro`")

@@ -146,7 +146,7 @@ def values():
         yield (
             "codebooks",
             {name: PARAMS["codebooks"]["hog_y"]},
-            r"'.*' is no good name: .* letters",
+            r"'.*' is not a valid name: .* letters",
         )
     yield "filters.tenth.threshold", 0.1, "either a threshold or a share"
 

@@ -14,7 +14,7 @@ def test_a_folder_without_git_is_one_message(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / ".dvc").mkdir()
     (tmp_path / ".dvc/config").write_text("[core]\n    analytics = false\n")
-    with pytest.raises(PlacecatError, match=r"no git repository.*`git init`.*core\.no_scm true"):
+    with pytest.raises(PlacecatError, match=r"not a git repository.*`git init`.*core\.no_scm true"):
         repro.run()
 
 

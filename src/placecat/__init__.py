@@ -1,3 +1,3 @@
-"""Reproducible experiments in visual place categorization, after Bormann's thesis of that name."""
+"""Reproducible experiments in visual place categorization, after Bormann's thesis."""
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"

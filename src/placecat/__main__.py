@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from contextlib import redirect_stdout
 from pathlib import Path
 
-import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
+import placecat.stages  # noqa: F401 before NumPy: chooses OpenBLAS's kernels
 from placecat import compute, paths
 from placecat.compose import write_params
 from placecat.errors import PlacecatError, exiting
@@ -21,7 +21,7 @@ _STATUS = (
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run a subcommand; a mistake of the user's ends with its message and status 1."""
+    """Run a subcommand; a user's mistake ends it with a message and status 1."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     with exiting(), redirect_stdout(Terminal(sys.stdout)):
         if given[:1] in (["experiment"], ["search"]):
@@ -121,7 +121,7 @@ def _parser() -> argparse.ArgumentParser:
     _add_train(commands)
     _add_predict(commands)
     _add_worker(commands)
-    # Hydra reads their arguments.
+    # Hydra parses their arguments.
     commands.add_parser("experiment", help="train and test any descriptor and classifier, or a sweep of them")
     commands.add_parser("search", help="search settings by their accuracy on training homes")
     return parser
@@ -299,14 +299,14 @@ def _repro_alone(options: argparse.Namespace) -> int:
 
 
 def _measure(call: str, seconds: float) -> str:
-    """Write the times of a call; give them as text."""
+    """Write the times of a call; return them as text."""
     from placecat import parallel, repro, settings, times
 
     by_stage = times.gather(call)
     if len(by_stage):
         params = settings.load()
         data = str(settings.get(params, "dataset.title"))
-        # Times on a cluster are not those of this machine's cores.
+        # Times on a cluster say nothing about this machine's cores.
         is_local = params.get("compute", {}).get("kind", "local") == "local"
         is_complete = is_local and set(repro.stages()) <= set(by_stage["stage"])
         times.write(by_stage, seconds, data, parallel.workers(), is_complete=is_complete)

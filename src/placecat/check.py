@@ -1,4 +1,4 @@
-"""Every check of the settings."""
+"""All checks of the settings."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -7,17 +7,9 @@ from placecat import references, schema, signatures
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse settings that are unknown, missing, impossible, or name something that does not exist.
+    """Refuse settings that are unknown, missing or impossible, or that name something that does not exist.
 
-    Parameters
-    ----------
-    params
-        All settings, or some of their sections.
-
-    Raises
-    ------
-    PlacecatError
-        Naming the first such setting.
+    `params` are all settings, or some of their sections. The PlacecatError names the first such setting.
     """
     schema.check(params)
     references.check(params)

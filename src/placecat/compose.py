@@ -1,4 +1,4 @@
-"""Compose params.yaml from conf/ with Hydra, exactly as `dvc exp run` does."""
+"""Composition of params.yaml from conf/ with Hydra, exactly as in `dvc exp run`."""
 
 import hashlib
 import os
@@ -16,7 +16,7 @@ from placecat.runs import lock
 if TYPE_CHECKING:
     from omegaconf import DictConfig
 
-# Folders of conf/ all of whose files are used, and where their content goes.
+# Folders of conf/ whose files are all used, and the place of their content.
 FOUND = {
     "descriptor/local": "descriptors.local",
     "descriptor/holistic": "descriptors.holistic",
@@ -26,27 +26,18 @@ FOUND = {
     "filter": "filters",
     "split": "splits",
 }
-# How a codebook without a file of its own is clustered: this file of conf/clustering.
+# File of conf/clustering for codebooks without a file of their own.
 CLUSTERING = "hierarchical_kmeans"
-# What params.yaml was composed of.
+# Checksum of the sources of params.yaml.
 _COMPOSED = Path("data/params.sha256")
 
 
 def found(conf: Path = paths.CONF) -> str:
     """List the files of conf/ that are used without being named, as the content of conf/found.yaml.
 
-    Hydra has no pattern for file names in its defaults, and `dvc exp run` composes from files alone. What a
-    cue needs and no file describes (:mod:`placecat.inferred`) comes after the files.
-
-    Parameters
-    ----------
-    conf
-        The folder of conf/config.yaml.
-
-    Raises
-    ------
-    PlacecatError
-        As :func:`placecat.inferred.descriptors`.
+    Hydra has no pattern for file names in its defaults, and `dvc exp run` composes only from files. Settings
+    of cues that no file describes (:mod:`placecat.inferred`, whose errors this function raises) come after
+    the files.
     """
     lines = [
         "# Written by `placecat params`: every file of these folders. Add a file there, not a line here.",
@@ -65,7 +56,7 @@ def found(conf: Path = paths.CONF) -> str:
 
 
 def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
-    """Compose the settings.
+    """Compose the settings; return the content of params.yaml.
 
     Parameters
     ----------
@@ -74,15 +65,10 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
     conf
         The folder of conf/config.yaml.
 
-    Returns
-    -------
-    str
-        The content of params.yaml.
-
     Raises
     ------
     PlacecatError
-        An override that Hydra cannot read or that names no setting, or a setting without a value.
+        For an override that Hydra cannot read or that names no setting, or a setting without a value.
     """
     from omegaconf import OmegaConf
     from omegaconf.errors import OmegaConfBaseException
@@ -103,7 +89,7 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
         except defaults.Unusual:
             config = _by_hydra(overrides, conf)
         text: str = OmegaConf.to_yaml(config, resolve=True)
-        # Slow to look for otherwise.
+        # A quick test first, since the search is slow.
         missing = sorted(OmegaConf.missing_keys(config)) if "???" in text else []
         if missing:
             raise PlacecatError(f"setting {missing[0]} has no value: add {missing[0]}=VALUE to the overrides")
@@ -129,7 +115,7 @@ def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any]) -> "DictC
     except (HydraException, yaml.YAMLError) as error:
         raise _refusal(error) from None
     except ValueError as error:
-        # Hydra does not say of which override it speaks.
+        # Hydra does not name the override.
         raise PlacecatError(f"the settings cannot be composed from {' '.join(overrides)}: {error}") from None
 
 
@@ -140,15 +126,10 @@ def _refusal(error: Exception) -> PlacecatError:
 
 @lock.alone()
 def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> None:
-    """Write conf/found.yaml, compose the settings and write them to params.yaml.
+    """Write conf/found.yaml, compose the settings and write them to params.yaml, unless nothing has changed.
 
-    Nothing is composed where it was from the same files and overrides before.
-
-    Raises
-    ------
-    PlacecatError
-        As `found`, `compose`, :func:`placecat.check.check` and :func:`placecat.thesis.checks.check`, or a run
-        that goes on; params.yaml stays as it was.
+    Raises PlacecatError like `found`, `compose`, :func:`placecat.check.check` and
+    :func:`placecat.thesis.checks.check`, or if a run is in progress; params.yaml then stays as it was.
     """
     listing = paths.CONF / "found.yaml"
     if (paths.CONF / "config.yaml").is_file():
@@ -159,7 +140,7 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
         return
     with files.replacing(target) as temporary:
         temporary.write_text(compose(overrides), encoding="utf-8")
-        # Here, since pydantic is slow to import.
+        # Late, since pydantic is slow to import.
         from placecat.check import check
         from placecat.thesis import checks
 
@@ -170,12 +151,12 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
 
 
 def _digest(overrides: Sequence[str], target: Path) -> str:
-    """Checksum of params.yaml, of all that it is composed of, and of what checks it."""
+    """Checksum of params.yaml, its sources and its checks."""
     content = hashlib.sha256(repr(list(overrides)).encode())
     read = [*paths.CONF.rglob("*.yaml"), *paths.TABLE_DEFINITIONS.rglob("*.yaml")]
     for path in [*sorted(read), target]:
         own = path.read_bytes() if path.is_file() else b""
-        # Another environment gives another value.
+        # The value depends on the environment.
         if b"oc.env" in own:
             own = os.urandom(16)
         content.update(f"{path} {hashlib.sha256(own).hexdigest()}".encode())

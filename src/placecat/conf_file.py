@@ -1,4 +1,4 @@
-"""Settings of a command in a file of conf/ of their own, outside params.yaml."""
+"""Settings of a command in its own file of conf/, outside params.yaml."""
 
 from collections.abc import Sequence
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What a cue gets to see of the features of frames; the same for a batch of frames and for a single one."""
+"""The input of a cue from the features of frames, the same for a batch and for a single frame."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -18,17 +18,14 @@ HOLISTIC = {"kind", "name"}
 def check(descriptor: Mapping[str, Any]) -> None:
     """Refuse a descriptor of an unknown kind or with an unknown setting.
 
+    The PlacecatError names the setting and the valid ones.
+
     Parameters
     ----------
     descriptor
         ``kind`` (local or holistic) and ``name``; for local ones also ``y_pos``, ``y_weight``, ``color`` (the
         colour descriptor to append, or None), ``max_regions`` and, for tracked regions, ``tracked: true``, or
         for those of conf/region_variants the name of a ``variant``.
-
-    Raises
-    ------
-    PlacecatError
-        Naming the setting and the valid ones.
     """
     kind, name = descriptor["kind"], descriptor["name"]
     valid = {"local": LOCAL, "holistic": HOLISTIC}.get(kind)
@@ -58,23 +55,18 @@ def assemble(
     height: int,
     modules: Mapping[str, str],
 ) -> Descriptors:
-    """Put together one descriptor of n frames.
+    """Assemble one descriptor of n frames.
 
     Parameters
     ----------
     descriptor
-        As for :func:`check`.
+        As for :func:`check`. More ``max_regions`` than in `arrays` raise PlacecatError.
     arrays
         Those of :func:`array_names`, each with the n frames as its first axis.
     height
         Of the frames, in pixels.
     modules
-        Region descriptor to the module of `placecat.vision.local` that computed it.
-
-    Raises
-    ------
-    PlacecatError
-        More regions than there are.
+        Region descriptor to its module of `placecat.vision.local`.
     """
     if descriptor["kind"] == "holistic":
         return Descriptors(np.array(arrays[f"holistic_{descriptor['name']}"], np.float32))

@@ -1,7 +1,7 @@
 """conf/ merged along its defaults lists, as Hydra merges it.
 
-Hydra takes seconds for the hundred files of conf/: its time grows with the square of their number. What conf/
-does everywhere is done here; all that is rarer, and every mistake, is left to Hydra (:class:`Unusual`).
+Hydra takes seconds for the hundred files of conf/: its time grows with the square of their number. This
+module handles the common cases; rarer ones, and every mistake, are left to Hydra (:class:`Unusual`).
 """
 
 from collections.abc import Sequence
@@ -13,18 +13,18 @@ from omegaconf._utils import get_yaml_loader
 
 _OVERRIDE = "override "
 _MISSING = "???"
-# OmegaConf's way with numbers, dates and keys that are given twice, on libyaml where it is there.
+# OmegaConf's rules for numbers, dates and duplicate keys, on libyaml if available.
 _Loader = get_yaml_loader()
 if yaml.__with_libyaml__:
     _Loader = type("_Loader", (yaml.CSafeLoader, _Loader), {})
 
 
 class Unusual(Exception):
-    """Something that is left to Hydra to compose or refuse."""
+    """A case that Hydra has to compose or refuse."""
 
 
 class _Entry(NamedTuple):
-    """An entry of a defaults list: name of the choice (empty if there is none), its group, file, package."""
+    """An entry of a defaults list: name of the choice ("" if there is none), its group, file and package."""
 
     choice: str
     group: str
@@ -47,13 +47,12 @@ def merge(conf: Path, choices: Sequence[tuple[str, str]] = ()) -> dict[str, Any]
     Returns
     -------
     dict
-        Plain containers; references (``${...}``) as they are written.
+        Plain containers; references (``${...}``) unresolved.
 
     Raises
     ------
     Unusual
-        A file that is missing or no valid YAML, a choice of nothing, a package in a header, a list of
-        files ...
+        E.g. for a missing file, invalid YAML, a choice of nothing, a package in a header, or a list of files.
     """
     if len(dict(choices)) < len(choices) or not all(file for _, file in choices):
         raise Unusual(str(choices))
@@ -70,12 +69,12 @@ def merge(conf: Path, choices: Sequence[tuple[str, str]] = ()) -> dict[str, Any]
 
 
 class _Tree:
-    """The files in the order in which Hydra walks through them: the last of a defaults list first.
+    """The files in Hydra's order: the last of a defaults list first.
 
     Attributes
     ----------
     parts
-        Package (a dotted name, empty for the whole) and content of each file.
+        Package (a dotted name, "" for the root) and content of each file.
     choices
         Choices made, outside or by an ``override`` in a defaults list.
     seen
@@ -90,7 +89,7 @@ class _Tree:
         self._contents: dict[str, dict[str, Any]] = {}
 
     def walk(self, name: str, package: str, before: tuple[str, ...]) -> None:
-        """Add a file and what it names; `before` are the files that led to it."""
+        """Add a file and the files that it names; `before` are the files that led to it."""
         content = dict(self._read(name))
         defaults = content.pop("defaults", ["_self_"])
         if name in before or not isinstance(defaults, list) or (content and "_self_" not in defaults):
@@ -99,7 +98,7 @@ class _Tree:
         entries = [_entry(default, folder, package) for default in defaults]
         for entry in entries:
             if entry.overrides:
-                # What was chosen further outside stays.
+                # Outer choices take precedence.
                 self.choices.setdefault(entry.choice, entry.file)
         for entry in reversed(entries):
             if entry.file == "_self_":

@@ -1,4 +1,4 @@
-"""Errors that the user can mend, and how a program ends on them."""
+"""Errors that the user can fix, and the end of a program on them."""
 
 import difflib
 import errno
@@ -12,7 +12,7 @@ from pathlib import Path
 class PlacecatError(ValueError):
     """Bad input or an impossible setting.
 
-    Its message is one sentence or two that name the file, line or setting and what to do. The command line
+    Its message is one or two sentences that name the file, line or setting and the remedy. The command line
     prints the message without a traceback and exits with status 1.
     """
 
@@ -21,22 +21,22 @@ class PlacecatError(ValueError):
 
 
 class NotComputable(PlacecatError):
-    """A number that these data cannot give, whatever the settings; a table says so in its place."""
+    """A number that these data cannot give with any setting; a table says so in its place."""
 
 
 class SettingError(PlacecatError):
-    """A setting that is wrong, whatever the data."""
+    """A setting that is wrong for any data."""
 
 
-# What a disk, a file system or the system's limits refuse, and what to do.
+# Errors of disks, file systems and system limits, with their remedies.
 _REFUSED = {
     errno.ENOSPC: "make room and run again",
     errno.EDQUOT: "make room and run again",
     errno.EFBIG: "allow larger files (ulimit -f) and run again",
-    errno.EACCES: "give yourself the permission, or another place",
-    errno.EPERM: "give yourself the permission, or another place",
-    errno.EROFS: "give another place, which can be written to",
-    errno.EIO: "the disk or the network fails: check it",
+    errno.EACCES: "get the permission, or choose another place",
+    errno.EPERM: "get the permission, or choose another place",
+    errno.EROFS: "choose a writable place",
+    errno.EIO: "the disk or the network has an error: check it",
     errno.EMFILE: "allow more open files (ulimit -n)",
     errno.ENFILE: "close other programs",
     errno.ENAMETOOLONG: "give a shorter name",
@@ -50,15 +50,15 @@ _REFUSED = {
 def exiting() -> Iterator[None]:
     """End the program without a traceback.
 
-    On a mistake of the user's, or if the disk is full or the permission missing, it ends with one message and
-    status 1, on Ctrl-C with 130, and quietly if nobody reads its output any more.
+    A user's mistake, a full disk or a missing permission ends it with one message and status 1, Ctrl-C with
+    130, and a closed output pipe silently.
     """
     try:
         yield
     except PlacecatError as error:
         sys.exit(f"placecat: {error}")
     except BrokenPipeError:
-        # Or Python complains of it when it ends.
+        # Otherwise Python reports it at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(1)
     except OSError as error:
@@ -70,9 +70,9 @@ def exiting() -> Iterator[None]:
 
 
 def printable(text: str) -> str:
-    """Escape what a terminal would obey or could not show, e.g. as ``\\x1b``; line ends stay.
+    """Escape characters that control a terminal or cannot be shown, e.g. as ``\\x1b``; line ends stay.
 
-    Titles, labels and names of files may hold such characters, and a message names them.
+    Titles, labels and file names may hold such characters, and messages name them.
     """
     if text.isprintable():
         return text
@@ -82,18 +82,15 @@ def printable(text: str) -> str:
 
 
 def one_line(text: object) -> str:
-    """A name as :func:`printable` gives it, which may not begin a line of its own."""
+    """A name as :func:`printable` gives it, with line ends escaped too."""
     return printable(str(text)).replace("\n", "\\n")
 
 
 @contextmanager
 def reading(path: Path) -> Iterator[None]:
-    """Read what a user gave: an error of the system, such as a missing permission, becomes one message.
+    """Turn an error of the system in reading a user's file, e.g. a missing permission, into one message.
 
-    Raises
-    ------
-    PlacecatError
-        Naming the file that the system names, or `path`.
+    The PlacecatError names the file of the system's error, or `path`.
     """
     try:
         yield
@@ -105,20 +102,20 @@ def reading(path: Path) -> Iterator[None]:
 
 
 def is_refusal(error: OSError) -> bool:
-    """Whether the system refused to read or write, so that the user can mend it."""
-    # NumPy says how much it wrote, and no reason.
+    """Whether the system refused to read or write, so that the user can fix it."""
+    # NumPy reports the bytes written, without a reason.
     return error.errno in _REFUSED or (error.errno is None and "requested and" in str(error))
 
 
 def refusal(error: OSError, path: object = None) -> str:
-    """Say what the system refused, for which file (by default that of the error), and what to do."""
+    """The system's error, its file (by default that of the error), and the remedy."""
     name = error.filename if path is None else path
     where = "" if name is None else f"{os.fsdecode(name) if isinstance(name, bytes) else name}: "
     number = error.errno or errno.ENOSPC
-    return f"{where}{error.strerror or os.strerror(number)}; {_REFUSED.get(number, 'give another place')}"
+    return f"{where}{error.strerror or os.strerror(number)}; {_REFUSED.get(number, 'choose another place')}"
 
 
 def did_you_mean(name: object, valid: Iterable[str], before: str = "; ") -> str:
-    """Suggest the nearest valid name, after `before`; empty if none is near."""
+    """Suggest the nearest valid name, after `before`; "" if none is near."""
     nearest = difflib.get_close_matches(str(name), list(valid), n=1)
     return f"{before}did you mean {nearest[0]!r}?" if nearest else ""

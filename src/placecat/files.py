@@ -1,6 +1,6 @@
-"""Writing results: under a temporary name first, then renamed, with the same bytes for the same content.
+"""Files of results: written under a temporary name, then renamed; equal content gives equal bytes.
 
-NumPy and pandas are imported where they are needed: commands that only write settings have to be quick.
+NumPy and pandas are imported late: commands that only write settings must be quick.
 """
 
 import hashlib
@@ -24,15 +24,11 @@ if TYPE_CHECKING:
 
 @contextmanager
 def replacing(target: Path) -> Iterator[Path]:
-    """Give a temporary path beside `target`; rename it if the block succeeds, remove it otherwise.
+    """Yield a temporary path beside `target`; rename it if the block succeeds, remove it otherwise.
 
-    The block creates a file or a folder at the path it is given. A file that stood at `target` is replaced,
-    a folder only by a folder.
-
-    Raises
-    ------
-    PlacecatError
-        As :func:`check_target`, if a file would replace a folder, or if the disk is full or the like.
+    The block creates a file or a folder at that path. A file at `target` is replaced, a folder only by a
+    folder. Raises PlacecatError like :func:`check_target`, if a file would replace a folder, or e.g. if the
+    disk is full.
     """
     target = Path(target)
     check_target(target)
@@ -48,7 +44,7 @@ def replacing(target: Path) -> Iterator[Path]:
     except BaseException as error:
         _remove(temporary)
         if isinstance(error, OSError) and is_refusal(error):
-            # Writing to an open file tells no name.
+            # An error in writing to an open file has no name.
             of = temporary if error.filename is None else Path(os.fsdecode(error.filename))
             if of.is_relative_to(temporary):
                 raise PlacecatError(f"cannot write {refusal(error, target)}") from error
@@ -58,22 +54,16 @@ def replacing(target: Path) -> Iterator[Path]:
 def check_target(target: Path) -> None:
     """Refuse a path that must never be replaced.
 
-    Raises
-    ------
-    PlacecatError
-        If it has no name of its own (``.``, ``..``), or is or contains the current folder.
+    Raises PlacecatError if it has no name of its own (``.``, ``..``), or is or contains the current folder.
     """
     if target.name in ("", ".", "..") or Path.cwd().is_relative_to(target.resolve()):
         raise PlacecatError(f"{target} is or contains a folder that is in use: give another name to write to")
 
 
 def check_file(target: Path) -> None:
-    """Refuse a path to write a file to where something else stands.
+    """Refuse to write a file over something else: a folder, a device or a pipe.
 
-    Raises
-    ------
-    PlacecatError
-        As :func:`check_target`, or if it is a folder, a device or a pipe.
+    Raises PlacecatError, also like :func:`check_target`.
     """
     check_target(target)
     if target.is_dir():
@@ -83,12 +73,9 @@ def check_file(target: Path) -> None:
 
 
 def check_writable(target: Path) -> None:
-    """Try whether a file can be written, before the work whose result it is to hold.
+    """Test whether a file can be written, before the work for it.
 
-    Raises
-    ------
-    PlacecatError
-        As :func:`check_file`, or for what the system refuses.
+    Raises PlacecatError like :func:`check_file`, or if the system refuses.
     """
     check_file(target)
     try:
@@ -101,8 +88,8 @@ def check_writable(target: Path) -> None:
 
 
 def _temporary(target: Path) -> Path:
-    # The suffix stays last, since numpy and pandas choose formats and append endings by it. Each process has
-    # a name of its own; what one that was killed leaves, placecat.runs.mend removes.
+    # The suffix stays last, since numpy and pandas choose formats by it. The name is unique: what a killed
+    # process leaves is removed by placecat.runs.mend.
     return target.with_name(f".{target.stem}.{secrets.token_hex(4)}.partial{target.suffix}")
 
 
@@ -141,7 +128,7 @@ def write_arrays(path: Path, arrays: Mapping[str, "np.ndarray"]) -> None:
     for name, array in arrays.items():
         if np.asarray(array).dtype.hasobject:
             raise TypeError(f"array {name!r} holds Python objects, which only pickle could write")
-    # By hand, since the headers that numpy.savez has written depend on the version of Python.
+    # Not numpy.savez, whose headers depend on the version of Python.
     with replacing(path) as temporary, zipfile.ZipFile(temporary, "w") as archive:
         for name, array in arrays.items():
             content = io.BytesIO()
@@ -169,7 +156,7 @@ def read_json(path: Path) -> Any:
 
 
 def write_csv(path: Path, table: "pd.DataFrame") -> None:
-    """Write a table as CSV without an index, newline-terminated on every system."""
+    """Write a table as CSV without an index, with the same line ends on every system."""
     with replacing(path) as temporary:
         table.to_csv(temporary, index=False, lineterminator="\n")
 
@@ -185,7 +172,7 @@ def read_csv(path: Path) -> "pd.DataFrame":
 
 
 def read_table(path: Path, text: Collection[str]) -> "pd.DataFrame":
-    """Read a CSV of numbers and text: empty cells of the columns in `text` are "", others NaN."""
+    """Read a CSV of numbers and text: empty cells are "" in the columns `text`, NaN in others."""
     import pandas as pd
 
     if not path.is_file():

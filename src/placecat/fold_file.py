@@ -1,6 +1,6 @@
 """Results of a cue or a system for one test home and seed: named arrays in one file, facts beside it.
 
-It is one file, since DVC takes about a millisecond for each folder.
+It is one file, since DVC takes about a millisecond per folder.
 """
 
 from collections.abc import Mapping
@@ -14,12 +14,12 @@ from placecat import files, paths
 
 
 def path_of(folder: Path, home: str, seed: str) -> Path:
-    """File of a test home and a seed, e.g. ``seed-0``, in the folder of a cue's or system's results."""
+    """File of a test home and a seed, e.g. ``seed-0``, in the results folder of a cue or system."""
     return folder / f"{home}.{seed}.npz"
 
 
 def seeded(folder: Path, home: str, seed: int | None) -> Path:
-    """The file of one seed; a result without anything random serves every seed."""
+    """The file of one seed; a non-random result serves every seed."""
     fixed = path_of(folder, home, paths.NO_SEED)
     return fixed if fixed.exists() else path_of(folder, home, paths.seed_name(seed))
 
@@ -38,7 +38,7 @@ def write(path: Path, arrays: Mapping[str, NDArray[Any]], facts: Mapping[str, An
 
 
 def has(path: Path, name: str) -> bool:
-    """Whether the file is there and has an array of this name."""
+    """Whether the file exists and has an array of this name."""
     if not path.exists():
         return False
     with np.load(path, allow_pickle=False) as archive:
@@ -46,13 +46,7 @@ def has(path: Path, name: str) -> bool:
 
 
 def read(path: Path, name: str) -> NDArray[Any]:
-    """Read one array.
-
-    Raises
-    ------
-    FileNotFoundError, KeyError
-        As `has` tells.
-    """
+    """Read one array; raises FileNotFoundError or KeyError unless `has` is true."""
     with np.load(path, allow_pickle=False) as archive:
         array: NDArray[Any] = archive[name]
     return array

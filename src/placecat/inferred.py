@@ -15,23 +15,18 @@ _PACKAGES = {"local": local, "holistic": holistic}
 
 
 def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
-    """Find the descriptors that cues and codebooks name and that no file of conf/descriptor describes.
-
-    Parameters
-    ----------
-    conf
-        The folder of conf/config.yaml.
+    """Find the descriptors that cues and codebooks name and no file of conf/descriptor describes.
 
     Returns
     -------
     dict
-        ``local`` and ``holistic``, where there are any, to name to the defaults of its module's ``describe``.
+        ``local`` and ``holistic``, if not empty, to name to the defaults of its module's ``describe``.
 
     Raises
     ------
     PlacecatError
-        A file of a cue or a codebook that is not YAML, that names a descriptor without a module, or one whose
-        module cannot be imported or has a setting without a default.
+        For a file of a cue or a codebook that is not YAML or names a descriptor without a module, or a module
+        that cannot be imported or has a setting without a default.
     """
     found: dict[str, dict[str, dict[str, Any]]] = {}
     for path, content in _files(conf, "cue", "codebook"):
@@ -55,22 +50,10 @@ def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
 
 
 def codebooks(conf: Path) -> dict[str, dict[str, Any]]:
-    """Find the codebooks of regions that cues name and that no file of conf/codebook describes.
+    """Find the codebooks of regions that cues name and no file of conf/codebook describes.
 
-    Parameters
-    ----------
-    conf
-        The folder of conf/config.yaml.
-
-    Returns
-    -------
-    dict
-        Name to settings that refer to those of the cue; all but ``tree``, the clustering.
-
-    Raises
-    ------
-    PlacecatError
-        A file of a cue that is not YAML.
+    Returns name to settings that refer to those of the cue, without ``tree``, the clustering. Raises
+    PlacecatError for a file of a cue that is not YAML.
     """
     found = {}
     for path, cue in _files(conf, "cue"):
@@ -88,20 +71,8 @@ def codebooks(conf: Path) -> dict[str, dict[str, Any]]:
 def optional_descriptors(conf: Path) -> dict[str, list[str]]:
     """List the descriptors that files of conf/optional add.
 
-    Parameters
-    ----------
-    conf
-        The folder of conf/config.yaml.
-
-    Returns
-    -------
-    dict
-        ``local`` and ``holistic``, where there are any, to names.
-
-    Raises
-    ------
-    PlacecatError
-        A file that is not YAML.
+    Returns ``local`` and ``holistic``, if not empty, to names. Raises PlacecatError for a file that is not
+    YAML.
     """
     found: dict[str, list[str]] = {}
     for _, content in _read(conf, "optional"):

@@ -1,7 +1,7 @@
-"""Items of a stage's output: each is made again only if what it was made from has changed.
+"""Items of a stage's output: each is made again only if its inputs have changed.
 
-A stage that loops over cues, systems or homes keeps a manifest in each item: checksums of what it was made
-from and of its files. It holds no times and no paths of the machine, so that equal items are equal files.
+A stage that loops over cues, systems or homes keeps a manifest in each item: checksums of its inputs and of
+its files. It holds no times and no absolute paths, so equal items are equal files.
 """
 
 import hashlib
@@ -22,20 +22,20 @@ from placecat.runs import unchanged
 MANIFEST = "manifest.json"
 DEFINITION = Path("dvc.yaml")
 
-# How an item is made: the arguments of each call, and what writes a folder of what the calls returned.
+# The work for an item: the arguments of each call, and a function that writes the results to a folder.
 Work = tuple[Sequence[tuple[Any, ...]], Callable[[Path, list[Any]], None]]
 
 
 @dataclass(frozen=True)
 class Inputs:
-    """What an item is made from.
+    """The inputs of an item.
 
     Attributes
     ----------
     settings
-        All settings that it depends on, as JSON has them.
+        All settings that it depends on, in JSON types.
     paths
-        Files and folders. Of one that belongs to an item the checksums in that item's manifest count.
+        Files and folders. For a path in an item, the checksums in that item's manifest count.
     """
 
     settings: Any
@@ -45,20 +45,20 @@ class Inputs:
 def refresh(
     stage: str, folder: Path, wanted: Mapping[str, Inputs], make: Callable[[str, Path], None]
 ) -> None:
-    """Make the items that are missing, damaged or made from something else; remove those that nobody wants.
+    """Make the items that are missing, damaged or made from other inputs; remove unwanted ones.
 
-    Each is written under a temporary name and renamed, so that a stage that was killed goes on where it was.
+    Each is written under a temporary name and renamed, so a killed stage continues where it was.
 
     Parameters
     ----------
     stage
-        Its code, the dependencies in src/ that dvc.yaml lists, is part of what an item is made from.
+        Its code, the dependencies in src/ that dvc.yaml lists, is an input of every item.
     folder
         Of the items.
     wanted
-        Name of an item, that of a folder, to what it is made from.
+        Name of an item, also of its folder, to its inputs.
     make
-        Takes the name of an item and the folder to write, which is not there yet.
+        Takes the name of an item and the folder to write, which does not exist yet.
     """
     for name, made_from in _outdated(stage, folder, wanted):
         with _item(folder / name, made_from) as temporary:
@@ -72,14 +72,14 @@ def refresh_together(
     function: Callable[..., Any],
     plan: Callable[[str], Work],
 ) -> None:
-    """As :func:`refresh`, with the tasks of all items in one pool, so that no worker waits for an item's end.
+    """Like :func:`refresh`, with the tasks of all items in one pool, so that no worker is idle.
 
     Parameters
     ----------
     function
-        As for :func:`placecat.parallel.in_parallel`; all items have it in common.
+        As for :func:`placecat.parallel.in_parallel`, the same for all items.
     plan
-        Takes the name of an item, which is written as soon as its tasks are done.
+        Takes the name of an item, which is written once its tasks are done.
     """
     planned = [(name, made_from, *plan(name)) for name, made_from in _outdated(stage, folder, wanted)]
     if not planned:
@@ -88,12 +88,12 @@ def refresh_together(
     for name, made_from, tasks, write in planned:
         with _item(folder / name, made_from) as temporary:
             write(temporary, list(itertools.islice(results, len(tasks))))
-    # Nothing is left, but the pool and its progress bar end only when they are asked for more.
+    # The pool and its progress bar end only at the next request.
     next(results, None)
 
 
 def _outdated(stage: str, folder: Path, wanted: Mapping[str, Inputs]) -> Iterator[tuple[str, str]]:
-    """Items to make, each with the checksum of what it is made from; those that nobody wants are removed."""
+    """Items to make, each with the checksum of its inputs; unwanted ones are removed."""
     keep_only(folder, wanted)
     code = _code_of(stage)
     for name, inputs in wanted.items():
@@ -105,7 +105,7 @@ def _outdated(stage: str, folder: Path, wanted: Mapping[str, Inputs]) -> Iterato
 
 @contextmanager
 def _item(folder: Path, made_from: str) -> Iterator[Path]:
-    """Give a temporary folder for the files of an item; it gets the manifest and its name at the end."""
+    """Yield a temporary folder for the files of an item; it gets the manifest and its name at the end."""
     with files.replacing(folder) as temporary:
         yield temporary
         unchanged.check()
@@ -113,7 +113,7 @@ def _item(folder: Path, made_from: str) -> Iterator[Path]:
 
 
 def keep_only(folder: Path, names: Collection[str]) -> None:
-    """Remove all else in a folder, such as items of other settings; make the folder if it is not there."""
+    """Remove all else in a folder, such as items of other settings; make the folder if missing."""
     folder.mkdir(parents=True, exist_ok=True)
     for path in folder.iterdir():
         if path.name not in names:
@@ -136,7 +136,7 @@ def _manifest(folder: Path) -> dict[str, Any] | None:
 
 
 def checksum(path: Path) -> str:
-    """Of a file or of all files in a folder; what an item's manifest tells is not read again."""
+    """Checksum of a file or of all files in a folder; those in an item's manifest are used as they are."""
     for folder in (path, *path.parents):
         manifest = _manifest(folder)
         if manifest is not None:
@@ -151,7 +151,7 @@ def checksum(path: Path) -> str:
 
 
 def _files_in(path: Path) -> dict[str, str]:
-    """Checksums of all files below a path, but for manifests and caches of Python."""
+    """Checksums of all files below a path, except manifests and caches of Python."""
     found: Iterable[Path] = sorted(path.rglob("*")) if path.is_dir() else [path]
     return {
         one.relative_to(path).as_posix(): files.checksum(one)
@@ -165,7 +165,7 @@ def _of(checksums: Mapping[str, str]) -> str:
 
 
 def _code_of(stage: str) -> str:
-    """Checksum of the code that dvc.yaml lists for a stage, "" in a folder without a pipeline."""
+    """Checksum of the code that dvc.yaml lists for a stage; "" in a folder without a pipeline."""
     if not DEFINITION.is_file():
         return ""
     stages = yaml.load(DEFINITION.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]

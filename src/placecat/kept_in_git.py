@@ -1,4 +1,4 @@
-"""The tables of a run, of a git revision, or of another folder, beside each other."""
+"""Comparison of the tables of a run, of a git revision, or of another folder."""
 
 import io
 import subprocess
@@ -25,16 +25,16 @@ _WITHOUT_EFFECT = ("compute", "reproducibility", "figures")
 
 @dataclass(frozen=True)
 class Kept:
-    """What is compared of a run, every value of a table as text.
+    """The compared content of a run, every table value as text.
 
     Attributes
     ----------
     tables
         Name to filled table, e.g. ``table_26``; ``in_text`` for the numbers of the thesis's text.
     findings
-        Columns number and verdict among others; None if there is no such file.
+        Columns number and verdict among others; None if missing.
     settings
-        Content of params.yaml; None if there is no such file.
+        Content of params.yaml; None if missing.
     """
 
     tables: dict[str, pd.DataFrame]
@@ -43,27 +43,22 @@ class Kept:
 
 
 def compare(old: str = HEAD, new: str = "") -> tuple[list[str], bool]:
-    """Compare the tables of one side with those of another.
-
-    Parameters
-    ----------
-    old, new
-        As for :func:`read`.
+    """Compare the tables of two sides; `old` and `new` are as for :func:`read`.
 
     Returns
     -------
     lines, is_as_kept
-        What to tell, and whether the tables are the kept ones as far as they can be: False if, with the same
+        The report, and whether the tables are the kept ones as far as possible: False if, with the same
         settings on the same data, a number differs by more than ``reproducibility.tolerance``.
 
     Raises
     ------
     PlacecatError
-        No tables here or there, no git, no repository, or no such revision.
+        If a side has no tables, or there is no git, no repository, or no such revision.
     """
     tolerance = float(settings.get(settings.load(), "reproducibility.tolerance"))
     now, kept = read(new), read(old)
-    # An optional table that this run has not made is as another run has left it.
+    # An optional table that this run has not made is left from another run.
     others = set(definitions.optional()) - definitions.tables(now.settings or {}).keys()
     tables_now, tables_kept = (
         {name: table for name, table in _with_data(one, now.settings).items() if name not in others}
@@ -76,12 +71,9 @@ def compare(old: str = HEAD, new: str = "") -> tuple[list[str], bool]:
 
 
 def _with_data(one: Kept, params: dict[str, Any] | None) -> dict[str, pd.DataFrame]:
-    """Tables with a column `data`, the title of the data set that their numbers are of; "" if unknown.
+    """Tables with a column `data`, the title of the data set of their numbers; "" if unknown.
 
-    Parameters
-    ----------
-    params
-        Settings that the definitions of tables are filled with.
+    `params` are settings that the definitions of tables refer to.
     """
     defined = {} if params is None else tables_of(params)
     found = {}
@@ -99,7 +91,7 @@ def _title(definition: Mapping[str, Any], params: dict[str, Any] | None) -> str:
     try:
         return "" if params is None else str(dataset_of(definition, params)["title"])
     except (PlacecatError, KeyError):
-        # An older revision may have named it otherwise.
+        # An older revision may have another name.
         return ""
 
 
@@ -109,7 +101,7 @@ def is_folder(side: str) -> bool:
 
 
 def name_of(side: str) -> str:
-    """What a side is called: "git HEAD", "the folder ../other", or "this folder" for ""."""
+    """Name of a side: "git HEAD", "the folder ../other", or "this folder" for ""."""
     if not side:
         return "this folder"
     return f"the folder {side}" if is_folder(side) else f"git {side}"
@@ -118,22 +110,13 @@ def name_of(side: str) -> str:
 def read(side: str) -> Kept:
     """Read a side: a folder of a project, "" for this one, or else a git revision.
 
-    Raises
-    ------
-    PlacecatError
-        As :func:`read_folder` and :func:`read_revision`.
+    Raises PlacecatError like :func:`read_folder` and :func:`read_revision`.
     """
     return read_folder(Path(side)) if not side or is_folder(side) else read_revision(side)
 
 
 def read_folder(root: Path = Path()) -> Kept:
-    """Read what the last run left in a project's folder.
-
-    Raises
-    ------
-    PlacecatError
-        If there are no tables.
-    """
+    """Read the results of the last run in a project's folder; raises PlacecatError if there are no tables."""
     tables = [path for folder in FOLDERS for path in sorted((root / folder).glob("*.csv"))]
     others = (root / path for path in (paths.IN_TEXT, paths.FINDINGS, paths.PARAMS))
     there = [path for path in (*tables, *others) if path.is_file()]
@@ -142,17 +125,9 @@ def read_folder(root: Path = Path()) -> Kept:
 
 
 def read_revision(revision: str = HEAD) -> Kept:
-    """Read what git holds of a revision.
+    """Read the results in a git revision, e.g. ``HEAD``, ``HEAD~1`` or a tag.
 
-    Parameters
-    ----------
-    revision
-        Anything that git takes, e.g. ``HEAD``, ``HEAD~1``, a tag.
-
-    Raises
-    ------
-    PlacecatError
-        No git, no repository, no such revision, or no tables in it.
+    Raises PlacecatError without git, repository, revision, or tables in it.
     """
     commit = commit_of(revision)
     wanted = [path.as_posix() for path in (*FOLDERS, paths.IN_TEXT, paths.FINDINGS, paths.PARAMS)]
@@ -163,21 +138,15 @@ def read_revision(revision: str = HEAD) -> Kept:
 
 
 def commit_of(revision: str) -> str:
-    """The checksum of a revision's commit.
-
-    Raises
-    ------
-    PlacecatError
-        No git, no repository, or no such revision.
-    """
-    _git("rev-parse", "--git-dir", message="this folder is in no git repository that has kept tables")
-    unknown = f"git has no revision {revision!r}, `git log --oneline` lists those there are"
-    # The end of it makes git look for a commit, so that a revision is never taken for an option.
+    """Hash of a revision's commit; raises PlacecatError without git, repository or revision."""
+    _git("rev-parse", "--git-dir", message="this folder is not in a git repository with kept tables")
+    unknown = f"git has no revision {revision!r}, `git log --oneline` lists the existing ones"
+    # The suffix makes git look for a commit, so it never takes a revision for an option.
     return _git("rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}", message=unknown).strip()
 
 
 def about(revision: str) -> str:
-    """A revision in a line: short checksum, date and subject."""
+    """A revision in one line: short hash, date and subject."""
     return _git("log", "-1", "--format=%h, %cs: %s", commit_of(revision)).strip()
 
 
@@ -194,7 +163,7 @@ def _git(*arguments: str, message: str = "git failed") -> str:
 
 
 def _parse(content: dict[str, str], if_empty: str) -> Kept:
-    """Make tables of the text of files, by their paths."""
+    """Make tables from the text of files, by their paths."""
     tables = {
         Path(name).stem: _table(text)
         for name, text in content.items()
@@ -219,9 +188,9 @@ def _table(text: str) -> pd.DataFrame:
 def changed_settings(
     now: dict[str, Any] | None, kept: dict[str, Any] | None, without: Collection[str] = _WITHOUT_EFFECT
 ) -> dict[str, tuple[str, str]]:
-    """Dotted names of settings that differ to their values kept and now, "" for none.
+    """Dotted names of settings that differ, to their values kept and now, "" for none.
 
-    Those below the names in `without` are left out: no table depends on them.
+    Those below the names in `without` are left out, since no table depends on them.
     """
     new, old = (
         settings.flatten({name: value for name, value in (one or {}).items() if name not in without})

@@ -1,4 +1,4 @@
-"""What dvc.lock and git know of a run."""
+"""Facts about a run from dvc.lock and git."""
 
 import re
 import subprocess
@@ -13,17 +13,10 @@ LOCK = Path("dvc.lock")
 
 
 def data_version(stage: str = "sequences") -> str:
-    """DVC's checksum of the frames that a stage listed, of which each has the checksum of its source file.
+    """DVC's checksum of the list of frames, which has the checksums of their source files.
 
-    Parameters
-    ----------
-    stage
-        ``sequences``, or ``site_sequences`` for the further data sets.
-
-    Raises
-    ------
-    PlacecatError
-        If that stage has not run through DVC.
+    `stage` is ``sequences``, or ``site_sequences`` for the further data sets. Raises PlacecatError if it has
+    not run through DVC.
     """
     try:
         lock = yaml.load(LOCK.read_text(encoding="utf-8"), Loader=settings.Loader)
@@ -33,7 +26,7 @@ def data_version(stage: str = "sequences") -> str:
 
 
 def git_commit() -> str:
-    """Hash of the commit that is checked out, "" outside a git repository."""
+    """Hash of the checked-out commit, "" outside a git repository."""
     try:
         result = subprocess.run(["git", "rev-parse", "HEAD"], capture_output=True, text=True, check=False)
     except OSError:

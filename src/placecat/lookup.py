@@ -1,8 +1,8 @@
-"""From a name in the settings to code: a module of a package, and what it defines.
+"""From a name in the settings to code: a module of a package, and its definitions.
 
-A name is that of a module, so that a new file is found without a list. Which modules there are, and which
-settings their functions and classes take, is read from their source: to import them takes seconds
-(scikit-learn), and composing the settings has to be quick.
+A name is that of a module, so a new file is found without a list. Modules and the settings of their functions
+and classes are read from source, since imports take seconds (scikit-learn) and composing the settings must be
+quick.
 """
 
 import ast
@@ -40,19 +40,19 @@ def names(package: str, *defining: str) -> list[str]:
     package
         Full name, e.g. ``placecat.learning``.
     *defining
-        Names that a module must define, e.g. ``describe``; those without one are not in the list.
+        Names that a listed module must define, e.g. ``describe``.
 
     Raises
     ------
     PlacecatError
-        A module whose source is not Python.
+        For a module whose source is not Python.
     """
     found = sorted(module.name for module in pkgutil.iter_modules(_locations(package)))
     return [name for name in found if _defines(package, name, defining)]
 
 
 def require(package: str, name: object, what: str, *defining: str) -> str:
-    """Refuse a name that no module has.
+    """Return a name if a module has it; otherwise the PlacecatError names the nearest and all modules.
 
     Parameters
     ----------
@@ -61,19 +61,9 @@ def require(package: str, name: object, what: str, *defining: str) -> str:
     name
         From the settings.
     what
-        What the message calls it, e.g. ``classifier.model``.
-
-    Returns
-    -------
-    str
-        The name.
-
-    Raises
-    ------
-    PlacecatError
-        With the nearest name and all that there are.
+        Its kind in the message, e.g. ``classifier.model``.
     """
-    # The one module first, since a list of all takes time.
+    # This module first, since a list of all takes time.
     if not _defines(package, name, defining):
         valid = names(package, *defining)
         question = did_you_mean(name, valid)
@@ -82,17 +72,9 @@ def require(package: str, name: object, what: str, *defining: str) -> str:
 
 
 def module(package: str, name: object, what: str, *defining: str) -> ModuleType:
-    """Import the module of a name.
+    """Import the module of a name; parameters and errors as for `require`.
 
-    Parameters
-    ----------
-    package, name, what, *defining
-        As for `require`.
-
-    Raises
-    ------
-    PlacecatError
-        As `require`, or a module that cannot be imported.
+    Also raises PlacecatError for a module that cannot be imported.
     """
     # Called for every frame.
     there = sys.modules.get(f"{package}.{name}")
@@ -106,17 +88,9 @@ def module(package: str, name: object, what: str, *defining: str) -> ModuleType:
 
 
 def estimator(package: str, name: object, what: str) -> str:
-    """Name the class of an estimator: the one of its module that is a BaseEstimator of scikit-learn.
+    """Name the only class of a module that is a BaseEstimator of scikit-learn.
 
-    Parameters
-    ----------
-    package, name, what
-        As for `require`.
-
-    Raises
-    ------
-    PlacecatError
-        As `require`, or a module that does not define one such class.
+    Parameters and errors are those of `require`; also raises PlacecatError unless there is exactly one.
     """
     full = f"{package}.{require(package, name, what)}"
     classes = [node for node in _statements(full).values() if isinstance(node, ast.ClassDef)]
@@ -147,25 +121,18 @@ def parameters(package: str, name: str, definition: str) -> dict[str, bool]:
     Returns
     -------
     dict
-        Name to whether it must be given, in the order written; empty where the module has no such definition.
+        Name to whether it is required, in the order written; empty if the module has no such definition.
     """
     found = _taking(package, name, definition)
     return {} if found is None else {argument.arg: needed for argument, needed in _settings(found)}
 
 
 def types(package: str, name: str, definition: str) -> dict[str, Any]:
-    """Give the types of the settings that a function or class takes, without importing it.
+    """Return the types of the settings that a function or class takes, without importing it.
 
-    Parameters
-    ----------
-    package, name, definition
-        As for :func:`parameters`.
-
-    Returns
-    -------
-    dict
-        Name to type, with its range where it has one (:mod:`placecat.ranges`); Any for one of
-        more than Python's types, :mod:`typing`, the ranges and names that modules of this package list.
+    Parameters are as for :func:`parameters`. Returns name to type, with its range if it has one
+    (:mod:`placecat.ranges`); Any for a type that uses more than Python's types, :mod:`typing`, the ranges and
+    names listed in modules of this package.
     """
     found = _taking(package, name, definition)
     if found is None:
@@ -203,13 +170,13 @@ def keys(package: str, name: str, dictionary: str) -> list[str]:
 
 
 def forget() -> None:
-    """Forget where packages are, so that they are looked for again."""
+    """Forget where packages are, so that they are searched again."""
     _locations.cache_clear()
 
 
 @lru_cache
 def _locations(package: str) -> list[str]:
-    # Packages around are imported by this, the package itself is not.
+    # This imports parent packages, but not the package itself.
     spec = importlib.util.find_spec(package)
     return list(spec.submodule_search_locations or []) if spec is not None else []
 
@@ -263,7 +230,7 @@ def _literal(package: str, name: str, dictionary: str) -> dict[str, ast.expr]:
 
 
 def _resolve(full_name: str, name: str) -> _Definition | None:
-    """A definition and where it is; None for what this package does not define."""
+    """A definition and its module; None if this package does not define it."""
     node = _statements(full_name).get(name)
     if isinstance(node, ast.FunctionDef | ast.ClassDef):
         return _Definition(full_name, node)
@@ -301,7 +268,7 @@ def _is_abstract(node: ast.ClassDef) -> bool:
 
 
 def _taking(package: str, name: str, definition: str) -> _Definition | None:
-    """The function that takes the settings of a function or class: it, or an ``__init__``."""
+    """The function with the settings of a function or class: itself, or an ``__init__``."""
     found = _resolve(f"{package}.{name}", definition)
     if found is None or isinstance(found.node, ast.FunctionDef):
         return found
@@ -313,7 +280,7 @@ def _taking(package: str, name: str, definition: str) -> _Definition | None:
 
 
 def _settings(found: _Definition) -> Iterator[tuple[ast.arg, bool]]:
-    """Parameters that are settings, each with whether it must be given."""
+    """Parameters that are settings, each with whether it is required."""
     node = found.node
     assert isinstance(node, ast.FunctionDef)
     if node.name == "__init__":
@@ -334,7 +301,7 @@ class _Names(dict[str, Any]):
     def __missing__(self, name: str) -> Any:
         node = _statements(self.module).get(name)
         if isinstance(node, ast.Assign):
-            # Of a dictionary the keys are names, and its values may be anything.
+            # A dictionary's keys are names; its values may be anything.
             if isinstance(node.value, ast.Dict):
                 return [_value(key, self) for key in node.value.keys]
             return _value(node.value, self)
@@ -354,6 +321,6 @@ def _type(module: str, annotation: ast.expr | None) -> Any:
 
 
 def _value(node: ast.expr | None, names: _Names) -> Any:
-    # Of this program's own source.
+    # The source is this program's own.
     assert node is not None
     return eval(compile(ast.Expression(node), "<annotation>", "eval"), {"__builtins__": {}}, names)

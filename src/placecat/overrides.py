@@ -1,4 +1,4 @@
-"""Overrides in Hydra's grammar: what it cannot read is shown with the quotes that it needs."""
+"""Overrides in Hydra's grammar; unreadable ones are shown with the necessary quotes."""
 
 import re
 import shlex
@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from placecat.errors import PlacecatError
 
-# What a shell leaves as it is between double quotes.
+# Text that a shell leaves unchanged in double quotes.
 _PLAIN_IN_QUOTES = re.compile(r"[^\"$`\\!]*")
 
 
@@ -18,12 +18,12 @@ def check(overrides: Sequence[str], *, several: bool = False) -> None:
     overrides
         As given on the command line, e.g. ``dataset.root=PATH``.
     several
-        Whether a setting may have several values: those of a sweep.
+        Whether settings may have several values, as in a sweep.
 
     Raises
     ------
     PlacecatError
-        Naming the setting, and how to write it, for a shell and for make.
+        Naming the setting, and its spelling for a shell and for make.
     """
     for number, override in enumerate(overrides):
         if _is_read(override, several=several):
@@ -42,12 +42,12 @@ def check(overrides: Sequence[str], *, several: bool = False) -> None:
 
 
 def for_shell(argument: str) -> str:
-    """Quote an argument as a shell needs it."""
+    """Quote an argument for a shell."""
     return f'"{argument}"' if _PLAIN_IN_QUOTES.fullmatch(argument) else shlex.quote(argument)
 
 
 def for_make(argument: str) -> str:
-    """Quote an argument as ``SET=`` of the Makefile needs it: for make, its shell and one's own shell."""
+    """Quote an argument for ``SET=`` of the Makefile: for make, its shell and the user's shell."""
     inner = for_shell(argument)
     if inner.startswith('"') and "'" in inner:
         escaped = inner.replace('"', '\\"')
@@ -56,7 +56,7 @@ def for_make(argument: str) -> str:
 
 
 def _how(right: str, several: bool) -> str:
-    # make starts no sweep.
+    # make runs no sweeps.
     return f"write {for_shell(right)}" + ("" if several else f", and with make {for_make(right)}")
 
 
@@ -72,7 +72,7 @@ def _is_read(override: str, *, several: bool = False) -> bool:
 
 
 def _quoted(override: str) -> str | None:
-    """The same with quotes around the value, or around the items of a list; None where that does not do."""
+    """The override with quotes around its value or its list items; None if that does not help."""
     name, _, value = override.partition("=")
     if value.startswith("[") and value.endswith("]"):
         items = [item.strip() for item in value[1:-1].split(",")]
@@ -84,7 +84,7 @@ def _quoted(override: str) -> str | None:
 
 
 def _text(value: str) -> str:
-    """A value between Hydra's quotes. A backslash before a quote stands for itself only if doubled."""
+    """A value in Hydra's quotes. A backslash before a quote must be doubled."""
     mark = '"' if "'" in value and '"' not in value else "'"
 
     def escape(found: re.Match[str]) -> str:

@@ -1,6 +1,6 @@
-"""Loops over homes and folds in parallel processes, in an order and with results that never depend on it.
+"""Parallel loops over homes and folds; their results and order never depend on the processes.
 
-They are processes of this machine, or of a cluster where :func:`placecat.compute.as_set` says so.
+The processes are on this machine, or on a cluster if :func:`placecat.compute.as_set` says so.
 """
 
 import os
@@ -25,7 +25,7 @@ def workers() -> int:
 def in_parallel(
     function: Callable[..., Any], tasks: Sequence[tuple[Any, ...]], description: str, **options: Any
 ) -> list[Any]:
-    """Give the results of :func:`stream`, which takes the same, all at once in the order of `tasks`."""
+    """Return all results of :func:`stream`, which has the same parameters, in the order of `tasks`."""
     return list(stream(function, tasks, description, **options))
 
 
@@ -39,31 +39,26 @@ def stream(
 ) -> Iterator[Any]:
     """Call ``function(*task)`` for every task in parallel processes, with a progress line.
 
-    Every call is limited to one thread in BLAS, OpenMP and OpenCV, because the number of threads can change
-    the last bits of a sum.
+    Every call is limited to one thread in BLAS, OpenMP and OpenCV, since the number of threads can change the
+    last bits of a sum. Yields the results in the order of `tasks`, each as soon as possible.
 
     Parameters
     ----------
     function
-        Reads files, and writes none: its process may be one on another machine, or be killed and replaced.
+        Reads files and writes none: its process may be on another machine, or be killed and replaced.
     tasks
         Arguments of each call.
     description
         Of the progress line.
     n_jobs
-        Processes on this machine, if not as many as :func:`workers` says.
+        Processes on this machine, by default :func:`workers`.
     locally
         Never on a cluster, so that `function` may write files.
-
-    Returns
-    -------
-    iterator
-        The results in the order of `tasks`, each as soon as it is there.
 
     Raises
     ------
     PlacecatError
-        If a process on this machine was killed, or a task has no memory; whatever `function` raises.
+        If a process on this machine was killed, or memory ran out; also errors of `function`.
     """
     cluster = None if locally else compute.cluster()
     if cluster is not None:

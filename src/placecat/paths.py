@@ -61,9 +61,9 @@ PAGE = Path("reports/index.html")
 RESULTS = Path("reports/results.parquet")
 EXPLANATIONS = Path("reports/explanations.json")
 
-# In names of what nothing random has a part in.
+# Name of the seed of non-random results.
 NO_SEED = "no-seed"
-# In the folder of a home's features: that of a variant of its salient regions, and which frames have it.
+# In the folder of a home's features: a variant of its salient regions, and the frames that have it.
 VARIANT = "variant_{}"
 VARIANT_FRAMES = "frames.npy"
 
@@ -71,10 +71,8 @@ VARIANT_FRAMES = "frames.npy"
 def sequences(home: str) -> Path:
     """Folder of a home's frames and labels, from the stage `sequences` or `site_sequences`.
 
-    Parameters
-    ----------
-    home
-        A home of the main data set, e.g. ``home_1``, or one of another, e.g. ``university/north_2_cloudy_2``.
+    `home` is a home of the main data set, e.g. ``home_1``, or one of another, e.g.
+    ``university/north_2_cloudy_2``.
     """
     return (SITE_SEQUENCES if "/" in home else SEQUENCES) / home
 
@@ -85,7 +83,7 @@ def features(home: str) -> Path:
 
 
 def seed_name(seed: int | None) -> str:
-    """Name the seed of a result in file names: `seed-0`, or `no-seed` if nothing is random."""
+    """Name of a result's seed in file names: `seed-0`, or `no-seed` if nothing is random."""
     return NO_SEED if seed is None else f"seed-{seed}"
 
 

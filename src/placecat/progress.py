@@ -1,4 +1,4 @@
-"""The progress of a loop: one line that stays one line in a terminal, a line now and then in a log."""
+"""Progress of a loop: a single line in a terminal, a line now and then in a log."""
 
 import sys
 from collections.abc import Callable, Iterable
@@ -15,21 +15,21 @@ _BAR = "{desc}: {percentage:3.0f} % |{bar:20}| {n_fmt} of {total_fmt}{unit}, {re
 
 
 class Progress(tqdm):
-    """A progress line on the standard error, with the time that is left.
+    """A progress line on the standard error, with the time left.
 
-    In a terminal it keeps to one line, whatever the width, and is gone at the end. Elsewhere a line is
-    written every `IN_LOG` seconds, and none of what ends sooner.
+    In a terminal it is a single line of any width and disappears at the end. Elsewhere a line is written
+    every `IN_LOG` seconds, and none for short loops.
 
     Parameters
     ----------
     iterable
-        What is looped over; None if :meth:`update` is called instead.
+        The loop's iterable; None if :meth:`update` is called instead.
     description
-        What is done.
+        The activity.
     total
-        Number of steps; None if nobody knows.
+        Number of steps; None if unknown.
     unit
-        What is counted, in the plural.
+        Name of the steps, in the plural.
     """
 
     def __init__(
@@ -52,13 +52,13 @@ class Progress(tqdm):
         )
 
     def close(self) -> None:
-        """End the line of a terminal; a log gets nothing more."""
+        """End the line in a terminal; a log gets nothing more."""
         self.disable = self.disable or not self.fp.isatty()
         super().close()
 
     @staticmethod
     def status_printer(file: Any) -> Callable[[str], None]:
-        """Write over the line in a terminal, and below it elsewhere."""
+        """Overwrite the line in a terminal, write a new one elsewhere."""
         if file.isatty():
             return tqdm.status_printer(file)
 

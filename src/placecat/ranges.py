@@ -1,7 +1,7 @@
 """Types of settings with their ranges, for annotations.
 
-:mod:`placecat.schema` checks those of a section, :mod:`placecat.signatures` those of a function or an
-estimator, whose annotations it reads. NaN and infinity are in no range.
+:mod:`placecat.schema` checks those of a section; :mod:`placecat.signatures` those of a function or an
+estimator, by its annotations. No range contains NaN or infinity.
 """
 
 from collections.abc import Collection
@@ -10,7 +10,7 @@ from typing import Annotated, Any
 
 from annotated_types import Interval
 
-# More is a slip of the pen, and overflows somewhere.
+# Larger values are typing errors, and would overflow somewhere.
 _MOST, _LARGEST = 2**31 - 1, 1e12
 
 Count = Annotated[int, Interval(ge=1, le=_MOST)]
@@ -37,12 +37,12 @@ PartShare = Annotated[float, Interval(gt=0, lt=1)]
 
 @dataclass(frozen=True)
 class OneOf:
-    """A text that must be one of the names in a tuple, or one of the keys of a dictionary."""
+    """A text that must be one of the names in a tuple, or of the keys of a dictionary."""
 
     names: Collection[str]
 
     def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
-        """What pydantic checks."""
+        """The schema for pydantic."""
         from pydantic_core import core_schema
 
         return core_schema.literal_schema(list(self.names))

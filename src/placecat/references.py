@@ -1,4 +1,4 @@
-"""Check that settings which name other settings name existing ones."""
+"""Check that settings that name other settings name existing ones."""
 
 from collections.abc import Collection, Iterator, Mapping
 from typing import Any
@@ -6,7 +6,7 @@ from typing import Any
 from placecat import paths
 from placecat.errors import PlacecatError, did_you_mean
 
-# Where a name is said, what it names, the name, and those that there are.
+# Place of a reference, kind of its target, the name, and the existing names.
 _Reference = tuple[str, str, str, Collection[str]]
 _SECTIONS = (
     *("cues", "codebooks", "systems", "filters", "splits"),
@@ -17,15 +17,7 @@ _SECTIONS = (
 def check(params: Mapping[str, Any]) -> None:
     """Refuse settings that name a cue, codebook, descriptor, scheme, system or split that does not exist.
 
-    Parameters
-    ----------
-    params
-        All settings.
-
-    Raises
-    ------
-    PlacecatError
-        Naming the file, the name and those that there are.
+    `params` are all settings. The PlacecatError names the file, the name and the existing ones.
     """
     for where, kind, name, valid in _references(params):
         if str(name) not in valid:
@@ -34,7 +26,7 @@ def check(params: Mapping[str, Any]) -> None:
 
 
 def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
-    # A section that is missing refers to nothing, nor is it referred to; whichever stage reads it says so.
+    # A missing section has no references and is no target; the stage that reads it reports it.
     cues, codebooks, systems, filters, splits, descriptors, smoothing, tracking, protocol, dataset, model = (
         params.get(name) or {} for name in _SECTIONS
     )
@@ -107,7 +99,7 @@ def _file(group: str, name: str) -> str:
 def _of_descriptor(
     where: str, descriptor: Mapping[str, Any] | None, computed: Mapping[str, Collection[str]]
 ) -> Iterator[_Reference]:
-    """The descriptor that a cue or a codebook names, and the colour descriptor that it appends."""
+    """The descriptor of a cue or a codebook, and the colour descriptor that it appends."""
     if not isinstance(descriptor, Mapping) or not {"kind", "name"} <= set(descriptor):
         raise PlacecatError(f"{where}: descriptor needs kind (local or holistic) and name")
     yield where, "kind of descriptor", descriptor["kind"], ["local", "holistic"]

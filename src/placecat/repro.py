@@ -1,4 +1,4 @@
-"""Running `dvc repro`."""
+"""The run of `dvc repro`."""
 
 import os
 import signal
@@ -14,39 +14,34 @@ from placecat.errors import PlacecatError
 from placecat.runs import lifeline, lock, mend
 from placecat.runs.unchanged import DEFINITION
 
-# Seconds that Ctrl-C of a terminal, which reaches DVC and its stage as well, has to end them.
+# Seconds for DVC and its stage to end after a terminal's Ctrl-C, which reaches them too.
 _CTRL_C = 3.0
 
 
 class _Stopped(BaseException):
-    """This process was asked to end, by the signal that is its argument."""
+    """A request to end this process, with the signal as its argument."""
 
 
 def run(*, force: bool = False, **environment: str) -> int:
-    """Run `dvc repro`, whose output goes to the terminal, after mending what a killed run left.
+    """Mend what a killed run left, then run `dvc repro`, with output to the terminal; return its exit status.
 
-    On Ctrl-C and SIGTERM the stage tidies up, DVC ends, and so does this call then.
+    On Ctrl-C and SIGTERM the stage cleans up, then DVC ends, then this call.
 
     Parameters
     ----------
     force
-        Whether stages run even if nothing they depend on has changed.
+        Whether to run stages even if none of their dependencies has changed.
     **environment
-        Further environment variables, which the stages see.
-
-    Returns
-    -------
-    int
-        Its exit status.
+        Further environment variables for the stages.
 
     Raises
     ------
     PlacecatError
-        If another run goes on in this folder, or it is none of git.
+        If another run is in progress in this folder, or it is not under git.
     """
-    # DVC waits for one that looks at the project meanwhile, instead of losing a stage that has just finished.
+    # DVC waits for another that reads the project, instead of losing a stage that has just finished.
     command = [sys.executable, "-m", "placecat.runs.dvc", "--wait-for-lock", "repro"]
-    # The Python that runs this first on the path, since the stages call `python`.
+    # This Python comes first on the path, since the stages call `python`.
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
     with lock.alone():
         _check_git()
@@ -68,11 +63,11 @@ def run(*, force: bool = False, **environment: str) -> int:
 
 
 def _check_git() -> None:
-    """Refuse a folder without git, e.g. from a ZIP file, which DVC refuses without a remedy."""
+    """Refuse a folder without git, e.g. from a ZIP file, with a remedy, which DVC's own refusal lacks."""
     configurations = [path for path in (Path(".dvc/config"), Path(".dvc/config.local")) if path.is_file()]
     if not Path(".git").exists() and not any("no_scm" in path.read_text() for path in configurations):
         raise PlacecatError(
-            "this folder is no git repository, which DVC expects: run `git init`, or, without git, "
+            "this folder is not a git repository, which DVC expects: run `git init`, or, without git, "
             "`dvc config --local core.no_scm true`"
         )
 
@@ -84,7 +79,7 @@ def _stop(number: int, frame: FrameType | None) -> None:
 
 
 def _end(dvc: subprocess.Popen[bytes], number: int) -> int:
-    """End DVC, which ends its stage first; gives its exit status."""
+    """End DVC, which first ends its stage; return its exit status."""
     try:
         processes = psutil.Process(dvc.pid).children(recursive=True)
     except psutil.NoSuchProcess:
@@ -105,9 +100,9 @@ def _end(dvc: subprocess.Popen[bytes], number: int) -> int:
 
 
 def stages() -> list[str]:
-    """Names of the stages that `dvc repro` has to run in a fresh clone.
+    """Names of the stages that `dvc repro` runs in a fresh clone.
 
-    No frozen ones, and none all of whose outputs git keeps: these are there, and may be as they should.
+    Frozen stages, and those whose outputs are all kept in git, are left out: the latter may be up to date.
     """
     definition = yaml.safe_load(DEFINITION.read_text(encoding="utf-8"))["stages"]
     return [

@@ -1,20 +1,12 @@
-"""Seeds derived from what is computed, not from order or time."""
+"""Seeds derived from names, not from order or time."""
 
 import hashlib
 
 
 def derive(*parts: str | int) -> int:
-    """Derive a seed from the names of what is computed.
+    """Derive a seed in [0, 2**32), the same on every machine, from the names of a computation.
 
-    Parameters
-    ----------
-    *parts
-        Anything that names the computation, e.g. ``("codebook", "hog_y", "Home1+Home2")``. Order matters.
-
-    Returns
-    -------
-    int
-        In [0, 2**32), the same on every machine.
+    E.g. ``("codebook", "hog_y", "Home1+Home2")``. Order matters.
     """
     text = "\x1f".join(f"{type(part).__name__}:{part}" for part in parts)
     return int.from_bytes(hashlib.sha256(text.encode()).digest()[:4], "big")

@@ -1,4 +1,4 @@
-"""Read params.yaml; look settings up; refuse unknown ones."""
+"""Settings of params.yaml: read, look up, refuse unknown ones."""
 
 import inspect
 from collections.abc import Callable, Mapping
@@ -10,22 +10,19 @@ import yaml
 from placecat import paths
 from placecat.errors import PlacecatError, SettingError, did_you_mean
 
-# libyaml's loader where PyYAML was built with it: ten times faster.
+# libyaml's loader, if PyYAML has it, is ten times faster.
 Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 def load(path: Path = paths.PARAMS) -> dict[str, Any]:
-    """Read the composed settings; raises as :func:`read_yaml`."""
+    """Read the composed settings; errors as in :func:`read_yaml`."""
     return read_yaml(path, "run `placecat params` in the project's folder to write it")
 
 
 def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]:
     """Read a YAML file that holds a mapping.
 
-    Raises
-    ------
-    PlacecatError
-        If it is missing, no YAML or has no names; the message ends in the remedy.
+    Raises PlacecatError, which ends in the remedy, if it is missing, no YAML or has no names.
     """
     try:
         content = yaml.load(path.read_text(encoding="utf-8"), Loader=Loader)
@@ -39,13 +36,7 @@ def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]
 
 
 def get(params: Mapping[str, Any], name: str) -> Any:
-    """Look up a setting by its dotted name.
-
-    Raises
-    ------
-    PlacecatError
-        If it is not there; the message names those that are.
-    """
+    """Look up a setting by its dotted name; for a missing one the PlacecatError names those that exist."""
     value: Any = params
     walked: list[str] = []
     for part in name.split("."):
@@ -61,10 +52,7 @@ def get(params: Mapping[str, Any], name: str) -> Any:
 def check(function: Callable[..., Any], settings: Mapping[str, Any], where: str) -> None:
     """Refuse settings that `function` does not take by name.
 
-    Raises
-    ------
-    PlacecatError
-        Names the setting, the nearest valid one and all valid ones.
+    The PlacecatError names the setting, the nearest valid one and all valid ones.
     """
     valid = [
         name
@@ -85,7 +73,7 @@ def refuse_unknown(settings: Mapping[str, Any], valid: list[str], where: str) ->
 
 
 def call(function: Callable[..., Any], *args: Any, settings: Mapping[str, Any], where: str) -> Any:
-    """Call `function` with positional arguments and checked settings, of which none may be missing."""
+    """Call `function` with positional arguments and checked settings; required ones must be there."""
     check(function, settings, where)
     try:
         inspect.signature(function).bind(*args, **settings)

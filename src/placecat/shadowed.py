@@ -1,4 +1,4 @@
-"""Refuse packages from PYTHONPATH that hide installed ones, since other versions give other numbers."""
+"""Refusal of packages on PYTHONPATH that hide installed ones, since other versions give other numbers."""
 
 import importlib.machinery
 import os
@@ -11,13 +11,7 @@ PACKAGES = ("cv2", "numpy", "scipy", "sklearn", "pandas", "joblib", "matplotlib"
 
 
 def check() -> None:
-    """Refuse a package in a folder of PYTHONPATH that hides an installed one.
-
-    Raises
-    ------
-    PlacecatError
-        Names the package and where it is found.
-    """
+    """Refuse a package on PYTHONPATH that hides an installed one; the PlacecatError locates it."""
     installed = [str(Path(sysconfig.get_path(kind)).resolve()) for kind in ("purelib", "platlib")]
     folders = [folder for folder in os.environ.get("PYTHONPATH", "").split(os.pathsep) if folder]
     folders = [folder for folder in folders if str(Path(folder).resolve()) not in installed]
@@ -26,7 +20,7 @@ def check() -> None:
     find = importlib.machinery.PathFinder.find_spec
     for name in PACKAGES:
         other = find(name, folders)
-        # A folder without code of its own is not a package.
+        # A folder without code is not a package.
         if other is not None and other.origin is not None and find(name, installed) is not None:
             raise PlacecatError(
                 f"PYTHONPATH gives another {name} than the installed one, {other.origin}: unset PYTHONPATH"

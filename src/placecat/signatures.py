@@ -1,6 +1,6 @@
-"""Check that settings which name code name existing code, which takes the settings beside it.
+"""Check that settings that name code name existing code, and that it takes the settings beside it.
 
-Checked when settings are composed, before any stage runs, without importing the code.
+The check needs no import of the code, so it runs when settings are composed, before any stage.
 """
 
 from collections.abc import Mapping
@@ -17,22 +17,15 @@ from placecat.settings import refuse_unknown
 SEQUENCES, READER = "placecat.sequences", ("list_homes", "read_home")
 CUES, LEARNING = "placecat.cues", "placecat.learning"
 FIGURES = "placecat.report.figures"
-# Parameters of estimators that the code gives, so that no setting does.
+# Parameters of estimators that the code sets, not the settings.
 GIVEN = frozenset({"base", "codebook", "n_clusters", "n_values", "n_jobs", "seed"})
 
 
 def check(params: Mapping[str, Any]) -> None:
     """Refuse names without code, settings that are unknown or missing, and impossible values.
 
-    Parameters
-    ----------
-    params
-        All settings, as :func:`placecat.schema.check` lets them pass.
-
-    Raises
-    ------
-    PlacecatError
-        Naming the setting, the nearest valid one and all valid ones.
+    `params` are all settings, after :func:`placecat.schema.check`. The PlacecatError names the setting, the
+    nearest valid one and all valid ones.
     """
     for section in ("dataset", "toy", "codebooks", "cues", "systems", "splits"):
         check_part(params.get(section), section)
@@ -45,7 +38,7 @@ def check(params: Mapping[str, Any]) -> None:
 
 
 def check_part(content: Any, where: str) -> None:
-    """Check every classifier, clustering and layout in a part of the settings.
+    """Check every classifier, clustering and layout in a part of the settings; errors as in :func:`check`.
 
     Parameters
     ----------
@@ -53,18 +46,13 @@ def check_part(content: Any, where: str) -> None:
         Plain containers. A mapping with ``layout`` is a data set, one with ``model`` a classifier, one with
         ``tree`` a codebook.
     where
-        What a message calls the part, e.g. ``cues``.
-
-    Raises
-    ------
-    PlacecatError
-        As :func:`check`.
+        Name of the part in messages, e.g. ``cues``.
     """
     if not isinstance(content, Mapping):
         return
     if "layout" in content:
         layout = lookup.require(SEQUENCES, content["layout"], f"{where}.layout", *READER)
-        # Those of all layouts are checked by `placecat.schema`.
+        # `placecat.schema` checks the settings that all layouts share.
         own = {name: value for name, value in content.items() if name not in Dataset.model_fields}
         _check(own, _taken(SEQUENCES, layout, "read_home"), where)
     elif "model" in content:
@@ -76,24 +64,19 @@ def check_part(content: Any, where: str) -> None:
 
 
 def check_estimator(options: Mapping[str, Any], where: str) -> str:
-    """Check the settings of an estimator of `placecat.learning`.
+    """Check the settings of an estimator of `placecat.learning`; return the name of its class.
 
     Parameters
     ----------
     options
-        ``name``, that of its module, and its parameters but those that are `GIVEN`.
+        ``name``, that of its module, and its parameters except those in `GIVEN`.
     where
-        What a message calls the options, e.g. ``classifier.base``.
-
-    Returns
-    -------
-    str
-        Name of the class.
+        Name of the options in messages, e.g. ``classifier.base``.
 
     Raises
     ------
     PlacecatError
-        An unknown estimator or parameter; the message names the valid ones.
+        For an unknown estimator or parameter; names the valid ones.
     """
     if not isinstance(options, Mapping) or "name" not in options:
         raise SettingError(f"{where} has no setting 'name', which it needs")
@@ -117,14 +100,14 @@ def _check_classifier(options: Mapping[str, Any], where: str) -> None:
 
 def _check_descriptor(kind: str, name: str, entry: Mapping[str, Any]) -> None:
     where, own = f"descriptors.{kind}.{name}", dict(entry)
-    # A variant says of which module it is.
+    # A variant names its module.
     module = own.pop("descriptor", name)
     lookup.require(f"placecat.vision.{kind}", module, f"{where}: {kind} descriptor", "describe")
     _check(own, _taken(f"placecat.vision.{kind}", module, "describe"), where)
 
 
 def _check_figures(figures: Mapping[str, Any]) -> None:
-    # Figures 12 to 14 share their settings; the example's are checked by `placecat.schema`.
+    # Figures 12 to 14 share their settings; `placecat.schema` checks those of the example.
     drawn = lookup.entries(FIGURES, "FIGURES") | {"clusters": ("clusters", "_draw")}
     for name, own in figures.items():
         if name == "example":
@@ -136,7 +119,7 @@ def _check_figures(figures: Mapping[str, Any]) -> None:
 
 
 class _Setting(NamedTuple):
-    """A setting: whether it must be given, and what checks its values."""
+    """A setting: whether it is required, and the check of its values."""
 
     is_needed: bool
     values: TypeAdapter[Any]
@@ -159,7 +142,7 @@ def _optional(package: str, name: str, definition: str) -> dict[str, _Setting]:
 
 @lru_cache
 def _of_regions() -> dict[str, _Setting]:
-    """Settings of salient regions, some of which a variant has."""
+    """Settings of salient regions; a variant has some of them."""
     kinds = get_type_hints(Regions, include_extras=True)
     return {name: _Setting(False, schema.of_type(kinds[name])) for name in Regions.model_fields}
 

@@ -1,4 +1,4 @@
-"""The descriptors of a home, as the stages `features` and `tracks` left them."""
+"""The descriptors of a home, from the stages `features` and `tracks`."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -15,7 +15,7 @@ from placecat.errors import PlacecatError
 def read_descriptors(
     home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64] | None = None
 ) -> Descriptors:
-    """Read one descriptor of one home as a cue wants it.
+    """Read one descriptor of one home for a cue.
 
     Parameters
     ----------
@@ -29,8 +29,8 @@ def read_descriptors(
     Raises
     ------
     PlacecatError
-        An unknown setting, more regions than there are, or a descriptor that was not computed at all or not
-        of these frames.
+        For an unknown setting, too many regions, or a descriptor that was not computed at all or for these
+        frames.
     """
     cue_input.check(descriptor)
     folder = folder_of(home, descriptor)
@@ -56,7 +56,7 @@ def read_descriptors(
 
 
 def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
-    """Paths of all that :func:`read_descriptors` reads of a home, whether it is there or not."""
+    """Paths of all files that :func:`read_descriptors` reads of a home, existing or not."""
     folder = folder_of(home, descriptor)
     names = [f"{name}.npy" for name in cue_input.array_names(descriptor)]
     if "variant" in descriptor:
@@ -67,9 +67,9 @@ def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
 
 
 def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Of some frames of a home, in order of time, those that a descriptor was computed of.
+    """Those of some frames of a home, in order of time, for which a descriptor was computed.
 
-    All of them, unless it is of a variant of the regions.
+    These are all of them, except for a variant of the regions.
     """
     if "variant" not in descriptor:
         return rows
@@ -78,7 +78,7 @@ def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64])
 
 
 def folder_of(home: str, descriptor: Mapping[str, Any]) -> Path:
-    """Folder of the arrays of a descriptor of a home; parameters as for :func:`read_descriptors`."""
+    """Folder of the arrays of a home's descriptor; parameters as for :func:`read_descriptors`."""
     if descriptor.get("tracked", False):
         return paths.TRACKS / home
     folder = paths.features(home)
@@ -95,7 +95,7 @@ def _described(folder: Path) -> NDArray[np.int64]:
 
 
 def _rows(folder: Path, frames: NDArray[np.int64] | None) -> NDArray[np.int64]:
-    """Where frames stand in the arrays of a variant."""
+    """Positions of frames in the arrays of a variant."""
     there = _described(folder)
     if frames is None or not np.isin(frames, there).all():
         raise PlacecatError(
@@ -108,7 +108,7 @@ def _rows(folder: Path, frames: NDArray[np.int64] | None) -> NDArray[np.int64]:
 def read_training(
     homes: tuple[str, ...], descriptor: Mapping[str, Any], selection: Mapping[str, NDArray[np.int64]]
 ) -> Descriptors:
-    """Descriptors of the selected frames of several homes, below each other in the order of `homes`."""
+    """Descriptors of the selected frames of several homes, in the order of `homes`."""
     parts = [read_descriptors(home, descriptor, selection[home]) for home in homes]
     x = np.concatenate([part.x for part in parts])
     if parts[0].counts is None:

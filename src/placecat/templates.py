@@ -1,4 +1,4 @@
-"""The settings of Jinja2 that all templates share."""
+"""The common settings of all Jinja2 templates."""
 
 from functools import cache
 

@@ -1,4 +1,4 @@
-"""What is printed for people, of which a part may be text of the user's."""
+"""Output for people, which may contain text of the user's."""
 
 import io
 from typing import TextIO
@@ -7,17 +7,17 @@ from placecat.errors import printable
 
 
 class Terminal(io.TextIOBase):
-    """A terminal to print on: it obeys nothing that a title or the name of a file says."""
+    """An output stream that neutralises control characters in titles and file names."""
 
     def __init__(self, stream: TextIO) -> None:
         self._stream = stream
 
     def write(self, text: str) -> int:
-        """Write a text as :func:`printable` gives it, with what the terminal's coding lacks in numbers."""
+        """Write a text as :func:`printable` gives it; characters that the encoding lacks are escaped."""
         coding = self._stream.encoding or "utf-8"
         self._stream.write(printable(text).encode(coding, "backslashreplace").decode(coding))
         return len(text)
 
     def flush(self) -> None:
-        """Write what is kept back."""
+        """Flush the stream."""
         self._stream.flush()

@@ -1,6 +1,6 @@
 """Times of the stages: measured by each stage, gathered by `placecat repro`, kept in git on request.
 
-They are neither outputs nor dependencies of a stage that computes, so that no result depends on them.
+They are neither outputs nor dependencies of a computing stage, so no result depends on them.
 """
 
 import os
@@ -12,37 +12,30 @@ import pandas as pd
 from placecat import files, paths
 from placecat.errors import PlacecatError
 
-# Names the call of `placecat repro` that a stage runs in, in the environment.
+# Environment variable with the name of the `placecat repro` that a stage runs in.
 CALL = "PLACECAT_CALL"
-# A stage runs once: `runs` is of the time when one ran once for each home, and a column of what git keeps.
+# Stages run once; `runs` is from the time when some ran once per home, and a column of the files in git.
 COLUMNS = ["stage", "runs", "seconds"]
 
 
 def new_call() -> str:
-    """Make a name for this call that no other call has."""
+    """Make a unique name for this call."""
     return uuid.uuid4().hex
 
 
 def record(stage: str, seconds: float) -> None:
-    """Write the wall time of a stage, in seconds, to data/times/STAGE.json, in place of its last time."""
+    """Write the wall time of a stage, in seconds, to data/times/STAGE.json, over its last time."""
     content = {"call": os.environ.get(CALL, ""), "runs": 1, "seconds": round(seconds, 2), "stage": stage}
     files.write_json(paths.TIMES / f"{stage}.json", content)
 
 
 def gather(call: str) -> pd.DataFrame:
-    """Read the times of the stages that ran in a call; others have an older record or none.
+    """Read the times of the stages that ran in a call; others have older records or none.
 
-    Parameters
-    ----------
-    call
-        From :func:`new_call`.
-
-    Returns
-    -------
-    DataFrame
-        Columns `COLUMNS`, a row a stage with its seconds of wall time, the longest first.
+    `call` is from :func:`new_call`. Returns columns `COLUMNS`, one row per stage with its seconds of wall
+    time, the longest first.
     """
-    # Names that start with a dot are unfinished.
+    # Names with a leading dot are unfinished.
     records = [files.read_json(path) for path in paths.TIMES.glob("[!.]*.json")]
     table = pd.DataFrame([one for one in records if one["call"] == call], columns=COLUMNS)
     return table.sort_values(["seconds", "stage"], ascending=[False, True], ignore_index=True)
@@ -56,13 +49,13 @@ def write(by_stage: pd.DataFrame, seconds: float, data: str, cores: int, *, is_c
     by_stage
         From :func:`gather`.
     seconds
-        Wall time of the whole call, with DVC's own.
+        Wall time of the whole call, including DVC's own.
     data
         Title of the data set.
     cores
         Number of worker processes.
     is_complete
-        Whether every stage of the pipeline ran, so that the times are those of a run from nothing.
+        Whether every stage of the pipeline ran, so that the times are those of a full run.
     """
     files.write_csv(paths.LAST_TIMES, by_stage[["stage", "seconds"]])
     if is_complete:
@@ -71,12 +64,9 @@ def write(by_stage: pd.DataFrame, seconds: float, data: str, cores: int, *, is_c
 
 
 def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
-    """Times of the last run in which every stage ran: as :func:`gather`; cores, data, stages and total.
+    """Times of the last full run as from :func:`gather`; and its cores, data, stages and total.
 
-    Raises
-    ------
-    PlacecatError
-        If there was none.
+    Raises PlacecatError if there was none.
     """
     try:
         content = files.read_json(paths.COMPLETE_TIMES)
@@ -88,7 +78,7 @@ def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
 
 
 def known() -> dict[str, float]:
-    """Seconds that each stage took in a complete run: the last one here, else the one that git keeps."""
+    """Seconds of each stage in a full run: the last one here, else the one kept in git."""
     try:
         by_stage, _ = read_complete()
     except PlacecatError:
@@ -99,7 +89,7 @@ def known() -> dict[str, float]:
 
 
 def keep() -> None:
-    """Copy the times of the last complete run to reports/times.csv and times.json, which git keeps."""
+    """Copy the times of the last full run to reports/times.csv and times.json, for git."""
     by_stage, facts = read_complete()
     files.write_csv(paths.KEPT_TIMES, by_stage)
     files.write_json(paths.KEPT_TIMES_FACTS, facts)

@@ -162,5 +162,5 @@ def test_results_are_kept_though_mlflow_is_down(sweep, monkeypatch, capsys):
     monkeypatch.setenv("MLFLOW_HTTP_REQUEST_MAX_RETRIES", "0")
     assert not sweeping.tell(Path("swept"), [{}], log=[])
     printed = capsys.readouterr()
-    assert "nothing logged: MLflow at http://127.0.0.1:9" in printed.err
-    assert "All of it: swept/summary.csv" in printed.out
+    assert "nothing was logged to MLflow: MLflow at http://127.0.0.1:9" in printed.err
+    assert "Details: swept/summary.csv" in printed.out

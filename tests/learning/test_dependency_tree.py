@@ -179,7 +179,7 @@ def test_wide_codes_do_not_need_wide_tables():
     ("settings_", "message"),
     [
         ({"alpha": 0}, "alpha=0"),
-        ({"root": 2}, "root=2 is no variable: use 0 to 1"),
+        ({"root": 2}, "root=2 is not a variable: use 0 to 1"),
         ({"root": -1}, "root=-1"),
         ({"n_values": 3}, "code 4 of sample 1"),
         ({"prior": "none"}, "prior='none'"),

@@ -49,7 +49,7 @@ def hold():
 def test_while_a_run_goes_on_another_one_and_new_settings_are_refused(folder, hold, command):
     light_conf(folder / "conf")
     hold("alone()")
-    with pytest.raises(SystemExit, match="a run goes on in this folder") as caught:
+    with pytest.raises(SystemExit, match="a run is in progress in this folder") as caught:
         main(command)
     assert str(caught.value).startswith("placecat: ")
     assert not (folder / "params.yaml").exists()
@@ -75,7 +75,7 @@ def test_a_stage_waits_for_another_process_that_makes_it(folder, hold, capsys):
         stderr=subprocess.PIPE,
         text=True,
     )
-    assert "Another process makes features here: this one waits" in waiting.stderr.readline()
+    assert "Another process runs the stage features here: this one waits" in waiting.stderr.readline()
     holder.kill()
     assert waiting.stdout.readline() == "held\n"
     waiting.communicate("")
@@ -94,7 +94,7 @@ def test_settings_are_refused_while_plain_dvc_runs_a_stage(tmp_path, monkeypatch
     try:
         made_pipeline.wait_for(lambda: (folder / "ran.txt").exists() or process.poll() is not None)
         monkeypatch.chdir(folder)
-        message = rf"a run goes on .*process {process.pid}: .*dvc repro"
+        message = rf"a run is in progress .*process {process.pid}: .*dvc repro"
         with pytest.raises(PlacecatError, match=message), lock.alone():
             pass
     finally:

@@ -280,7 +280,7 @@ def test_an_average_is_over_the_homes_with_both_sides():
             "has 3 rows for 'x': add pick",
         ),
         ({"colour_knn": {"pairs": {"x": ["trials/none/|*|", "x"]}}}, r"no result 'trials/none/\|\*\|'"),
-        ({"new": {"reference": "x"}}, "an entry 'new' of which the thesis says nothing"),
+        ({"new": {"reference": "x"}}, "an entry 'new' that the thesis does not mention"),
     ],
 )
 def test_mistakes_are_refused(change, message):

@@ -1,1 +1,1 @@
-"""Settings that the thesis leaves open, chosen on training homes."""
+"""The choice, on training homes, of settings that the thesis leaves open."""

@@ -2,14 +2,14 @@
 
 import sys
 
-import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
+import placecat.stages  # noqa: F401 before NumPy: chooses OpenBLAS's kernels
 from placecat import compute
 from placecat.choice.command import KINDS, run, text
 from placecat.errors import exiting
 
 
 def main() -> None:
-    """Judge the candidates for the kinds named, or for all."""
+    """Judge the candidates of the kinds given, or of all."""
     kinds = tuple(sys.argv[1:]) or KINDS
     for kind in kinds:
         if kind not in KINDS:

@@ -36,13 +36,7 @@ def combinations(grids: Sequence[Mapping[str, Sequence[Any]]]) -> list[dict[str,
 
 
 def changed(config: Mapping[str, Any], overrides: Mapping[str, Any], where: str) -> dict[str, Any]:
-    """Give a copy of some settings with those of dotted names changed.
-
-    Raises
-    ------
-    PlacecatError
-        If there is no such setting.
-    """
+    """Return a copy of the settings with those of dotted names changed; unknown ones raise PlacecatError."""
     result = copy.deepcopy(dict(config))
     for name, value in overrides.items():
         *parents, last = name.split(".")
@@ -67,16 +61,16 @@ def choose(table: pd.DataFrame, margin: float) -> pd.DataFrame:
     ----------
     table
         Columns `COLUMNS`; ``accuracy`` (percent) and ``log_loss`` are means over training homes that the
-        model has not seen. ``test_accuracy`` and ``test_log_loss`` are not looked at.
+        model has not seen. ``test_accuracy`` and ``test_log_loss`` are ignored.
     margin
-        Candidates whose mean accuracy is within so many points of the best count as equally good; of them
-        the one with the least log-loss is taken, and of equal ones the first.
+        Candidates whose mean accuracy is within this many points of the best are equally good; of these, the
+        first with the least log-loss is chosen.
 
     Returns
     -------
     DataFrame
-        One row a candidate: kind, name, candidate, accuracy, log_loss, chosen; every data set weighs the
-        same, and in it every test home.
+        One row per candidate: kind, name, candidate, accuracy, log_loss, chosen; data sets weigh the same,
+        and so do the test homes of each.
     """
     keys = ["kind", "name", "candidate"]
     numbers = ["accuracy", "log_loss"]

@@ -24,10 +24,7 @@ _DECIMALS = {"accuracy": 2, "test_accuracy": 2, "log_loss": 4, "test_log_loss": 
 def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
     """Read conf/choice.yaml.
 
-    Raises
-    ------
-    PlacecatError
-        If it is missing, or has an unknown setting, lacks one, or has one of the wrong kind.
+    Raises PlacecatError if it is missing, or a setting is unknown, missing or of the wrong kind.
     """
     content = conf_file.read(path, ("margin", "smallest", *KINDS))
     margin = content["margin"]
@@ -48,14 +45,14 @@ def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> 
     Parameters
     ----------
     kinds
-        Of `KINDS`; what the file has of others stays.
+        Of `KINDS`; rows of other kinds stay.
     output
-        The file, whose rows of this data set and these kinds are replaced.
+        The file, in which the rows of this data set and these kinds are replaced.
 
     Returns
     -------
     DataFrame
-        What is chosen, see :func:`placecat.choice.candidates.choose`, on all data sets of the file.
+        The choice on all data sets of the file, see :func:`placecat.choice.candidates.choose`.
 
     Raises
     ------
@@ -75,7 +72,7 @@ def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> 
     return choose(table, float(options["margin"]))
 
 
-# Name and label of a candidate, and the arguments of what judges it.
+# Name and label of a candidate, and the arguments of its judge.
 Task = tuple[str, str, tuple[Any, ...]]
 Tasks = tuple[Callable[..., list[Judgement]], list[Task]]
 
@@ -162,7 +159,7 @@ _TASKS = {"cues": _cue_tasks, "systems": _system_tasks, "smoothing": _smoothing_
 
 
 def text(chosen: pd.DataFrame) -> str:
-    """Write the choice for people: the three best candidates of each cue and system, the chosen one first."""
+    """The choice as text: the three best candidates of each cue and system, the chosen one first."""
     lines = []
     for (kind, name), part in chosen.groupby(["kind", "name"], sort=False):
         ordered = part.sort_values(["chosen", "accuracy"], ascending=False)

@@ -1,4 +1,4 @@
-"""Judge candidates on training homes, from the stages' features and cues."""
+"""Judgement of candidates on training homes, from the stages' features and cues."""
 
 import itertools
 from collections.abc import Mapping, Sequence
@@ -16,7 +16,7 @@ from placecat.training.cue import Cue, train
 from placecat.training.integration import fuse
 from placecat.training.saved import CueResults
 
-# (home that was left out as a test home, home that is judged, accuracy in percent, log-loss in nats).
+# (home left out as the test home, judged home, accuracy in percent, log-loss in nats)
 Judgement = tuple[str, str, float, float]
 
 
@@ -27,12 +27,12 @@ def judge(truth: NDArray[np.int16], proba: NDArray[np.float64], smallest: float)
 
 
 def left_out(homes: Sequence[str]) -> list[tuple[str, ...]]:
-    """List which homes are left out together: every pair, and every home by itself."""
+    """List the homes that are left out together: every pair, and every home alone."""
     return [*itertools.combinations(homes, 2), *((home,) for home in homes)]
 
 
 def predict_unseen(plan: plans.Plan, cue: Cue) -> dict[str, NDArray[np.float64]]:
-    """Train a cue without clusters by a plan; give its distributions for every frame of each tested home."""
+    """Train a cue without clusters by a plan; return its distributions for all frames of the tested homes."""
     trained = train(plan, cue)
     return {part.home: trained.predict(part.home) for part in plan.tested}
 
@@ -43,8 +43,7 @@ def judge_cue(plan: plans.Plan, cue: Cue, smallest: float) -> list[Judgement]:
     Parameters
     ----------
     plan
-        That tests one home, or two, of which each is a training home that was not seen when the other is
-        tested.
+        It tests one home, or two, each of which is an unseen training home when the other is tested.
     cue
         Without clusters.
     smallest
@@ -56,7 +55,7 @@ def judge_cue(plan: plans.Plan, cue: Cue, smallest: float) -> list[Judgement]:
 
 
 def judge_home(home: str, proba: NDArray[np.float64], smallest: float) -> tuple[float, float]:
-    """Judge distributions of all frames of a home on its labelled frames."""
+    """Judge the distributions of a home on its labelled frames."""
     labels = listing.read_labels(home)
     rows = np.flatnonzero(labels >= 0)
     return judge(labels[rows], proba[rows], smallest)
@@ -101,7 +100,7 @@ _HELD_OUT = ("cross_validated", "cross_validated_truth")
 
 
 def _both_ways(without: tuple[str, ...], judged: Mapping[str, tuple[float, float]]) -> list[Judgement]:
-    """Each of two homes is judged for the other as the test home; a single one is the test home."""
+    """Each of two homes is judged with the other as the test home; a single one is the test home."""
     if len(without) == 1:
         return [(without[0], without[0], *judged[without[0]])]
     first, second = without

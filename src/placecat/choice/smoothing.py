@@ -1,7 +1,7 @@
-"""Judge candidates for the smoothing on training homes.
+"""Judgement of smoothing candidates on training homes.
 
-Only single cues: the distributions that train an integration come from cues that have seen other frames of
-the same home, and so look better than they are.
+Only single cues are judged: the distributions that train an integration come from cues that have seen other
+frames of the same home, and so look too good.
 """
 
 from collections.abc import Mapping
@@ -33,18 +33,13 @@ def judge_smoothing(
     smoothing
         Settings of :func:`placecat.fusion.smoothing.fit`.
     source
-        File of what the stage `cues` left of the fold.
+        File of the stage `cues` for the fold. Without cross-validation by home it raises PlacecatError.
     plan
         Of the fold.
     unseen
-        For each training home (frames, n_classes) distributions of its every frame by a cue that has seen
+        For each training home (frames, n_classes) distributions of every frame, by a cue that has seen
         neither it nor the test home. It is smoothed with statistics of the other training homes; the test
         home with those of all.
-
-    Raises
-    ------
-    PlacecatError
-        If the cue was not cross-validated by home.
     """
     if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(

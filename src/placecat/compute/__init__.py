@@ -12,18 +12,18 @@ if TYPE_CHECKING:
     from placecat.compute.connection import Cluster
 
 KINDS = ("local", "dask")
-# On one machine; more is a slip of the pen.
+# On one machine; more is a typing error.
 _MOST_WORKERS = 1024
 
 
 class _Choice:
-    """The choice of params.yaml, read when a loop first asks: many stages have no loop."""
+    """The choice of params.yaml, read when a loop first asks, since many stages have no loop."""
 
     @cached_property
     def cluster(self) -> "Cluster | None":
         from placecat import settings
 
-        # Settings of before there was a choice mean this machine.
+        # Older settings without `compute` mean this machine.
         options = dict(settings.load().get("compute", {"kind": "local"}))
         kind = options.pop("kind", None)
         if kind not in KINDS:
@@ -47,7 +47,7 @@ _choice: _Choice | None = None
 
 @contextmanager
 def as_set() -> Iterator[None]:
-    """Run the loops in a block where params.yaml says; without it they run on this machine.
+    """Run the loops of a block where params.yaml says; without it they run on this machine.
 
     The first loop connects to the cluster, the end of the block disconnects.
     """
@@ -63,24 +63,20 @@ def as_set() -> Iterator[None]:
 def local_workers() -> int:
     """Worker processes on this machine: the environment variable PLACECAT_WORKERS, else its cores.
 
-    It is not a setting of params.yaml, since no result depends on it.
-
-    Raises
-    ------
-    PlacecatError
-        The variable is not a positive whole number.
+    It is not a setting of params.yaml, since no result depends on it. Raises PlacecatError if it is not a
+    positive whole number.
     """
     wanted = wanted_workers()
     if wanted is not None:
         return wanted
-    # Here, since it imports NumPy.
+    # Late, since it imports NumPy.
     from joblib import cpu_count
 
     return int(cpu_count())
 
 
 def wanted_workers() -> int | None:
-    """The value of PLACECAT_WORKERS, see :func:`local_workers`; None if it is not set or empty."""
+    """The value of PLACECAT_WORKERS, see :func:`local_workers`; None if unset or empty."""
     value = os.environ.get("PLACECAT_WORKERS", "").strip()
     if not value:
         return None
@@ -93,11 +89,8 @@ def wanted_workers() -> int | None:
 
 
 def cluster() -> "Cluster | None":
-    """Give the cluster that loops run on; None for this machine.
+    """Return the cluster that loops run on; None for this machine.
 
-    Raises
-    ------
-    PlacecatError
-        As :class:`placecat.compute.connection.Cluster`, or an unknown setting.
+    Raises PlacecatError like :class:`placecat.compute.connection.Cluster`, or for an unknown setting.
     """
     return None if _choice is None else _choice.cluster

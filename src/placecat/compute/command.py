@@ -1,4 +1,4 @@
-"""``placecat worker``: start worker processes of a Dask cluster that give the same bits as this machine."""
+"""``placecat worker``: worker processes of a Dask cluster that give the same bits as this machine."""
 
 import importlib.util
 import os
@@ -9,22 +9,22 @@ from typing import NoReturn
 from placecat import compute
 from placecat.errors import PlacecatError
 
-# Dask has workers return freed memory to the system at once, and describing a frame then takes twice as long:
-# see placecat.vision.memory, whose way glibc does not heed where these are set.
+# By default Dask's workers return freed memory at once, and describing a frame takes twice as long. See
+# placecat.vision.memory, whose method has no effect if these are set.
 _MEMORY = {"MALLOC_TRIM_THRESHOLD_": str(64 << 20), "MALLOC_MMAP_THRESHOLD_": str(32 << 20)}
 
 
 def worker_command(scheduler: str, options: Sequence[str]) -> NoReturn:
     """Become distributed's ``dask worker`` with processes of one thread each.
 
-    The kernels of OpenBLAS were chosen on the import of placecat.stages, in the environment.
+    The import of placecat.stages has chosen the kernels of OpenBLAS, in the environment.
 
     Parameters
     ----------
     scheduler
         Its address.
     options
-        Further ones of ``dask worker``, e.g. ``["--nworkers", "4"]``; by default there are as many as cores.
+        Further options of ``dask worker``, e.g. ``["--nworkers", "4"]``; by default one process per core.
 
     Raises
     ------

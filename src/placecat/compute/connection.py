@@ -1,4 +1,4 @@
-"""A connection to a Dask cluster whose workers give the same bits as this machine."""
+"""Connection to a Dask cluster whose workers give the same bits as this machine."""
 
 import asyncio
 import contextlib
@@ -29,12 +29,12 @@ class Cluster:
     wait
         Seconds to wait for the scheduler, for a first worker, and for another one when all have gone.
     may_differ
-        Items of :func:`placecat.compute.fingerprint.fingerprint` that need not be as in this process.
+        Items of :func:`placecat.compute.fingerprint.fingerprint` that may differ from this process.
 
     Raises
     ------
     PlacecatError
-        Dask is not installed, no scheduler answers, there is no worker, or one that must not compute.
+        If Dask is not installed, no scheduler answers, or there is no worker or an unfit one.
     """
 
     def __init__(self, *, scheduler: str, wait: float = 30, may_differ: Sequence[str] = ()) -> None:
@@ -43,8 +43,7 @@ class Cluster:
         for item in may_differ:
             if item not in here:
                 raise PlacecatError(
-                    f"compute.may_differ has {item!r}, which is nothing that is compared (valid: "
-                    f"{', '.join(here)})"
+                    f"compute.may_differ has {item!r}, which is not compared (valid: {', '.join(here)})"
                 )
         if not isinstance(wait, int | float) or wait <= 0:
             raise PlacecatError(f"compute.wait must be a number of seconds above 0, not {wait!r}")
@@ -89,26 +88,18 @@ class Cluster:
         return max(1, len(self._client.ncores()))
 
     def run(self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]]) -> Iterator[Any]:
-        """Call ``function(*task)`` on the cluster for every task.
+        """Call ``function(*task)`` on the cluster for every task; yield the results in the order of `tasks`.
 
-        If a worker dies, others take over its tasks. Closing the iterator cancels what is left.
-
-        Returns
-        -------
-        iterator
-            The results in the order of `tasks`.
-
-        Raises
-        ------
-        PlacecatError
-            A task's own; or the scheduler or all workers are gone, or several workers died of a task.
+        If a worker dies, others take over its tasks. Closing the iterator cancels the rest. Raises the
+        PlacecatError of a task, or one if the scheduler or all workers are gone, or several workers died of a
+        task.
         """
         import cloudpickle
 
         calls = [cloudpickle.dumps((function, task)) for task in tasks]
-        # All at once, so that workers that join later find some. Impure, so that equal calls are all made.
+        # All at once, so that later workers find some. Impure, so that equal calls are all made.
         sent = self._client.map(perform, [self._expected] * len(calls), calls, pure=False)
-        # Workers forget a result once its future is gone from here.
+        # Workers forget a result once its future is dropped here.
         left = {future.key: future for future in sent}
         del sent
         ended: queue.SimpleQueue[Any] = queue.SimpleQueue()
@@ -127,12 +118,12 @@ class Cluster:
                 self._client.cancel(list(left.values()))
 
     def _next(self, ended: "queue.SimpleQueue[Any]") -> Any:
-        """Wait for a task to end, but give up if there is no worker for too long."""
+        """Wait for a task to end, but give up after too long without a worker."""
         patience = self._wait
         while True:
             with contextlib.suppress(queue.Empty):
                 return ended.get(timeout=_SECONDS_BETWEEN_LOOKS)
-            # The client sees by itself that the scheduler has gone, and cancels all tasks.
+            # If the scheduler has gone, the client itself notices, and cancels all tasks.
             with contextlib.suppress(OSError):
                 patience = self._wait if self._client.ncores() else patience - _SECONDS_BETWEEN_LOOKS
             if patience <= 0:
@@ -142,7 +133,7 @@ class Cluster:
                 )
 
     def close(self) -> None:
-        """Disconnect: the scheduler forgets what it still has to do for this process."""
+        """Disconnect: the scheduler drops the remaining tasks of this process."""
         self._mark.unlink(missing_ok=True)
         with contextlib.suppress(OSError):
             # Another stage may be running.
@@ -151,7 +142,7 @@ class Cluster:
 
 
 def _result(future: Any) -> bytes:
-    """The result of a task; raises its exception, or why it has no result."""
+    """The result of a task; raises the task's exception, or why it has no result."""
     from distributed import KilledWorker
 
     if future.status not in ("finished", "error"):
@@ -176,17 +167,17 @@ def _distributed() -> Any:
         raise PlacecatError(
             f"compute=dask needs the optional extra ({error.name} is missing): pip install -e '.[dask]'"
         ) from None
-    # What goes wrong is said once, by a PlacecatError.
+    # Each problem is reported once, by a PlacecatError.
     for name in ("distributed", "distributed.client"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
-    # Arguments of tasks are few enough to go through the scheduler.
+    # The arguments of tasks are small enough for the scheduler.
     dask.config.set({"distributed.admin.large-graph-warning-threshold": "1 GiB"})
     return Client
 
 
 def _connect(client: Any, scheduler: str, wait: float) -> Any:
     try:
-        # Asked first, since the client would wait for ever for an answer from a server of another kind.
+        # Checked first, since the client would wait for ever for a server of another kind.
         kind = asyncio.run(_kind(scheduler, wait))
         if kind != "Scheduler":
             raise ValueError(f"there is a {kind}")
@@ -200,10 +191,10 @@ def _connect(client: Any, scheduler: str, wait: float) -> Any:
 
 
 async def _kind(address: str, wait: float) -> str:
-    """What of Dask's is at an address, e.g. ``Scheduler``."""
+    """The kind of Dask server at an address, e.g. ``Scheduler``."""
     from distributed import Security, rpc
 
-    # Certificates of tls:// addresses are those of Dask's own configuration.
+    # Certificates of tls:// addresses come from Dask's own configuration.
     secured = Security().get_connection_args("client")
     async with asyncio.timeout(wait), rpc(address, timeout=wait, connection_args=secured) as server:
         return str((await server.identity())["type"])

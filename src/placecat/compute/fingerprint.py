@@ -1,4 +1,4 @@
-"""Fingerprint of what else the bits of a result depend on: code, versions, kernels, processor."""
+"""Fingerprint of everything else that results depend on to the bit: code, versions, kernels, processor."""
 
 import hashlib
 import platform
@@ -8,15 +8,13 @@ from pathlib import Path
 
 import placecat
 
-# Whose numbers go into results, or who carries tasks and results as pickles.
+# Packages that compute results, or that transfer tasks and results as pickles.
 PACKAGES = ("numpy", "scipy", "scikit-learn", "pandas", "joblib", "distributed")
 
 
 @cache
 def fingerprint() -> dict[str, str]:
-    """Describe this process's environment.
-
-    Taken once: a process keeps the modules that it has imported, whatever becomes of their files.
+    """Describe this process's environment, once: imported modules stay, whatever happens to their files.
 
     Returns
     -------
@@ -24,7 +22,7 @@ def fingerprint() -> dict[str, str]:
         Item to its state. ``placecat`` has a digest of the code; ``BLAS`` the kernels that NumPy, SciPy and
         OpenCV have chosen; ``processor`` the vector instructions that NumPy and OpenCV use.
     """
-    # Here, so that whoever asks only for the names does without.
+    # Late, since PACKAGES alone needs no OpenCV.
     import cv2
     import numpy as np
     import scipy.linalg  # noqa: F401  loads SciPy's BLAS
@@ -49,7 +47,7 @@ def fingerprint() -> dict[str, str]:
 
 
 def _digest(folder: Path) -> str:
-    """Eight hex digits for all modules below a folder."""
+    """Eight hex digits for all modules in a folder."""
     digest = hashlib.sha256()
     for path in sorted(folder.rglob("*.py")):
         digest.update(f"{path.relative_to(folder).as_posix()}\0".encode())
@@ -58,6 +56,6 @@ def _digest(folder: Path) -> str:
 
 
 def _used(features: str) -> str:
-    """Instructions of OpenCV's list that this processor has; the others end with "?"."""
+    """Instructions in OpenCV's list that this processor has; the others end with "?"."""
     dispatched = [name[1:] for name in features.split() if name.startswith("*")]
     return " ".join(name for name in dispatched if not name.endswith("?")) or "baseline"

@@ -1,4 +1,4 @@
-"""What a worker of the cluster runs: tasks, and the check that it gives the same bits as any other."""
+"""Tasks of a cluster's worker, and the check that it gives the same bits as any other."""
 
 import contextlib
 import pickle
@@ -10,7 +10,7 @@ from typing import Any
 from placecat.compute.fingerprint import fingerprint
 from placecat.errors import PlacecatError
 
-# Marks of project folders that this process has found.
+# Marks of project folders already found.
 _seen: set[str] = set()
 
 
@@ -40,17 +40,9 @@ class Expected:
 
 
 def objection(expected: Expected, dask_worker: Any = None) -> str | None:
-    """Say why this worker must not compute.
+    """Return why this worker must not compute: its name, the problem and the remedy; None if it may.
 
-    Parameters
-    ----------
-    dask_worker
-        distributed's worker, which `Client.run` passes; None in a task.
-
-    Returns
-    -------
-    str or None
-        A message that names the worker, what is wrong and what to do; None if nothing is.
+    `dask_worker` is distributed's worker, which `Client.run` passes; None in a task.
     """
     if dask_worker is None:
         from distributed import get_worker
@@ -61,7 +53,7 @@ def objection(expected: Expected, dask_worker: Any = None) -> str | None:
     threads = dask_worker.state.nthreads
     if threads != 1:
         # The folder and the number of threads of BLAS belong to the process.
-        return f"{name} has {threads} threads, and must have one: start it with {start}"
+        return f"{name} has {threads} threads, but must have one: start it with {start}"
     here = fingerprint()
     different = [
         f"{item} ({here.get(item)} there, {value} here)"
@@ -89,19 +81,15 @@ def perform(expected: Expected, call: bytes) -> bytes:
     Parameters
     ----------
     expected
-        Checked for every task, since workers may join while a stage runs.
+        Checked for every task, since workers may join while a stage runs; an unfit worker raises
+        PlacecatError.
     call
         Pickle of a function and the tuple of its arguments.
 
     Returns
     -------
     bytes
-        Pickle of what the function returned: unpickled it is writable, unlike what Dask makes of arrays.
-
-    Raises
-    ------
-    PlacecatError
-        If this worker must not compute.
+        Pickle of the function's result: unpickled it is writable, unlike Dask's own arrays.
     """
     import cloudpickle
     from joblib import parallel_config
@@ -110,7 +98,7 @@ def perform(expected: Expected, call: bytes) -> bytes:
     if problem is not None:
         raise PlacecatError(problem)
     function, arguments = pickle.loads(call)
-    # Loops inside of a task stay in it.
+    # Loops inside a task stay in its process.
     with contextlib.chdir(expected.folder), parallel_config(backend="threading", n_jobs=1):
         result: bytes = cloudpickle.dumps(function(*arguments))
         return result

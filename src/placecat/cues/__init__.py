@@ -1,6 +1,6 @@
 """Cues: from the descriptors of a frame to a distribution over places (thesis 3.3.1 and 3.3.2).
 
-One module a way of deciding: `one_against_all` (Figure 8, two-class classifiers), `knn` (Figure 8, modified
+Each module is one model: `one_against_all` (Figure 8, two-class classifiers), `knn` (Figure 8, modified
 nearest neighbours) and `joint_probability` (Figure 10). A cue's setting ``classifier.model`` names the
 module; there is no list to extend.
 """
@@ -24,14 +24,14 @@ logger = logging.getLogger(__name__)
 
 __all__ = ["Codebook", "CueModel", "Descriptors", "cross_validate", "fit", "model_names", "of_regions_only"]
 
-# Where frames are left out instead of homes.
+# Number of parts if frames are left out instead of homes.
 _PARTS = 5
-# Training frames of each place that the other homes must have: classifiers are calibrated on some of them.
+# Fewest training frames of each place in the other homes, since calibration needs some of them.
 _LEAST = 2
 
 
 def model_names() -> list[str]:
-    """Names of the ways of deciding, found by looking."""
+    """Names of the models: the modules of this package that have a `fit`."""
     return lookup.names(__name__, "fit")
 
 
@@ -53,10 +53,10 @@ def fit(
     labels
         (n,) class indices in [0, len(classes)), every class present.
     homes
-        (n,) the home of each frame: cross-validation keeps homes together, since neighbouring frames are
+        (n,) the home of each frame. Cross-validation keeps homes together, since neighbouring frames are
         near-duplicates.
     classifier
-        ``model`` names a module of this package, the rest are its settings.
+        ``model`` names a module of this package; the rest are its settings.
     classes
         Names of the places, for messages.
     codebook
@@ -65,7 +65,7 @@ def fit(
     Raises
     ------
     PlacecatError
-        Unknown model, unknown or impossible settings, a class without training frames.
+        For an unknown model, unknown or impossible settings, or a class without training frames.
     """
     missing = sorted(set(range(len(classes))) - set(np.unique(labels).tolist()))
     if missing:
@@ -96,27 +96,19 @@ def cross_validate(
     classes: Sequence[str],
     codebook: Codebook | None = None,
 ) -> NDArray[np.float64]:
-    """Judge each home's training frames by a cue that was trained on the other homes.
+    """Judge each home's training frames by a cue trained on the other homes.
 
-    All that is fitted is fitted anew for each home, calibration and scaling too, so that the distributions of
-    different homes compare. A codebook, which knows no labels, is the same for all.
+    Parameters and errors are those of :func:`fit`.
 
-    Parameters
-    ----------
-    train, labels, homes, classifier, classes, codebook
-        As for :func:`fit`.
+    Everything is fitted anew for each home, calibration and scaling too, so the distributions of different
+    homes compare. Only a codebook, which knows no labels, is shared.
 
     Returns
     -------
     (n, n_classes)
-        Distributions of the training frames. Where the other homes have fewer than two frames of a place, or
-        there is one home only, five parts of consecutive frames of each place are left out instead of homes,
+        Distributions of the training frames. If the other homes have fewer than two frames of a place, or
+        there is only one home, five parts of consecutive frames of each place are left out instead of homes,
         with a warning.
-
-    Raises
-    ------
-    PlacecatError
-        As :func:`fit`.
     """
     index = labels.astype(np.intp)
     names = np.unique(homes)
@@ -145,7 +137,7 @@ def cross_validate(
 
 
 def of_regions_only(name: str) -> bool:
-    """Whether a way of deciding takes sets of regions alone, never whole frames."""
+    """Whether a model takes only sets of regions, never whole frames."""
     return bool(getattr(_load(name), "OF_REGIONS_ONLY", False))
 
 

@@ -1,4 +1,4 @@
-"""Codewords of a frame: one tree for all salient regions, or one for each cell of a holistic descriptor."""
+"""Codewords of a frame: one tree for all salient regions, or one per cell of a holistic descriptor."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from placecat.errors import PlacecatError
 from placecat.learning.flat_kmeans import FlatKMeans
 from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
 
-# What the text that seeds derive from calls each setting of a descriptor, and each value that was renamed.
-# Frozen, since another text is another clustering: what gets a new name keeps its old one here.
+# Names of descriptors' settings, and of renamed values, in the text that seeds derive from.
+# Frozen, since another text gives another clustering: a renamed setting keeps its old name here.
 FROZEN = {
     "kind": "kind",
     "name": "name",
@@ -34,16 +34,17 @@ RENAMED: dict[Any, str] = {}
 def seed_of(
     dataset: str, descriptor: Mapping[str, Any], cells: int, training_set: str, seed: int | str
 ) -> int:
-    """Derive the seed of a codebook from what it clusters, so that whoever clusters the same gets the same.
+    """Derive the seed of a codebook from what it clusters, so that equal clusterings share it.
 
     Parameters
     ----------
     dataset
         Name of the data set.
     descriptor
-        What is clustered, as a cue names it.
+        The clustered descriptor, as a cue names it. A setting that `FROZEN` does not name raises
+        PlacecatError.
     cells
-        Number of cells that a holistic descriptor is cut into.
+        Number of cells of a holistic descriptor.
     training_set
         Name of the training homes.
     seed
@@ -51,12 +52,7 @@ def seed_of(
 
     Returns
     -------
-    In [0, 2**32). It stays what it is when a setting or a descriptor is renamed (`FROZEN`, `RENAMED`).
-
-    Raises
-    ------
-    PlacecatError
-        A setting of the descriptor that `FROZEN` does not name.
+    In [0, 2**32). Renaming a setting or a descriptor does not change it (`FROZEN`, `RENAMED`).
     """
     settings.refuse_unknown(descriptor, list(FROZEN), "the text that seeds of codebooks derive from")
     content = json.dumps(
@@ -66,25 +62,12 @@ def seed_of(
 
 
 def settings_of(params: Mapping[str, Any], name: str) -> dict[str, Any]:
-    """Look up the settings of a codebook, with the cluster numbers that its cues ask for where it needs them.
+    """Look up the settings of a codebook, with the cluster numbers that its cues ask for if it needs them.
 
-    A hierarchy serves every number up to its ``max_clusters``; flat k-means clusters once for each number.
+    A hierarchy serves every number up to its ``max_clusters``; flat k-means clusters once for each number,
+    and its ``tree`` has ``numbers``.
 
-    Parameters
-    ----------
-    params
-        All settings.
-    name
-        Of a part of ``codebooks``.
-
-    Returns
-    -------
-    That part. Its ``tree`` has ``numbers`` if it is flat k-means.
-
-    Raises
-    ------
-    PlacecatError
-        If there is no such codebook.
+    `params` are all settings; `name` is one of ``codebooks``, else PlacecatError.
     """
     codebook = dict(settings.get(params, f"codebooks.{name}"))
     tree = codebook["tree"]
@@ -125,13 +108,13 @@ class Codebook:
         train
             Of n frames.
         cells
-            Number of equal parts that a holistic descriptor is cut into (16 in the thesis); 1 for regions.
+            Number of equal parts of a holistic descriptor (16 in the thesis); 1 for regions.
         seed
-            The seed of each tree is derived from it and the cell.
+            The seed of each tree derives from it and the cell.
         tree
-            ``name`` is a module of `placecat.learning` that clusters, the rest are its settings.
+            ``name`` is a module of `placecat.learning` that clusters; the rest are its settings.
         numbers
-            The cluster numbers that will be asked for; None leaves that to the settings.
+            The cluster numbers that will be used; None for those of the settings.
         """
         if train.is_set:
             parts = [train.rows()]
@@ -150,11 +133,9 @@ class Codebook:
         return cls(trees, of_sets=train.is_set)
 
     def words(self, frames: Descriptors, n_clusters: int) -> NDArray[np.int32]:
-        """Nearest cluster of each region or cell.
+        """Nearest cluster of each region or cell, in [0, n_clusters).
 
-        Returns
-        -------
-        (n, max_regions) with -1 as padding, or (n, cells); values in [0, n_clusters).
+        Returns (n, max_regions) with -1 as padding, or (n, cells).
         """
         if self.of_sets:
             words = np.full(frames.x.shape[:2], -1, dtype=np.int32)
@@ -168,7 +149,7 @@ class Codebook:
         return np.stack(columns, axis=1).astype(np.int32)
 
     def to_arrays(self) -> dict[str, np.ndarray]:
-        """Plain arrays to store without pickle."""
+        """Plain arrays for storage without pickle."""
         arrays = {"of_sets": np.array(self.of_sets), "n_trees": np.array(len(self.trees))}
         for number, tree in enumerate(self.trees):
             arrays |= {f"{number:02d}/{name}": array for name, array in tree.to_arrays().items()}

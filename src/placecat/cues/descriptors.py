@@ -1,4 +1,4 @@
-"""What a cue sees of some frames."""
+"""The input of a cue: descriptors of some frames."""
 
 from dataclasses import dataclass
 
@@ -8,14 +8,14 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True)
 class Descriptors:
-    """Descriptors of n frames: one vector a frame (holistic) or a set of vectors a frame (salient regions).
+    """Descriptors of n frames: one vector (holistic) or a set of vectors (salient regions) per frame.
 
     Attributes
     ----------
     x
         float32, (n, d) holistic or (n, max_regions, d) of regions.
     counts
-        (n,) number of regions that each frame has, the rest of its rows is padding; None for holistic ones.
+        (n,) number of regions of each frame, the other rows are padding; None for holistic ones.
     """
 
     x: NDArray[np.float32]
@@ -25,25 +25,25 @@ class Descriptors:
         return len(self.x)
 
     def take(self, frames: NDArray[np.intp]) -> "Descriptors":
-        """Those of some frames, by index, in the order asked for."""
+        """The descriptors of some frames, by index and in this order."""
         return Descriptors(self.x[frames], None if self.counts is None else self.counts[frames])
 
     @property
     def is_set(self) -> bool:
-        """Whether a frame has a set of vectors."""
+        """Whether each frame has a set of vectors."""
         return self.counts is not None
 
     def valid(self) -> NDArray[np.bool_]:
-        """(n, max_regions) mask of the rows that are no padding."""
+        """(n, max_regions) mask of the rows that are not padding."""
         assert self.counts is not None
         return np.arange(self.x.shape[1])[None, :] < self.counts[:, None]
 
     def rows(self) -> NDArray[np.float32]:
-        """All vectors below each other: (n, d), or (sum of counts, d) in the order of frames and regions."""
+        """All vectors, stacked: (n, d), or (sum of counts, d) in the order of frames and regions."""
         return self.x if self.counts is None else self.x[self.valid()]
 
     def frame_of_row(self) -> NDArray[np.int64]:
-        """For each row of :meth:`rows` the frame that it comes from."""
+        """The frame of each row of :meth:`rows`."""
         if self.counts is None:
             return np.arange(len(self.x))
         return np.repeat(np.arange(len(self.x)), self.counts)

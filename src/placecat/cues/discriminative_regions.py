@@ -1,6 +1,6 @@
-"""Another way of deciding, on those regions alone whose codewords tell places apart.
+"""A model that uses only the regions whose codewords tell places apart.
 
-An addition: the thesis ends by wishing for fewer meaningless regions.
+An addition: the thesis ends with the wish for fewer meaningless regions.
 """
 
 from collections.abc import Mapping, Sequence
@@ -17,12 +17,12 @@ from placecat.learning.activations import activations
 from placecat.learning.discriminative import discriminative_codewords
 from placecat.ranges import Count, PositiveShare
 
-#: Whether it decides from sets of regions alone, never from whole frames.
+#: Whether the model takes only sets of regions, never whole frames.
 OF_REGIONS_ONLY = True
 
 
 class DiscriminativeRegionsCue:
-    """A cue that leaves out regions whose codeword is not among those kept."""
+    """A cue that ignores regions without a chosen codeword."""
 
     def __init__(self, codebook: Codebook, kept: NDArray[np.bool_], cue: CueModel) -> None:
         self.codebook = codebook
@@ -36,7 +36,7 @@ class DiscriminativeRegionsCue:
 
 
 def only(frames: Descriptors, words: NDArray[np.int32], kept: NDArray[np.bool_]) -> Descriptors:
-    """Take the regions whose codeword is kept, in their order.
+    """Keep the regions whose codeword is chosen, in order.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ def only(frames: Descriptors, words: NDArray[np.int32], kept: NDArray[np.bool_])
     words
         (n, max_regions) codewords, -1 as padding.
     kept
-        (N,) which codewords are.
+        (N,) mask of the chosen codewords.
     """
     taken = (words >= 0) & kept[words]
     counts = taken.sum(axis=1)
@@ -65,16 +65,17 @@ def fit(
     clusters: Count,
     keep: PositiveShare,
 ) -> DiscriminativeRegionsCue:
-    """Choose codewords on the training frames, then train a cue on the regions that have them.
+    """Choose codewords on the training frames, then train a cue on their regions.
 
     Parameters
     ----------
     cue
-        The settings of the cue's way of deciding, without its number of clusters.
+        The settings of that cue's classifier, without its number of clusters.
     clusters
-        Number of clusters, of which some are kept; also that of `cue`.
+        Number of clusters, also of `cue`.
     keep
-        Share of them that is kept, see :func:`placecat.learning.discriminative.discriminative_codewords`.
+        Share of the clusters to choose, see
+        :func:`placecat.learning.discriminative.discriminative_codewords`.
     """
     from placecat import cues
 

@@ -1,4 +1,4 @@
-"""Find an estimator of `placecat.learning` by the name of its module."""
+"""Estimators of `placecat.learning` by the name of their module."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -12,16 +12,12 @@ def build(options: Mapping[str, Any], where: str, **fixed: Any) -> Any:
     Parameters
     ----------
     options
-        ``name`` is a module of `placecat.learning` that defines one estimator.
+        ``name`` is a module of `placecat.learning` that defines one estimator. An unknown estimator or
+        parameter raises PlacecatError, which names the valid ones.
     where
-        What the message calls the options.
+        Name of the options in messages.
     **fixed
-        Parameters that are no settings, e.g. a seed.
-
-    Raises
-    ------
-    PlacecatError
-        Unknown estimator or unknown parameter; the message names the valid ones.
+        Parameters that are not settings, e.g. a seed.
     """
     class_name = signatures.check_estimator(options, where)
     parameters = dict(options)

@@ -1,4 +1,4 @@
-"""Places as the joint probability of the codewords in a frame (thesis 3.3.2, Figure 10; 4.2 for cells)."""
+"""Places by the joint probability of a frame's codewords (thesis 3.3.2, Figure 10; 4.2 for cells)."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -15,7 +15,7 @@ from placecat.ranges import Count
 
 
 class JointProbabilityCue:
-    """A joint model over 16 cell codewords (holistic) or over N on-off activations (salient regions)."""
+    """A joint model of 16 cell codewords (holistic) or N on-off activations (salient regions)."""
 
     def __init__(self, codebook: Codebook, clusters: int, estimator: Any) -> None:
         self.codebook = codebook

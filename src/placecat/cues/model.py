@@ -1,4 +1,4 @@
-"""What every trained cue offers."""
+"""The interface of a trained cue."""
 
 from typing import Any, Protocol
 
@@ -14,7 +14,7 @@ class CueModel(Protocol):
     Attributes
     ----------
     facts
-        What is worth knowing about the training, e.g. the nu that was feasible; JSON types only.
+        Facts about the training, e.g. the nu that was feasible; JSON types only.
     """
 
     facts: dict[str, Any]

@@ -1,4 +1,4 @@
-"""Two-class classifiers, one a place, combined to a distribution (thesis 3.3.1.2, Figure 8)."""
+"""Two-class classifiers, one per place, combined into a distribution (thesis 3.3.1.2, Figure 8)."""
 
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Any
@@ -24,7 +24,7 @@ class OneAgainstAllCue:
         self.facts: dict[str, Any] = {}
 
     def transform(self, x: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Apply what was fitted before the classifier."""
+        """Apply reduction and scaling."""
         for step in self.steps:
             x = step.transform(x)
         return x
@@ -33,7 +33,7 @@ class OneAgainstAllCue:
         """(n, n_classes) distributions over places; for regions the product over a frame's regions."""
         rows = frames.rows()
         if len(rows) == 0:
-            # Frames without regions, or no frames: estimators refuse an empty matrix.
+            # No frames, or none with regions: estimators refuse an empty matrix.
             proba = np.empty((0, len(self.scheme.classes_)))
         else:
             proba = self.scheme.predict_proba(self.transform(rows))
@@ -57,7 +57,7 @@ def fit(
     reduction: Mapping[str, Any] | None = None,
     max_rows: Count | None = None,
 ) -> OneAgainstAllCue:
-    """Train one two-class classifier a place and the scheme that combines them.
+    """Train one two-class classifier per place and the scheme that combines them.
 
     Parameters
     ----------
@@ -65,17 +65,13 @@ def fit(
         Two-class estimator of `placecat.learning`: `nu_svm`, `rvm` or `gentle_adaboost`.
     scheme
         Multi-class estimator of `placecat.learning`: `one_against_all` (parallel) or `sequential`.
-    scaling
-        How descriptors are scaled before the kernel, a kind of
-        :class:`~placecat.learning.scaling.KernelScaling`.
-    gamma_scale
-        What squared distances are multiplied by after that: the scale on which gamma acts.
+    scaling, gamma_scale
+        Kind of :class:`~placecat.learning.scaling.KernelScaling`, and its factor of squared distances.
     reduction
         Settings of :class:`~placecat.learning.spatial_pca.SpatialPCA`, e.g. 16 cells of 64 components for
         spatial PACT; None for no reduction.
     max_rows
-        Rows to train on at most, taken evenly over all, for classifiers that take long; None for all. The
-        thesis does not give this.
+        Most training rows, taken evenly, for slow classifiers; None for all. The thesis does not give this.
     """
     steps: list[Any] = []
     x = train.rows()
@@ -97,7 +93,7 @@ def fit(
 
 
 def facts_of(scheme: Any) -> dict[str, Any]:
-    """What a fitted multi-class scheme reports: nu in force, flat sigmoids of each class, reliabilities."""
+    """Facts of a fitted multi-class scheme: nu in force, flat sigmoids of each class, reliabilities."""
     facts: dict[str, Any] = {"flat_sigmoids": [int(count) for count in scheme.flat_]}
     if np.isfinite(scheme.nu_).all():
         facts["nu"] = [round(float(nu), 6) for nu in scheme.nu_]

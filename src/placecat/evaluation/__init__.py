@@ -1,1 +1,1 @@
-"""Who trains on what, and how well it went."""
+"""Measures: accuracy, probabilities, stays, and intervals for verdicts."""

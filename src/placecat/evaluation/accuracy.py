@@ -1,22 +1,13 @@
-"""How well a home was categorized (thesis 4.2)."""
+"""Accuracy of a home's decisions (thesis 4.2)."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 
 def confusion_matrix(truth: ArrayLike, decision: ArrayLike, n_classes: int) -> NDArray[np.int64]:
-    """Count scored frames by true and decided class.
+    """Count scored frames by true (row) and decided (column) class: (n_classes, n_classes).
 
-    Parameters
-    ----------
-    truth
-        (n,) integers, -1 for frames that are not scored.
-    decision
-        (n,) integers in [0, n_classes).
-
-    Returns
-    -------
-    (n_classes, n_classes) counts; rows are true classes.
+    `truth` is (n,) integers, -1 for frames that are not scored; `decision` (n,) integers in [0, n_classes).
     """
     truth = np.asarray(truth, dtype=np.int64)
     decision = np.asarray(decision, dtype=np.int64)
@@ -26,10 +17,10 @@ def confusion_matrix(truth: ArrayLike, decision: ArrayLike, n_classes: int) -> N
 
 
 def class_accuracies(confusion: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Percentage of each class's frames that were named correctly; NaN for a class without frames.
+    """Percentage of each class's frames that were decided right; NaN for a class without frames.
 
     The thesis's measure: a home's accuracy is the mean of these over the classes present (see
-    :func:`home_accuracy`), so that big classes cannot shadow small ones.
+    :func:`home_accuracy`), so that big classes cannot outweigh small ones.
     """
     totals = confusion.sum(axis=1)
     with np.errstate(invalid="ignore"):

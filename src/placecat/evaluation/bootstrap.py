@@ -10,7 +10,7 @@ from scipy import stats
 
 @dataclass(frozen=True)
 class Interval:
-    """An estimate, and the ends of its interval, in the unit of the estimate."""
+    """An estimate and the ends of its interval, in the unit of the estimate."""
 
     estimate: float
     low: float
@@ -18,7 +18,7 @@ class Interval:
 
     def rounded(self, decimals: int = 2) -> "Interval":
         """The same with rounded numbers, never -0."""
-        # Twice, since the last bits of equal numbers may lie on different sides of a half.
+        # Rounded twice, since the last bits of equal numbers may lie on different sides of a half.
         return Interval(
             *(round(round(x, decimals + 6), decimals) + 0.0 for x in (self.estimate, self.low, self.high))
         )
@@ -32,21 +32,20 @@ def paired_bootstrap(
     level: float = 0.95,
     resamples: int = 10000,
 ) -> Interval:
-    """Interval of a statistic of units, e.g. of the mean difference of two results over homes.
+    """Interval of a statistic of units, e.g. the mean difference of two results over homes.
 
-    Units are drawn with replacement, and a drawn unit brings all that was measured on it, so that what is
-    common to both sides of a difference cancels.
+    Units are drawn with replacement. A drawn unit brings all its measurements, so effects common to both
+    sides of a difference cancel.
 
-    With six units the plain percentile interval is far too narrow, for two reasons that are known exactly
-    for a mean: the bootstrap's variance divides by n instead of n - 1, and a quantile of the normal stands
-    where one of Student's t with n - 1 degrees of freedom belongs. So both arms of the percentile interval
-    are stretched about the estimate by sqrt(n / (n - 1)) t / z. Hesterberg corrects for the same two by
-    asking for more extreme quantiles (the expanded percentile interval), but four or six units do not have
-    them: his interval ends at the smallest and the largest unit. BCa corrects for skewness, not for n. The
-    bootstrap-t divides by standard errors that vanish where units tie, as the seeds of one home can: its
-    intervals are then endless.
+    With six units the plain percentile interval is far too narrow, for two reasons that are known exactly for
+    a mean: the bootstrap's variance divides by n instead of n - 1, and it uses a normal quantile instead of
+    one of Student's t with n - 1 degrees of freedom. So both arms of the percentile interval are stretched
+    about the estimate by sqrt(n / (n - 1)) t / z. Hesterberg corrects for both by more extreme quantiles (the
+    expanded percentile interval), which four or six units do not have: that interval ends at the smallest and
+    the largest unit. BCa corrects for skewness, not for n. The bootstrap-t divides by standard errors that
+    vanish if units tie, as the seeds of one home can: its intervals are then infinite.
 
-    How often an interval of a mean covers the truth, `level` 0.95, in 4000 simulations each:
+    Coverage of the intervals of a mean, `level` 0.95, in 4000 simulations each:
 
     ==== ============= ========== ======== ========= ===== ===========
     n    units are     percentile expanded stretched BCa   bootstrap-t
@@ -59,13 +58,12 @@ def paired_bootstrap(
     6    Student, 3 df 0.84       0.93     0.95      0.83  0.93
     ==== ============= ========== ======== ========= ===== ===========
 
-    The stretched interval, which this is, has 0.85 (n = 6) and 0.54 (n = 4) of the bootstrap-t's median
-    length.
+    This function gives the stretched interval. Its median length is 0.85 (n = 6) and 0.54 (n = 4) of the
+    bootstrap-t's.
 
-    Two homes with two seeds are four units that are not independent. Where homes and seeds vary alike, the
-    interval covers the mean over these two homes in 0.96 of the simulations, and more often the less seeds
-    matter; but the mean over all homes in 0.89 only, and in 0.70 where seeds do not matter. It is an interval
-    for the homes at hand.
+    Two homes with two seeds are four dependent units. If homes and seeds vary alike, the interval covers the
+    mean over these two homes in 0.96 of the simulations, and more often the less seeds matter, but the mean
+    over all homes in only 0.89, and in 0.70 if seeds do not matter. It is an interval for these homes only.
 
     Parameters
     ----------
@@ -82,8 +80,8 @@ def paired_bootstrap(
 
     Returns
     -------
-    `estimate` has all units weigh the same, and lies within the interval unless the statistic is very biased.
-    Units that are all alike give a point.
+    In `estimate` all units weigh the same; it lies within the interval unless the statistic is very biased.
+    Identical units give a point.
 
     References
     ----------
@@ -106,15 +104,14 @@ def stratified_bootstrap(
     level: float = 0.95,
     resamples: int = 10000,
 ) -> Interval:
-    """Interval of a statistic of blocks, e.g. of stays in rooms, of which each stratum keeps its number.
+    """Interval of a statistic of blocks, e.g. stays in rooms, with a fixed number of blocks per stratum.
 
-    A mean over places has one stratum a place. Of the n blocks of a stratum n - 1 are drawn with replacement
-    (Rao and Wu), so that the variance of a stratum's mean divides by n - 1 as it should: for strata as small
-    as two this matters more than anything else. A stratum of one block has no spread. Both arms are stretched
-    by t / z with as many degrees of freedom as there are blocks beyond one a stratum.
+    A mean over places has one stratum per place. Of the n blocks of a stratum n - 1 are drawn with
+    replacement (Rao and Wu), so that the variance of its mean divides by n - 1, which matters most for strata
+    as small as two. A stratum of one block has no spread. Both arms are stretched by t / z; the degrees of
+    freedom are the blocks beyond one per stratum.
 
-    How often an interval of the mean of five strata's means covers the truth, `level` 0.95, in 2000
-    simulations each:
+    Coverage of the intervals of the mean of five strata's means, `level` 0.95, in 2000 simulations each:
 
     ================================ ====== ===========
     blocks of the strata             normal exponential
@@ -155,6 +152,6 @@ def stratified_bootstrap(
 
 
 def stretch(n_units: int, level: float) -> float:
-    """What the arms of a percentile interval are multiplied by, at least 1: sqrt(n / (n - 1)) t / z."""
+    """Factor of the arms of a percentile interval, at least 1: sqrt(n / (n - 1)) t / z."""
     upper = (1.0 + level) / 2.0
     return float(np.sqrt(n_units / (n_units - 1.0)) * stats.t.ppf(upper, n_units - 1) / stats.norm.ppf(upper))

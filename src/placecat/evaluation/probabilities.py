@@ -1,4 +1,4 @@
-"""How good distributions over places are: log-loss and calibration, with every place weighing the same."""
+"""Quality of distributions over places: log-loss and calibration, with every place weighing the same."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -10,16 +10,16 @@ from placecat.errors import PlacecatError
 
 
 class Reliability(NamedTuple):
-    """The points of a reliability diagram: what happens to frames whose decision is about as sure.
+    """The points of a reliability diagram: how often decisions of about the same confidence are right.
 
     Attributes
     ----------
     confidence
         (bins,) mean probability of the decided place, 0 to 1; NaN in a bin without frames.
     accuracy
-        (bins,) share of the decisions that are right, 0 to 1; NaN likewise.
+        (bins,) share of right decisions, 0 to 1; NaN likewise.
     weight
-        (bins,) share of the frames, which sum to 1; all 0 if no frame is labelled.
+        (bins,) share of the frames; sums to 1, or all 0 if no frame is labelled.
     """
 
     confidence: NDArray[np.float64]
@@ -28,16 +28,10 @@ class Reliability(NamedTuple):
 
 
 def balanced_weights(truth: ArrayLike) -> NDArray[np.float64]:
-    """Weights of frames that make every place that occurs weigh the same, as the accuracy does (thesis 4.2).
+    """Frame weights that make every place present weigh the same, as in the accuracy (thesis 4.2).
 
-    Parameters
-    ----------
-    truth
-        (n,) integers, -1 for frames that are not scored.
-
-    Returns
-    -------
-    (n,) summing to 1, 0 for frames that are not scored; all 0 if none is.
+    `truth` is (n,) integers, -1 for frames that are not scored. The (n,) weights sum to 1 and are 0 for
+    frames that are not scored; all 0 if none is.
     """
     truth = np.asarray(truth, dtype=np.int64)
     scored = truth >= 0
@@ -48,9 +42,9 @@ def balanced_weights(truth: ArrayLike) -> NDArray[np.float64]:
 
 
 def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
-    """Mean of -ln p(true place) over the frames of each place that occurs, and over these places, in nats.
+    """Mean of -ln p(true place) over the frames of each place present, and over these places, in nats.
 
-    Distributions that are uniform over k places have ln k.
+    Uniform distributions over k places have ln k; NaN if no frame is scored.
 
     Parameters
     ----------
@@ -59,17 +53,8 @@ def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
     proba
         (n, n_classes) distributions.
     smallest
-        In (0, 1). Probabilities below count as this one, so that a single 0 does not make the mean infinite:
-        a frame costs -ln `smallest` at most. Nothing else is scaled.
-
-    Returns
-    -------
-    NaN if no frame is scored.
-
-    Raises
-    ------
-    PlacecatError
-        If `smallest` is no such number.
+        In (0, 1), else PlacecatError. Lower probabilities count as this one, so that a single 0 does not make
+        the mean infinite: a frame costs at most -ln `smallest`.
     """
     if not isinstance(smallest, int | float) or not 0.0 < smallest < 1.0:
         raise PlacecatError(f"probabilities.smallest must be a number in (0, 1), but is {smallest!r}")
@@ -83,9 +68,9 @@ def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
 
 
 def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability:
-    """Compare how sure decisions are with how often they are right, places weighing the same.
+    """Compare the confidence of decisions with their accuracy; every place weighs the same.
 
-    The largest probability of a distribution is its confidence; confidences in ((m - 1) / `bins`, m / `bins`]
+    The confidence is the largest probability of a distribution. Confidences in ((m - 1) / `bins`, m / `bins`]
     share a bin.
 
     Parameters
@@ -93,14 +78,9 @@ def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability
     truth
         (n,) integers, -1 for frames that are not scored.
     proba
-        (n, n_classes) distributions; of equal largest ones the first is the decision.
+        (n, n_classes) distributions; the first of equal largest ones is the decision.
     bins
-        At least 1.
-
-    Raises
-    ------
-    PlacecatError
-        If `bins` is no such number.
+        At least 1, else PlacecatError.
 
     References
     ----------
@@ -112,7 +92,7 @@ def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability
     truth, proba = np.asarray(truth, dtype=np.int64), np.asarray(proba, dtype=np.float64)
     confidence, right = proba.max(axis=1), proba.argmax(axis=1) == truth
     edges = np.linspace(0.0, 1.0, bins + 1)
-    # Rounding may lift a certain decision above 1.
+    # Rounding may lift a confidence above 1.
     own = np.clip(np.searchsorted(edges, confidence, side="left") - 1, 0, bins - 1)
     weights = balanced_weights(truth)
     weight = _sums(own, weights, bins)
@@ -124,7 +104,7 @@ def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability
 
 
 def pooled(diagrams: Sequence[Reliability]) -> Reliability:
-    """One diagram of several with the same bins, e.g. one a home, which weigh the same."""
+    """Merge diagrams with the same bins, e.g. one per home, with equal weights."""
     weights = np.array([one.weight for one in diagrams])
     confidence, accuracy = (
         _ratio(np.nansum(weights * values, axis=0), weights.sum(axis=0))
@@ -134,10 +114,8 @@ def pooled(diagrams: Sequence[Reliability]) -> Reliability:
 
 
 def calibration_error(diagram: Reliability) -> float:
-    """Expected calibration error: the mean distance of accuracy and confidence (Guo et al. 2017, equation 3).
+    """Expected calibration error, the mean distance of accuracy and confidence (Guo et al. 2017, equation 3).
 
-    Returns
-    -------
     0 to 1; NaN if no frame is scored.
     """
     if not diagram.weight.any():

@@ -1,4 +1,4 @@
-"""How good the distributions of one home are, in a few numbers."""
+"""Quality of the distributions of one home, in a few numbers."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -44,14 +44,10 @@ def home_quality(
     proba
         (frames, n_classes) distributions.
     sequences
-        Stretches of frames without a cut that cover all of them.
+        Stretches of frames without a cut that cover all frames.
     bins, smallest
-        See :func:`placecat.evaluation.probabilities.reliability` and ``log_loss`` there.
-
-    Raises
-    ------
-    PlacecatError
-        If `bins` or `smallest` is out of range.
+        As for :func:`placecat.evaluation.probabilities.reliability` and ``log_loss`` there, with their
+        errors.
     """
     counts = stays_by_class(truth, proba.argmax(axis=1), sequences, proba.shape[1])
     stays, right = (int(count) for count in counts.sum(axis=0))

@@ -1,4 +1,4 @@
-"""Stays: visits to a place, each named by the decisions on all of its frames (an addition to the thesis)."""
+"""Stays: visits to a place, each named by the decisions on all its frames (an addition to the thesis)."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -16,18 +16,10 @@ class Stay(NamedTuple):
 
 
 def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
-    """Find the longest runs of one labelled place.
+    """Find the longest runs of one labelled place, in order of time.
 
-    Parameters
-    ----------
-    truth
-        (frames,) class indices in order of time, -1 for unlabelled ones and transitions, which end a stay.
-    sequences
-        Stretches without a cut that cover all frames; a cut ends a stay, too.
-
-    Returns
-    -------
-    In order of time.
+    `truth` is (frames,) class indices in order of time, -1 for unlabelled frames and transitions, which end a
+    stay. `sequences` are stretches without a cut that cover all frames; a cut ends a stay too.
     """
     truth = np.asarray(truth, dtype=np.int64)
     if not len(truth):
@@ -46,10 +38,10 @@ def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
 def stays_by_class(
     truth: ArrayLike, decision: ArrayLike, sequences: Sequence[slice], n_classes: int
 ) -> NDArray[np.int64]:
-    """Count stays, and those named rightly.
+    """Count stays, and those named right.
 
-    A stay is named rightly if its own place is decided in more of its frames than every other. A tie names
-    no place, so it is wrong: whichever class has the smaller index must not matter.
+    A stay is named right if its place is decided in more of its frames than every other. A tie is wrong, so
+    that the order of the classes does not matter.
 
     Parameters
     ----------
@@ -60,7 +52,7 @@ def stays_by_class(
 
     Returns
     -------
-    (n_classes, 2) number of stays in each class, and how many of them were named rightly.
+    (n_classes, 2) number of stays in each class, and of those named right.
     """
     decision = np.asarray(decision, dtype=np.int64)
     counts = np.zeros((n_classes, 2), np.int64)
@@ -72,18 +64,10 @@ def stays_by_class(
 
 
 def stay_accuracy(counts: NDArray[np.int64]) -> float:
-    """Percentage of the stays of each class that were named rightly, the mean over the classes that have any.
+    """Percentage of stays named right, the mean over the classes present; NaN if there is no stay.
 
-    The measure of frames (thesis 4.2) applied to stays: a place that is visited often does not shadow others.
-
-    Parameters
-    ----------
-    counts
-        From :func:`stays_by_class`.
-
-    Returns
-    -------
-    NaN if there is no stay.
+    The measure of frames (thesis 4.2) applied to stays: a place visited often does not outweigh others.
+    `counts` are from :func:`stays_by_class`.
     """
     there = counts[counts[:, 0] > 0]
     return float((100.0 * there[:, 1] / there[:, 0]).mean()) if len(there) else float("nan")

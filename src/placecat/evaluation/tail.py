@@ -1,4 +1,4 @@
-"""How often a quantity of which a few units are known goes beyond a threshold."""
+"""The share of cases beyond a threshold, estimated from a few units."""
 
 from collections.abc import Sequence
 
@@ -8,19 +8,18 @@ from scipy import optimize, stats
 
 from placecat.evaluation.bootstrap import Interval
 
-# Of the quadrature over the scale of a t distribution.
+# Nodes of the quadrature over the scale of a t distribution.
 _NODES = 200
 
 
 def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level: float = 0.95) -> Interval:
     """Share of the cases of all units, known and unknown, that lie at or below a threshold.
 
-    A unit, e.g. a home, has several cases, e.g. the gain of each of some methods. Cases are taken as normal
-    with the mean over units and with a variance that is the one between the units' means plus the mean one
-    within units. Counting cases instead could never show that a share is small: of six homes without such a
-    case the upper end is 46 % (Clopper and Pearson). The limits are those of the noncentral t distribution,
-    exact if each unit has one case or if its cases are alike, and wide otherwise, since the units then count
-    as one case each.
+    A unit, e.g. a home, has several cases, e.g. the gains of some methods. Cases are modelled as normal, with
+    the mean over units, and the variance between the units' means plus the mean variance within units.
+    Counting cases could never show that a share is small: for six homes without such a case the upper end is
+    46 % (Clopper and Pearson). The limits are those of the noncentral t distribution. They are exact if each
+    unit has one case or identical cases, and wide otherwise, since the units then count as one case each.
 
     Parameters
     ----------
@@ -33,7 +32,7 @@ def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level
 
     Returns
     -------
-    From 0 to 1. Values that are all alike give the point 0 or 1.
+    From 0 to 1. Identical values give the point 0 or 1.
 
     References
     ----------
@@ -56,8 +55,8 @@ def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level
 
 
 def _noncentrality(t: float, freedom: int, below: float) -> float:
-    """The noncentrality with which a t distribution is at most `t` with probability `below`."""
-    # scipy's own distribution function has no value far from 0: the mean over the scale is taken here.
+    """The noncentrality for which a t distribution is at most `t` with probability `below`."""
+    # scipy's distribution function fails far from 0, so the mean over the scale is computed here.
     nodes, weights = np.polynomial.legendre.leggauss(_NODES)
     scale = np.sqrt(stats.chi2.ppf((nodes + 1.0) / 2.0, freedom) / freedom)
     reach = 10.0 + 5.0 * abs(t)

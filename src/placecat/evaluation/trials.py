@@ -1,4 +1,4 @@
-"""Trials: what a table's cells ask for, one cue with some of its settings changed."""
+"""Trials: the cues behind a table's cells, each with some settings changed."""
 
 import copy
 import itertools
@@ -15,13 +15,13 @@ HOMES = "homes"
 
 @dataclass(frozen=True)
 class Trial:
-    """One cue to train and test in some homes.
+    """One cue to train and to test in some homes.
 
     Attributes
     ----------
     name
-        E.g. ``trials/table_12/HOG + y-Pos||196``: the table, then the labels of its axes; the axis of the
-        homes is empty.
+        E.g. ``trials/table_12/HOG + y-Pos||196``: the table, then the labels of its axes; that of the homes
+        is empty.
     settings
         ``descriptor``, ``classifier`` and, for classifiers on clusters, ``codebook``.
     homes
@@ -33,7 +33,7 @@ class Trial:
     homes: tuple[str, ...]
 
     def key(self) -> str:
-        """What is computed, as text: equal trials of several tables are computed once."""
+        """The computation as text: equal trials of several tables are computed once."""
         return json.dumps(self.settings, sort_keys=True)
 
 
@@ -45,12 +45,7 @@ def trial_name(table: str, group: str, row: str, column: str) -> str:
 def homes_of(table: Mapping[str, Any], homes: list[str]) -> list[tuple[int, str]]:
     """Number (from 1) and name of each home that a table tests on and the data set has.
 
-    Parameters
-    ----------
-    table
-        Its ``homes`` are numbers from 1, or ``all``.
-    homes
-        Names of the data set's homes.
+    The table's ``homes`` are numbers from 1, or ``all``; `homes` are the names of the data set's homes.
     """
     numbers = range(1, len(homes) + 1) if table["homes"] == "all" else table["homes"]
     return [(int(number), homes[number - 1]) for number in numbers if 1 <= number <= len(homes)]
@@ -64,14 +59,10 @@ def expand(name: str, table: Mapping[str, Any], homes: list[str]) -> list[Trial]
     name
         Of the table, e.g. ``table_12``.
     table
-        Its configuration: ``trial``, ``homes`` and ``axes`` (see data/thesis/tables).
+        Its configuration: ``trial``, ``homes`` and ``axes`` (see data/thesis/tables). An unknown axis, or an
+        override of a setting that the trial lacks, raises PlacecatError.
     homes
         Names of the data set's homes.
-
-    Raises
-    ------
-    PlacecatError
-        An unknown axis, or an override of a setting that the trial does not have.
     """
     unknown = set(table["axes"]) - set(AXES)
     if unknown:
@@ -98,5 +89,5 @@ def _override(settings: dict[str, Any], setting: str, value: Any, table: str) ->
         place = place.get(part) if isinstance(place, dict) else None
     if not isinstance(place, dict) or last not in place:
         raise PlacecatError(f"{table} changes {setting}, but its trial has no such setting")
-    # Of its own, since a later override may change a part of it.
+    # A copy, since a later override may change a part of it.
     place[last] = copy.deepcopy(value)

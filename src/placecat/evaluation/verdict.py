@@ -1,4 +1,4 @@
-"""From intervals to verdicts on what was claimed."""
+"""From intervals to verdicts on claims."""
 
 from collections.abc import Collection
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ UNDECIDED = "undecided"
 
 @dataclass(frozen=True)
 class Range:
-    """Where a claim puts a difference: strictly between `low` and `high`, which may be infinite."""
+    """The range that a claim allows for a difference: strictly between `low` and `high` (or infinite)."""
 
     low: float
     high: float
@@ -25,38 +25,38 @@ class Range:
         return f"between {self.low:g} and {self.high:g}"
 
     def margin(self, interval: Interval) -> float:
-        """How far the interval stays from the nearer end; negative where it reaches beyond."""
+        """Distance of the interval from the nearer end; negative if it reaches beyond."""
         return min(interval.low - self.low, self.high - interval.high)
 
 
 def corrected_level(level: float, comparisons: int) -> float:
-    """Level of each of several intervals so that, with probability `level`, all of them cover (Bonferroni).
+    """Level of each interval so that all of them cover with probability `level` (Bonferroni).
 
-    Holm's procedure starts with the same level, so that it finds one comparison failing exactly where this
-    does. With intervals of four or six units, of which each is exactly on the edge of failing, one of 2, 5
-    or 14 independent comparisons fails in 3 to 5 % of 12000 simulations where units are normal, in 2 to 4 %
-    where they are Student's with 3 degrees of freedom; but in 15 to 36 % where they are exponential with the
-    long tail on the side of the claim, since intervals of so few skewed units are too short there.
+    Holm's procedure starts with the same level, so it finds a failing comparison exactly where this does.
+    With intervals of four or six units, each exactly on the edge of failing, one of 2, 5 or 14 independent
+    comparisons fails in 3 to 5 % of 12000 simulations if units are normal, in 2 to 4 % if they are Student's
+    with 3 degrees of freedom, but in 15 to 36 % if they are exponential with the long tail on the side of the
+    claim, since intervals of so few skewed units are too short there.
 
     Parameters
     ----------
     level
         Between 0 and 1.
     comparisons
-        How many, at least 1.
+        Their number, at least 1.
     """
     return 1.0 - (1.0 - level) / comparisons
 
 
 def judge(interval: Interval, claimed: Range, corrected: Interval | None = None) -> str:
-    """Judge one comparison.
+    """Judge one comparison: `HOLDS`, `FAILS` or `UNDECIDED`.
 
     Parameters
     ----------
     interval
-        `HOLDS` if the whole of it is in the range.
+        `HOLDS` if all of it is in the range.
     corrected
-        `FAILS` if none of it is in the range: the wider interval of a claim that makes several comparisons
+        `FAILS` if none of it is in the range: the wider interval of a claim with several comparisons
         (:func:`corrected_level`); None for the same interval.
     """
     if claimed.low < interval.low and interval.high < claimed.high:
@@ -68,11 +68,11 @@ def judge(interval: Interval, claimed: Range, corrected: Interval | None = None)
 
 
 def combine(verdicts: Collection[str]) -> str:
-    """Verdict on a claim that makes several comparisons: all have to hold, and one that fails is enough.
+    """Verdict on a claim with several comparisons: all must hold, and a single failure is enough.
 
-    That all hold takes no correction for their number: if one of them is false, it alone has to hold by
-    chance (an intersection-union test). That one fails does: of k that are true, each may fail by chance, so
-    `judge` takes the corrected interval for that.
+    "All hold" needs no correction for their number: if one is false, that one alone must hold by chance (an
+    intersection-union test). "One fails" does: each of k true ones may fail by chance, so `judge` uses the
+    corrected interval for it.
     """
     if FAILS in verdicts:
         return FAILS
@@ -80,20 +80,19 @@ def combine(verdicts: Collection[str]) -> str:
 
 
 def judge_shares(worse: Interval, better: Interval, rare: float) -> str:
-    """Judge that something can hurt as well as help.
+    """Judge whether something hurts as well as helps.
 
     Parameters
     ----------
     worse, better
         Shares of the cases that it makes worse and better, from 0 to 1.
     rare
-        Share up to which a case is an exception.
+        Largest share that counts as an exception.
 
     Returns
     -------
-    `HOLDS` if both shares are above `rare` with their whole interval, `FAILS` if one of them is below it with
-    its whole interval, else `UNDECIDED`. Two intervals of 95 % make a false `FAILS` in at most 5 %, since
-    each errs in 2.5 % to its lower side.
+    `HOLDS` if both whole intervals are above `rare`, `FAILS` if one of them is below it, else `UNDECIDED`.
+    Two intervals of 95 % make a false `FAILS` in at most 5 %, since each errs in 2.5 % on its lower side.
     """
     if worse.low > rare and better.low > rare:
         return HOLDS

@@ -1,8 +1,8 @@
-"""Experiments: any descriptor, classifier and data on the features that are there, one or a sweep of them.
+"""Experiments: any descriptor, classifier and data on existing features, single or as a sweep.
 
-``placecat experiment`` is a Hydra application of conf/experiment.yaml. An experiment computes what a cell of
-a table does, by the same functions and with the same seeds, so that the numbers are the same.
+``placecat experiment`` is a Hydra application of conf/experiment.yaml. An experiment computes the same as a
+table's cell, by the same functions and with the same seeds, so the numbers are equal.
 """
 
-# Before NumPy: it chooses the kernels of OpenBLAS, as the stages do.
+# Before NumPy: chooses OpenBLAS's kernels, as the stages do.
 import placecat.stages  # noqa: F401

@@ -14,24 +14,19 @@ from placecat.errors import PlacecatError
 from placecat.experiment import options
 from placecat.experiment.job import job
 
-# Characters of the keys in the name of a folder.
+# Most characters of the keys in a folder's name.
 _LONGEST = 80
 
 
 def main(arguments: Sequence[str]) -> None:
-    """Run what the arguments ask for.
-
-    Parameters
-    ----------
-    arguments
-        Those of any Hydra application.
+    """Run the experiments of a Hydra application's arguments.
 
     Raises
     ------
     PlacecatError
-        This is not the project's folder.
+        If this is not the project's folder.
     SystemExit
-        With a message or status 1: a setting is wrong, or an experiment failed.
+        With a message or status 1, if a setting is wrong or an experiment failed.
     """
     for path in (paths.CONF / f"{options.CONFIG}.yaml", paths.PARAMS):
         if not path.is_file():
@@ -44,7 +39,7 @@ def main(arguments: Sequence[str]) -> None:
     if given.multirun and not any(one.startswith("hydra.sweep.dir=") for one in given.overrides):
         arguments.append(f"hydra.sweep.dir={folder_of(given.overrides)}")
     options.register()
-    # The launcher uses all the cores that joblib counts.
+    # Hydra's launcher uses as many processes as joblib counts cores.
     workers = compute.wanted_workers()
     if workers is not None:
         os.environ.setdefault("LOKY_MAX_CPU_COUNT", str(workers))
@@ -59,7 +54,7 @@ def main(arguments: Sequence[str]) -> None:
 def folder_of(given: Sequence[str]) -> str:
     """Name the folder of a sweep by its overrides, so that the same command finds it again.
 
-    How and where it runs (``hydra.launcher``) does not count.
+    Settings of ``hydra.launcher`` do not count.
     """
     own = [one for one in given if not one.startswith(("hydra.", "hydra/launcher"))]
     keys = "-".join(re.sub(r"[^\w.]", "", one.partition("=")[0]) for one in own)
@@ -67,7 +62,7 @@ def folder_of(given: Sequence[str]) -> str:
 
 
 def search(arguments: Sequence[str]) -> None:
-    """Search settings: the first argument may name a file of conf/search; the rest, as for `main`."""
+    """Search settings: the first argument may name a file of conf/search; the rest is as for `main`."""
     rest = list(arguments)
     if rest and "=" not in rest[0] and not rest[0].startswith("-"):
         rest[0] = f"+search={rest[0]}"

@@ -1,4 +1,4 @@
-"""One combination of settings: what it means, and whether it can be computed, before anything is."""
+"""The meaning of one combination of settings, and checks that it can be computed."""
 
 import inspect
 from collections.abc import Mapping, Sequence
@@ -28,7 +28,7 @@ class Experiment:
     Attributes
     ----------
     data
-        What it is trained and tested on.
+        Its training and test data.
     homes
         Names of the test homes.
     judge
@@ -38,7 +38,7 @@ class Experiment:
     frames
         ``offset`` and ``step`` of the training frames.
     seeds
-        Of the clusters; None alone where nothing is random.
+        Of the clusters; only None if nothing is random.
     """
 
     data: Data
@@ -49,7 +49,7 @@ class Experiment:
     seeds: tuple[int | None, ...]
 
     def plans(self) -> dict[str, list[Plan]]:
-        """For each test home the plans that its accuracy is the mean of."""
+        """For each test home the plans whose mean accuracy is its accuracy."""
         return {
             home: [plan.with_cue_frames(self.frames) for plan in self.data.plans(home, self.judge)]
             for home in self.homes
@@ -68,21 +68,19 @@ class Experiment:
 
 
 def resolve(config: Mapping[str, Any], params: Mapping[str, Any]) -> Experiment:
-    """Find out what a combination means, and refuse what cannot be computed.
-
-    Reads labels and the sizes of features, no features.
+    """Resolve a combination, and refuse impossible ones; reads labels and the sizes of features, no features.
 
     Parameters
     ----------
     config
         conf/experiment.yaml, composed, as plain containers.
     params
-        params.yaml, which the features were computed with.
+        params.yaml, with which the features were computed.
 
     Raises
     ------
     PlacecatError
-        What is wrong, and what would be right.
+        With the mistake and the remedy.
     """
     schema.check(config, schema.Experiment)
     data = data_sets.find(params, config["data"])
@@ -123,7 +121,7 @@ def _seeds(wanted: int | Sequence[int] | None, default: Sequence[int]) -> tuple[
 
 
 def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
-    """The descriptor as tables write it, since seeds are derived from the text."""
+    """The descriptor as in tables, since seeds derive from the text."""
     own = dict(wanted)
     if own["kind"] == "holistic":
         settings.refuse_unknown(own, ["kind", "name"], f"descriptor {own['name']}, of whole frames,")
@@ -139,10 +137,10 @@ def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _check_classifier(classifier: Mapping[str, Any]) -> bool:
-    """Check all that the classifier's own modules can tell; say whether it works on clusters."""
+    """Check everything that the classifier's own modules check; return whether it works on clusters."""
     model = classifier.get("model")
     fit = lookup.module(cues.__name__, model, "classifier.model", "fit").fit
-    # The keyword-only parameters are the settings.
+    # Keyword-only parameters are settings.
     parameters = inspect.signature(fit).parameters.values()
     valid = [one.name for one in parameters if one.kind is one.KEYWORD_ONLY]
     options = {name: value for name, value in classifier.items() if name != "model"}
@@ -160,7 +158,7 @@ def _check_classifier(classifier: Mapping[str, Any]) -> bool:
 
 
 def _base(classifier: Mapping[str, Any]) -> Any:
-    """The estimator below a classifier, not trained; None where there is none."""
+    """The untrained estimator of a classifier; None if there is none."""
     return estimators.build(classifier["base"], "classifier.base") if "base" in classifier else None
 
 
@@ -198,7 +196,7 @@ def _codebook(
 
 
 def _check_data(experiment: Experiment, kernel_rows: int) -> None:
-    """Compare with what is in data/: features, their sizes, and labels of the training frames."""
+    """Compare with the files in data/: features, their sizes, and labels of the training frames."""
     plans = [plan for of_home in experiment.plans().values() for plan in of_home]
     training = {part.home: part.chosen() for plan in plans for part in plan.cues}
     every = sorted({plan.test for plan in plans} | set(training))
@@ -246,7 +244,7 @@ def _counts(home: str, descriptor: Mapping[str, Any]) -> np.ndarray:
 
 
 def _length(data: Data, home: str, descriptor: Mapping[str, Any]) -> int:
-    """Length of the joined descriptor; refuses one that was not computed, or for fewer regions."""
+    """Length of the joined descriptor; refuses one that was not computed, or only for fewer regions."""
     folder, kind = store.folder_of(home, descriptor), descriptor["kind"]
     computed = sorted(path.stem.removeprefix(f"{kind}_") for path in folder.glob(f"{kind}_*.npy"))
     length = int(bool(descriptor.get("y_pos", False)))
@@ -284,7 +282,7 @@ def _check_length(own: Mapping[str, Any], length: int) -> None:
         return
     settings.check(SpatialPCA, reduction, "classifier.reduction")
     try:
-        # It checks its settings first; one sample is always too few for what comes then.
+        # It checks its settings first; the data error of a single sample comes after that.
         SpatialPCA(**reduction).fit(np.zeros((1, length), np.float32))
     except NotComputable:
         pass

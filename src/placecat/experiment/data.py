@@ -1,4 +1,4 @@
-"""The data of an experiment: its plans, and the test homes that a person names."""
+"""The data of an experiment: its plans and its test homes."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -23,7 +23,7 @@ class Data:
     classes
         Names of the places.
     by_test
-        For each sequence that can be tested, by its name in the data set, the plan that tests it alone.
+        Name of each sequence that can be tested to the plan that tests it alone.
     """
 
     name: str
@@ -31,7 +31,7 @@ class Data:
     by_test: Mapping[str, Plan]
 
     def plans(self, test: str, judge: str) -> list[Plan]:
-        """What an accuracy for one test home is measured on.
+        """The plans behind the accuracy of one test home.
 
         Parameters
         ----------
@@ -39,13 +39,13 @@ class Data:
             One of `by_test`.
         judge
             ``test_home``: the plan of this home. ``training_homes``: a plan for each of its training homes,
-            in which this one is tested, the others train, and the test home has no part.
+            in which that one is tested, the others train, and the test home takes no part.
         """
         plan = self.by_test[test]
         if judge == TEST_HOME:
             return [plan]
         plans = planning.on_training_homes(plan)
-        # As for the tables: what trains a cue must be two homes at least, for its cross-validation.
+        # As for the tables: cross-validation needs two homes that train a cue.
         if len(plans) < 3:
             raise PlacecatError(
                 f"judge=training_homes leaves one training home out and needs two others, but {self.name} "
@@ -55,13 +55,7 @@ class Data:
 
 
 def find(params: Mapping[str, Any], name: str) -> Data:
-    """Look up the data: ``main``, or a split of params.yaml.
-
-    Raises
-    ------
-    PlacecatError
-        Naming those that there are.
-    """
+    """Look up the data, ``main`` or a split of params.yaml; for others the PlacecatError names all."""
     if name == MAIN:
         plans = planning.of_homes(params, "5-5-1")
         return Data(plans[0].dataset, plans[0].classes, {plan.test: plan for plan in plans})
@@ -73,17 +67,9 @@ def find(params: Mapping[str, Any], name: str) -> Data:
 
 
 def find_homes(data: Data, wanted: Any) -> tuple[str, ...]:
-    """Test homes, whichever way they are spelled: only letters and digits count.
+    """Test homes in any spelling: only letters and digits count.
 
-    Parameters
-    ----------
-    wanted
-        ``all``, a name or a list of names.
-
-    Raises
-    ------
-    PlacecatError
-        Naming those that there are.
+    `wanted` is ``all``, a name or a list of names. For unknown ones the PlacecatError names all.
     """
     if wanted == ALL:
         return tuple(data.by_test)
@@ -114,7 +100,7 @@ def find_homes(data: Data, wanted: Any) -> tuple[str, ...]:
 
 
 def need_features(homes: Sequence[str]) -> None:
-    """Refuse sequences, named as for :func:`placecat.paths.sequences`, whose features are not there."""
+    """Refuse sequences, named as for :func:`placecat.paths.sequences`, without features."""
     for home in homes:
         for path in (paths.sequences(home) / "labels.csv", paths.features(home)):
             if not path.exists():

@@ -1,4 +1,4 @@
-"""What Hydra runs for each combination, in this process or in a worker."""
+"""Hydra's job for each combination, in this process or in a worker."""
 
 import logging
 import math
@@ -18,7 +18,7 @@ from placecat.errors import PlacecatError
 from placecat.experiment import output
 from placecat.runs import lifeline
 
-# The process of the sweep, in the environment of its workers.
+# Environment variable with the process of the sweep, for its workers.
 WORKERS_OF = "PLACECAT_SWEEP"
 _log = logging.getLogger(__name__)
 
@@ -26,16 +26,16 @@ _log = logging.getLogger(__name__)
 def job(config: DictConfig) -> float:
     """Compute one experiment and write result.json to Hydra's output folder.
 
-    In a sweep nothing is raised, so that a failure does not cost the other experiments: it is in result.json,
-    and the sweep ends with status 1. A single experiment is told and logged here. result.json has what
-    :func:`placecat.experiment.running.compute` gives and what it was made from.
+    In a sweep nothing is raised, so that a failure does not cost the other experiments: result.json has it,
+    and the sweep ends with status 1. A single experiment is printed and logged here. result.json has the
+    result of :func:`placecat.experiment.running.compute` and its origin.
 
     Returns
     -------
     float
-        Accuracy in percent, the mean over test homes; NaN where there is none.
+        Accuracy in percent, the mean over test homes; NaN for none.
     """
-    # Here, since they import scikit-learn, which `--help` does without.
+    # Late, since they import scikit-learn, which `--help` does not need.
     from placecat.experiment import running
     from placecat.experiment.combination import resolve
     from placecat.experiment.made_from import made_from
@@ -46,12 +46,12 @@ def job(config: DictConfig) -> float:
     if os.environ.get(WORKERS_OF) == str(os.getppid()):
         lifeline.end_with(os.getppid())
     start = time.perf_counter()
-    # Until there is another: whoever is killed cannot say so.
+    # Written first: a killed job cannot report that.
     files.write_json(folder / output.RESULT, output.failure(output.KILLED))
     (folder / output.TRACEBACK).unlink(missing_ok=True)
     origin: dict[str, Any] = {}
     try:
-        # A sweep's experiments run beside each other, unless each can use a cluster.
+        # A sweep's experiments run in parallel, unless each can use a cluster.
         workers = parallel.workers() if is_single or compute.cluster() is not None else 1
         experiment = resolve(OmegaConf.to_container(config, resolve=True), settings.load())  # type: ignore[arg-type]
         origin = made_from(experiment)
@@ -64,9 +64,9 @@ def job(config: DictConfig) -> float:
         result = output.failure(
             f"{type(error).__name__}: {error} (an error of placecat: see {folder / output.TRACEBACK})"
         )
-    # By itself, since the result is the same whenever and wherever it is computed.
+    # A file of its own, since the result itself does not depend on time and place.
     files.write_json(folder / output.SECONDS, round(time.perf_counter() - start, 2))
-    # Last: a sweep that was killed knows by it what is finished.
+    # Last: it marks the job as finished for a killed sweep.
     files.write_json(folder / output.RESULT, result | origin)
     if not is_single:
         _log.info("%s: %s", " ".join(hydra.overrides.task), output.shown(result))

@@ -1,4 +1,4 @@
-"""The jobs of a sweep: what is finished is not run again, and one that is killed does not end the others."""
+"""The jobs of a sweep: finished ones are not run again, and a killed one does not end the others."""
 
 import math
 import os
@@ -16,13 +16,13 @@ from placecat.experiment.combination import Experiment
 from placecat.experiment.made_from import is_finished, made_from
 from placecat.runs import lock
 
-# Takes the overrides of some jobs, and runs them.
+# Runs some jobs, given by their overrides.
 Launch = Callable[[Sequence[Sequence[str]]], Any]
 
 
 @contextmanager
 def alone(folder: Path) -> Iterator[None]:
-    """Wait while another process runs the sweep of a folder, which is made; tell how to go on if stopped."""
+    """Make the folder of a sweep and wait while another process runs it; if stopped, say how to go on."""
     folder.mkdir(parents=True, exist_ok=True)
     with lock.waiting(
         folder / ".lock", f"Another process runs this sweep ({folder}): this one waits for it."
@@ -30,7 +30,7 @@ def alone(folder: Path) -> Iterator[None]:
         try:
             yield
         except KeyboardInterrupt:
-            print(f"placecat: stopped; the same command goes on with {folder}", file=sys.stderr, flush=True)
+            print(f"placecat: stopped; the same command continues {folder}", file=sys.stderr, flush=True)
             raise
 
 
@@ -42,14 +42,14 @@ def run(
     *,
     first: int = 0,
 ) -> list[float]:
-    """Run the jobs that are not finished; each has a folder that is named by its number.
+    """Run the unfinished jobs; each has a folder named by its number.
 
     Parameters
     ----------
     folder
         Of the sweep.
     lines, experiments
-        Of each job its overrides and what they mean, None for those that only the job itself can refuse.
+        For each job its overrides and its resolved experiment; None if only the job itself can refuse them.
     launch
         Hydra's launcher.
     first
@@ -58,14 +58,14 @@ def run(
     Returns
     -------
     list
-        Accuracies in percent, in the order of the jobs; NaN where there is none.
+        Accuracies in percent, in the order of the jobs; NaN for none.
     """
     numbers = range(first, first + len(lines))
     todo = []
     for number, experiment in zip(numbers, experiments, strict=True):
         own = folder / str(number)
         if experiment is None or not is_finished(own, made_from(experiment)):
-            # What stands there is of other settings, data or code, or of a job that failed.
+            # The existing result is of other settings, data or code, or of a failed job.
             (own / output.RESULT).unlink(missing_ok=True)
             todo.append(number)
     if len(todo) < len(lines):
@@ -73,7 +73,7 @@ def run(
     os.environ[job.WORKERS_OF] = str(os.getpid())
 
     def start(some: Sequence[int]) -> None:
-        # The number by itself, since Hydra counts the jobs of this call.
+        # The number is set here, since Hydra counts only the jobs of this call.
         launch([[*lines[number - first], f"hydra.sweep.subdir={number}"] for number in some])
 
     while todo:
@@ -81,7 +81,7 @@ def run(
             start(todo)
             break
         except TerminatedWorkerError:
-            # All jobs that ran then were killed, of which one was the reason: each again by itself.
+            # One job caused the death of all that ran with it: run each again alone.
             killed = [number for number in todo if _failed(folder, number) == output.KILLED]
             if not killed:
                 raise

@@ -1,4 +1,4 @@
-"""What an experiment's result was made from, by which a sweep knows what is finished."""
+"""The origin of an experiment's result, by which a sweep finds its finished jobs."""
 
 import hashlib
 from pathlib import Path
@@ -19,7 +19,7 @@ def made_from(experiment: Experiment) -> dict[str, Any]:
     Returns
     -------
     dict
-        ``settings``; ``plans``, a checksum of who trains and who is tested; ``data``, for each sequence a
+        ``settings``; ``plans``, a checksum of the training and test sequences; ``data``, for each sequence a
         checksum of its labels and of the descriptor; ``code``, versions of placecat and the libraries.
     """
     plans = [plan for of_home in experiment.plans().values() for plan in of_home]
@@ -34,12 +34,12 @@ def made_from(experiment: Experiment) -> dict[str, Any]:
 
 
 def made_from_of(result: dict[str, Any]) -> dict[str, Any]:
-    """The same as a result has it; of one that failed before it was known, a part."""
+    """The same, read from a result; incomplete if the job failed early."""
     return {name: result[name] for name in ("settings", "plans", "data", "code") if name in result}
 
 
 def is_finished(folder: Path, wanted: dict[str, Any]) -> bool:
-    """Whether a job's folder has a result, accuracy or reason, that was made from what is wanted."""
+    """Whether a job's folder has a result (accuracy or reason) with the wanted origin."""
     try:
         found = output.read(folder)
     except PlacecatError:

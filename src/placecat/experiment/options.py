@@ -1,4 +1,4 @@
-"""What can be chosen: descriptors and data found by looking."""
+"""The options of an experiment: descriptors and data, found in conf/."""
 
 from pathlib import Path
 from typing import Any
@@ -15,16 +15,17 @@ TEST_HOME = "test_home"
 
 
 def descriptors(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:
-    """Descriptors by the name that an experiment chooses them by.
+    """Descriptors by their names in experiments.
 
-    Every file of conf/descriptor, what cues name without one, and what conf/optional adds. Where both kinds
-    have a descriptor of one name, the name alone means that of salient regions, and ``holistic_NAME`` that of
-    whole frames.
+    They come from conf/descriptor, from cues whose descriptor has no file there, and from conf/optional.
+
+    If both kinds have a descriptor of one name, the name alone is that of salient regions, and
+    ``holistic_NAME`` that of whole frames.
 
     Returns
     -------
     dict
-        Name to the settings that a cue knows the descriptor by (see :mod:`placecat.store`).
+        Name to the descriptor's settings in a cue (see :mod:`placecat.store`).
     """
     further = (inferred.descriptors(conf), inferred.optional_descriptors(conf))
     local, holistic = (
@@ -58,12 +59,12 @@ def classifiers(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:
 
 
 def splits(conf: Path = paths.CONF) -> list[str]:
-    """Names of the further data sets, the files of conf/split."""
+    """Names of the further data sets: the files of conf/split."""
     return sorted(path.stem for path in (conf / "split").glob("*.yaml"))
 
 
 def register(conf: Path = paths.CONF) -> None:
-    """Make descriptors and data known to Hydra, which finds the rest in conf/."""
+    """Register descriptors and data with Hydra, which finds the other options in conf/."""
     store = ConfigStore.instance()
     for name, own in descriptors(conf).items():
         store.store(group="descriptor", name=name, node=own)

@@ -11,7 +11,7 @@ SECONDS = "seconds.json"
 TRACEBACK = "traceback.txt"
 SUMMARY = "summary.csv"
 FAILED = "failed"
-# The result of a job until it has another one.
+# The result of a job until it has another.
 KILLED = "its process was killed, perhaps because memory ran out"
 
 
@@ -21,13 +21,7 @@ def failure(message: str) -> dict[str, Any]:
 
 
 def read(folder: Path) -> dict[str, Any]:
-    """Read result.json of a job's folder.
-
-    Raises
-    ------
-    PlacecatError
-        There is none, or it is no JSON file.
-    """
+    """Read result.json of a job's folder; raises PlacecatError if it is missing or no JSON file."""
     path = folder / RESULT
     try:
         result: dict[str, Any] = files.read_json(path)

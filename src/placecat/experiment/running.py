@@ -1,4 +1,4 @@
-"""Computing one experiment, by the functions that the tables are computed by."""
+"""Computation of one experiment, by the functions behind the tables."""
 
 from typing import Any
 
@@ -24,9 +24,9 @@ def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
     Returns
     -------
     dict
-        JSON types only: ``settings``; ``accuracy`` in percent, the mean over test homes, None without any;
-        ``homes``, for each test home its ``accuracy``, the mean over seeds and folds, its ``reason`` if there
-        is none, and ``folds``: for each tested home and seed ``accuracy`` and ``confusion``, counts with true
+        JSON types only: ``settings``; ``accuracy`` in percent, the mean over test homes, None for none;
+        ``homes``, for each test home its ``accuracy``, the mean over seeds and folds, or the ``reason`` for
+        none, and ``folds``: for each tested home and seed ``accuracy`` and ``confusion``, counts with true
         places as rows.
     """
     plans = experiment.plans()
@@ -58,7 +58,7 @@ def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
 
 
 def _of_home(outcomes: list[tuple[str, int | None, Outcome]]) -> dict[str, Any]:
-    """As a table's cell: a home counts where every seed gave a number."""
+    """As in a table's cell: a home counts if every seed gave a number."""
     reasons = [found for _, _, found in outcomes if isinstance(found, str)]
     folds: dict[str, dict[str, Any]] = {}
     for test, seed, found in outcomes:

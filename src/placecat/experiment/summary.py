@@ -1,4 +1,4 @@
-"""What a sweep or an experiment gave, as a table to read."""
+"""The results of a sweep or an experiment as a readable table."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -27,7 +27,7 @@ class Ran:
     Attributes
     ----------
     number
-        Its number in the sweep, which its folder is named by.
+        Its number in the sweep, and the name of its folder.
     values
         Values of the swept keys.
     folder
@@ -43,12 +43,12 @@ class Ran:
 
     @property
     def has_failed(self) -> bool:
-        """Whether it ended with an error, or not at all."""
+        """Whether it ended with an error, or did not end."""
         return output.FAILED in self.result
 
     @property
     def seconds(self) -> float | None:
-        """How long it took."""
+        """Its duration."""
         path = self.folder / output.SECONDS
         return float(files.read_json(path)) if path.is_file() else None
 
@@ -68,12 +68,7 @@ class Ran:
 def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
     """Gather the results of a sweep.
 
-    Parameters
-    ----------
-    folder
-        Of the sweep.
-    combinations
-        Values of the swept keys, of each experiment.
+    `combinations` are the values of the swept keys, for each experiment.
     """
     found = []
     for number, values in enumerate(combinations):
@@ -87,7 +82,7 @@ def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
 
 
 def as_frame(ran: Sequence[Ran]) -> pd.DataFrame:
-    """One row an experiment: number, swept keys, accuracy and spread in percent, and what is amiss."""
+    """One row per experiment: number, swept keys, accuracy and spread in percent, and problems."""
     rows = [
         {
             "number": one.number,
@@ -102,17 +97,17 @@ def as_frame(ran: Sequence[Ran]) -> pd.DataFrame:
 
 
 def _accuracies(ran: Sequence[Ran]) -> pd.DataFrame:
-    """Swept keys and accuracy, not rounded; NaN where an experiment gave none."""
+    """Swept keys and accuracy, not rounded; NaN for experiments without one."""
     frame = pd.DataFrame([{**one.values, "accuracy": one.result["accuracy"]} for one in ran])
-    # The same home may be swept in two spellings.
+    # A sweep may contain one home in two spellings.
     return frame.astype({"accuracy": float}).drop_duplicates(list(ran[0].values) or None)
 
 
 def grid(ran: Sequence[Ran]) -> pd.DataFrame:
-    """The accuracies as a table over the swept keys, as text.
+    """The accuracies as a table of text over the swept keys.
 
-    Columns are the values of the first key whose values are numbers, else of the last one that is not the
-    test home; below the test homes is their average, if they were swept.
+    Columns are the values of the first numeric key, else of the last one that is not the test home. If test
+    homes were swept, their average is below them.
     """
     swept, frame = list(ran[0].values), _accuracies(ran)
     others = [key for key in swept if key != HOME]
@@ -123,10 +118,10 @@ def grid(ran: Sequence[Ran]) -> pd.DataFrame:
     numbers = [key for key in others if pd.to_numeric(frame[key], errors="coerce").notna().all()]
     across = (numbers[:1] or others[-1:]) if len(swept) > 1 else []
     across = [key for key in across if frame[key].nunique() <= _MOST_COLUMNS]
-    # The homes last, so that what they are averaged over stands together.
+    # The homes last, so that the rows of an average stay together.
     down = [key for key in others if key not in across] + [key for key in swept if key == HOME]
     for key in swept:
-        # In the order given.
+        # Keep the given order.
         frame[key] = pd.Categorical(frame[key], frame[key].unique())
     table = frame.set_index([*down, *across]) if swept else frame
     table = table["accuracy"].unstack(across) if across else table.sort_index()
@@ -135,10 +130,10 @@ def grid(ran: Sequence[Ran]) -> pd.DataFrame:
 
 
 def highest(ran: Sequence[Ran]) -> tuple[dict[str, str], float] | None:
-    """The settings with the highest accuracy, on average over the test homes if they were swept."""
+    """The settings with the highest accuracy, averaged over swept test homes."""
     frame = _accuracies(ran)
     others = [key for key in ran[0].values if key != HOME]
-    # Settings that gave no number for one of the homes do not compare.
+    # Settings without a number for one of the homes do not compare.
     means = [
         (float(own["accuracy"].mean(skipna=False)), {key: str(own[key].iloc[0]) for key in others})
         for _, own in (frame.groupby(others, sort=False) if others else [(None, frame)])
@@ -175,7 +170,7 @@ def markdown(ran: Sequence[Ran]) -> str:
 
 
 def text_of_one(result: dict[str, Any]) -> str:
-    """What a single experiment gave: accuracy by home and seed, and what was taken for what."""
+    """The result of a single experiment: accuracy by home and seed, and confusions."""
     if result["accuracy"] is None:
         return output.shown(result)
     own = result["settings"]
@@ -211,5 +206,5 @@ def confusion(result: dict[str, Any]) -> np.ndarray:
 
 
 def label(values: dict[str, str]) -> str:
-    """Keys and values in a line."""
+    """Keys and values in one line."""
     return " ".join(f"{key}={value}" for key, value in values.items())

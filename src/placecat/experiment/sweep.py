@@ -1,4 +1,4 @@
-"""A sweep: every experiment is checked before the first runs; what came out is told and logged."""
+"""A sweep: check every experiment before the first runs, then report and log the results."""
 
 import itertools
 import sys
@@ -20,7 +20,7 @@ from placecat.experiment import jobs, output, summary
 from placecat.experiment.combination import Experiment, resolve
 
 _REFUSALS = (PlacecatError, HydraException, OmegaConfBaseException)
-# As many refused combinations as a message lists for one reason.
+# Most refused combinations that a message lists for one reason.
 _LISTED = 8
 
 
@@ -30,7 +30,7 @@ def grid(arguments: Sequence[str], loader: ConfigLoader) -> tuple[list[list[str]
     Parameters
     ----------
     arguments
-        Overrides of the command line.
+        Overrides of the command line; an interval, which is only for a search, raises PlacecatError.
     loader
         Hydra's, for ``glob``.
 
@@ -39,12 +39,7 @@ def grid(arguments: Sequence[str], loader: ConfigLoader) -> tuple[list[list[str]
     lines
         The overrides of each experiment, in Hydra's order.
     combinations
-        Of each the keys with several values, and its value.
-
-    Raises
-    ------
-    PlacecatError
-        An interval, from which only a search can choose.
+        For each experiment the keys with several values, and its value.
     """
     overrides = OverridesParser.create(config_loader=loader).parse_overrides(list(arguments))
     choices: list[list[tuple[str, dict[str, str]]]] = []
@@ -68,7 +63,7 @@ def grid(arguments: Sequence[str], loader: ConfigLoader) -> tuple[list[list[str]
 def check(
     config: DictConfig, lines: Sequence[Sequence[str]], combinations: Sequence[dict[str, str]]
 ) -> list[Experiment]:
-    """Find out what each combination means.
+    """Resolve each combination.
 
     Parameters
     ----------
@@ -77,12 +72,12 @@ def check(
     lines
         The overrides of each experiment.
     combinations
-        What a message calls it by.
+        Its name in messages.
 
     Raises
     ------
     PlacecatError
-        Naming each combination that cannot be, and why.
+        Naming each impossible combination, and why.
     """
     params = settings.load()
     experiments: list[Experiment] = []
@@ -104,7 +99,7 @@ def check(
 
 
 def meant(config: DictConfig, line: Sequence[str]) -> Experiment | None:
-    """What one combination means; None if it is refused. Parameters as for `check`."""
+    """Resolve one combination; None if it is refused. Parameters as for `check`."""
     try:
         return _meant(config, line, settings.load())
     except _REFUSALS:
@@ -118,63 +113,60 @@ def _meant(config: DictConfig, line: Sequence[str], params: Mapping[str, Any]) -
 
 @contextmanager
 def begun(config: DictConfig, combinations: Sequence[dict[str, str]]) -> Iterator[Path]:
-    """Give the folder of the sweep, to this process alone; what is finished there stays.
+    """Lock the folder of the sweep for this process and yield it; finished jobs in it stay.
 
-    What was computed is told even if the block fails.
+    Results are reported even if the block fails.
     """
     folder = Path(config.hydra.sweep.dir)
     with jobs.alone(folder):
-        # It is of all jobs, some of which may have to run again.
+        # It covers all jobs, and some may run again.
         (folder / output.SUMMARY).unlink(missing_ok=True)
         OmegaConf.save(config, folder / "multirun.yaml")
         try:
             yield folder
         except Exception:
-            # Not logged, since the same command goes on.
+            # Not logged, since the same command continues the sweep.
             tell(folder, combinations, log=None)
             raise
 
 
 def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: Sequence[str] | None) -> bool:
-    """Print, write and log what the experiments of a sweep gave.
+    """Print, write and log the results of a sweep; return whether all went well.
 
     Parameters
     ----------
     folder
         Of the sweep.
     combinations
-        The swept keys and their values, of each experiment that was started.
+        The swept keys and their values, of each started experiment.
     log
-        Overrides of the sweep, to log it to MLflow, too; None not to.
-
-    Returns
-    -------
-    bool
-        Whether all went well.
+        Overrides of the sweep, to log it to MLflow as well; None for no logging.
     """
     ran = summary.read(folder, combinations)
     if not ran:
         return True
     files.write_csv(folder / output.SUMMARY, summary.as_frame(ran))
-    print(f"\n{summary.text(ran)}\n\nAll of it: {folder / output.SUMMARY}")
+    print(f"\n{summary.text(ran)}\n\nDetails: {folder / output.SUMMARY}")
     is_logged = log is None or _log(lambda tracking: tracking.log_sweep(ran, folder, log))
     return is_logged and not any(one.has_failed for one in ran)
 
 
 def tell_one(folder: Path, result: dict[str, object], *, log: bool) -> bool:
-    """Print and log what a single experiment gave; as `tell`."""
-    print(f"\n{summary.text_of_one(result)}\n\nAll of it: {folder / output.RESULT}")
+    """Print and log the result of a single experiment, like `tell`."""
+    print(f"\n{summary.text_of_one(result)}\n\nDetails: {folder / output.RESULT}")
     return not log or _log(lambda tracking: tracking.log_one(result, folder))
 
 
 def _log(write: Callable[[Any], str]) -> bool:
-    """Log; say where, or why it could not be. The results are on disk either way."""
-    # Here, since it imports MLflow.
+    """Log to MLflow; print where, or why it failed. The results are on disk in any case."""
+    # Late, since it imports MLflow.
     from placecat.experiment import tracking
 
     try:
         print(f"Logged: {write(tracking)}")
     except PlacecatError as error:
-        print(f"placecat: nothing logged: {error}; track=false does without", file=sys.stderr)
+        print(
+            f"placecat: nothing was logged to MLflow: {error}; track=false turns logging off", file=sys.stderr
+        )
         return False
     return True

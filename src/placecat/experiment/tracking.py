@@ -1,6 +1,6 @@
-"""Experiments in MLflow: a run each, those of a sweep below one parent.
+"""Experiments in MLflow: one run each, those of a sweep below one parent.
 
-They are logged at the end and by one process, so that workers, on whatever machine, need no MLflow.
+One process logs them at the end, so workers, on any machine, need no MLflow.
 """
 
 import hashlib
@@ -23,20 +23,20 @@ from placecat.mlflow_log.tables import ARTIFACTS, DESCRIPTION, delete, search
 from placecat.search import report
 
 _KIND = "placecat.kind"
-# Of a sweep: what it is known by.
+# Tag that identifies a sweep.
 _SWEEP = "placecat.sweep"
 _FILES = (output.SUMMARY, report.SUMMARY, report.RESULTS)
 
 
 def log_sweep(ran: Sequence[Ran], folder: Path, overrides: Sequence[str]) -> str:
-    """Log a sweep and its experiments, unless that was done; replace what is there of one that failed.
+    """Log a sweep and its experiments once; a failed log is replaced.
 
     Parameters
     ----------
     folder
         Of the sweep, with its summary.
     overrides
-        Of the sweep, by which it is known, with the settings, data and code of its experiments.
+        Of the sweep; they identify it, with the settings, data and code of its experiments.
 
     Returns
     -------
@@ -46,7 +46,7 @@ def log_sweep(ran: Sequence[Ran], folder: Path, overrides: Sequence[str]) -> str
     Raises
     ------
     PlacecatError
-        MLflow cannot be written to.
+        If MLflow cannot be written to.
     """
     swept = list(ran[0].values)
     name = f"{' x '.join(swept) or 'one combination'}: {len(ran)} experiments"
@@ -103,7 +103,7 @@ def log_one(result: dict[str, Any], folder: Path) -> str:
 
 
 def _open() -> tuple[Any, str, str]:
-    """Client, number of the data set's experiment, and where it is, for people."""
+    """Client, number of the data set's experiment, and its place, for people."""
     params = settings.load()
     name, title = (str(settings.get(params, f"dataset.{key}")) for key in ("name", "title"))
     uri = store.tracking_uri()
@@ -119,7 +119,7 @@ def _versions() -> dict[str, str]:
     try:
         version = data_version()
     except PlacecatError:
-        # Features that were not made through DVC.
+        # Features were not made by DVC.
         version = "unknown"
     return {"data_version": version, store.COMMIT: git_commit()}
 

@@ -7,15 +7,8 @@ from placecat.cues import Descriptors
 
 
 def frames_of(proba: NDArray[np.float64]) -> Descriptors:
-    """Lay the cues' distributions side by side, as the descriptors that the integrating classifier sees.
+    """Join the cues' distributions into the descriptors of the integrating classifier.
 
-    Parameters
-    ----------
-    proba
-        (frames, cues, n_classes).
-
-    Returns
-    -------
-    (frames, cues * n_classes) float32.
+    From (frames, cues, n_classes) to (frames, cues * n_classes) float32.
     """
     return Descriptors(np.ascontiguousarray(proba.reshape(len(proba), -1), dtype=np.float32))

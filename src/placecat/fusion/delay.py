@@ -11,10 +11,10 @@ from placecat.errors import PlacecatError
 class Delay:
     """Let the output follow the set point with a lag: p(t+1) = p(t) + h (p*(t) - p(t)), equation (16).
 
-    The thesis sets alpha = -1 in equation (14) and leaves h open, which makes the lag depend on the frame
-    rate. Here alpha = -1 / tau with a time constant tau, and h is the exact solution of equation (14) for a
-    set point that stays for dt seconds: h = 1 - exp(-dt / tau). So after tau seconds the output has gone 63 %
-    of the way to a new set point, whatever the frame rate.
+    The thesis sets alpha = -1 in equation (14) and leaves h open, so its lag depends on the frame rate. Here
+    alpha = -1 / tau with a time constant tau, and h = 1 - exp(-dt / tau) is the exact solution of equation
+    (14) for a set point that stays for dt seconds. After tau seconds the output has gone 63 % of the way to a
+    new set point, at any frame rate.
 
     The output for frame t is p(t+1), which uses p*(t): the frame itself counts, no later one does. The first
     output is the first set point.
@@ -22,12 +22,7 @@ class Delay:
     Parameters
     ----------
     seconds
-        tau, at or above 0; 0 passes the input through.
-
-    Raises
-    ------
-    PlacecatError
-        If tau is no such number.
+        tau, 0 or more, else PlacecatError; 0 passes the input through.
     """
 
     def __init__(self, seconds: float) -> None:
@@ -40,7 +35,7 @@ class Delay:
         self._state: NDArray[np.float64] | None = None
 
     def step(self, target: NDArray[np.float64], elapsed: float) -> NDArray[np.float64]:
-        """Take the next frame's set point (n_classes,), `elapsed` seconds after the last; give the output."""
+        """Return the output for the next frame's set point (n_classes,), `elapsed` seconds after the last."""
         target = np.asarray(target, dtype=np.float64)
         if self._state is None or self._tau == 0:
             self._state = target

@@ -22,30 +22,25 @@ def transition_matrix(
 ) -> Float:
     """Count transitions between places in training sequences, at the highest of their frame rates.
 
-    Successive labelled frames are counted; unlabelled frames (-1) between them are skipped, so that a walk
-    from the kitchen through a corridor to the bedroom counts once as kitchen to bedroom.
+    Successive labelled frames are counted. Unlabelled frames (-1) between them are skipped, so a walk from
+    the kitchen through a corridor to the bedroom counts once as kitchen to bedroom.
 
-    A sequence of a lower frame rate is counted as if each of its frames were repeated: the camera changes
-    place as often, and its frames that stay in a place become more in proportion.
+    A sequence of a lower frame rate counts as if its frames were repeated: the camera changes place as often,
+    and stays in a place for proportionally more frames.
 
     Parameters
     ----------
     sequences
         Each (frames,) class indices in order of time, -1 for unlabelled.
     frame_rates
-        Frames a second of each sequence, above 0; None if all have the same.
+        Frames per second of each sequence, above 0; None if all are equal.
     smoothing
-        Added to every count, finite and above 0; the thesis does not give it. Without it, a transition never
-        seen in training would be impossible for ever.
+        Added to every count, finite and above 0, else PlacecatError. The thesis does not give it. Without it
+        a transition never seen in training would be impossible for ever.
 
     Returns
     -------
     (n_classes, n_classes), row q' column q is p(l_t = q | l_{t-1} = q'); rows sum to 1.
-
-    Raises
-    ------
-    PlacecatError
-        If `smoothing` is no such number.
     """
     counts = np.full((n_classes, n_classes), above_zero("smoothing.transition_counts", smoothing))
     rates = [1.0] * len(sequences) if frame_rates is None else frame_rates
@@ -67,7 +62,7 @@ def emission_matrix(
     reliability: str = "hard",
     smoothing: float = 1.0,
 ) -> Float:
-    """Estimate p(o | l): how the integrator answers in each place, from its cross-validated outputs.
+    """Estimate p(o | l), the integrator's answers in each place, from its cross-validated outputs.
 
     Parameters
     ----------
@@ -77,18 +72,13 @@ def emission_matrix(
         (n, n_classes) distributions of the integrator for them, each from a model that saw neither the frame
         nor its home.
     reliability
-        "hard" counts the decisions (arg-max), "soft" adds up the distributions.
+        "hard" counts the decisions (arg-max), "soft" adds up the distributions; else PlacecatError.
     smoothing
-        Added to every count, finite and above 0. The thesis gives neither of the two.
+        Added to every count, finite and above 0, else PlacecatError. The thesis gives neither.
 
     Returns
     -------
     (n_classes, n_classes), row q column o is p(o | l = q); rows sum to 1.
-
-    Raises
-    ------
-    PlacecatError
-        If `reliability` is unknown, or `smoothing` no such number.
     """
     if reliability == "hard":
         answers = np.eye(n_classes)[np.argmax(proba, axis=1)]
@@ -102,7 +92,7 @@ def emission_matrix(
 
 
 def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Float:
-    """Likelihood of what was observed in each frame under each place, p(o_t | l_t = q).
+    """Likelihood of each frame's observation under each place, p(o_t | l_t = q).
 
     Parameters
     ----------
@@ -111,9 +101,9 @@ def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Flo
     emission
         (n_classes, n_classes) from :func:`emission_matrix`.
     evidence
-        "hard": the observation is the decision, p(o_t | q) = emission[q, argmax]. "soft": it is uncertain
-        which decision it is, p(o_t | q) = sum_o emission[q, o] proba[o], as equation (6) treats the outputs
-        of the two-class classifiers. The thesis does not say which.
+        "hard": the observation is the decision, p(o_t | q) = emission[q, argmax]. "soft": the decision is
+        uncertain, p(o_t | q) = sum_o emission[q, o] proba[o], as equation (6) treats the outputs of the
+        two-class classifiers. The thesis does not say which.
 
     Returns
     -------
@@ -132,10 +122,9 @@ class ForwardFilter:
     Parameters
     ----------
     transition
-        (n_classes, n_classes), from one frame to the next at the frame rate that it was counted at; rows sum
-        to 1.
+        (n_classes, n_classes), from one frame to the next at its frame rate; rows sum to 1.
     initial
-        (n_classes,) distribution of the first place; uniform if not given (the thesis does not give it).
+        (n_classes,) distribution of the first place; uniform by default (the thesis does not give it).
     """
 
     def __init__(self, transition: Float, *, initial: Float | None = None) -> None:
@@ -147,26 +136,23 @@ class ForwardFilter:
         self._filtered: Float | None = None
 
     def step(self, likelihood: Float, *, steps: float = 1.0, weight: float = 1.0) -> Float:
-        """Take the next frame.
+        """Return p(l_t = q | o_1 .. o_t), (n_classes,), for the next frame.
+
+        With `steps` and `weight` of 1, this is equation (13) to the bit.
 
         Parameters
         ----------
         likelihood
-            (n_classes,) p(o_t | l_t = q) at or above 0, one above 0.
+            (n_classes,) p(o_t | l_t = q), 0 or more, at least one above 0.
         steps
-            Time since the last frame, at or above 0, in steps of the transition matrix: places change with
+            Time since the last frame, 0 or more, in steps of the transition matrix: places change with
             P^steps.
         weight
-            Frames that this one counts as, at or above 0: the likelihood is raised to this power. With 1 of
-            both, this is equation (13) as it stands, to the bit.
-
-        Returns
-        -------
-        (n_classes,) p(l_t = q | o_1 .. o_t).
+            Number of frames that this one counts as, 0 or more: the likelihood's exponent.
         """
         predicted = self._initial if self._filtered is None else self._filtered @ self._transitions(steps)
         if weight != 1.0:
-            # The factor keeps high powers from vanishing altogether.
+            # The factor keeps high powers above 0.
             likelihood = (likelihood / likelihood.max()) ** weight
         joint = likelihood * predicted
         filtered: Float = joint / joint.sum()
@@ -175,13 +161,7 @@ class ForwardFilter:
 
 
 def above_zero(name: str, value: float) -> float:
-    """Check a setting that is a finite number above 0.
-
-    Raises
-    ------
-    PlacecatError
-        If it is not, with its name.
-    """
+    """Return a setting that must be a finite number above 0; otherwise the PlacecatError names it."""
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     if not is_number or not math.isfinite(value) or value <= 0:
         raise PlacecatError(f"{name} must be a finite number above 0, but is {value!r}")

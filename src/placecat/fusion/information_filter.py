@@ -1,4 +1,4 @@
-"""The information filter: views that show little do not decide (thesis 4.6)."""
+"""The information filter: views with little information do not decide (thesis 4.6)."""
 
 from collections.abc import Sequence
 
@@ -9,16 +9,10 @@ from placecat.errors import PlacecatError
 
 
 def check(threshold: float | None, share: float | None, where: str) -> None:
-    """Refuse a filter that has not exactly one of `threshold` and `share`, or one out of its range.
+    """Refuse a filter without exactly one of `threshold` and `share`.
 
-    Parameters
-    ----------
-    threshold
-        At least 0.
-    share
-        Between 0 and 1, without both ends.
-    where
-        What the message calls the filter.
+    A threshold is 0 or more, a share between 0 and 1, without both ends. `where` is the filter's name in the
+    PlacecatError.
     """
     if (threshold is None) == (share is None):
         raise PlacecatError(f"{where} needs either a threshold or a share; set the other one to null")
@@ -32,9 +26,9 @@ def check(threshold: float | None, share: float | None, where: str) -> None:
 
 
 def threshold_of(share: float, information: NDArray[np.float32]) -> float:
-    """The threshold below which a share of training frames lies.
+    """The threshold that a share of the training frames is below.
 
-    The thesis gives its threshold in a unit that it does not define, and not how many frames that drops.
+    The thesis gives its threshold in an undefined unit, and not the number of frames that it drops.
 
     Parameters
     ----------
@@ -67,38 +61,34 @@ def hold(
     threshold: float,
     sequences: Sequence[slice],
 ) -> NDArray[np.float64]:
-    """Let a frame with little information repeat what was said of the last accepted one (thesis 4.6).
+    """Let a frame with little information repeat the distribution of the last accepted one (thesis 4.6).
 
     A frame is accepted if its information reaches the threshold. Frames before the first accepted one of
-    their sequence keep their own distribution: there is none to repeat, and the thesis does not say. Frame t
-    uses frames up to t only.
+    their sequence keep their own distribution, since there is none to repeat; the thesis does not say. Frame
+    t uses frames up to t only.
 
     Parameters
     ----------
     proba
         (frames, classes) distributions.
     information
-        (frames,) measure of each frame, see `placecat.vision.information.information`.
+        (frames,) measure of each frame, see `placecat.vision.information.information`. Another length raises
+        PlacecatError.
     threshold
         0.09766 in the thesis, and 0.13021 in a check; or from :func:`threshold_of`.
     sequences
-        Stretches of frames without a cut that cover all frames; the filter starts anew at each.
+        Stretches of frames without a cut that cover all frames; the filter restarts at each.
 
     Returns
     -------
     (frames, classes), rows of `proba`.
-
-    Raises
-    ------
-    PlacecatError
-        Another number of measures than of distributions.
     """
     if len(information) != len(proba):
         raise PlacecatError(f"{len(proba)} distributions have {len(information)} measures of information")
     said_by = np.arange(len(proba))
     for part in sequences:
         own = said_by[part]
-        # The last accepted frame so far; before the first one the running maximum is still -1.
+        # The last accepted frame so far; -1 before the first one.
         last = np.maximum.accumulate(np.where(information[part] >= threshold, own, -1))
         said_by[part] = np.where(last >= 0, last, own)
     return proba[said_by]

@@ -46,7 +46,7 @@ class Integrator:
 
 @dataclass(frozen=True)
 class Trained:
-    """An integration and what its training has to say.
+    """An integration and facts of its training.
 
     Attributes
     ----------
@@ -92,12 +92,7 @@ def fit(
     temperatures
         Of each cue, as for :class:`Integrator`.
     cross_validated
-        Whether each home's frames are judged by an integration of the others as well.
-
-    Raises
-    ------
-    PlacecatError
-        An unknown method.
+        Whether to judge each home's frames by an integration of the others as well.
     """
     if method not in METHODS:
         raise PlacecatError(f"integrator.method {method!r} does not exist: use one of {', '.join(METHODS)}")
@@ -105,7 +100,7 @@ def fit(
     labels = np.concatenate([truth[home] for home in train])
     own = None if temperatures is None else np.asarray(temperatures, dtype=np.float64)
     if method != "das":
-        # A vote has nothing to train, so that its statistics need no cross-validation of its own.
+        # A vote has nothing to train, so its statistics need no cross-validation.
         vote = Integrator(method, None, own)
         return Trained(vote, vote.predict_proba(together) if cross_validated else None, labels, {})
     if classifier is None:

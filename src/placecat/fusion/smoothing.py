@@ -18,13 +18,13 @@ from placecat.fusion.hmm import (
     transition_matrix,
 )
 
-# Times of frames are rounded: a step of this much more or less than one is one.
+# Times of frames are rounded: a step this close to one counts as one.
 _ROUNDING = 1e-6
 
 
 @dataclass(frozen=True)
 class SmoothingModel:
-    """The statistics of training homes that the smoothing needs.
+    """Statistics of training homes for the smoothing.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class SmoothingModel:
     delay_seconds
         Time constant of the delay, see :class:`placecat.fusion.delay.Delay`.
     frame_rate
-        Frames a second at which the transitions were counted.
+        Frames per second of the transitions.
     """
 
     transition: NDArray[np.float64]
@@ -51,12 +51,11 @@ class SmoothingModel:
 class Smoother:
     """Smooth one sequence, frame by frame; frame t uses frames up to t only.
 
-    The frames may come at any rate, also a changing one: transitions, evidence and delay count in seconds.
+    Frames may come at any rate, also a changing one: transitions, evidence and delay count in seconds.
 
-    A frame counts as the frames of the model's rate that fit into the time since the last one: twice as many
-    frames a second are the same views again and no more evidence, half as many show as much. After a long
-    time, what the frame shows has not been there all along, so that it counts for `evidence_seconds` at most
-    (but always as one frame).
+    A frame counts as the frames at the model's rate that fit into the time since the last one: at twice the
+    rate the same views are repeated and give no more evidence. After a long time, the view cannot have been
+    there all along, so a frame counts for `evidence_seconds` at most (but always as one frame).
     """
 
     def __init__(self, model: SmoothingModel) -> None:
@@ -67,20 +66,15 @@ class Smoother:
     def step(
         self, proba: NDArray[np.float64], seconds: float | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Take the next frame; give the distributions of the filter and of the delay.
+        """Return the distributions of the filter and of the delay for the next frame.
 
         Parameters
         ----------
         proba
             (n_classes,) distribution of the integrator.
         seconds
-            Time since the last frame, at or above 0; of the first frame, the time that it stands for. None
-            is one frame at the rate of the model, and whatever is as long gives the same bits.
-
-        Raises
-        ------
-        PlacecatError
-            If `seconds` is negative or not finite.
+            Time since the last frame, finite and 0 or more, else PlacecatError; for the first frame, its
+            duration. None is one frame at the model's rate; an equal time gives the same bits.
         """
         steps = 1.0
         if seconds is not None:
@@ -109,28 +103,23 @@ def fit(
     transition_counts: float,
     emission_counts: float,
 ) -> SmoothingModel:
-    """Count the statistics of training homes.
+    """Count the statistics of training homes; raises PlacecatError for a setting of a wrong type or range.
 
     Parameters
     ----------
     training_sequences
-        Labels of the training homes in order of time, -1 for unlabelled: the transitions are counted on them.
+        Labels of the training homes in order of time, -1 for unlabelled, for the transitions.
     training_frame_rates
-        Frames a second of each of these; the model has the highest, see
+        Frames per second of each of these; the model has the highest, see
         :func:`placecat.fusion.hmm.transition_matrix`.
     training_proba, training_truth
-        Cross-validated outputs of the integrator on training frames: the emission is counted on them.
+        Cross-validated outputs of the integrator on training frames, for the emission.
     delay_seconds
         See :class:`placecat.fusion.delay.Delay`.
     evidence_seconds
         See :class:`Smoother`; finite and above 0.
     evidence, reliability, transition_counts, emission_counts
         See `placecat.fusion.hmm`.
-
-    Raises
-    ------
-    PlacecatError
-        A setting of another type or out of its range.
     """
     Delay(delay_seconds)
     above_zero("smoothing.evidence_seconds", evidence_seconds)
@@ -177,11 +166,11 @@ def apply(
     proba
         (frames, n_classes) distributions for every frame of the home, labelled or not.
     sequences
-        Stretches of frames without a cut; the filter starts anew at each.
+        Stretches of frames without a cut; the filter restarts at each.
     frame_rate
-        Frames a second of the home.
+        Frames per second of the home.
     times
-        (frames,) seconds of the frames since the start of their sequence; None if they come evenly.
+        (frames,) seconds of the frames since the start of their sequence; None if they are evenly timed.
 
     Returns
     -------

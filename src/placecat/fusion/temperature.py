@@ -1,26 +1,19 @@
-"""Temperatures: how sure a cue's distributions should be."""
+"""Temperatures that set how certain a cue's distributions are."""
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
-# Between the flattest and the sharpest that is tried, as exponents 1 / T.
+# Range of the exponents 1 / T that are tried.
 _EXPONENTS = (0.01, 100.0)
 
 
 def temper(proba: NDArray[np.float64], temperature: float | NDArray[np.float64]) -> NDArray[np.float64]:
     """Raise distributions to the power of 1 / T and normalise: flatter for T > 1, sharper for T < 1.
 
-    Parameters
-    ----------
-    proba
-        (..., n_classes) distributions.
-    temperature
-        T > 0, one for all, or an array that broadcasts against ``proba[..., 0]``.
-
-    Returns
-    -------
-    Same shape, rows sum to 1; the order of the classes stays. T = 1 changes nothing but last bits.
+    `proba` is (..., n_classes), and so is the result; rows sum to 1, and the order of the classes stays. The
+    temperature is above 0: one number, or an array that broadcasts against ``proba[..., 0]``. 1 changes only
+    last bits.
 
     Examples
     --------
@@ -34,10 +27,10 @@ def temper(proba: NDArray[np.float64], temperature: float | NDArray[np.float64])
 
 
 def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> float:
-    """Find the temperature with the least log-loss on frames that the model has not seen.
+    """Find the temperature, in [0.01, 100], with the least log-loss on frames that the model has not seen.
 
-    The thesis gives none: naive Bayes multiplies over codewords as if they were independent, and is far too
-    sure; the parallel scheme averages, and is not sure enough.
+    The thesis has none. Naive Bayes multiplies over codewords as if they were independent, and is far too
+    certain; the parallel scheme averages, and is not certain enough.
 
     Parameters
     ----------
@@ -45,10 +38,6 @@ def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> flo
         (n, n_classes) distributions by a model that saw neither the frame nor its home.
     truth
         (n,) class indices. Every class present weighs the same.
-
-    Returns
-    -------
-    T, in [0.01, 100].
 
     References
     ----------
@@ -72,6 +61,6 @@ def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> flo
         normaliser = top + np.log(np.exp(scaled - top[:, None]).sum(axis=1))
         return float(weight @ (normaliser - np.exp(log_exponent) * right))
 
-    # The loss is convex in the exponent, so that it has one minimum in its logarithm too.
+    # The loss is convex in the exponent, so it also has one minimum in its logarithm.
     found = minimize_scalar(loss, bounds=np.log(_EXPONENTS), method="bounded", options={"xatol": 1e-6})
     return float(np.exp(-found.x))

@@ -1,4 +1,4 @@
-"""A transition matrix that was counted at one frame rate, for any other: its real powers."""
+"""Real powers of a transition matrix, which adapt it to any frame rate."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,15 +8,15 @@ Float = NDArray[np.float64]
 
 
 def generator(transition: Float) -> Float:
-    """Rates at which places change, per step of a transition matrix: Q with exp(Q) = P, or close to it.
+    """Rates of change of place, per step of a transition matrix: Q with exp(Q) = P, or close to it.
 
-    Q is the logarithm of P, where that is a matrix of rates. Not every stochastic matrix has such a logarithm
-    (it is not *embeddable*); no chain that runs at all times then gives P, and Q is the nearest by this rule:
+    Q is the logarithm of P if that is a matrix of rates. Not every stochastic matrix has such a logarithm (it
+    is not *embeddable*); no chain in continuous time then gives P, and Q is chosen by this rule:
 
-    - Negative rates of the logarithm are set to 0, and the diagonal is made to fit (Israel, Rosenthal and
+    - Negative rates of the logarithm become 0, and the diagonal is adjusted (Israel, Rosenthal and
       Wei, Finding generators for Markov chains via empirical transition matrices, 2001).
     - If P has an eigenvalue at or below 0, it has no real logarithm. Q is then P - I: the chain changes as P
-      says, at random times, once a step on average.
+      says, at random times, once per step on average.
 
     Parameters
     ----------
@@ -36,15 +36,10 @@ def generator(transition: Float) -> Float:
 
 
 class TransitionPower:
-    """Powers P^x of a transition matrix, x any real number at or above 0.
+    """Powers P^x of a transition matrix P, (n, n) with rows that sum to 1, for any real x of 0 or more.
 
     P^x is exp(x Q), see :func:`generator`; rows sum to 1, and P^x P^y = P^(x + y) up to rounding. P^1 is P
     itself, to the bit.
-
-    Parameters
-    ----------
-    transition
-        (n, n), at or above 0, rows sum to 1.
     """
 
     def __init__(self, transition: Float) -> None:
@@ -54,13 +49,13 @@ class TransitionPower:
         self._last: tuple[float, Float] = (1.0, transition)
 
     def __call__(self, exponent: float) -> Float:
-        """Give P^exponent, (n, n)."""
+        """Return P^exponent, (n, n)."""
         if exponent == 1.0:
             return self._transition
         if exponent != self._last[0]:
             if self._generator is None:
                 self._generator = generator(self._transition)
-            # Rounding leaves entries a little below 0, and sums a little beside 1.
+            # Rounding leaves entries slightly below 0, and sums slightly off 1.
             power = np.clip(expm(exponent * self._generator), 0.0, None)
             self._last = (exponent, power / power.sum(axis=1, keepdims=True))
         return self._last[1]

@@ -5,31 +5,17 @@ from numpy.typing import NDArray
 
 
 def vote_distribution(proba: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Every cue votes with its whole distribution.
+    """Every cue votes with its whole distribution: the mean over cues.
 
-    Parameters
-    ----------
-    proba
-        (frames, cues, n_classes) distributions.
-
-    Returns
-    -------
-    (frames, n_classes), the mean over cues.
+    From (frames, cues, n_classes) to (frames, n_classes).
     """
     return np.asarray(proba, dtype=np.float64).mean(axis=1)
 
 
 def vote_decision(proba: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Every cue votes for its most probable class only, with that class's probability as weight.
+    """Every cue votes for its most probable class only, weighted by that class's probability.
 
-    Parameters
-    ----------
-    proba
-        (frames, cues, n_classes) distributions.
-
-    Returns
-    -------
-    (frames, n_classes), rows sum to 1.
+    From (frames, cues, n_classes) to (frames, n_classes); rows sum to 1.
     """
     proba = np.asarray(proba, dtype=np.float64)
     decided = np.eye(proba.shape[2])[np.argmax(proba, axis=2)]

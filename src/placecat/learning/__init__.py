@@ -1,1 +1,1 @@
-"""Codebooks and classifiers with scikit-learn's conventions. Knows nothing of files."""
+"""Codebooks and classifiers with scikit-learn's conventions. This package opens no files."""

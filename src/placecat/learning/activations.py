@@ -1,31 +1,26 @@
-"""Regions of frames in padded arrays, and the clusters that they activate."""
+"""Padded arrays of salient regions, and the clusters that a frame's regions activate."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from placecat.errors import PlacecatError
 
-# Bytes of padded descriptors taken from their frames at once.
+# Bytes of padded descriptors in one block.
 _BLOCK = 1 << 26
 
 
 def region_mask(counts: ArrayLike, max_regions: int) -> NDArray[np.bool_]:
-    """Mark the places that hold a region in padded arrays.
+    """Mark the rows of padded arrays that hold a region.
 
     Parameters
     ----------
     counts : array-like of shape (frames,), integers in [0, max_regions]
-        Regions of each frame; they come first in its row.
+        Regions of each frame; they come first. Raises PlacecatError for a count out of range.
     max_regions : int
 
     Returns
     -------
     ndarray of shape (frames, max_regions), bool
-
-    Raises
-    ------
-    PlacecatError
-        If a count is out of range.
 
     Examples
     --------
@@ -34,7 +29,7 @@ def region_mask(counts: ArrayLike, max_regions: int) -> NDArray[np.bool_]:
     """
     numbers = np.asarray(counts)
     if numbers.ndim != 1 or numbers.dtype.kind not in "iu":
-        raise PlacecatError("counts must hold one whole number a frame")
+        raise PlacecatError("counts must hold one whole number per frame")
     wrong = np.flatnonzero((numbers < 0) | (numbers > max_regions))
     if len(wrong):
         raise PlacecatError(
@@ -44,12 +39,12 @@ def region_mask(counts: ArrayLike, max_regions: int) -> NDArray[np.bool_]:
 
 
 def activations(codewords: NDArray[np.integer], n_clusters: int, counts: ArrayLike) -> NDArray[np.uint8]:
-    """Tell which clusters each frame's regions activate: q_k of thesis section 3.3.2.
+    """Mark the clusters that each frame's regions activate: q_k of thesis section 3.3.2.
 
     Parameters
     ----------
     codewords : ndarray of shape (frames, max_regions), integers
-        What lies beyond a frame's count is not read.
+        Entries beyond a frame's count are ignored.
     n_clusters : int
         N, the number of codewords.
     counts : array-like of shape (frames,), integers

@@ -30,24 +30,24 @@ Fold = tuple[NDArray[np.intp], NDArray[np.intp]]
 class Calibration:
     """How decision values become probabilities.
 
-    A machine that left a home out is another one than the machine that left another home out: where a home
-    has many positives, the machine that judges it saw few, and its values lie low. Such values are never
-    pooled as they are: a sigmoid fitted to them can fall where it should rise.
+    The values of machines that left different homes out do not compare: where a home has many positives, the
+    machine that judges it saw few of them, and its values are low. They are never pooled as they are, since a
+    sigmoid fitted to them can fall where it should rise.
 
     Attributes
     ----------
     kind
-        What is held out, and what is done with the values. ``samples``: `folds` random parts of each class,
-        as dlib does for the thesis (3.3.1.2), and ``consecutive``: `folds` parts of consecutive samples, as
-        dlib does without shuffling; one sigmoid for all values. ``homes_centred``: one home at a time; the
-        values of a home minus their mean, plus the mean of all, and one sigmoid. ``homes_averaged``: one home
-        at a time; a sigmoid for each machine that left one out, and the mean of their probabilities.
+        What is held out, and how the values are used. ``samples``: `folds` random parts of each class, as
+        dlib does for the thesis (3.3.1.2). ``consecutive``: `folds` parts of consecutive samples, as dlib
+        does without shuffling. Both fit one sigmoid to all values. ``homes_centred``: one home at a time; the
+        mean of each home's values is replaced by the mean of all, then one sigmoid is fitted.
+        ``homes_averaged``: one home at a time, one sigmoid per machine; their probabilities are averaged.
     folds
-        Number of parts, at least 2; the homes decide where they are held out.
+        Number of parts, at least 2; ignored where homes are held out.
     own
-        Take the base's own sigmoid instead of Platt's.
+        Use the base's own sigmoid instead of Platt's.
     balanced
-        Of Platt's sigmoid, see :func:`placecat.learning.platt.fit_sigmoid`.
+        Weights of Platt's sigmoid, see :func:`placecat.learning.platt.fit_sigmoid`.
     """
 
     kind: str = SAMPLES
@@ -69,11 +69,11 @@ class Problem:
     Attributes
     ----------
     name
-        What messages call it.
+        Name in messages.
     positive
         (n,) bool.
     member
-        (n,) bool, samples it is trained and calibrated on.
+        (n,) bool, the samples to train and calibrate on.
     """
 
     name: str
@@ -83,7 +83,7 @@ class Problem:
 
 @dataclass
 class FittedProblem:
-    """What decides one two-class problem, and what it said of samples that it had not seen.
+    """The fitted machines of one two-class problem, and their outputs for held-out samples.
 
     Attributes
     ----------
@@ -96,7 +96,7 @@ class FittedProblem:
     nu
         nu of each held-out part's machine, NaN for a base without one.
     flat
-        Sigmoids that would have fallen, and are flat.
+        Number of sigmoids that are flat because they would have fallen.
     """
 
     machines: list[Any]
@@ -114,9 +114,10 @@ def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, kind: str, folds: 
     y
         (n,) class index, each class at least twice.
     groups
-        (n,) the home of each sample, or None.
+        (n,) the home of each sample, or None. Raises PlacecatError if `kind` needs homes and they are missing
+        or not one per sample.
     kind
-        Of a :class:`Calibration`. With one home only, parts of consecutive samples stand for homes.
+        Of a :class:`Calibration`. With one home only, consecutive samples are held out instead of homes.
     folds
         Number of stratified parts, fewer if a class is smaller.
 
@@ -124,11 +125,6 @@ def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, kind: str, folds: 
     -------
     list of (train, test)
         Ascending indices.
-
-    Raises
-    ------
-    PlacecatError
-        If homes are to be held out and none are given, or not one for each sample.
     """
     if kind in (CENTRED, AVERAGED):
         if groups is None:
@@ -139,7 +135,7 @@ def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, kind: str, folds: 
         _, home = np.unique(np.asarray(groups), return_inverse=True)
         if home.shape != y.shape:
             raise PlacecatError(
-                f"groups has shape {home.shape} for {len(y)} samples; give one group a sample"
+                f"groups has shape {home.shape} for {len(y)} samples; give one group per sample"
             )
         if home.max() > 0:
             return [(np.flatnonzero(home != g), np.flatnonzero(home == g)) for g in range(home.max() + 1)]
@@ -163,19 +159,13 @@ def fit_problems(
     calibration: Calibration,
     n_jobs: int | None,
 ) -> list[FittedProblem]:
-    """Fit, cross-validate and calibrate two-class problems that share samples; (problem, fold) in threads.
+    """Fit, cross-validate and calibrate two-class problems that share samples.
 
-    A problem with a fold whose training part lacks positives or negatives (a class that only one home has)
-    holds out stratified consecutive samples instead, with a warning.
+    Threads run over (problem, fold).
 
-    Parameters
-    ----------
-    base
-        Not fitted itself.
-    shared
-        From ``base.prepare``.
-    folds
-        From :func:`make_folds`.
+    If the training part of a fold lacks positives or negatives (a class that only one home has), the problem
+    holds out stratified consecutive samples instead, with a warning. `shared` is from ``base.prepare``,
+    `folds` from :func:`make_folds`; `base` itself stays unfitted.
     """
     n = len(problems[0].positive)
     everything = np.arange(n)
@@ -205,9 +195,9 @@ def fit_problems(
         fitted.append(FittedProblem(kept, sigmoids, outputs, nu, flat))
     flat_names = [problem.name for problem, one in zip(problems, fitted, strict=True) if one.flat]
     if flat_names:
-        # A whole stage has thousands: whoever sums the counts warns.
+        # A stage has thousands: the caller that sums the counts warns.
         logger.info(
-            "held-out decision values say nothing, or the contrary, of %s: a flat sigmoid instead",
+            "held-out decision values of %s are uninformative or reversed: its sigmoid is flat",
             ", ".join(flat_names),
         )
     return fitted
@@ -216,15 +206,8 @@ def fit_problems(
 def centre(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
     """Make the decision values of machines that left different homes out comparable.
 
-    Parameters
-    ----------
-    values
-        Of each home.
-
-    Returns
-    -------
-    The same minus the mean of each home, plus the mean over homes of these means: what a machine can be
-    expected to say on average of a home that it has not seen.
+    Takes and gives an array for each home. The mean of each home's values is replaced by the mean of these
+    means: the average value to expect on an unseen home.
 
     Examples
     --------
@@ -242,7 +225,7 @@ def _calibrate(
     values: Sequence[NDArray[np.float64]],
     calibration: Calibration,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], int, list[int]]:
-    """Sigmoids, held-out outputs, number of flat ones, and which folds' machines are averaged."""
+    """Return sigmoids, held-out outputs, number of flat sigmoids, and folds whose machines are averaged."""
     outputs = np.empty(len(problem.positive))
     positive, member = problem.positive, problem.member
     if calibration.kind == AVERAGED:
@@ -271,7 +254,7 @@ def _sigmoid(
         return base.own_sigmoid, False
     positive = positive[member]
     sigmoid = fit_sigmoid(decided[member], positive, calibration.balanced)
-    # A home without one of the two classes says nothing about the slope.
+    # A home that lacks one of the classes gives no slope.
     return sigmoid, bool(sigmoid[0] == 0.0 and positive.any() and not positive.all())
 
 

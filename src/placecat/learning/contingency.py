@@ -1,11 +1,11 @@
-"""Counts of discrete variables, and what follows from pairs of them: mutual information and its tree."""
+"""Counts of discrete variables, the mutual information of pairs, and its maximum spanning tree."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-# A pair's table is counted by bincount up to this many cells a sample, by sorting beyond.
+# Up to this many cells per sample bincount counts a pair's table, beyond it sorting.
 CELLS_PER_SAMPLE = 16
-# Up to here float32 holds every whole number.
+# Largest whole number up to which float32 is exact.
 _EXACT_FLOAT32 = 1 << 24
 
 
@@ -17,9 +17,7 @@ def value_counts(
     Parameters
     ----------
     codes : ndarray of shape (n, V), integers in [0, n_values)
-        Values of V variables.
     labels : ndarray of shape (n,), integers in [0, n_classes)
-        Class of each sample.
     n_classes, n_values : int
 
     Returns
@@ -28,7 +26,6 @@ def value_counts(
 
     Examples
     --------
-    >>> import numpy as np
     >>> value_counts(np.array([[0, 1], [1, 1]]), np.array([0, 0]), 1, 2).tolist()
     [[[1, 1], [0, 2]]]
     """
@@ -48,14 +45,13 @@ def value_counts(
 def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.float64]:
     """Mutual information of every pair of variables, from their relative frequencies.
 
-    With counts n_ab of a pair, n I = n log n + sum n_ab log n_ab - sum n_a log n_a - sum n_b log n_b. Binary
-    pairs are counted by one matrix product, wide tables by bincount, and tables with far more cells than
-    samples by sorting, so that memory does not grow with the square of `n_values`.
+    With counts n_ab of a pair, n I = n log n + sum n_ab log n_ab - sum n_a log n_a - sum n_b log n_b. One
+    matrix product counts binary pairs, bincount counts wide tables, and sorting counts tables with far more
+    cells than samples, so memory does not grow with the square of `n_values`.
 
     Parameters
     ----------
-    codes : ndarray of shape (n, V), integers in [0, n_values)
-        Values of V variables, n >= 1.
+    codes : ndarray of shape (n, V), integers in [0, n_values), n >= 1
     n_values : int
 
     Returns
@@ -65,7 +61,6 @@ def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.
 
     Examples
     --------
-    >>> import numpy as np
     >>> print(mutual_information(np.array([[0, 0, 0], [1, 1, 0]]), 2).round(3)[0])
     [0.    0.693 0.   ]
     """
@@ -85,7 +80,7 @@ def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.
 def maximum_spanning_tree(weights: NDArray[np.float64], root: int) -> NDArray[np.int32]:
     """Find the spanning tree of greatest total weight (Prim's algorithm), directed away from a root.
 
-    Of equal weights the lowest variable joins first, under the parent that joined first.
+    Among equal weights the lowest variable joins first, under the parent that joined first.
 
     Parameters
     ----------
@@ -101,7 +96,6 @@ def maximum_spanning_tree(weights: NDArray[np.float64], root: int) -> NDArray[np
 
     Examples
     --------
-    >>> import numpy as np
     >>> maximum_spanning_tree(np.array([[0, 3.0, 1], [3, 0, 2], [1, 2, 0]]), 0).tolist()
     [-1, 0, 1]
     """
@@ -139,7 +133,7 @@ def _binary_sums(
 def _wide_sums(
     codes: NDArray[np.integer], n_values: int, weighted_log: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """As `_binary_sums`, for any number of values."""
+    """Like `_binary_sums`, for any number of values."""
     columns = np.ascontiguousarray(codes.T, dtype=np.int64)
     if n_values * n_values <= CELLS_PER_SAMPLE * len(codes):
         joint = _joint_by_tables(columns, n_values, weighted_log)
@@ -182,10 +176,9 @@ def _joint_by_sorting(
 
 
 def count_into(counts: NDArray[np.int32], cells: NDArray[np.int64]) -> None:
-    """Count the cells as ``np.bincount`` does, into an array that is there.
+    """Count the cells as ``np.bincount`` does, into an existing array.
 
-    A new array for every table costs several times the counting, where the system first has to clear its
-    memory.
+    A new array for every table would cost several times the counting, since the system clears its memory.
 
     Parameters
     ----------
@@ -195,7 +188,6 @@ def count_into(counts: NDArray[np.int32], cells: NDArray[np.int64]) -> None:
 
     Examples
     --------
-    >>> import numpy as np
     >>> counts = np.empty(3, np.int32)
     >>> count_into(counts, np.array([2, 0, 2]))
     >>> counts.tolist()
@@ -206,12 +198,12 @@ def count_into(counts: NDArray[np.int32], cells: NDArray[np.int64]) -> None:
 
 
 def run_lengths(values: NDArray[np.integer]) -> tuple[NDArray[np.integer], NDArray[np.int64]]:
-    """Return the distinct values of a sorted, not empty array and how often each occurs."""
+    """Return the distinct values of a sorted, non-empty array and how often each occurs."""
     starts = np.flatnonzero(np.r_[True, values[1:] != values[:-1]])
     return values[starts], np.diff(starts, append=len(values))
 
 
 def _exact_product(left: NDArray[np.generic], right: NDArray[np.generic]) -> NDArray[np.int64]:
-    """Matrix product of zeros and ones, exact whatever the order of summation."""
+    """Matrix product of zeros and ones, exact in any order of summation."""
     dtype = np.float32 if left.shape[1] < _EXACT_FLOAT32 else np.float64
     return (left.astype(dtype) @ right.astype(dtype)).astype(np.int64)

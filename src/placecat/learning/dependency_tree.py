@@ -17,19 +17,19 @@ from placecat.learning.contingency import (
 from placecat.learning.discrete_bayes import PRIORS, DiscreteBayes
 from placecat.ranges import Index, OneOf, Positive
 
-# Largest table of pair counts kept in full (32 MB); beyond, only the pairs that occur.
+# Largest table of pair counts stored in full (32 MB); larger ones hold only the pairs that occur.
 _DENSE_CELLS = 1 << 22
-# Table look-ups made at once.
+# Table look-ups in one block.
 _BLOCK = 1 << 18
 
 
 class DependencyTree(DiscreteBayes):
     """p(c_1, ..., c_V | l_i) by the optimal dependency tree of each class (equation 11).
 
-    It is p(c_r | l_i) times the p(c_k | c_parent(k), l_i) of all variables but the root r. Each class's tree
-    is the maximum spanning tree of the variables' mutual information within the class, which maximises the
-    likelihood of the class's samples among all trees (Chow and Liu). The mutual information is that of the
-    relative frequencies; smoothing enters only the conditional probabilities.
+    It is p(c_r | l_i) of the root r times p(c_k | c_parent(k), l_i) of every other variable. Each class's
+    tree is the maximum spanning tree of the variables' mutual information within the class, which maximises
+    the likelihood of the class's samples among all trees (Chow and Liu). The mutual information uses relative
+    frequencies; only the conditional probabilities are smoothed.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ class DependencyTree(DiscreteBayes):
     prior : {"uniform", "frequency"}
         p(l_i) in equation (10); see `NaiveBayes`.
     root : int
-        The variable r. Without smoothing it makes no difference; the thesis does not give it.
+        The variable r. It matters only with smoothing; the thesis does not give it.
 
     Attributes
     ----------
@@ -85,7 +85,7 @@ class DependencyTree(DiscreteBayes):
 
     def _fit_model(self, codes: NDArray[np.integer], labels: NDArray[np.intp]) -> None:
         if not 0 <= self.root < self.n_features_in_:
-            raise PlacecatError(f"root={self.root} is no variable: use 0 to {self.n_features_in_ - 1}")
+            raise PlacecatError(f"root={self.root} is not a variable: use 0 to {self.n_features_in_ - 1}")
         n_classes, n_values = len(self.classes_), self.n_values_
         members = [codes[labels == label] for label in range(n_classes)]
         self.parents_ = np.array(
@@ -99,7 +99,7 @@ class DependencyTree(DiscreteBayes):
         self._fit_pairs(members)
 
     def _fit_pairs(self, members: list[NDArray[np.integer]]) -> None:
-        """Store log(count + alpha) of each (variable, parent value, value), in full or where it occurs."""
+        """Store log(count + alpha) of each (variable, parent value, value), in full or sparsely."""
         table = self.n_values_**2
         n_cells = self.n_features_in_ * table
         self._is_dense = len(members) * n_cells <= _DENSE_CELLS
@@ -129,7 +129,7 @@ class DependencyTree(DiscreteBayes):
         """Number the cell of each (variable, parent value, value), and of each (variable, parent value)."""
         narrow = self.n_features_in_ * self.n_values_**2 < 2**31
         wide_codes: NDArray[np.integer] = codes.astype(np.int32 if narrow else np.int64)
-        # An index list would give an array in the order of columns, on which depends how numpy sums its rows.
+        # An index list would give a column-ordered array, and numpy would sum its rows in another order.
         parent_cells = np.take(wide_codes, self.parents_[label], axis=1)
         parent_cells[:, self.root] = 0
         parent_cells += np.arange(self.n_features_in_, dtype=wide_codes.dtype) * self.n_values_

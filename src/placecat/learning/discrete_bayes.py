@@ -1,4 +1,4 @@
-"""What the two models of a joint probability share: codes in, Bayes' rule out."""
+"""The common base of the two models of a joint probability: codes in, Bayes' rule out."""
 
 from abc import abstractmethod
 from typing import Any, Self
@@ -32,7 +32,7 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
     n_features_in_: int
 
     def __sklearn_tags__(self) -> Any:
-        """What scikit-learn has to know: samples are codes."""
+        """Tell scikit-learn that samples are codes."""
         tags = super().__sklearn_tags__()
         tags.input_tags.categorical = True
         tags.input_tags.positive_only = True
@@ -74,20 +74,10 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         return self
 
     def predict_joint_log_likelihood(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return log p(codes, class), the numerator of equation (10).
+        """Return log p(codes, class), the numerator of equation (10): (n, n_classes) float64.
 
-        Parameters
-        ----------
-        X : array-like of shape (n, V), integers in [0, n_values_)
-
-        Returns
-        -------
-        ndarray of shape (n, n_classes), float64
-
-        Raises
-        ------
-        PlacecatError
-            If a code is out of range or X has another number of variables than the training data.
+        Raises PlacecatError if a code of X, (n, V) integers in [0, n_values_), is out of range, or if V is
+        not that of the training data.
         """
         check_is_fitted(self)
         codes = self._read_codes(X)
@@ -126,7 +116,7 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         return codes.astype(np.int64)
 
     def _narrow(self, codes: NDArray[np.integer]) -> NDArray[np.integer]:
-        """Check the codes' range and keep them in few bytes."""
+        """Check the codes' range and store them in few bytes."""
         if codes.min() >= 0 and codes.max() < self.n_values_:
             return codes.astype(np.uint8 if self.n_values_ <= 256 else np.int32, copy=False)
         sample, variable = np.argwhere((codes < 0) | (codes >= self.n_values_))[0]

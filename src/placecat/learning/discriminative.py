@@ -1,4 +1,4 @@
-"""Which codewords tell classes apart."""
+"""The choice of codewords that tell classes apart."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -8,7 +8,7 @@ from placecat.errors import PlacecatError
 
 
 def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: float) -> NDArray[np.bool_]:
-    """Mark the codewords whose presence in a frame says most about its class.
+    """Mark the codewords whose presence in a frame is most informative about its class.
 
     Parameters
     ----------
@@ -18,17 +18,12 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     y
         (frames,) classes.
     keep
-        Share of the codewords to mark, in (0, 1]; at least one is. Of codewords that say equally much those
-        with the lower number are taken.
+        Share of the codewords to mark, in (0, 1], at least one codeword. Lower numbers win ties. Raises
+        PlacecatError out of this range.
 
     Returns
     -------
-    (N,) bool. The order is by the mutual information of the codeword's presence and the class.
-
-    Raises
-    ------
-    PlacecatError
-        If `keep` is outside (0, 1].
+    (N,) bool, by the mutual information of presence and class.
 
     Examples
     --------
@@ -41,6 +36,6 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     information = mutual_info_classif(active, np.asarray(y), discrete_features=True)
     kept = np.zeros(len(information), bool)
     number = max(1, round(keep * len(information)))
-    # Rounded, so that the last bits of sums decide nothing.
+    # Rounded: the last bits of sums must not decide.
     kept[np.argsort(-information.round(12), kind="stable")[:number]] = True
     return kept

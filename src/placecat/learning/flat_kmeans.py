@@ -1,4 +1,4 @@
-"""Flat k-means: what thesis 4.2 compares hierarchical clustering with."""
+"""Flat k-means, which thesis 4.2 compares with hierarchical clustering."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, Self
@@ -17,30 +17,29 @@ from placecat.ranges import Count
 class FlatKMeans(BaseEstimator):
     """Lloyd's k-means with k-means++ seeds (scikit-learn's), one clustering for each cluster number.
 
-    Has the interface of :class:`~placecat.learning.hierarchical_kmeans.HierarchicalKMeans` that classifiers
-    use.
+    It has the interface of :class:`~placecat.learning.hierarchical_kmeans.HierarchicalKMeans` that
+    classifiers use.
 
     Parameters
     ----------
     numbers : sequence of int
         The cluster numbers to serve.
     max_iter : int
-        Most Lloyd iterations. The thesis does not give it; 11 as for the hierarchical clustering, so that
-        the two differ in the hierarchy only.
+        Most Lloyd iterations. The thesis does not give it; 11 as in the hierarchical clustering, so that only
+        the hierarchy differs.
     seed : int
         At least 0. The clusterings of different numbers draw independently.
 
     Attributes
     ----------
     centers_ : dict of int to ndarray of shape (number, D), float32
-        Numbers that exceed the training points are missing.
+        Numbers above that of the training points are missing.
     n_points_ : int
         Training points.
     n_features_in_ : int
 
     Examples
     --------
-    >>> import numpy as np
     >>> X = np.array([[0.0], [0.1], [5.0], [5.1]], dtype=np.float32)
     >>> codes = FlatKMeans(numbers=(2,)).fit(X).assign(X, 2)
     >>> bool(codes[0] == codes[1] != codes[2] == codes[3])
@@ -58,12 +57,9 @@ class FlatKMeans(BaseEstimator):
         return {"numbers": tuple(sorted(set(numbers)))}
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
-        """Cluster (n, D) finite descriptors, in float32, once for each number.
+        """Cluster (n, D) finite descriptors once for each number, in float32.
 
-        Raises
-        ------
-        PlacecatError
-            An impossible setting.
+        Raises PlacecatError for an impossible setting.
         """
         from sklearn.cluster import KMeans
 
@@ -126,7 +122,7 @@ class FlatKMeans(BaseEstimator):
 
     @classmethod
     def from_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Self:
-        """Rebuild the clusterings from `to_arrays`' arrays, e.g. from what ``numpy.load`` returns."""
+        """Rebuild the clusterings from the arrays of `to_arrays`, or from what ``numpy.load`` returns."""
         numbers = tuple(arrays["numbers"].tolist())
         model = cls(numbers, int(arrays["max_iter"]), int(arrays["seed"]))
         model.n_points_, model.n_features_in_ = int(arrays["n_points"]), int(arrays["n_features"])

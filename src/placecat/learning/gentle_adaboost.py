@@ -61,7 +61,7 @@ def bin_features(X: NDArray[np.float32], max_bins: int) -> BinnedFeatures:
         if len(distinct) <= max_bins:
             cuts = _midpoints(distinct[:-1], distinct[1:])
         else:
-            # Between the neighbours of each quantile, so that a threshold is no training value.
+            # Midpoints between the neighbours of each quantile: a threshold is never a training value.
             first = (np.arange(1, max_bins) * n) // max_bins
             place = np.unique(np.searchsorted(distinct, values[first]))
             place = place[place > 0]
@@ -104,13 +104,7 @@ class StumpEnsembles:
     width: int
 
     def decisions(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Evaluate all K sums; (n, D) in, (n, K) float64 out.
-
-        Raises
-        ------
-        PlacecatError
-            If X is not a finite matrix of D columns.
-        """
+        """Evaluate all K sums for finite X (n, D): (n, K) float64. Other matrices raise PlacecatError."""
         samples = check_samples(X)
         if samples.shape[1] != self.width:
             raise PlacecatError(
@@ -119,7 +113,7 @@ class StumpEnsembles:
         result = np.empty((len(samples), len(self.feature)))
         for k in range(len(self.feature)):
             above = np.take(samples, self.feature[k], axis=1) > self.threshold[k]
-            # One stump after the other, as in `decide_rows`; a sum over rows may take another order.
+            # Stump by stump, as in `decide_rows`: a sum over rows may take another order.
             result[:, k] = np.cumsum(np.where(above, self.high[k], self.low[k]), axis=1)[:, -1]
         return result
 
@@ -135,8 +129,8 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
     n_rounds
         Weak classifiers (thesis Table 2: 20, 50, 100).
     max_bins
-        Bins per feature. Features with fewer distinct values are cut at every one, as exact boosting does.
-        The thesis does not give this.
+        Bins per feature. Features with fewer distinct values have a cut at each, as in exact boosting. The
+        thesis does not give this.
     weight_trim
         A round's stump is fitted without the lightest samples that hold 1 - weight_trim of the weight; 1
         keeps all. 0.95 is OpenCV's standard parameter, which the thesis uses.
@@ -185,18 +179,15 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
             raise PlacecatError(f"weight_trim = {self.weight_trim} is outside (0, 1]; 1 turns trimming off")
 
     def __sklearn_tags__(self) -> Any:
-        """What scikit-learn has to know: there are two classes."""
+        """Tell scikit-learn that there are two classes."""
         tags = super().__sklearn_tags__()
         tags.classifier_tags.multi_class = False
         return tags
 
     def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
-        """Fit on samples (n, D) real and labels (n,) of exactly two classes.
+        """Fit on real samples (n, D) and labels (n,) of exactly two classes.
 
-        Raises
-        ------
-        PlacecatError
-            If there are not two classes, or a setting is impossible.
+        Raises PlacecatError for another number of classes, or an impossible setting.
         """
         samples = check_samples(X)
         self.classes_, positive = encode_two_classes(y, len(samples))
@@ -205,7 +196,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
     def prepare(
         self, X: NDArray[np.float32], gram: object = None, n_jobs: int | None = None
     ) -> BinnedFeatures:
-        """Bin the features once for all classes and folds. Bins see no labels. `gram`, `n_jobs`: ignored."""
+        """Bin the features once for all classes and folds, without labels. Ignores `gram` and `n_jobs`."""
         self.check_parameters()
         return bin_features(X, self.max_bins)
 
@@ -223,16 +214,11 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
         shared
             Of n samples, from `prepare`.
         positive
-            (n,) bool.
+            (n,) bool. Raises PlacecatError if only one class is among the rows.
         rows
             Indices of the training samples, all by default.
         context
-            What the messages call this problem.
-
-        Raises
-        ------
-        PlacecatError
-            If only one class is among the rows.
+            The problem's name in messages.
         """
         self.check_parameters()
         n_features, n = shared.bins.shape
@@ -259,7 +245,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
             f = np.where(shared.bins[feature] > cut, high, low)
             weight *= np.exp(-target * f)
             total = weight.sum()
-            # All weight gone means every sample is classified beyond the reach of floats.
+            # No weight is left if every margin exceeds the range of floats.
             if not total > 0:
                 break
             weight /= total
@@ -284,7 +270,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
         return np.where(weight >= ordered[min(light, len(ordered) - 1)], weight, 0.0)
 
     def decide_rows(self, shared: BinnedFeatures, rows: NDArray[np.intp]) -> NDArray[np.float64]:
-        """F of samples of a shared binning; gives (len(rows),) float64."""
+        """F of samples of a shared binning, (len(rows),) float64."""
         result = np.zeros(len(rows))
         for feature, cut, low, high in zip(self.feature_, self.cut_, self.low_, self.high_, strict=True):
             result += np.where(shared.bins[feature, rows] > cut, high, low)
@@ -292,7 +278,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
 
     @staticmethod
     def collect(machines: Sequence["GentleAdaBoost"], X: object = None) -> StumpEnsembles:
-        """Join machines fitted on the same features; shorter ones are filled with zeros. `X`: ignored."""
+        """Join machines fitted on the same features; zeros fill up the shorter ones. `X` is ignored."""
         length = max(len(machine.feature_) for machine in machines)
 
         def stack(name: str) -> NDArray[Any]:
@@ -322,24 +308,19 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
 
 
 def _best_stump(histogram: NDArray[np.float64]) -> tuple[int, int, float, float] | None:
-    """Find the cut with the smallest weighted squared error.
-
-    Parameters
-    ----------
-    histogram
-        (D, bins, 2), sums of w and of w y by bin.
+    """Find the cut of a (D, bins, 2) histogram (sums of w and w y) with the smallest weighted squared error.
 
     Returns
     -------
     tuple or None
-        Feature, last bin at or below the cut, value below, value above; the first of equals. None where no
+        Feature, last bin at or below the cut, value below, value above; the first of equals. None if no
         feature can be cut.
     """
     below = np.cumsum(histogram, axis=1)
     total = below[:, -1:, :]
     below = below[:, :-1, :]
     above = total - below
-    # Differences of sums leave dust where there is nothing.
+    # Differences of sums leave rounding errors in empty bins.
     dust = 1e-12 * float(total[0, 0, 0])
     weight_below, weight_above = below[..., 0], above[..., 0]
     possible = (weight_below > dust) & (weight_above > dust)

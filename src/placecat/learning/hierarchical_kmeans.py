@@ -20,11 +20,7 @@ def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
     """Refuse a cluster number that no cut of a tree with this branching can have.
 
     Each split replaces one cluster by `branching`, so a cut has (branching - 1) k + 1 clusters, k = 0, 1, ...
-
-    Raises
-    ------
-    PlacecatError
-        Naming the two nearest valid numbers.
+    The PlacecatError names the two nearest valid numbers.
 
     Examples
     --------
@@ -51,17 +47,16 @@ class HierarchicalKMeans(BaseEstimator):
 
     The points are split into `branching` clusters by k-means (k-means++ seeds, then Lloyd's iterations), each
     cluster again into `branching`, and so on. A cut of this tree starts at the root and always splits the
-    node that lowers the total variance (the sum of squared distances to the own centre) most, so the cut to
-    fewer clusters is a prefix of the cut to more, and one tree serves every cluster number
-    (branching - 1) k + 1.
+    node that lowers the total variance (the sum of squared distances to the centres) most. The cut to fewer
+    clusters is a prefix of the cut to more, so one tree serves every cluster number (branching - 1) k + 1.
 
-    A node can be split if it has at least `branching` distinct points. An emptied cluster takes the point
-    farthest from its own centre. A node's centre is the mean of its points. Distances are computed in float32
-    about the node's centre, so one split tells points apart down to about 1/1000 of the node's radius.
+    A node needs at least `branching` distinct points to be split. An emptied cluster takes the point farthest
+    from its centre. A node's centre is the mean of its points. Distances are computed in float32 about the
+    node's centre, so a split resolves about 1/1000 of the node's radius.
 
-    The tree is grown lazily, with the same result: a split cannot gain more than the node's own sum of
-    squares, so a node is only split (to learn its gain) when that bound reaches the best gain known. The
-    draws of a node depend on its own place in the tree, not on the order of work.
+    The tree grows lazily, with the same result: a split gains at most the node's sum of squares, so a node is
+    split only once that bound reaches the best known gain. A node's draws depend on its place in the tree,
+    not on the order of work.
 
     Parameters
     ----------
@@ -77,7 +72,7 @@ class HierarchicalKMeans(BaseEstimator):
     Attributes
     ----------
     max_clusters_ : int
-        The largest cut there is: `max_clusters`, or less where the data have too few distinct points.
+        The largest possible cut: `max_clusters`, or less if the data have too few distinct points.
     node_centers_ : ndarray of shape (n_nodes, D), float32
         Node 0 is the root; the children of the k-th split are nodes 1 + branching k and the following.
     node_sizes_ : ndarray of shape (n_nodes,), int64
@@ -98,7 +93,6 @@ class HierarchicalKMeans(BaseEstimator):
 
     Examples
     --------
-    >>> import numpy as np
     >>> X = np.array([[0, 0], [0, 1], [9, 0], [9, 1], [9, 2]], dtype=np.float32)
     >>> tree = HierarchicalKMeans(branching=2, max_clusters=3).fit(X)
     >>> codes = tree.assign(X, n_clusters=2)
@@ -108,7 +102,7 @@ class HierarchicalKMeans(BaseEstimator):
     (3, 2)
     """
 
-    #: Attributes that prediction does without: a stored system leaves them out.
+    #: Attributes that prediction does not need; stored systems omit them.
     TRAINING_ONLY = ("training_nodes_",)
     training_nodes_: NDArray[np.int32] | None = None
 
@@ -126,16 +120,14 @@ class HierarchicalKMeans(BaseEstimator):
         return {"max_clusters": max(numbers)}
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
-        """Grow the tree until it can be cut to `max_clusters`.
+        """Grow the tree until it can be cut to `max_clusters`, with two copies of X as float32 in memory.
 
-        Memory: two copies of X as float32 beside X. The bytes of the result do not depend on the number of
-        threads.
+        The bytes of the result do not depend on the number of threads. `y` is ignored.
 
         Parameters
         ----------
         X : array-like of shape (n, D)
             Descriptors, finite; computed in float32.
-        y : ignored
 
         Raises
         ------
@@ -162,7 +154,7 @@ class HierarchicalKMeans(BaseEstimator):
     def _grow(self, points: NDArray[np.float32], n_splits: int) -> None:
         root = make_root(points)
         nodes = [root]
-        # (-gain or its bound, whether the gain is known, node): a bound comes before an equal known gain.
+        # (-gain or its bound, whether the gain is known, node): a bound precedes an equal known gain.
         queue: list[tuple[float, bool, int]] = [(-root.sse, False, 0)]
         split_nodes: list[int] = []
         while queue and len(split_nodes) < n_splits:
@@ -190,18 +182,10 @@ class HierarchicalKMeans(BaseEstimator):
             training_nodes[nodes[index].members] = index
 
     def centers(self, n_clusters: int) -> NDArray[np.float32]:
-        """Return the centres of the cut to `n_clusters`, in the order of the tree's nodes.
+        """Return a copy of the cut's centres, (n_clusters, D) float32, in the order of the tree's nodes.
 
-        Returns
-        -------
-        ndarray of shape (n_clusters, D), float32
-            A copy.
-
-        Raises
-        ------
-        PlacecatError
-            If no cut has this number (the two nearest are named), if the tree was not grown so far, or if the
-            training data cannot give so many (the largest possible number is named).
+        Raises PlacecatError if no cut has this number (it names the two nearest), if the tree was not grown
+        so far, or if the training data cannot give so many (it names the largest number).
         """
         cut = self._cut(n_clusters)
         return self.node_centers_[cut]
@@ -209,25 +193,20 @@ class HierarchicalKMeans(BaseEstimator):
     def assign(self, X: ArrayLike, n_clusters: int) -> NDArray[np.int32]:
         """Find the nearest centre of the cut for each point: its codeword.
 
-        All centres are compared, whatever their place in the tree; ties go to the lowest index
-        (see `nearest_centers`). The thesis does not say whether it descends the tree instead.
+        All centres are compared (see `nearest_centers`); the lowest index wins ties. The thesis does not say
+        whether it descends the tree instead.
 
         Parameters
         ----------
         X : array-like of shape (n, D)
-            Descriptors, finite; n may be 0.
+            Descriptors, finite; n may be 0. Another D than in training raises PlacecatError.
         n_clusters : int
-            A number `centers` accepts.
+            As for `centers`, with its errors.
 
         Returns
         -------
         ndarray of shape (n,), int32
             Codewords in [0, n_clusters).
-
-        Raises
-        ------
-        PlacecatError
-            As `centers`, or if X has another number of dimensions than the training data.
         """
         centers = self.centers(n_clusters)
         points = check_array(X, dtype=np.float32, order="C", ensure_min_samples=0, estimator=self)
@@ -239,26 +218,17 @@ class HierarchicalKMeans(BaseEstimator):
         return nearest_centers(points, centers)[:, 0]
 
     def labels(self, n_clusters: int) -> NDArray[np.int32]:
-        """Return the tree cell of each training point in the cut to `n_clusters`.
+        """Return the tree cell of each training point in the cut, (n,) int32, indices into `centers`.
 
-        This is the partition that k-means found; near borders it differs from `assign`.
-
-        Returns
-        -------
-        ndarray of shape (n,), int32
-            Indices into ``centers(n_clusters)``.
-
-        Raises
-        ------
-        PlacecatError
-            As `centers`, or if the tree came from `from_arrays`.
+        This is the partition that k-means found; near borders it differs from `assign`. Raises PlacecatError
+        like `centers`, and for a tree from `from_arrays`.
         """
         cut = self._cut(n_clusters)
         if self.training_nodes_ is None:
             raise PlacecatError("a loaded codebook does not know its training points: use assign")
         code = np.full(len(self.node_centers_), -1, np.int32)
         code[cut] = np.arange(n_clusters, dtype=np.int32)
-        # Later splits lie below earlier ones, so one pass in order reaches every node below the cut.
+        # Later splits are below earlier ones, so one ordered pass reaches every node below the cut.
         for step, node in enumerate(self.split_nodes_):
             if code[node] >= 0:
                 code[1 + self.branching * step : 1 + self.branching * (step + 1)] = code[node]
@@ -284,7 +254,7 @@ class HierarchicalKMeans(BaseEstimator):
         return np.flatnonzero(in_cut)
 
     def to_arrays(self) -> dict[str, NDArray[Any]]:
-        """Return the tree as plain arrays, for ``numpy.savez``; the training points' cells are left out."""
+        """Return the tree as plain arrays for ``numpy.savez``, without the training points' cells."""
         check_is_fitted(self)
         return {
             "branching": np.array(self.branching, np.int64),
@@ -299,12 +269,9 @@ class HierarchicalKMeans(BaseEstimator):
 
     @classmethod
     def from_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Self:
-        """Rebuild a tree from `to_arrays`' arrays, e.g. from the mapping that ``numpy.load`` returns.
+        """Rebuild a tree from the arrays of `to_arrays`, or from what ``numpy.load`` returns.
 
-        Raises
-        ------
-        PlacecatError
-            If an array is missing or their sizes disagree.
+        Raises PlacecatError if an array is missing or their sizes disagree.
         """
         names = ("branching", "max_clusters", "max_iter", "seed")
         arrays_needed = (*names, "node_centers", "node_sizes", "node_sse", "split_nodes")

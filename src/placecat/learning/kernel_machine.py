@@ -1,4 +1,4 @@
-"""What the two-class classifiers on a Gram matrix share."""
+"""The common base of the two-class classifiers on a Gram matrix."""
 
 from abc import abstractmethod
 from collections.abc import Sequence
@@ -19,9 +19,9 @@ from placecat.learning.kernels import (
 
 
 class KernelMachine:
-    """A sum over support vectors, which decides between two classes.
+    """A two-class classifier whose decision is a sum over support vectors.
 
-    A subclass has the parameter `gamma` and `fit_rows`, which sets `support_`, `dual_coef_`, `intercept_`.
+    A subclass has the parameter `gamma` and a `fit_rows` that sets `support_`, `dual_coef_` and `intercept_`.
 
     Attributes
     ----------
@@ -41,22 +41,19 @@ class KernelMachine:
     intercept_: float
     classes_: NDArray[Any]
     support_vectors_: NDArray[np.float32]
-    #: dtype of the Gram matrix the machine works on without a copy.
+    #: dtype of the Gram matrix that the machine uses without a copy.
     gram_dtype: DTypeLike = np.float32
 
     def __sklearn_tags__(self) -> Any:
-        """What scikit-learn has to know: there are two classes."""
+        """Tell scikit-learn that there are two classes."""
         tags = super().__sklearn_tags__()  # type: ignore[misc]
         tags.classifier_tags.multi_class = False
         return tags
 
     def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
-        """Fit on samples (n, D) real and labels (n,) of exactly two classes.
+        """Fit on real samples (n, D) and labels (n,) of exactly two classes.
 
-        Raises
-        ------
-        PlacecatError
-            If there are not two classes, or a setting is impossible.
+        Raises PlacecatError for another number of classes, or an impossible setting.
         """
         samples = check_samples(X)
         self.classes_, positive = encode_two_classes(y, len(samples))
@@ -75,6 +72,8 @@ class KernelMachine:
     ) -> Self:
         """Fit on some rows of a Gram matrix.
 
+        Raises PlacecatError if only one class is among the rows, or a setting is impossible.
+
         Parameters
         ----------
         shared
@@ -84,36 +83,26 @@ class KernelMachine:
         rows
             Ascending indices of the training samples, all by default.
         context
-            What the messages call this problem.
-
-        Raises
-        ------
-        PlacecatError
-            If only one class is among the rows, or a setting is impossible.
+            The problem's name in messages.
         """
 
     def prepare(
         self, X: NDArray[np.float32], gram: NDArray[Any] | None = None, n_jobs: int | None = None
     ) -> NDArray[Any]:
-        """Give what all classes and folds share: the Gram matrix in the dtype the machine wants.
+        """Compute the Gram matrix that all classes and folds share.
 
         Parameters
         ----------
         X
             (n, D) float32.
         gram
-            (n, n) of the same samples and the same gamma, to be taken instead of computing it.
+            A ready (n, n) matrix of the same samples and gamma. Another shape raises PlacecatError.
         n_jobs
             Threads.
 
         Returns
         -------
-        (n, n) of `gram_dtype`, C-contiguous; `gram` itself where it already is that.
-
-        Raises
-        ------
-        PlacecatError
-            If `gram` has another shape.
+        (n, n) of `gram_dtype`, C-contiguous; `gram` itself if it is both.
         """
         if gram is None:
             return rbf_gram(X, self.gamma, dtype=self.gram_dtype, n_jobs=n_jobs)
@@ -124,7 +113,7 @@ class KernelMachine:
         return np.ascontiguousarray(gram, dtype=self.gram_dtype)
 
     def decide_rows(self, shared: NDArray[Any], rows: NDArray[np.intp]) -> NDArray[np.float64]:
-        """Evaluate on rows of the Gram matrix `shared` (n, n); gives (len(rows),) float64."""
+        """Evaluate on rows of the Gram matrix `shared` (n, n): (len(rows),) float64."""
         weights = np.zeros(len(shared), dtype=shared.dtype)
         weights[self.support_] = self.dual_coef_
         # A slice of the matrix is a view, an index list a copy.

@@ -1,4 +1,4 @@
-"""The RBF kernel in cache-sized blocks, and expansions in it that several classifiers share."""
+"""The RBF kernel in cache-sized blocks, and kernel expansions that several classifiers share."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -19,53 +19,39 @@ from placecat.learning.single_thread import single_blas_thread
 # Rows and columns of one tile: 2 MiB of float32.
 ROW_TILE = 512
 COLUMN_TILE = 1024
-# The same for predictions, of which each row is as if it were alone.
+# The same for predictions, where each row has the bits that it has alone.
 PREDICTION_ROWS = 480
 PREDICTION_COLUMNS = 912
 
 
 def check_samples(X: ArrayLike, name: str = "X") -> NDArray[np.float32]:
-    """Return `X` as a finite, C-contiguous float32 matrix.
+    """Return `X` as a finite, C-contiguous (n, D) float32 matrix, without a copy if it is one.
 
-    Parameters
-    ----------
-    X
-        (n, D), any real dtype.
-    name
-        How the message calls it.
-
-    Returns
-    -------
-    (n, D) float32; `X` itself where it already is that.
-
-    Raises
-    ------
-    PlacecatError
-        If `X` is sparse, complex, not two-dimensional or empty, or holds NaN or infinite values.
+    Raises PlacecatError, which calls `X` by its `name`, if `X` is sparse, complex, not two-dimensional or
+    empty, or holds NaN or infinite values.
     """
     if issparse(X):
-        raise PlacecatError(f"{name} is sparse, and only dense data are taken: use {name}.toarray()")
+        raise PlacecatError(f"{name} is sparse, but must be dense: use {name}.toarray()")
     samples = np.asarray(X)
-    # They would lose their imaginary parts.
     if samples.dtype.kind == "c":
         raise PlacecatError(f"Complex data not supported: {name} must be real")
     if samples.ndim != 2 or 0 in samples.shape:
         shape = f"{name} has shape {samples.shape}; give a non-empty matrix (samples, features)"
         raise PlacecatError(shape + _short_of(samples))
     samples = np.ascontiguousarray(samples, dtype=np.float32)
-    # A finite sum proves all finite; an overflowing one proves nothing.
+    # A finite sum proves that all values are finite; an overflow proves nothing.
     with np.errstate(over="ignore", invalid="ignore"):
         finite = bool(np.isfinite(samples.sum()))
     if not finite and not np.isfinite(samples).all():
         row = int(np.flatnonzero(~np.isfinite(samples).all(axis=1))[0])
         raise PlacecatError(
-            f"{name} holds NaN or infinite values, first in row {row}; drop or mend these samples"
+            f"{name} holds NaN or infinite values, first in row {row}; drop or fix these samples"
         )
     return samples
 
 
 def _short_of(samples: NDArray[Any]) -> str:
-    """What is missing of a matrix, in the words of scikit-learn, whose checks look for them."""
+    """Say what a matrix lacks, in the words that scikit-learn's own checks expect."""
     if samples.ndim != 2:
         return ". Reshape your data"
     what = "sample" if len(samples) == 0 else "feature"
@@ -73,7 +59,7 @@ def _short_of(samples: NDArray[Any]) -> str:
 
 
 def check_width(X: NDArray[Any], estimator: Any) -> None:
-    """Refuse samples of another number of features than an estimator was fitted on."""
+    """Refuse samples with another number of features than the estimator was fitted on."""
     expected = estimator.n_features_in_
     if X.shape[1] != expected:
         raise PlacecatError(
@@ -83,12 +69,10 @@ def check_width(X: NDArray[Any], estimator: Any) -> None:
 
 
 def check_labels(y: ArrayLike | None, n: int) -> NDArray[Any]:
-    """Return labels (n,) of classes, or refuse them.
+    """Return class labels (n,).
 
-    Raises
-    ------
-    PlacecatError
-        If there are none, not `n` of them, or if they are numbers that are no classes, such as 0.5 and NaN.
+    Raises PlacecatError if there are none or not `n`, or for numbers that are no classes, such as 0.5 and
+    NaN.
     """
     if y is None:
         raise PlacecatError("a classifier requires y to be passed, but the target y is None")
@@ -96,8 +80,8 @@ def check_labels(y: ArrayLike | None, n: int) -> NDArray[Any]:
     if labels.ndim == 2 and labels.shape[1] == 1:
         labels = column_or_1d(labels, warn=True)
     if labels.shape != (n,):
-        raise PlacecatError(f"y has shape {labels.shape} for {n} samples; give one label a sample")
-    # Whole numbers and truth values are classes: that is quick to see.
+        raise PlacecatError(f"y has shape {labels.shape} for {n} samples; give one label per sample")
+    # Integers and booleans are classes and need no closer look.
     if labels.dtype.kind not in "iub":
         try:
             check_classification_targets(labels)
@@ -109,10 +93,7 @@ def check_labels(y: ArrayLike | None, n: int) -> NDArray[Any]:
 def encode_two_classes(y: ArrayLike | None, n: int) -> tuple[NDArray[Any], NDArray[np.bool_]]:
     """Split labels (n,) into the two sorted classes and (n,) bool, true for the second.
 
-    Raises
-    ------
-    PlacecatError
-        As `check_labels`, or if there are not exactly two classes.
+    Raises PlacecatError like `check_labels`, or for another number of classes.
     """
     classes, index = np.unique(check_labels(y, n), return_inverse=True)
     if len(classes) != 2:
@@ -124,9 +105,9 @@ def encode_two_classes(y: ArrayLike | None, n: int) -> tuple[NDArray[Any], NDArr
 
 
 # One product of rows [2 gamma x, -gamma x.x, 1] and columns [y, 1, -gamma y.y] gives -gamma ||x - y||^2.
-# Distances do not move with the origin, but cancellation does: it is put at the mean of y.
+# The origin is the mean of y: it leaves distances alone and reduces cancellation.
 def _columns(Y: NDArray[np.float32], gamma: float) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Give the origin (D,) and the columns (m, D + 2)."""
+    """Return the origin (D,) and the columns (m, D + 2)."""
     origin = Y.mean(axis=0, dtype=np.float64).astype(np.float32)
     columns = np.empty((len(Y), Y.shape[1] + 2), dtype=np.float32)
     np.subtract(Y, origin, out=columns[:, :-2])
@@ -136,7 +117,7 @@ def _columns(Y: NDArray[np.float32], gamma: float) -> tuple[NDArray[np.float32],
 
 
 def _rows(X: NDArray[np.float32], origin: NDArray[np.float32], gamma: float) -> NDArray[np.float32]:
-    """Give the rows (n, D + 2), each as if it were alone."""
+    """Return the rows (n, D + 2), each with the bits that it has alone."""
     rows = np.empty((len(X), X.shape[1] + 2), dtype=np.float32)
     np.subtract(X, origin, out=rows[:, :-2])
     rows[:, -2] = -gamma * squared_lengths(rows[:, :-2])
@@ -146,7 +127,7 @@ def _rows(X: NDArray[np.float32], origin: NDArray[np.float32], gamma: float) -> 
 
 
 def _to_kernel(products: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Give exp of -gamma ||x - y||^2, in place."""
+    """Turn the products into exp of -gamma ||x - y||^2, in place."""
     # Rounding may have made a distance negative.
     np.minimum(products, 0.0, out=products)
     return np.exp(products, out=products)
@@ -161,30 +142,24 @@ def _check_gamma(gamma: float) -> float:
 def rbf_gram(
     X: ArrayLike, gamma: float, dtype: DTypeLike = np.float32, n_jobs: int | None = None
 ) -> NDArray[Any]:
-    """Gram matrix exp(-gamma ||x_i - x_j||^2) of one training set.
+    """Gram matrix exp(-gamma ||x_i - x_j||^2) of one training set, for every class and fold.
 
-    Computed in float32 by blocks of a matrix product; symmetric to the bit with ones on the diagonal. One
-    such matrix serves every class and every fold.
+    Computed in float32 by blocks of a matrix product; symmetric to the bit with ones on the diagonal.
 
     Parameters
     ----------
     X
-        (n, D), converted to float32.
+        (n, D) finite, converted to float32.
     gamma
         Inverse squared width, > 0, in units of 1 / X^2 (thesis 4.2: 2.0; the scale of X is open there).
     dtype
-        Of the result: float32, or float64 as libsvm wants it. The values are those of float32.
+        Of the result: float32, or float64 for libsvm. The values are those of float32.
     n_jobs
         Threads. The result does not depend on it.
 
     Returns
     -------
-    (n, n), values in [0, 1].
-
-    Raises
-    ------
-    PlacecatError
-        If gamma is not above 0, or X is not a finite matrix.
+    (n, n), values in [0, 1]. Raises PlacecatError for another gamma or X.
 
     Examples
     --------
@@ -216,23 +191,10 @@ def rbf_gram(
 
 
 def rbf_cross(X: ArrayLike, Y: ArrayLike, gamma: float) -> NDArray[np.float32]:
-    """Kernel values exp(-gamma ||x_i - y_j||^2) between two sets.
+    """Kernel values exp(-gamma ||x_i - y_j||^2) between X (n, D) and Y (m, D): (n, m) float32 in [0, 1].
 
-    Parameters
-    ----------
-    X, Y
-        (n, D) and (m, D), converted to float32.
-    gamma
-        As in `rbf_gram`.
-
-    Returns
-    -------
-    (n, m) float32 in [0, 1]. `KernelExpansion` never builds the whole of it.
-
-    Raises
-    ------
-    PlacecatError
-        If the widths differ, gamma is not above 0, or an input is not a finite matrix.
+    Raises PlacecatError if the widths differ, gamma is not above 0, or an input is not a finite matrix.
+    `KernelExpansion` never builds this whole matrix.
     """
     rows, columns = check_samples(X), check_samples(Y, "Y")
     if rows.shape[1] != columns.shape[1]:
@@ -249,7 +211,7 @@ class KernelExpansion:
     Attributes
     ----------
     support_vectors
-        (S, D) float32, the union of what the K functions use. S may be 0.
+        (S, D) float32, the union over the K functions. S may be 0.
     coef
         (S, K) float64.
     intercept
@@ -263,7 +225,7 @@ class KernelExpansion:
     intercept: NDArray[np.float64]
     gamma: float
 
-    #: Attributes that prediction does without: a stored system leaves them out.
+    #: Attributes that prediction does not need; stored systems omit them.
     TRAINING_ONLY = ("_prepared",)
 
     @classmethod
@@ -278,7 +240,7 @@ class KernelExpansion:
 
     @cached_property
     def _prepared(self) -> tuple[NDArray[np.float32], list[tuple[RowProducts, RowProducts]]]:
-        """The origin; and for some vectors at a time, what rows and their kernels are multiplied by."""
+        """Return the origin and, for each block of vectors, the factors of rows and of kernels."""
         origin, right = _columns(self.support_vectors, self.gamma)
         coef = self.coef.astype(np.float32)
         parts = [
@@ -287,23 +249,10 @@ class KernelExpansion:
         return origin, [(RowProducts(right[part]), RowProducts(coef[part].T)) for part in parts]
 
     def decisions(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Evaluate all K functions: one matrix product for the kernel, one for the sums.
+        """Evaluate all K functions for finite X (n, D): (n, K) float64. Other matrices raise PlacecatError.
 
-        What a row gives does not depend on the others, to the bit.
-
-        Parameters
-        ----------
-        X
-            (n, D), converted to float32.
-
-        Returns
-        -------
-        (n, K) float64.
-
-        Raises
-        ------
-        PlacecatError
-            If X is not a finite matrix of D columns.
+        One matrix product gives the kernel, one the sums. A row's values do not depend on the others, to the
+        bit.
         """
         samples = check_samples(X)
         width = self.support_vectors.shape[1]

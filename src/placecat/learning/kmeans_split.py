@@ -13,11 +13,11 @@ _CANCELLATION = 1e-4
 
 @dataclass
 class Node:
-    """A cluster while the tree grows; its path is its place in the tree."""
+    """A cluster of the growing tree; its path is its place in the tree."""
 
     path: tuple[int, ...]
     members: NDArray[np.int32]
-    # The members' descriptors minus the centre; empty once the node was split.
+    # The members' descriptors minus the centre; empty after the split.
     points: NDArray[np.float32]
     center: NDArray[np.float64]
     sse: float
@@ -25,16 +25,16 @@ class Node:
 
 
 def make_root(points: NDArray[np.float32]) -> Node:
-    """Give the node of all (n, D) points."""
+    """Make the node of all (n, D) points."""
     center = _sums(points, np.zeros(len(points), np.uint8), 1)[0] / len(points)
     centred = points - center.astype(np.float32)
-    # The rounded centre is what the points are relative to.
+    # Points are relative to the rounded centre.
     origin = center.astype(np.float32).astype(np.float64)
     return Node((), np.arange(len(points), dtype=np.int32), centred, origin, _sum_of_squares(centred))
 
 
 def split_node(node: Node, branching: int, max_iter: int, rng: np.random.Generator) -> list[Node]:
-    """Split a node by k-means; no children where it has fewer than `branching` distinct points."""
+    """Split a node by k-means; without `branching` distinct points it gets no children."""
     points, node.points = node.points, node.points[:0]
     if len(points) < branching:
         return []
@@ -62,7 +62,7 @@ def split_node(node: Node, branching: int, max_iter: int, rng: np.random.Generat
 def seed_clusters(
     points: NDArray[np.float32], n_clusters: int, rng: np.random.Generator
 ) -> NDArray[np.uint16] | None:
-    """Draw k-means++ seeds one by one (one try each, as FLANN) and give each point to its nearest seed."""
+    """Draw k-means++ seeds one by one (one try each, like FLANN); assign each point to its nearest seed."""
     n = len(points)
     norms = np.einsum("ij,ij->i", points, points)
     labels = np.zeros(n, np.uint16)
@@ -131,7 +131,7 @@ def _block_rows(points: NDArray[np.float32]) -> int:
 
 
 def nearest(points: NDArray[np.float32], centers: NDArray[np.float64]) -> NDArray[np.uint16]:
-    """Number of the nearest of a few centres (K, D) for each of (n, D) points, the lowest of equal ones."""
+    """Index of the nearest of a few centres (K, D) for each of (n, D) points; the lowest wins ties."""
     # Not nearest_centers: for a handful of centres the transposed product is faster.
     half_norms = (0.5 * np.einsum("ij,ij->i", centers, centers))[:, None].astype(np.float32)
     centers32 = centers.astype(np.float32)
@@ -156,7 +156,7 @@ def _sums(points: NDArray[np.float32], labels: NDArray[np.integer], n_clusters: 
 
 
 def fill_empty(points: NDArray[np.float32], labels: NDArray[np.uint16], centers: NDArray[np.float64]) -> None:
-    """Give each empty cluster, in place, the point farthest from its centre among clusters of two or more."""
+    """Give each empty cluster, in place, the farthest point from its centre among clusters of two or more."""
     counts = np.bincount(labels, minlength=len(centers))
     empty = np.flatnonzero(counts == 0)
     if len(empty) == 0:

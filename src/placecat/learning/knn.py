@@ -21,15 +21,15 @@ _BLOCK = 1 << 20
 
 
 class ModifiedKNN(ClassifierMixin, BaseEstimator):
-    """Modified K-nearest neighbours: the neighbours are cluster centres that know their classes' frequencies.
+    """Modified K-nearest neighbours: the neighbours are cluster centres with class frequencies.
 
     A set of n points x_k gives, by equations (4) and (5),
 
         p(l | x_1, ..., x_n) ~ 1 / f(l) * prod_k f(l, x_k),    f(l, x_k) = sum_j f(l, c_j) / |x_k - c_j|
 
     over the K centres nearest to x_k; for K = 1 this is equation (2). f(l, c) counts the training points of
-    class l in cluster c, f(l) those of class l. A centre at distance 0 takes all the weight. All in the log
-    domain.
+    class l in cluster c, f(l) those of class l. A centre at distance 0 takes all the weight. Computed with
+    logarithms.
 
     Parameters
     ----------
@@ -38,17 +38,17 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     n_neighbors : int
         K.
     smoothing : float
-        Added to every f(l, c), hence n_clusters times to f(l). The thesis does not give this: with 0 a class
-        never seen in a cluster is vetoed by it; where all classes are, the answer is uniform.
+        Added to every f(l, c), hence n_clusters times to f(l). The thesis does not give this. With 0 a
+        cluster vetoes every class that it has not seen; if it vetoes all, the answer is uniform.
     class_weighting : {"once", "per_region"}
-        "once" divides by f(l) once, as equations (2) and (4) and the text have it. "per_region" divides by
-        f(l)^n, which is what follows from equation (1) with p(c_k | l) = f(c_k, l) / f(l). The two agree for
-        single points and for balanced classes; otherwise "once" favours frequent classes, the more the more
-        regions a frame has.
+        "once" divides by f(l) once, like equations (2) and (4) and the text. "per_region" divides by f(l)^n,
+        which follows from equation (1) with p(c_k | l) = f(c_k, l) / f(l). They agree for single points and
+        for balanced classes; otherwise "once" favours frequent classes, the more the more regions a frame
+        has.
     codebook : HierarchicalKMeans, optional
-        A fitted tree to cut. Default: an own one, grown to `n_clusters` on the training points.
+        A fitted tree to cut. Default: a new one, grown to `n_clusters` on the training points.
     seed : int
-        Seed of the own tree.
+        Seed of the new tree.
 
     Attributes
     ----------
@@ -61,7 +61,6 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
 
     Examples
     --------
-    >>> import numpy as np
     >>> X = np.arange(32, dtype=np.float32).repeat(2)[:, None]
     >>> y = np.where(X[:, 0] < 16, "bathroom", "kitchen")
     >>> model = ModifiedKNN(n_clusters=16).fit(X, y)
@@ -72,7 +71,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     [0, 1]
     """
 
-    #: Attributes that prediction does without: a stored system leaves them out.
+    #: Attributes that prediction does not need; stored systems omit them.
     TRAINING_ONLY = ("codebook", "_pair_distances")
     codebook: HierarchicalKMeans | None = None
     _pair_distances: NDArray[np.float64] | None = None
@@ -140,40 +139,25 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
             )
 
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return p(class | x) of single descriptors.
-
-        Parameters
-        ----------
-        X : array-like of shape (n, D)
-
-        Returns
-        -------
-        ndarray of shape (n, n_classes), float64
-            Rows sum to 1.
-        """
+        """Return p(class | x) of single descriptors (n, D): (n, n_classes) float64, rows sum to 1."""
         check_is_fitted(self)
         points = self._read_points(X)
         return self._normalize(self._log_frequencies(points), np.ones(len(points), np.int64))
 
     def predict_proba_sets(self, X: NDArray[np.floating], counts: ArrayLike) -> NDArray[np.float64]:
-        """Return p(class | x_1, ..., x_n) of the sets of descriptors of frames.
+        """Return p(class | x_1, ..., x_n) of each frame's set of descriptors.
 
         Parameters
         ----------
         X : ndarray of shape (frames, max_regions, D)
-            Descriptors; what lies beyond a frame's count is not read.
+            Descriptors; rows beyond a frame's count are ignored.
         counts : array-like of shape (frames,), integers in [0, max_regions]
-            Regions of each frame.
+            Regions of each frame. Raises PlacecatError if they do not fit X.
 
         Returns
         -------
         ndarray of shape (frames, n_classes), float64
             Rows sum to 1; uniform for a frame without regions (the thesis assumes uniform priors).
-
-        Raises
-        ------
-        PlacecatError
-            If X and counts disagree.
         """
         check_is_fitted(self)
         mask = check_regions(X, counts)
@@ -191,24 +175,14 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         return self.classes_[best]
 
     def update(self, x: ArrayLike, label: object) -> Self:
-        """Learn one more labelled point while running.
+        """Learn one more labelled point x (D,) at run time; `label` is one of `classes_`.
 
         A point at least as close to some centre as the two closest centres are to each other joins its
-        cluster, whose centre moves to the centre of mass. For a point farther from all of them, the two
-        closest clusters merge and the point founds a new one. The number of clusters stays, and of the
-        distances between centres only those to a changed centre are computed again. The codebook is left
-        alone.
+        cluster, whose centre moves to the centre of mass. For a point farther from all centres, the two
+        closest clusters merge and the point founds a new one. The number of clusters stays. Only distances to
+        a changed centre are computed again. The codebook stays unchanged.
 
-        Parameters
-        ----------
-        x : array-like of shape (D,)
-        label : object
-            One of `classes_`.
-
-        Raises
-        ------
-        PlacecatError
-            If the class is unknown, or x has another number of dimensions than the training data.
+        Raises PlacecatError if the class is unknown, or D is not that of the training data.
         """
         check_is_fitted(self)
         point = self._read_points(np.asarray(x)[None])[0].astype(np.float64)
@@ -232,7 +206,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
             return self
         kept, freed = (int(cluster) for cluster in closest)
         sizes = self.frequencies_[[kept, freed]].sum(axis=1)
-        # Two clusters that no training point chose weigh the same.
+        # Two empty clusters weigh the same.
         weights = sizes if sizes.any() else np.ones(2)
         self.centers_[kept] = np.average(self.centers_[[kept, freed]], axis=0, weights=weights)
         self.frequencies_[kept] += self.frequencies_[freed]
@@ -244,7 +218,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         return self
 
     def _measure(self, cluster: int) -> None:
-        """Renew one centre's distances to all others; infinite to itself."""
+        """Update one centre's distances to all others; infinite to itself."""
         assert self._pair_distances is not None
         distances = np.linalg.norm(self.centers_ - self.centers_[cluster], axis=1)
         distances[cluster] = np.inf
@@ -266,7 +240,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         neighbors = nearest_centers(points, self.centers_, self.n_neighbors)
         with np.errstate(divide="ignore"):
             if self.n_neighbors == 1:
-                # The one weight is shared by all classes.
+                # All classes share the one weight.
                 return np.log(frequencies)[neighbors[:, 0]]
             interpolated = np.empty((len(points), len(self.classes_)))
             rows = max(1, _BLOCK // (self.n_neighbors * self.n_features_in_))

@@ -1,4 +1,4 @@
-"""What the multi-class schemes share: one two-class classifier a class, and its p(o_k|x)."""
+"""The common base of the multi-class schemes: one two-class classifier per class, and its p(o_k|x)."""
 
 from collections.abc import Callable, Sequence
 from typing import Any, Self
@@ -32,7 +32,7 @@ class MultiClass:
     machine_class_: NDArray[np.intp]
     cv_outputs_: NDArray[np.float64]
 
-    #: Attributes that prediction does without: a stored system leaves them out.
+    #: Attributes that prediction does not need; stored systems omit them.
     TRAINING_ONLY = ("cv_outputs_",)
 
     def fit(
@@ -43,7 +43,7 @@ class MultiClass:
         gram: NDArray[Any] | None = None,
         class_names: Sequence[str] | None = None,
     ) -> Self:
-        """Fit the K classifiers and what combines them.
+        """Fit the K classifiers and their combination.
 
         Parameters
         ----------
@@ -61,8 +61,8 @@ class MultiClass:
         Raises
         ------
         PlacecatError
-            For fewer than 2 classes, a class of 1 sample, an impossible setting, or a nu that is infeasible
-            under the policy ``refuse``.
+            For fewer than 2 classes, a class of 1 sample, an impossible setting, or an infeasible nu under
+            the policy ``refuse``.
         """
         base = as_base(self.base)
         own, balanced = uses_own(self.sigmoid, base), is_balanced(self.sigmoid_weights)
@@ -91,7 +91,7 @@ class MultiClass:
         return self
 
     def outputs(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Give p(o_k|x) (n, K) of samples (n, D): the mean over the machines of each class."""
+        """Return p(o_k|x) (n, K) of samples (n, D): the mean over the machines of each class."""
         check_is_fitted(self, "scorer_")
         samples = check_samples(X)
         check_width(samples, self)
@@ -111,17 +111,17 @@ class MultiClass:
         index: NDArray[np.intp],
         fit_some: Callable[[Sequence[Problem]], list[FittedProblem]],
     ) -> list[FittedProblem]:
-        """Give the problems to keep, some of them fitted anew."""
+        """Return the final problems, some of them fitted again."""
         return fitted
 
     def _fit_combination(self, index: NDArray[np.intp]) -> None:
-        """Set what the combination needs besides the classifiers; `index` has the class of each sample."""
+        """Fit the combination; `index` has the class of each sample."""
 
 
 def encode_classes(
     X: ArrayLike, y: ArrayLike, class_names: Sequence[str] | None
 ) -> tuple[NDArray[np.float32], NDArray[Any], NDArray[np.intp], list[str]]:
-    """Check training data; gives float32 samples, classes, class index of each sample, names for messages."""
+    """Check training data; return float32 samples, classes, class indices, and names for messages."""
     samples = check_samples(X)
     classes, index = np.unique(check_labels(y, len(samples)), return_inverse=True)
     names = [str(c) for c in classes] if class_names is None else [str(class_names[int(c)]) for c in classes]

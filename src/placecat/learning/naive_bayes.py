@@ -10,7 +10,7 @@ from placecat.learning.discrete_bayes import PRIORS, DiscreteBayes
 from placecat.learning.products import row_products
 from placecat.ranges import OneOf, Positive
 
-# Table look-ups made at once.
+# Table look-ups in one block.
 _BLOCK = 1 << 18
 
 
@@ -18,7 +18,7 @@ class NaiveBayes(DiscreteBayes):
     """p(c_1 = q_1, ..., c_V = q_V | l_i) as the product of the p(c_k = q_k | l_i) (equation 12).
 
     The variables are the codewords of the 16 image cells (section 4.2), or the activations of all clusters of
-    a codebook by an image's regions (3.3.2), where a cluster that is *not* found counts as evidence too.
+    a codebook by an image's regions (3.3.2), where a *missing* cluster is evidence too.
 
     Parameters
     ----------
@@ -28,8 +28,8 @@ class NaiveBayes(DiscreteBayes):
         Values a variable can have: the cluster number, or 2 for activations. Default: the largest code of the
         training data plus 1.
     prior : {"uniform", "frequency"}
-        p(l_i) in equation (10). The thesis does not give this; uniform is what its KNN assumes (3.3.1.1) and
-        what its measure, the mean of the classes' accuracies, asks for.
+        p(l_i) in equation (10). The thesis does not give this; uniform agrees with its KNN (3.3.1.1) and its
+        measure, the mean of the classes' accuracies.
 
     Attributes
     ----------
@@ -44,7 +44,6 @@ class NaiveBayes(DiscreteBayes):
 
     Examples
     --------
-    >>> import numpy as np
     >>> X = np.array([[0, 1], [0, 1], [2, 1], [2, 0]])
     >>> model = NaiveBayes(n_values=3).fit(X, ["bedroom", "bedroom", "kitchen", "kitchen"])
     >>> model.predict([[0, 1], [2, 2]]).tolist()

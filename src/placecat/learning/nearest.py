@@ -1,4 +1,4 @@
-"""The nearest of some centres to each point, exactly, by blocked matrix products."""
+"""Exact nearest centres of points, by blocked matrix products."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,19 +12,17 @@ _BLOCK = 1 << 20
 def nearest_centers(X: ArrayLike, centers: NDArray[np.floating], n_neighbors: int = 1) -> NDArray[np.int32]:
     """Find the nearest centres of each point, nearest first.
 
-    Every centre is compared (no tree descent, no approximation). The comparison is in float32 after the
-    centres' mean is taken off both sides, so centres whose distances differ by less than float32 resolves
-    count as equal; of equal ones the lowest index comes first. What a point gets does not depend on the
-    other points.
+    Every centre is compared, in float32 after subtracting the centres' mean from both sides. Centres whose
+    distances float32 cannot tell apart count as equal; the lowest index wins ties. A point's result does not
+    depend on the other points.
 
     Parameters
     ----------
     X : array-like of shape (n, D), float32
         Points, finite.
     centers : ndarray of shape (N, D)
-        Centres.
     n_neighbors : int
-        How many, in [1, N].
+        In [1, N].
 
     Returns
     -------
@@ -33,7 +31,6 @@ def nearest_centers(X: ArrayLike, centers: NDArray[np.floating], n_neighbors: in
 
     Examples
     --------
-    >>> import numpy as np
     >>> centers = np.array([[0.0, 0.0], [4.0, 0.0], [9.0, 0.0]])
     >>> nearest_centers([[1.0, 0.0], [2.0, 0.0], [8.0, 0.0]], centers, 2)
     array([[0, 1],

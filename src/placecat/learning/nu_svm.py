@@ -17,7 +17,7 @@ POLICIES = ("lower", "refuse")
 
 
 def largest_feasible_nu(n_positive: int, n_negative: int) -> float:
-    """Give 2 min(n+, n-) / n, above which the nu-SVM has no solution.
+    """Return 2 min(n+, n-) / n, above which the nu-SVM has no solution.
 
     References
     ----------
@@ -32,10 +32,10 @@ def largest_feasible_nu(n_positive: int, n_negative: int) -> float:
 
 
 def accepted_nu(nu: float, n_positive: int, n_negative: int) -> float:
-    """Give `nu`, or a value just below the largest feasible one if `nu` reaches it.
+    """Return `nu`, or a value just below the largest feasible one if `nu` reaches it.
 
-    At the very limit every sample of the smaller class is at its bound, and libsvm, which finds the margin
-    from a sample that is not, divides by zero or infinity.
+    At the limit every sample of the smaller class is at its bound. libsvm finds the margin from a sample that
+    is not, and would divide by zero or infinity.
     """
     return min(nu, largest_feasible_nu(n_positive, n_negative) * (1.0 - 1e-7))
 
@@ -49,12 +49,11 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     Parameters
     ----------
     gamma
-        Kernel width, > 0 (thesis 4.2: 2.0). The scale of X it acts on is a choice of `KernelScaling`.
+        Kernel width, > 0 (thesis 4.2: 2.0). `KernelScaling` sets the scale of X.
     nu
         Share of margin errors, in (0, 1] (thesis 4.2: 0.2).
     nu_policy
-        What to do where nu exceeds 2 min(n+, n-) / n: ``lower`` it to that (thesis 4.2 and 4.3), or
-        ``refuse``.
+        If nu exceeds 2 min(n+, n-) / n: ``lower`` it to that (thesis 4.2 and 4.3), or ``refuse``.
     tol
         libsvm's stopping tolerance. The thesis does not give this.
     cache_mb
@@ -65,7 +64,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     classes_
         The two labels, sorted; the second is the positive one. Set by `fit`.
     nu_
-        The nu in force: `nu`; the largest feasible one if lower; doubled as long as there is no margin.
+        The nu in force: `nu`, or the largest feasible one if lower, doubled until there is a margin.
     support_, dual_coef_, intercept_
         As in `KernelMachine`.
     support_vectors_
@@ -82,7 +81,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     ['a', 'b']
     """
 
-    #: The sigmoid of the base's own probability; None: it has none, so Platt's is fitted.
+    #: The sigmoid of the base's own probability; None: Platt's is fitted.
     own_sigmoid: tuple[float, float] | None = None
     gram_dtype = np.float64
 
@@ -101,7 +100,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
         self.cache_mb = cache_mb
 
     def check_parameters(self) -> None:
-        """Raise PlacecatError for a setting that no data could make possible."""
+        """Raise PlacecatError for a setting that no data can make possible."""
         if not 0 < self.nu <= 1:
             raise PlacecatError(f"nu = {self.nu} is outside (0, 1]; the thesis uses 0.2")
         if self.nu_policy not in POLICIES:
@@ -116,10 +115,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     ) -> Self:
         """Fit on some rows of a Gram matrix, without a copy; see `KernelMachine.fit_rows`.
 
-        Raises
-        ------
-        PlacecatError
-            Also if nu is infeasible, or leaves no margin, under the policy ``refuse``.
+        Also raises PlacecatError if nu is infeasible or leaves no margin under the policy ``refuse``.
         """
         import sklearn
         from sklearn.svm import NuSVC
@@ -141,7 +137,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
                     f"{largest:.6g}; lower nu or set nu_policy to 'lower'"
                 )
             logger.info("nu lowered from %g to %.6g for %s (%s)", self.nu, largest, context, counts)
-        # A zero weight leaves a sample out while the matrix stays where it is.
+        # A zero weight leaves a sample out without a copy of the matrix.
         weights = None
         if len(chosen) < len(shared):
             weights = np.zeros(len(shared))
@@ -159,7 +155,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
                     machine.fit(shared, positive, sample_weight=weights)
                 break
             except ValueError as error:
-                # A small nu leaves no margin where samples of both classes coincide; libsvm divides by it.
+                # If samples of both classes coincide, a small nu leaves no margin, and libsvm divides by it.
                 if "not finite" not in str(error):
                     raise
                 if self.nu_policy == "refuse" or nu >= largest:
@@ -170,7 +166,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
                 logger.info("nu raised from %g for %s: no margin", nu, context)
                 nu = min(2 * nu, largest)
         self.nu_ = nu
-        # scikit-learn's support_ counts only the samples of nonzero weight.
+        # scikit-learn's support_ counts samples of nonzero weight only.
         self.support_ = chosen[machine.support_].astype(np.intp)
         self.dual_coef_ = np.asarray(machine.dual_coef_[0], dtype=np.float64)
         self.intercept_ = float(machine.intercept_[0])

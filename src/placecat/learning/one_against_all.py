@@ -1,4 +1,4 @@
-"""One two-class classifier a class, and the parallel probabilistic scheme that combines them."""
+"""The parallel probabilistic scheme: one two-class classifier per class, and their combination."""
 
 from typing import Annotated, Any
 
@@ -21,9 +21,9 @@ PRIORS = ("training", "uniform")
 class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     """The parallel probabilistic multi-class scheme, thesis 3.3.1.2, equations (6) to (9).
 
-    One base classifier a class gives p(o_k|x). With reliabilities p(o_k|l_i) from cross-validation and class
-    frequencies p(l_i), p(l_i|o_k) = p(o_k|l_i) p(l_i) / p(o_k) and p(l_i|x) = sum_k p(l_i|o_k) p(o_k|x),
-    normalised.
+    One base classifier per class gives p(o_k|x). With reliabilities p(o_k|l_i) from cross-validation and
+    class frequencies p(l_i), p(l_i|o_k) = p(o_k|l_i) p(l_i) / p(o_k) and p(l_i|x) = sum_k p(l_i|o_k)
+    p(o_k|x), normalised.
 
     Parameters
     ----------
@@ -35,32 +35,32 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
         :class:`~placecat.learning.calibration.Calibration`: ``samples`` (the default), ``consecutive``,
         ``homes_centred`` or ``homes_averaged``.
     sigmoid
-        Where p(o_k|x) comes from: ``platt`` fits a sigmoid to held-out decision values; ``own`` takes the
-        base's probability: equation (8) for boosting, the logistic likelihood for the RVM. ``auto``: equation
-        (8) for boosting, Platt for nu-SVM and RVM, as dlib does for the thesis.
+        Source of p(o_k|x): ``platt`` fits a sigmoid to held-out decision values; ``own`` takes the base's
+        probability: equation (8) for boosting, the logistic likelihood for the RVM. ``auto`` takes equation
+        (8) for boosting and Platt for nu-SVM and RVM, like dlib and so the thesis.
     sigmoid_weights
         ``balanced`` weighs positives and negatives equally in Platt's sigmoid; ``none`` does not (Platt).
     combination
-        ``parallel``, equation (6); or ``certainty``, the p(o_k|x) normalised, so that the classifier with the
-        highest certainty decides, which 3.3.1.2 mentions as the simpler way.
+        ``parallel``, equation (6); or ``certainty``, the p(o_k|x) normalised: the most certain classifier
+        decides, the simpler way of 3.3.1.2.
     exclusive
-        Divide the p(o_k|x) of a sample by their sum before (6) and (7): (6) is the law of total probability
-        only if exactly one of the o_k happens. False takes them as they are.
+        Divide the p(o_k|x) of a sample by their sum before (6) and (7), since (6) is the law of total
+        probability only if exactly one of the o_k happens.
     reliability
-        What p(o_k|l_i) counts among held-out samples of class i: ``soft``, the mean of p(o_k|x); ``hard``,
-        the share with p(o_k|x) >= 0.5, or, with `exclusive`, where it is the largest. The thesis says
-        "statistics from cross-validating", not which.
+        p(o_k|l_i) over held-out samples of class i: ``soft``, the mean of p(o_k|x); ``hard``, the share with
+        p(o_k|x) >= 0.5 or, with `exclusive`, the share where it is the largest. The thesis says only
+        "statistics from cross-validating".
     reliability_smoothing
-        Added to each count; 0 lets a classifier that never said yes be ignored. The thesis does not give
+        Added to each count; with 0, a classifier that never says yes is ignored. The thesis does not give
         this.
     prior
-        p(l_i): ``uniform``, as the thesis assumes for nearest neighbours (3.3.1.1) and the measure, a mean
-        over places, suggests; or the ``training`` frequencies as it has them here.
+        p(l_i): the ``training`` frequencies, as in the thesis; or ``uniform``, as in its nearest neighbours
+        (3.3.1.1), which suits the measure, a mean over places.
     uncertainty
         gamma of equation (9). beta = gamma (1 / max_k p(o_k|x) - 1) is spread evenly over the classes before
         normalisation. 0 is off.
     folds
-        Parts of the samples that are held out. The thesis does not give this.
+        Held-out parts of the samples. The thesis does not give this.
     n_jobs
         Threads over (class, fold) pairs. The result does not depend on it.
 
@@ -77,10 +77,10 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     sigmoid_
         (M, 2) A <= 0 and B of p = 1 / (1 + exp(A d + B)) of each machine.
     machine_class_
-        (M,) the k of each machine, ascending; p(o_k|x) is the mean over the class's machines. One a class,
-        but for ``homes_averaged``.
+        (M,) the k of each machine, ascending; p(o_k|x) is the mean over the class's machines. Only
+        ``homes_averaged`` has several per class.
     flat_
-        (K,) sigmoids of each class that would have fallen, and are flat.
+        (K,) number of flat sigmoids of each class, see `FittedProblem`.
     cv_outputs_
         (n, K) held-out p(o_k|x) of the training samples.
     nu_
@@ -172,7 +172,7 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
         return np.divide(outputs, total, out=np.full_like(outputs, 1.0 / outputs.shape[1]), where=total > 0)
 
     def combine(self, outputs: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Combine outputs p(o_k|x) (n, K) to distributions p(l_i|x) (n, K), equations (6), (7), (9)."""
+        """Combine outputs p(o_k|x) (n, K) into distributions p(l_i|x) (n, K), equations (6), (7), (9)."""
         proba = outputs
         if self.combination == "parallel":
             proba = sum_products(self._exclude(outputs), self.posterior_)

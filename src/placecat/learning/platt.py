@@ -1,4 +1,4 @@
-"""Probabilities from decision values by a fitted sigmoid."""
+"""Probabilities from decision values, by a fitted sigmoid."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,16 +16,16 @@ def fit_sigmoid(
 ) -> tuple[float, float]:
     """Fit p(positive | d) = 1 / (1 + exp(A d + B)), A <= 0, by maximum likelihood on smoothed targets.
 
-    Targets are (n+ + 1) / (n+ + 2) and 1 / (n- + 2). Newton's method with step halving; the problem is
-    convex. The thesis (3.3.1.2) takes dlib's probabilistic decision function, which is this method.
+    Targets are (n+ + 1) / (n+ + 2) and 1 / (n- + 2). Newton's method with step halving solves the convex
+    problem. The thesis (3.3.1.2) uses dlib's probabilistic decision function, which is this method.
 
-    A larger decision value never makes the positive class less probable: where the best sigmoid falls, the
-    best one that does not is flat, A = 0.
+    A larger decision value never makes the positive class less probable: if the best sigmoid falls, the
+    result is flat, A = 0.
 
     Parameters
     ----------
     decisions
-        (n,) real, best held out by cross-validation.
+        (n,) real, finite and at least one, else PlacecatError; best held out by cross-validation.
     positive
         (n,) bool.
     balanced
@@ -38,11 +38,6 @@ def fit_sigmoid(
     Returns
     -------
     A, at most 0, and B.
-
-    Raises
-    ------
-    PlacecatError
-        If there is no sample, or a decision is not finite.
 
     References
     ----------
@@ -69,7 +64,7 @@ def fit_sigmoid(
     if balanced and n_positive and n_negative:
         weights = np.where(is_positive, 0.5 * len(d) / n_positive, 0.5 * len(d) / n_negative)
 
-    # Standardised decisions make the Hessian well conditioned whatever the units.
+    # Standardised decisions make the Hessian well conditioned in any units.
     shift, scale = float(d.mean()), float(d.std())
     rate = float(np.average(target, weights=weights))
     flat = 0.0, float(np.log((1.0 - rate) / rate))
@@ -106,22 +101,13 @@ def fit_sigmoid(
         else:
             break
         slope, offset, value = slope + step * d_slope, offset + step * d_offset, new
-    # Convex: the best non-falling sigmoid is at the boundary where the best one falls.
+    # By convexity, if the best sigmoid falls, the best non-falling one is at the boundary.
     return flat if slope > 0.0 else (slope / scale, offset - slope * shift / scale)
 
 
 def apply_sigmoid(decisions: NDArray[np.float64], a: ArrayLike, b: ArrayLike) -> NDArray[np.float64]:
-    """Give 1 / (1 + exp(a d + b)) without overflow; `a` and `b` broadcast against `decisions`.
+    """Return 1 / (1 + exp(a d + b)) without overflow, in [0, 1]; NaN stays NaN.
 
-    Parameters
-    ----------
-    decisions
-        (...,) float64. NaN stays NaN.
-    a, b
-        From `fit_sigmoid`.
-
-    Returns
-    -------
-    Same shape, in [0, 1].
+    `decisions` are (...,) float64; `a` and `b`, from `fit_sigmoid`, broadcast against them.
     """
     return expit(-(np.asarray(a) * decisions + np.asarray(b)))

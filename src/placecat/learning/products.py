@@ -1,10 +1,10 @@
-"""Matrix products each of whose rows depends on its own row only, to the bit.
+"""Matrix products whose rows each depend on their own row only, to the bit.
 
-BLAS makes no such promise. It multiplies in tiles, sums in another order at the edges of a matrix than inside
-it, and takes another routine for one row than for many, so that a frame alone would get other last bits than
-the same frame among others. Here every product has one of a few fixed numbers of rows, the last one filled up
-with zeros, and the columns have margins of zeros which take what edges there are. Whether that is enough
-depends on the processor's kernels: it is tried, once for each shape, and if it fails rows go one by one.
+BLAS does not promise this. It multiplies in tiles, sums in another order at the edges of a matrix, and takes
+another routine for one row than for many, so a frame alone would get other last bits than among others. Here
+every product has one of a few fixed numbers of rows, the last filled up with zeros, and the columns have
+margins of zeros for the edges. Whether this suffices depends on the processor's kernels: each shape is tried
+once, and if it fails, rows are multiplied one by one.
 """
 
 from collections.abc import Iterator
@@ -16,19 +16,18 @@ from numpy.typing import ArrayLike, NDArray
 
 from placecat.learning.single_thread import single_blas_thread
 
-# Columns of one product without margins. With them 320, what OpenBLAS's AVX2 kernels of float32 take as one.
+# Columns of one product without margins; with them 320, one block of OpenBLAS's AVX2 kernels of float32.
 _COLUMNS = 304
 # Zero columns on both sides, the tile of these kernels (8) and its double.
 _MARGIN, _TILE = 8, 16
-# Numbers of rows of one product, the preferred first: multiples of 12, a tile of these kernels, where large
-# ones are fast and small ones waste little on few rows.
+# Numbers of rows of one product, preferred first: multiples of 12, a tile of these kernels.
 _ROWS = (48, 240, 12)
-# Columns of random numbers that a shape is tried on, at least.
+# Fewest columns of random numbers to try a shape on.
 _TRIED = 256
 
 
 class RowProducts:
-    """left @ right.T for one `right`, every row of the result as if it were alone.
+    """left @ right.T for one `right`; every row of the result has the bits that it has alone.
 
     Parameters
     ----------
@@ -53,7 +52,7 @@ class RowProducts:
             self._tiles.append(padded)
 
     def __call__(self, left: ArrayLike) -> NDArray[Any]:
-        """Multiply (n, k) rows, converted to the dtype of `right`; gives (n, m). n may be 0."""
+        """Multiply (n, k) rows, converted to the dtype of `right`: (n, m). n may be 0."""
         rows = np.ascontiguousarray(left, dtype=self.dtype)
         m, k = self.shape
         result = np.empty((len(rows), m), self.dtype)
@@ -74,16 +73,9 @@ def row_products(left: ArrayLike, right: ArrayLike) -> NDArray[Any]:
 
 
 def sum_products(left: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Multiply as :func:`row_products` does, for few k: one term after the other, without BLAS.
+    """Multiply (n, k) by (m, k) rows of float64 as :func:`row_products` does: (n, m) float64.
 
-    Parameters
-    ----------
-    left, right
-        (n, k) and (m, k) float64, k at least 1.
-
-    Returns
-    -------
-    (n, m) float64.
+    For few k, at least 1: term by term, without BLAS.
     """
     result = left[:, :1] * right[:, 0]
     for term in range(1, right.shape[1]):
@@ -92,10 +84,10 @@ def sum_products(left: NDArray[np.float64], right: NDArray[np.float64]) -> NDArr
 
 
 def squared_lengths(X: NDArray[np.floating]) -> NDArray[np.float64]:
-    """Sum of squares of each row of (n, k), summed in float64: (n,), every row as if it were alone."""
+    """Sum of squares of each row of (n, k), in float64: (n,), every row as if it were alone."""
     result = np.empty(len(X))
     for start in range(0, len(X), _ROWS[0]):
-        # Converted first: einsum would convert by buffers that end anywhere in a row.
+        # Converted first, since einsum's conversion buffers may end within a row.
         part = np.ascontiguousarray(X[start : start + _ROWS[0]], np.float64)
         np.einsum("ij,ij->i", part, part, out=result[start : start + _ROWS[0]])
     return result
@@ -111,9 +103,9 @@ def _padded(columns: int) -> int:
 
 @cache
 def _numbers_of_rows(k: int, columns: int, dtype: str) -> tuple[int, ...]:
-    """Numbers of rows, falling, whose products agree wherever a row stands; none if none does.
+    """Numbers of rows, falling, whose products agree in every row; empty if none do.
 
-    Tried on random numbers: for one row, repeated, all rows of all products have to be equal to the bit.
+    They are tried on random numbers: all rows of the products of one repeated row must be equal to the bit.
     """
     rng = np.random.default_rng(0)
     agreeing = list(_ROWS)
@@ -130,7 +122,7 @@ def _numbers_of_rows(k: int, columns: int, dtype: str) -> tuple[int, ...]:
 
 
 def _blocks(n: int, sizes: tuple[int, ...]) -> Iterator[tuple[int, int]]:
-    """First row and number of rows of the products that cover n rows, the last one perhaps beyond."""
+    """First row and number of rows of the products that cover n rows; the last may reach beyond them."""
     start = 0
     while start < n:
         rest = n - start
@@ -152,7 +144,7 @@ def _by_blocks(rows: NDArray[Any], tile: NDArray[Any], columns: NDArray[Any], si
 
 
 def _one_by_one(rows: NDArray[Any], tile: NDArray[Any], columns: NDArray[Any]) -> None:
-    # At one address, since a kernel may look at it.
+    # Always at one address, since a kernel may depend on it.
     row = np.empty(rows.shape[1], rows.dtype)
     for number in range(len(rows)):
         row[:] = rows[number]

@@ -1,4 +1,4 @@
-"""Two-class relevance vector machine by fast marginal likelihood maximisation on a shared Gram matrix."""
+"""Two-class relevance vector machine, by fast marginal likelihood maximisation on a shared Gram matrix."""
 
 import logging
 from typing import Self
@@ -19,18 +19,18 @@ logger = logging.getLogger(__name__)
 
 # Rows of the Gram matrix squared at a time: 4 MiB at 8000 samples.
 SQUARE_ROWS = 128
-# Functions whose sparsity factors are renewed every round.
+# Functions whose sparsity factors every round updates.
 SHORTLIST = 1024
 
 
 class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     """Binary relevance vector machine (thesis 3.3.1.2) with the kernel exp(-gamma ||x - y||^2).
 
-    Weights w ~ N(0, diag(1/alpha)) on one basis function a training sample and a bias, logistic likelihood.
+    Weights w ~ N(0, diag(1/alpha)) on one basis function per training sample and a bias, logistic likelihood.
     The evidence is maximised over alpha by adding, re-estimating and deleting one basis function at a time
-    (Tipping and Faul 2003). The Laplace approximation at the mode of w turns the problem into a Gaussian one;
-    many such steps are taken between two Laplace approximations, on the functions in the model and the most
-    promising outside it, and the statistics of all functions are renewed with each approximation.
+    (Tipping and Faul 2003). The Laplace approximation at the mode of w makes the problem Gaussian. Many such
+    steps are taken between two Laplace approximations, on the functions in the model and the most promising
+    outside it. Each approximation updates the statistics of all functions.
 
     Parameters
     ----------
@@ -39,9 +39,9 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     tol
         Stop when one more round raises the log evidence by less than this, in nats a sample.
     max_iter
-        Laplace approximations at most. A message is logged where it is reached.
+        Most Laplace approximations. Reaching it logs a message.
     candidates
-        Basis functions outside the model considered in one round.
+        Basis functions outside the model to consider in one round.
 
     Attributes
     ----------
@@ -73,7 +73,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     ([False, True], True)
     """
 
-    #: The sigmoid of the logistic likelihood; `prefers_own_sigmoid` says what ``calibration="auto"`` takes.
+    #: The sigmoid of the logistic likelihood; see `prefers_own_sigmoid` for the setting ``auto``.
     own_sigmoid: tuple[float, float] | None = (-1.0, 0.0)
     prefers_own_sigmoid = False
     gram_dtype = np.float32
@@ -101,7 +101,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
         rows: NDArray[np.intp] | None = None,
         context: str = "this class",
     ) -> Self:
-        """Fit on some rows of a Gram matrix, which are copied; see `KernelMachine.fit_rows`."""
+        """Fit on a copy of some rows of a Gram matrix; see `KernelMachine.fit_rows`."""
         self.check_parameters()
         chosen = np.arange(len(shared)) if rows is None else rows
         target = positive[chosen].astype(np.float64)
@@ -124,7 +124,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     def _maximise(
         self, gram: NDArray[np.float32], target: NDArray[np.float64], context: str
     ) -> tuple[NDArray[np.intp], NDArray[np.float64], NDArray[np.float64]]:
-        """Maximise the evidence over alpha; basis function n is the bias. Gives active, weights, alpha."""
+        """Maximise the evidence over alpha; basis function n is the bias. Returns active, weights, alpha."""
         tol = self.tol * len(target)
         active = np.array([len(target)])
         basis = _basis(gram, active)
@@ -142,13 +142,13 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
                 mode = _laplace_mode(new_basis, target, alpha, start)
                 risen = mode.evidence - best.evidence
                 if risen <= 0 and steps > 1:
-                    # The Gaussian problem was followed too far: fewer changes from the last good point.
+                    # The Gaussian problem was followed too far: go back, and change less.
                     steps = max(steps // 4, 1)
                     continue
                 if risen > 0:
                     active, basis, best = new_active, new_basis, mode
                     steps = min(2 * steps, most)
-            # A small rise may be due to few changes: it must happen more than once.
+            # A small rise may be due to few changes: convergence takes several.
             small_rises = small_rises + 1 if risen < tol else 0
             if statistics.current and (expected < tol or small_rises > 2):
                 break
@@ -188,7 +188,7 @@ class _Mode:
     def impossible(
         cls, weights: NDArray[np.float64], alpha: NDArray[np.float64], error: NDArray[np.float64]
     ) -> Self:
-        """A model whose functions are too alike for a posterior: no evidence for it, never kept."""
+        """A model whose functions are too alike for a posterior; it is never kept."""
         nothing = np.full((len(alpha), len(alpha)), np.nan)
         return cls(weights, alpha, error, np.full(len(error), np.nan), nothing, -np.inf)
 
@@ -220,7 +220,7 @@ def _laplace_mode(
     value, f = penalised(weights)
     for _ in range(50):
         p = expit(f)
-        # The direction may be rough: gradient and value are not.
+        # Only the direction may be rough, not gradient and value.
         rough = narrow * np.sqrt(p * (1.0 - p)).astype(np.float32)
         hessian = (rough @ rough.T).astype(np.float64)
         hessian[diagonal] += alpha
@@ -257,7 +257,7 @@ def _laplace_mode(
 def _factor(
     basis: NDArray[np.float64], curvature: NDArray[np.float64], alpha: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], bool] | None:
-    """Cholesky factor of basis B basis' + diag(alpha), as of `cho_factor`; None if rounding leaves none."""
+    """Cholesky factor of basis B basis' + diag(alpha), as of `cho_factor`; None if rounding prevents one."""
     scaled = basis * np.sqrt(curvature)
     hessian = scaled @ scaled.T
     hessian[np.diag_indices(len(alpha))] += alpha
@@ -272,8 +272,8 @@ class _Statistics:
     """Sparsity and quality factors of all n kernels and the bias, to find promising functions.
 
     The quality factors are always current. Sparsity factors cost a product of Gram matrix rows with all
-    functions in the model: current for the most promising functions, renewed for all before convergence is
-    declared.
+    functions in the model: they are current for the most promising functions, and updated for all before
+    convergence is declared.
     """
 
     def __init__(self, gram: NDArray[np.float32]) -> None:
@@ -282,7 +282,7 @@ class _Statistics:
         self.current = False
 
     def promising(self, basis: NDArray[np.float64], mode: _Mode, count: int, renew: bool) -> NDArray[np.intp]:
-        """Give the `count` functions, ascending, that would raise the evidence most if added alone."""
+        """Return the `count` functions, ascending, that would raise the evidence most if added alone."""
         gram, n = self.gram, len(self.gram)
         squared_quality = np.empty(n + 1)
         squared_quality[:n] = gram @ mode.error.astype(np.float32)
@@ -357,7 +357,7 @@ class _Surrogate:
         alpha
             (m,) of the functions in the model.
         steps
-            Changes at most.
+            Most changes.
 
         Returns
         -------

@@ -1,4 +1,4 @@
-"""Scaling of descriptors before the kernel: it sets the scale on which gamma acts."""
+"""Scaling of descriptors before the kernel, which sets the scale on which gamma acts."""
 
 from typing import Annotated, Self
 
@@ -18,8 +18,8 @@ KINDS = ("none", "minmax", "standard", "root", "distance", "unit")
 class KernelScaling(TransformerMixin, BaseEstimator):
     """Scale descriptors so that one gamma suits descriptors of any unit and length.
 
-    The thesis gives gamma = 2 but not the scale it acts on. The kinds, with the mean of ||x - y||^2 over
-    distinct training pairs they lead to (D: number of dimensions that vary):
+    The thesis gives gamma = 2 but not its scale. The kinds, with the resulting mean of ||x - y||^2 over
+    distinct training pairs (D: number of dimensions that vary):
 
     - ``none``: x as it is.
     - ``minmax``: each dimension to [0, 1] on the training data; the mean depends on the data.
@@ -37,17 +37,15 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     kind
         One of the above.
     gamma_scale
-        Squared distances are multiplied by it as well, > 0; 1 leaves the means above. It says on which scale
-        gamma acts.
+        A further factor of squared distances, > 0; 1 leaves the means above.
 
     Attributes
     ----------
     offset_
         (D,) float64, subtracted first.
     factor_
-        (D,) float64, multiplied then. 0 for a dimension that is constant in training: it says nothing there,
-        and any other factor would let test values in it dominate. With ``none``, ``distance`` and ``unit``
-        constant dimensions keep their factor.
+        (D,) float64, multiplied then. 0 for a dimension that is constant in training, whose test values could
+        dominate otherwise; but ``none``, ``distance`` and ``unit`` keep the factor of constant dimensions.
     n_features_in_
         D.
 
@@ -62,19 +60,9 @@ class KernelScaling(TransformerMixin, BaseEstimator):
         self.gamma_scale = gamma_scale
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
-        """Learn offset and factor from training data only.
+        """Learn offset and factor from the training data X, (n, D) real and finite. `y` is ignored.
 
-        Parameters
-        ----------
-        X
-            (n, D) real.
-        y
-            Ignored.
-
-        Raises
-        ------
-        PlacecatError
-            If the kind is unknown or X is not a finite matrix.
+        Raises PlacecatError if the kind is unknown or X is another matrix.
         """
         if self.kind not in KINDS:
             raise PlacecatError(f"unknown scaling {self.kind!r}; choose one of {', '.join(KINDS)}")
@@ -106,13 +94,7 @@ class KernelScaling(TransformerMixin, BaseEstimator):
         return self
 
     def transform(self, X: ArrayLike) -> NDArray[np.float32]:
-        """Scale (n, D) samples; gives (n, D) float32.
-
-        Raises
-        ------
-        PlacecatError
-            If X has not D columns or is not finite.
-        """
+        """Scale finite (n, D) samples: (n, D) float32. Other matrices raise PlacecatError."""
         check_is_fitted(self)
         samples = check_samples(X)
         check_width(samples, self)
@@ -130,6 +112,6 @@ class KernelScaling(TransformerMixin, BaseEstimator):
 
 
 def _inverse(spread: NDArray[np.float64], size: NDArray[np.float64]) -> NDArray[np.float64]:
-    # Spread at the rounding of float32 is no spread.
+    # A spread of the size of float32's rounding is none.
     varies = spread > 1e-6 * size
     return np.divide(1.0, spread, out=np.zeros_like(spread), where=varies)

@@ -1,4 +1,4 @@
-"""The sequential multi-class scheme of Mozos: a list of two-class decisions, the strongest first."""
+"""The sequential multi-class scheme of Mozos: a list of two-class decisions, strongest first."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -24,9 +24,9 @@ OUTPUTS = ("product", "decision")
 class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     """Decision list over two-class classifiers, the baseline of thesis 4.8.
 
-    The node of the strongest class decides first; a sample it rejects goes on to the next; what all reject is
-    of the last class in the list. The probability-like output of the class at place k is
-    p(o_k|x) prod_{j before k} (1 - p(o_j|x)), and the last class gets the remainder.
+    The node of the strongest class decides first. A sample that it rejects goes on to the next node; a sample
+    that all reject gets the last class. The probability-like output of the class at place k is p(o_k|x)
+    prod_{j before k} (1 - p(o_j|x)), and the last class gets the remainder.
 
     Parameters
     ----------
@@ -35,19 +35,19 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     order
         Strength of a class's classifier against all others, from its held-out decisions:
         ``balanced_accuracy``, the mean of its two per-class rates, or ``error``, the share of wrong decisions
-        (lowest first), which favours rare classes. Equal ones keep the order of `classes_`. The thesis says
-        "strongest" only.
+        (lowest first), which favours rare classes. Ties keep the order of `classes_`. The thesis says only
+        "strongest".
     training
-        What a node learns from: ``all`` samples, so that the list uses the very classifiers of the parallel
-        scheme (thesis 4.8 compares what is done with their outputs), or the samples of ``remaining`` classes
-        only, without those of earlier nodes. The thesis does not give this.
+        Training samples of a node: ``all``, so that the list shares its classifiers with the parallel scheme
+        (thesis 4.8 compares combinations of their outputs), or those of the ``remaining`` classes, without
+        those of earlier nodes. The thesis does not give this.
     decision
-        What `predict` does: the first node that says yes, else the last class, where yes is the ``sign`` of
-        the two-class decision value, or a ``probability`` p(o_k|x) above 0.5; or the largest of the
-        probability-like output, ``product``. The thesis speaks of negative decisions only, which is the sign.
+        The rule of `predict`: the first node that says yes, else the last class, where yes is a positive
+        ``sign`` of the two-class decision value, or a ``probability`` p(o_k|x) above 0.5; or the largest of
+        the probability-like output, ``product``. The thesis mentions negative decisions, that is the sign.
     output
-        What `predict_proba` gives: the probability-like ``product``, whose largest entry need not be what
-        `predict` decides, or 1 for what `predict` says (``decision``).
+        The result of `predict_proba`: the probability-like ``product``, whose largest entry may differ from
+        `predict`, or 1 for the class of `predict` (``decision``).
 
     Attributes
     ----------
@@ -105,7 +105,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         index: NDArray[np.intp],
         fit_some: Callable[[Sequence[Problem]], list[FittedProblem]],
     ) -> list[FittedProblem]:
-        """Order the nodes; fit those after the first on the remaining classes, if `training` says so."""
+        """Order the nodes; if `training` says so, fit those after the first on the remaining classes."""
         self.strength_ = np.array(
             [
                 self._strength(f.outputs, self._threshold(f.sigmoids), p.positive)
@@ -138,7 +138,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
                 raise PlacecatError(f"unknown {name} {value!r}; choose one of {', '.join(known)}")
 
     def _threshold(self, sigmoids: NDArray[np.float64]) -> float:
-        # The sign: p at decision value 0. A flat sigmoid gives just that to every sample, which is no yes.
+        # The sign: p at decision value 0. A flat sigmoid gives exactly this to every sample, which is no yes.
         return float(expit(-sigmoids[:, 1]).mean()) if self.decision == "sign" else 0.5
 
     def _strength(self, outputs: NDArray[np.float64], threshold: float, positive: NDArray[np.bool_]) -> float:
@@ -148,7 +148,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         return float((right[positive].mean() + right[~positive].mean()) / 2.0)
 
     def combine(self, outputs: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Combine outputs p(o_k|x) (n, K) to what `output` says, (n, K); rows sum to 1."""
+        """Combine outputs p(o_k|x) (n, K) into `output`, (n, K); rows sum to 1."""
         if self.output == "decision":
             return np.eye(len(self.order_))[self.decide(outputs)]
         return self._product(outputs)
@@ -163,11 +163,11 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         return proba
 
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Give `output` (n, K) float64 over `classes_` for samples (n, D); rows sum to 1."""
+        """Return `output` (n, K) float64 over `classes_` for samples (n, D); rows sum to 1."""
         return self.combine(self.outputs(X))
 
     def decide(self, outputs: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Index into `classes_` (n,) that `decision` picks from outputs p(o_k|x) (n, K)."""
+        """Return the index into `classes_` (n,) that `decision` picks from outputs p(o_k|x) (n, K)."""
         if self.decision == "product":
             return self._product(outputs).argmax(axis=1)
         of_class = [self.sigmoid_[self.machine_class_ == k] for k in range(len(self.order_))]

@@ -1,4 +1,4 @@
-"""BLAS held at one thread."""
+"""A limit of one thread for BLAS."""
 
 import threading
 from collections.abc import Iterator
@@ -6,7 +6,7 @@ from contextlib import contextmanager
 from functools import cache
 from typing import Any
 
-# Both numpy's and scipy's BLAS have to be loaded when the libraries are listed.
+# numpy's and scipy's BLAS must be loaded before the libraries are listed.
 import numpy as np  # noqa: F401
 import scipy.linalg  # noqa: F401
 from threadpoolctl import ThreadpoolController
@@ -26,7 +26,7 @@ def _libraries() -> ThreadpoolController:
 def single_blas_thread() -> Iterator[None]:
     """Hold BLAS at one thread, so that sums do not depend on the number of cores.
 
-    The limit belongs to the process: the first of several concurrent users sets it, the last restores it.
+    The limit is per process: the first of several concurrent users sets it, the last restores it.
     """
     global _users, _limit
     with _lock:

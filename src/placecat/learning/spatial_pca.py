@@ -1,4 +1,4 @@
-"""PCA per image cell, and plain PCA as the case of one cell."""
+"""PCA per image cell; plain PCA is the case of one cell."""
 
 from typing import Self
 
@@ -17,7 +17,7 @@ from placecat.ranges import AtLeastOne, Count
 class SpatialPCA(TransformerMixin, BaseEstimator):
     """Reduce each cell's part of a descriptor by its own PCA (spatial PACT, thesis 4.3).
 
-    With 16 cells, 4096 Centrist dimensions become 16 x 64 = 1024. With one cell and a factor it is the PCA
+    With 16 cells, 4096 Centrist dimensions become 16 x 64 = 1024. With one cell and a factor this is the PCA
     reduction of thesis 4.2 (Table 2). Fit it on training homes only.
 
     Parameters
@@ -82,19 +82,10 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
         return self.factor
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
-        """Learn one PCA per cell.
+        """Learn one PCA per cell from X, (n, D) real. `y` is ignored.
 
-        Parameters
-        ----------
-        X
-            (n, D) real, D divisible by `cells`, n larger than the number of components.
-        y
-            Ignored.
-
-        Raises
-        ------
-        PlacecatError
-            If D cannot be divided, the number of components is impossible, or there are too few samples.
+        Raises PlacecatError if D is not divisible by `cells`, the number of components is impossible, or n
+        does not exceed it.
         """
         samples = check_samples(X)
         n, total = samples.shape
@@ -127,12 +118,9 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
         return self
 
     def transform(self, X: ArrayLike) -> NDArray[np.float32]:
-        """Project (n, D) samples; gives (n, cells * components) float32, cell after cell.
+        """Project finite (n, D) samples: (n, cells * components) float32, cell after cell.
 
-        Raises
-        ------
-        PlacecatError
-            If X has not D columns or is not finite.
+        Other matrices raise PlacecatError.
         """
         check_is_fitted(self)
         samples = check_samples(X)

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 
-# Of the classes in order.
+# Names of the classes, in order.
 NAMES = ("circle_1", "circle_2", "circle_3", "circle_4", "around")
 # In half widths of the square, in the order of the classes.
 _MIDDLES = ((-0.5, -0.5), (-0.5, 0.5), (0.5, -0.5), (0.5, 0.5))
@@ -18,7 +18,7 @@ def toy_circles(
 ) -> tuple[NDArray[np.float64], NDArray[np.int16]]:
     """Draw points uniformly from a square with a circle in the middle of each quarter.
 
-    The thesis does not give centres, radii, area or counts; conf/toy says how they were chosen.
+    The thesis gives no centres, radii, area or counts; conf/toy explains our choice.
 
     Parameters
     ----------
@@ -36,11 +36,7 @@ def toy_circles(
     -------
     X, y
         (n, 2) float64, and (n,) int16: 0 to 3 the circles from the lower left upwards, 4 the area around.
-
-    Raises
-    ------
-    PlacecatError
-        A radius or a share out of its range.
+        Raises PlacecatError for a radius or a share out of its range.
 
     Examples
     --------

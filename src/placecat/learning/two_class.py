@@ -1,4 +1,4 @@
-"""Two-class classifiers as the multi-class schemes need them."""
+"""The interface of two-class classifiers for the multi-class schemes."""
 
 from collections.abc import Sequence
 from typing import Any, Protocol, Self, cast
@@ -16,7 +16,7 @@ SIGMOID_WEIGHTS = ("none", "balanced")
 
 
 class TwoClassBase(Protocol):
-    """What a base classifier offers so that classes and folds share its preparation."""
+    """A base classifier whose preparation classes and folds can share."""
 
     own_sigmoid: tuple[float, float] | None
 
@@ -26,7 +26,7 @@ class TwoClassBase(Protocol):
     def prepare(
         self, X: NDArray[np.float32], gram: NDArray[Any] | None = None, n_jobs: int | None = None
     ) -> Any:
-        """Compute what depends on the samples only."""
+        """Compute everything that depends on the samples only."""
 
     def fit_rows(
         self,
@@ -41,11 +41,11 @@ class TwoClassBase(Protocol):
         """Decision values of some of the samples."""
 
     def collect(self, machines: Sequence[Any], X: NDArray[np.float32]) -> Any:
-        """Join fitted machines to one function with `decisions`."""
+        """Join fitted machines into one function with `decisions`."""
 
 
 class _GenericBase:
-    """Adapter: any scikit-learn two-class classifier as a base, without sharing."""
+    """Adapter that makes any scikit-learn two-class classifier a base, without sharing."""
 
     def __init__(self, estimator: Any) -> None:
         self.estimator = estimator
@@ -98,7 +98,7 @@ class _GenericScorer:
 
 
 def as_base(base: Any) -> TwoClassBase:
-    """Give `base` itself if it shares its preparation, else adapt a scikit-learn classifier."""
+    """Return `base` itself if it shares its preparation, else an adapter of a scikit-learn classifier."""
     base = NuSVM() if base is None else base
     adapted: Any = base if hasattr(base, "fit_rows") else _GenericBase(base)
     adapted.check_parameters()
@@ -106,7 +106,7 @@ def as_base(base: Any) -> TwoClassBase:
 
 
 def uses_own(sigmoid: str, base: TwoClassBase) -> bool:
-    """Tell whether the base's own sigmoid is to be used rather than Platt's."""
+    """Whether to use the base's own sigmoid instead of Platt's."""
     if sigmoid not in SIGMOIDS:
         raise PlacecatError(f"unknown sigmoid {sigmoid!r}; choose one of {', '.join(SIGMOIDS)}")
     if sigmoid == "own" and base.own_sigmoid is None:

@@ -1,1 +1,1 @@
-"""Output for people: figures, charts, the page, LaTeX and Markdown."""
+"""Reports for people: figures, charts, the page, LaTeX and Markdown."""

@@ -12,18 +12,18 @@ _NUMBER = r"(\d+(?:\.\d+)?(?:e[+-]?\d+)?)"
 
 
 def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
-    """Give the rows that have a ratio.
+    """Return the rows that have a ratio.
 
     Parameters
     ----------
     benchmarks
-        As :func:`placecat_bench.run.run` writes it, empty cells of numbers as NaN.
+        From :func:`placecat_bench.run.run`, empty cells of numbers as NaN.
 
     Returns
     -------
     DataFrame
         The same columns, ``met`` as a bool and ``target`` as the number in it; and ``is_faster``, whether the
-        target is a least number of times faster, not a largest share of the peer's time.
+        target is a least speed-up, not a largest share of the peer's time.
     """
     rows = benchmarks[benchmarks["ratio"].notna()]
     return rows.assign(
@@ -34,20 +34,20 @@ def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
 
 
 def shown_speed(benchmarks: pd.DataFrame, facts: Mapping[str, str]) -> dict[str, Any]:
-    """Give everything as text for a page.
+    """Return the benchmarks as text for a page.
 
     Parameters
     ----------
     benchmarks
-        As :func:`placecat_bench.run.run` writes it, empty cells of text as "".
+        From :func:`placecat_bench.run.run`, empty cells of text as "".
     facts
-        ``processor``, ``python`` and ``packages`` that it was measured with.
+        ``processor``, ``python`` and ``packages`` of the measurement.
 
     Returns
     -------
     dict
         The ``facts``, and in ``rows`` the piece, input, ours, peer, theirs, ratio, target, met (a bool) and
-        spent of each row. A row of another quantity than seconds has it beside its piece.
+        spent of each row. Quantities other than seconds are named beside the piece.
     """
     return {"facts": facts, "rows": [_shown_row(row) for row in benchmarks.to_dict("records")]}
 
@@ -69,12 +69,12 @@ def _shown_row(row: Mapping[Any, Any]) -> dict[str, Any]:
 
 
 def times(ratio: float) -> str:
-    """A ratio in three digits, or all those before the point."""
+    """A ratio in three digits, or with all digits before the point."""
     return f"{ratio:,.0f}" if ratio >= 1000 else f"{ratio:.3g}"
 
 
 def _amount(value: float, quantity: str) -> str:
-    """A number, times with their unit: below a second milliseconds."""
+    """A number, times with their unit, milliseconds below a second."""
     if pd.isna(value):
         return ""
     if quantity != _SECONDS:

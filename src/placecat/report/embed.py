@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-# Our choice: figures look the same at this quality and are a tenth as large as in PNG.
+# Our choice: figures look the same as in PNG and take a tenth of its size.
 QUALITY = 90
 
 
@@ -20,12 +20,9 @@ class Picture:
 
 
 def embed(png: bytes, quality: int = QUALITY) -> Picture:
-    """Turn a PNG into a data URI, as WebP of a quality of 1 to 100 where that is shorter.
+    """Turn a PNG into a data URI, as WebP of a quality of 1 to 100 if that is shorter.
 
-    Raises
-    ------
-    ValueError
-        If it is no picture.
+    Raises ValueError if it is no picture.
     """
     pixels = cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_UNCHANGED) if png else None
     if pixels is None:

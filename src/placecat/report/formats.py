@@ -1,4 +1,4 @@
-"""A filled table as Markdown and as LaTeX: what was measured first, the published numbers below."""
+"""Filled tables as Markdown and LaTeX: measured numbers first, published ones below."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -8,7 +8,7 @@ import pandas as pd
 from placecat.report.grid import shown_table
 from placecat.templates import environment
 
-# Characters that would end a cell or begin markup.
+# Characters that would end a cell or start markup.
 _MARKDOWN = str.maketrans({"\n": " ", **{character: f"\\{character}" for character in "\\|*`<[]$&"}})
 _LATEX = str.maketrans(
     {
@@ -17,7 +17,7 @@ _LATEX = str.maketrans(
         **{character: f"\\{character}" for character in "&%$#_{}"},
         "~": r"\textasciitilde{}",
         "^": r"\textasciicircum{}",
-        # After the end of a row it would begin an optional argument.
+        # After the end of a row it would start an optional argument.
         "[": "{[}",
         "<": r"\textless{}",
         ">": r"\textgreater{}",
@@ -33,12 +33,12 @@ _LATEX = str.maketrans(
 
 
 def markdown(text: str) -> str:
-    """Escape a text so that Markdown shows it as it is."""
+    """Escape a text so that Markdown shows it literally."""
     return text.translate(_MARKDOWN)
 
 
 def latex(text: str) -> str:
-    """Escape a text so that LaTeX prints it as it is."""
+    """Escape a text so that LaTeX prints it literally."""
     return text.translate(_LATEX)
 
 
@@ -51,9 +51,8 @@ def table_markdown(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Ma
 def table_latex(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]) -> str:
     """Write one filled table as a LaTeX ``table`` environment, which needs ``\\usepackage{booktabs}``.
 
-    Under each row of measured numbers stand the published ones in italics, as standard errors stand under
-    coefficients; footnotes give the reasons of empty cells. Parameters as for
-    :func:`placecat.report.grid.shown_table`.
+    Published numbers are in italics under each row of measured ones, like standard errors under coefficients;
+    footnotes give the reasons of empty cells. Parameters as for :func:`placecat.report.grid.shown_table`.
     """
     # Delimiters that do not clash with LaTeX's braces.
     escaping = environment("placecat.report").overlay(

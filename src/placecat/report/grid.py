@@ -1,4 +1,4 @@
-"""A filled table as a grid for people: rows and columns in order, numbers as text, notes as footnotes."""
+"""Filled tables as grids for people: rows and columns in order, numbers as text, notes as footnotes."""
 
 from collections import Counter
 from collections.abc import Hashable, Mapping, Sequence
@@ -22,13 +22,13 @@ class Cell:
     Attributes
     ----------
     measured, published
-        Percent with two decimals, "" for none; `published` is "n/a" where the thesis has that.
+        Percent with two decimals, "" for none; `published` is "n/a" if the thesis has that.
     difference
-        Measured minus published in points; None unless there are both.
+        Measured minus published in points; None unless both exist.
     spread
-        The largest minus the smallest of the seeds in points; None where nothing is random.
+        The largest minus the smallest of the seeds in points; None if nothing is random.
     seeds
-        Number of seeds, 0 where nothing is random.
+        Number of seeds, 0 if nothing is random.
     mark, published_mark
         Letters of the footnotes on the two numbers, "" for none.
     """
@@ -44,7 +44,7 @@ class Cell:
 
 @dataclass(frozen=True)
 class Row:
-    """A row's name and one cell a column."""
+    """A row's name and one cell per column."""
 
     name: str
     cells: tuple[Cell, ...]
@@ -70,7 +70,7 @@ class Group:
 
 @dataclass(frozen=True)
 class Footnote:
-    """A letter, what it stands for, and on how many cells it stands."""
+    """A letter, its text, and the number of its cells."""
 
     mark: str
     text: str
@@ -102,7 +102,7 @@ class Grid:
 
 
 def make_grid(table: pd.DataFrame) -> Grid:
-    """Arrange a filled table (:func:`placecat.thesis.tables.fill_table`); cells that it lacks are empty."""
+    """Arrange a filled table (:func:`placecat.thesis.tables.fill_table`); missing cells are empty."""
     rows, columns = layout(table)
     footnotes: Counter[str] = Counter()
     cells = {
@@ -130,13 +130,13 @@ def make_grid(table: pd.DataFrame) -> Grid:
 def shown_table(
     settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """What a template shows of one filled table: its grid, its title and sentences about its numbers.
+    """The content of one filled table for a template: its grid, title and sentences about its numbers.
 
     Parameters
     ----------
     settings
-        The table's configuration (``name``; ``number``, None for what is no table of the thesis; ``title``,
-        ``thesis_data``; ``caption``, if the numbers are no percentages).
+        The table's configuration (``name``; ``number``, None if it is not in the thesis; ``title``,
+        ``thesis_data``; ``caption``, if the numbers are not percentages).
     table
         From :func:`placecat.thesis.tables.fill_table`.
     dataset
@@ -171,21 +171,21 @@ def number_text(value: float | None) -> str:
 
 
 def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
-    """Say which of a data set's homes is "Home 1", for those that name a row or a column; "" for none."""
+    """Name the data set's home behind each "Home 1" that labels a row or a column; "" for none."""
     named = {*table["row"], *table["column"]}
     pairs = [(home_label(number), home) for number, home in enumerate(homes, start=1)]
     pairs = [(label, home) for label, home in pairs if label in named]
-    # That Home 1 is home_1 goes without saying.
+    # Home 1 is obviously home_1.
     if all(label.lower() == home.lower().replace("_", " ") for label, home in pairs):
         return ""
     return ", ".join(f"{label} is {home}" for label, home in pairs) + "."
 
 
 def seeds_sentence(table: pd.DataFrame) -> str:
-    """Say how many seeds the numbers are the mean of and how far those lie apart; "" where nothing is random.
+    """State the number of seeds behind the numbers, and their spread; "" if nothing is random.
 
-    The table has the columns measured, spread (points) and seeds; of group, row and column those that it has
-    say where the largest spread is.
+    The table has the columns measured, spread (points) and seeds; its columns among group, row and column
+    locate the largest spread.
     """
     random = table[(table["seeds"] > 1) & table["spread"].notna() & table["measured"].notna()]
     if random.empty:
@@ -202,7 +202,7 @@ def seeds_sentence(table: pd.DataFrame) -> str:
 
 
 def _mark(notes: Notes, kind: Kind, footnotes: Counter[str]) -> str:
-    """Letters of the notes of one kind, e.g. "a,c", after counting them in `footnotes`."""
+    """Letters of the notes of one kind, e.g. "a,c"; counts them in `footnotes`."""
     texts = [note.text for note in notes if note.kind is kind]
     footnotes.update(texts)
     order = list(footnotes)

@@ -1,4 +1,4 @@
-"""How the tables of a run differ from those kept in git."""
+"""Differences of a run's tables from those kept in git."""
 
 import re
 from collections.abc import Mapping
@@ -8,12 +8,12 @@ from enum import Enum
 import pandas as pd
 
 NONE = "none"
-# What a row says of its cell; its other columns say which cell it is, except for the table's number.
+# Content columns of a row; the others, except the table's number, identify its cell.
 _SAID = ("table", "published", "measured", "spread", "seeds", "note", "data")
 
 
 class Grade(Enum):
-    """What a comparison comes to."""
+    """The outcome of a comparison."""
 
     EQUAL = "equal"
     WITHIN = "within the tolerance"
@@ -23,18 +23,18 @@ class Grade(Enum):
 
 @dataclass(frozen=True)
 class TableDifference:
-    """How one table, e.g. ``table_26``, differs.
+    """The differences of one table, e.g. ``table_26``.
 
     Attributes
     ----------
     cells
-        Number of cells with a number, now or kept, that were compared.
+        Number of compared cells: those with a number, now or kept.
     differing
-        How many of them do not have the same number and the same spread over seeds.
+        Number of these whose number or spread over seeds differs.
     largest, where
         The largest difference of a number in points, and the labels of its cell; 0 and "" if there is none.
     appeared, disappeared
-        How many have a number now and had none, and the other way round.
+        Number of cells that have a number only now, and only in the kept table.
     """
 
     name: str
@@ -54,7 +54,7 @@ class TableDifference:
 
 @dataclass(frozen=True)
 class Turned:
-    """A finding whose verdict is not the kept one; `NONE` on the side that lacks the finding."""
+    """A finding whose verdict is not the kept one; `NONE` on a side without the finding."""
 
     finding: str
     kept: str
@@ -63,10 +63,10 @@ class Turned:
 
 @dataclass(frozen=True)
 class Comparison:
-    """How all tables, in the order of their names, and all verdicts of a run differ from kept ones.
+    """The differences of all tables, in the order of their names, and all verdicts from the kept ones.
 
-    `data` are the data sets of kept cells and of these, if not the same; such cells were not compared. Of so
-    many `findings`, those in `turned` have another verdict.
+    `data` are the data sets of kept and of present cells, if they differ; such cells were not compared.
+    `findings` is the number of findings; those in `turned` have another verdict.
     """
 
     tables: tuple[TableDifference, ...]
@@ -91,9 +91,9 @@ class Comparison:
         return worst if worst is not None and worst.largest else None
 
     def grade(self, tolerance: float) -> Grade:
-        """Judge the differences by the points by which a number may differ.
+        """Judge the differences by a tolerance in points.
 
-        A number that appeared or disappeared is beyond any tolerance. A verdict is not, since it may turn
+        A number that appeared or disappeared exceeds any tolerance. A verdict does not, since it may turn
         when a number moves a little.
         """
         if not self.cells:
@@ -109,9 +109,9 @@ def compare(
     findings_now: pd.DataFrame | None = None,
     findings_kept: pd.DataFrame | None = None,
 ) -> Comparison:
-    """Compare what a run made with what was kept.
+    """Compare a run's tables with the kept ones.
 
-    Where the two numbers of a cell are of two data sets, only cells of the same one are compared, and no
+    Cells whose two numbers are of different data sets are not compared; if there are any, neither are
     verdicts.
 
     Parameters
@@ -119,9 +119,9 @@ def compare(
     now, kept
         Name of a table to its filled form, numbers as text or not, empty for none: the columns measured
         (percent), spread (points, may be missing) and data, the data set ("" if unknown); and columns that
-        say which cell a row is, e.g. group, row, column.
+        identify the cell of a row, e.g. group, row, column.
     findings_now, findings_kept
-        A row a finding, with the columns number and verdict; None for no findings.
+        One row per finding, with the columns number and verdict; None for no findings.
     """
     pairs = {
         name: _pairs(_cells(now.get(name)), _cells(kept.get(name)))
@@ -153,7 +153,7 @@ def _cells(table: pd.DataFrame | None) -> pd.DataFrame:
 
 
 def _pairs(now: pd.DataFrame, kept: pd.DataFrame) -> pd.DataFrame:
-    """Cells of both, in order, with what they have now and had."""
+    """Cells of both, in order, with their present and kept content."""
     labels = now.index.append(kept.index.difference(now.index, sort=False))
     sides = (now.reindex(labels).add_suffix("_now"), kept.reindex(labels).add_suffix("_kept"))
     both = pd.concat(sides, axis=1)
@@ -168,7 +168,7 @@ def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
         | (cells[f"{kind}_now"].isna() & cells[f"{kind}_kept"].isna())
         for kind in ("measured", "spread")
     ]
-    # Both have two decimals, their difference in floating point has more.
+    # Both have two decimals; their floating-point difference has more.
     distance = (new - old).abs().round(2).dropna()
     largest = float(distance.max()) if len(distance) else 0.0
     where = ", ".join(filter(None, distance.index[int(distance.argmax())])) if largest else ""
@@ -184,7 +184,7 @@ def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
 
 
 def _compare_verdicts(now: pd.DataFrame, kept: pd.DataFrame) -> tuple[int, tuple[Turned, ...]]:
-    """Count findings, and list those whose verdicts differ."""
+    """Count findings, and list those with another verdict."""
     new, old = (dict(zip(one["number"].astype(str), one["verdict"], strict=True)) for one in (now, kept))
     both = dict.fromkeys([*new, *old])
     turned = (Turned(finding, old.get(finding, NONE), new.get(finding, NONE)) for finding in both)

@@ -4,15 +4,14 @@ from collections.abc import Sequence
 
 from placecat.report.kept import Comparison, Grade
 
-# How many differing tables, verdicts and settings are named.
+# Most differing tables, verdicts and settings to name.
 _TABLES, _VERDICTS, _SETTINGS = 10, 10, 3
 
 
 def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Sequence[str] = ()) -> list[str]:
-    """Say line by line how a run differs, with a tolerance in points.
+    """Describe line by line how a run differs, with a tolerance in points.
 
-    `kept` is where the kept tables are from, e.g. "git HEAD"; `settings` are names of those that are not the
-    kept ones.
+    `kept` is the origin of the kept tables, e.g. "git HEAD"; `settings` are the names of differing settings.
     """
     grade = comparison.grade(tolerance)
     lines = []

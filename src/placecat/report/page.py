@@ -31,7 +31,7 @@ from placecat.report.summary import (
 from placecat.templates import environment
 from placecat.thesis.notes import joined
 
-# CSS pixels a pixel of a figure: 200 pixels an inch are then shown at 125 %.
+# CSS pixels per pixel of a figure: 200 pixels per inch are then shown at 125 %.
 _FIGURE_SCALE = 0.6
 
 
@@ -39,8 +39,8 @@ _FIGURE_SCALE = 0.6
 class Figure:
     """One figure: its number in the thesis, None for an added one; its caption; its name, e.g. "figure_02".
 
-    What was not drawn has no `png`, but a reason why. `pdf` is the same as PDF, a path from the page, "" for
-    none; `settings` are those of the figure, e.g. "frames=300, home=2".
+    A missing figure has no `png`, but a reason. `pdf` is the path of its PDF from the page, "" for none;
+    `settings` are those of the figure, e.g. "frames=300, home=2".
     """
 
     number: int | None
@@ -54,7 +54,7 @@ class Figure:
 
 @dataclass(frozen=True)
 class Report:
-    """All that the page shows.
+    """The content of the page.
 
     Attributes
     ----------
@@ -64,31 +64,28 @@ class Report:
         For each home the number of frames of each place, and ``unlabelled``.
     data_version
         Checksum of the data.
-    tables
-        In any order.
-    figures
+    tables, figures
         In any order.
     in_text
-        Numbers that the thesis gives in its text: columns name, section, quantity, home, published, measured,
+        Numbers that only the thesis's text has: columns name, section, quantity, home, published, measured,
         spread, seeds, notes.
     findings
-        From :func:`placecat.thesis.findings.ledger`: number, section, claim, published, measured,
-        difference, low, high, units, verdict, one ``verdict_...`` a reading, reason.
+        From :func:`placecat.thesis.findings.ledger`: number, section, claim, published, measured, difference,
+        low, high, units, verdict, one ``verdict_...`` per reading, reason.
     comparisons
         From there too; shown without the names of the results.
     settings
         Content of params.yaml.
     times
-        A kept record of how long a run took, None if there is none: ``stages``, a table of stage, runs (of a
-        stage with several items, such as homes) and seconds; ``data``, what it ran on, for people; ``cores``
-        of the machine; and ``total``, the seconds of the whole run.
+        A kept record of a run's times, None if there is none: ``stages``, a table of stage, runs (of a stage
+        with several items, such as homes) and seconds; ``data``, its data, for people; ``cores`` of the
+        machine; and ``total``, the seconds of the whole run.
     speed, scale
         Kept records from :func:`placecat.report.benchmarks.shown_speed` and
-        :func:`placecat.report.scale.shown_scale`, None if there are none; each with ``chart``, a PNG, None if
-        there is nothing to draw.
+        :func:`placecat.report.scale.shown_scale`, None if there are none; each with ``chart``, a PNG or None.
     explanations
         From :func:`placecat.explain.text.explanations`, with ``stages``
-        (:func:`placecat.explain.lines.stage_texts`); None for a page whose cells cannot be asked.
+        (:func:`placecat.explain.lines.stage_texts`); None for a page without explanations of cells.
     """
 
     dataset: Mapping[str, Any]
@@ -107,7 +104,7 @@ class Report:
 
 
 def page_html(report: Report) -> str:
-    """Render the page: the same report gives the same text."""
+    """Render the page; equal reports give equal text."""
     tables = {one.settings["number"]: _shown_table(one) for one in report.tables if one.settings["number"]}
     additions = [_shown_table(one) for one in report.tables if not one.settings["number"]]
     figures = {one.number: _shown_figure(one) for one in report.figures if one.number}
@@ -150,13 +147,13 @@ def page_html(report: Report) -> str:
 
 
 def anchor(settings: Mapping[str, Any]) -> str:
-    """Where a table stands on the page: ``table-26``, or its name with hyphens if it has no number."""
+    """Anchor of a table on the page: ``table-26``, or its name with hyphens if it has no number."""
     number = settings["number"]
     return f"addition-{settings['name']}".replace("_", "-") if number is None else f"table-{number}"
 
 
 def duration(seconds: float) -> str:
-    """E.g. "2 h 5 min", "4 min 3 s" or "0.8 s"."""
+    """Seconds as e.g. "2 h 5 min", "4 min 3 s" or "0.8 s"."""
     if seconds < 9.95:
         return f"{seconds:.1f} s"
     minutes, rest = divmod(round(seconds), 60)
@@ -166,7 +163,7 @@ def duration(seconds: float) -> str:
 
 
 def page_templates() -> Any:
-    """Templates of pages, with the filters that they use."""
+    """Templates of pages, with their filters."""
     templates = environment("placecat.report").overlay()
     templates.filters = templates.filters | {
         "at": _at,
@@ -198,21 +195,21 @@ def _shown_figure(figure: Figure) -> dict[str, Any]:
 
 
 def shown_picture(png: bytes) -> dict[str, Any]:
-    """A picture as a data URI, ``source``, with the ``width`` and ``height`` to show it at, in CSS pixels."""
+    """A picture as a data URI, ``source``, with its displayed ``width`` and ``height`` in CSS pixels."""
     picture = embed(png)
     width, height = (round(pixels * _FIGURE_SCALE) for pixels in (picture.width, picture.height))
     return {"source": picture.source, "width": width, "height": height}
 
 
 def _with_chart(record: Mapping[str, Any] | None) -> dict[str, Any] | None:
-    """A record with its chart ready to be shown."""
+    """A record with its chart ready for display."""
     if record is None:
         return None
     return {**record, "chart": None if record["chart"] is None else shown_picture(record["chart"])}
 
 
 def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
-    """Numbers in the text by what they are about."""
+    """Numbers in the text, grouped by subject."""
     entries = []
     for name, part in in_text.groupby("name", sort=False):
         rows = [
@@ -237,7 +234,7 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
 
 
 def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
-    """The cell of a number in the text; one that is no percentage may have more decimals than two."""
+    """The cell of a number in the text; if it is no percentage, it may have more than two decimals."""
     cell = make_cell(*(record[key] for key in ("measured", "published", "spread", "seeds")))
     values = [value for value in (record["measured"], record["published"]) if pd.notna(value)]
     if all(value == round(value, 2) for value in values):
@@ -249,7 +246,7 @@ def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
 
 
 def _records(table: pd.DataFrame) -> list[dict[str, Any]]:
-    """Rows as dictionaries, None for what is missing."""
+    """Rows as dictionaries, None for missing values."""
     return [
         {str(name): None if pd.isna(value) else value for name, value in record.items()}
         for record in table.to_dict("records")
@@ -257,7 +254,7 @@ def _records(table: pd.DataFrame) -> list[dict[str, Any]]:
 
 
 def _plain(table: pd.DataFrame) -> dict[str, Any]:
-    """A table of any columns: which are numbers, and all cells as text."""
+    """A table of any columns: which of them are numbers, and all cells as text."""
     numeric = {name: pd.api.types.is_numeric_dtype(table[name]) for name in table.columns}
     columns = [{"name": str(name).replace("_", " "), "numeric": numeric[name]} for name in table.columns]
     rows = [[_number(value) for value in row] for row in table.itertuples(index=False)]
@@ -265,14 +262,14 @@ def _plain(table: pd.DataFrame) -> dict[str, Any]:
 
 
 def _number(value: Any) -> str:
-    """Whole numbers as they are, others with two decimals, None and NaN as "", text as it is."""
+    """Whole numbers without decimals, others with two, None and NaN as "", text unchanged."""
     if value is None or isinstance(value, float):
         return number_text(value)
     return str(value)
 
 
 def _breakable(text: str) -> Markup:
-    """Let a long label break after a plus."""
+    """Allow a line break after a plus in a long label."""
     return escape(text).replace("+", Markup("+<wbr>"))
 
 
@@ -282,18 +279,18 @@ def _signed(value: float) -> str:
 
 
 def _at(points: float, limit: float) -> str:
-    """Where a value lies on an axis of 100 pixels from -limit to limit; what is beyond lies at its end."""
+    """Position of a value on an axis of 100 pixels from -limit to limit; values beyond are at its end."""
     return f"{50 + 46 * max(-limit, min(limit, points)) / limit:.1f}"
 
 
 def _interval_limit(findings: pd.DataFrame) -> float:
-    """Points at the ends of the axis on which the ledger draws its intervals: at most 25, a multiple of 5."""
+    """Points at the ends of the axis for the ledger's intervals: at most 25, a multiple of 5."""
     bounds = findings[["difference", "low", "high"]].apply(pd.to_numeric, errors="coerce").abs().max().max()
     return 5.0 if pd.isna(bounds) else float(min(25.0, 5.0 * max(1.0, -(-bounds // 5))))
 
 
 def _json(content: Mapping[str, Any] | None) -> Markup | None:
-    """Compact JSON that may stand in a script element."""
+    """Compact JSON, safe in a script element."""
     if content is None:
         return None
     text = json.dumps(content, ensure_ascii=False, separators=(",", ":"))
@@ -301,7 +298,7 @@ def _json(content: Mapping[str, Any] | None) -> Markup | None:
 
 
 def _blocks(settings: str) -> list[dict[str, str]]:
-    """The settings cut at their outermost names, each with its lines."""
+    """The settings cut at their outermost names, with the lines of each."""
     blocks: list[dict[str, str]] = []
     for line in settings.splitlines():
         if not blocks or (line and not line.startswith((" ", "-", "#"))):

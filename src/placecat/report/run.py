@@ -1,4 +1,4 @@
-"""A finished run for the figures: frames, maps, features, codebooks, distributions, read on demand."""
+"""A finished run as figures read it, on demand: frames, maps, features, codebooks, distributions."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
@@ -28,7 +28,7 @@ KEPT_FRAMES = 8
 
 
 class Run:
-    """A finished run, read from the project's folder; the only thing that opens files for figures.
+    """A finished run, read from the project's folder; only this class opens files for figures.
 
     Anything that the run lacks raises PlacecatError, e.g. a result that was not computed.
 
@@ -49,10 +49,7 @@ class Run:
     def threshold(self, name: str) -> float:
         """The threshold of an information filter.
 
-        Raises
-        ------
-        PlacecatError
-            There is no such filter, or it has a share of frames instead.
+        Raises PlacecatError if there is no such filter, or it has a share of frames instead.
         """
         value = settings.get(self.params, f"filters.{name}.threshold")
         if value is None:
@@ -60,28 +57,28 @@ class Run:
         return float(value)
 
     def options(self, figure: str) -> Mapping[str, Any]:
-        """The settings of one figure, ``figures.<figure>``; empty where it has none."""
+        """The settings of one figure, ``figures.<figure>``; empty if it has none."""
         return settings.get(self.params, "figures").get(figure) or {}
 
     @cached_property
     def results(self) -> Results:
-        """Everything that was measured."""
+        """All measurements."""
         return read_results(self.params)
 
     @cached_property
     def sources(self) -> dict[str, Source]:
-        """Where the distributions of each result are."""
+        """The files of each result's distributions."""
         return sources(self.params)
 
     def source(self, result: str) -> Source:
-        """Where the distributions of one result are."""
+        """The files of one result's distributions."""
         if result not in self.sources:
             known = ", ".join(sorted(self.sources)) or "none"
             raise PlacecatError(f"there are no distributions of {result!r} in this run, only of {known}")
         return self.sources[result]
 
     def proba(self, result: str, home: str, seed: str | None = None) -> NDArray[np.float64]:
-        """(frames, classes) distributions of a result on a test home, with "seed-0", say, or the first."""
+        """(frames, classes) distributions of a result on a test home, for a seed ("seed-0") or the first."""
         source = self.source(result)
         if home not in source.homes:
             raise PlacecatError(f"{result} has no test home {home!r}, only {', '.join(source.homes)}")
@@ -98,7 +95,7 @@ class Run:
         return listing.read_labels(home)
 
     def sequence_slices(self, home: str) -> list[slice]:
-        """The stretches of a home's frames that were filmed without a cut."""
+        """The stretches of a home's frames without a cut."""
         return listing.sequence_slices(home)
 
     def home_facts(self, home: str) -> Mapping[str, Any]:
@@ -108,16 +105,8 @@ class Run:
     def frames(self, home: str, indices: Iterable[int]) -> Iterator[tuple[int, Frame]]:
         """Decode some frames of a home in one pass.
 
-        Parameters
-        ----------
-        home
-            A home of the main data set, or one of another, e.g. ``university/north_2_cloudy_2``.
-        indices
-            From 0, in any order.
-
-        Yields
-        ------
-        Index and frame, (H, W, 3) uint8 BGR; each index once, ascending.
+        `home` is one of the main data set, or of another, e.g. ``university/north_2_cloudy_2``; `indices`
+        count from 0, in any order. Yields index and frame, (H, W, 3) uint8 BGR; each index once, ascending.
         """
         rows = sorted({int(index) for index in indices})
         self._need(paths.sequences(home) / "frames.csv")
@@ -131,7 +120,7 @@ class Run:
         yield from zip(rows, decoded, strict=True)
 
     def frame(self, home: str, index: int) -> Frame:
-        """(H, W, 3) uint8 BGR, one frame of a home; do not write on it."""
+        """One frame of a home, (H, W, 3) uint8 BGR; do not write to it."""
         key = (home, int(index))
         if key not in self._frames:
             if len(self._frames) >= KEPT_FRAMES:
@@ -144,7 +133,7 @@ class Run:
         return compute_maps(self.frame(home, index), **settings.get(self.params, "attention"))
 
     def saliency(self, home: str, index: int) -> Saliency:
-        """The saliency map of one frame and what it was fused from."""
+        """The saliency map of one frame and its parts."""
         known = settings_of(saliency)
         options = {
             name: value for name, value in settings.get(self.params, "regions").items() if name in known
@@ -163,7 +152,7 @@ class Run:
     def descriptors(
         self, home: str, name: str, rows: Sequence[int] | NDArray[np.int64] | None = None
     ) -> Descriptors:
-        """Descriptors of a home's frames, all if None, as a codebook, e.g. ``hog_y``, clusters them."""
+        """Descriptors of a home's frames (None for all), as clustered by a codebook, e.g. ``hog_y``."""
         descriptor = settings.get(self.params, f"codebooks.{name}.descriptor")
         return store.read_descriptors(home, descriptor, None if rows is None else np.asarray(rows, np.int64))
 
@@ -181,15 +170,14 @@ class Run:
         raise PlacecatError(f"there is no home {home!r} in dataset.homes: {', '.join(self.homes)}")
 
     def training_frames(self, home: str) -> NDArray[np.int64]:
-        """Indices of the frames of a home that cues and codebooks train on (thesis 4.2)."""
+        """Indices of the frames of a home that train cues and codebooks (thesis 4.2)."""
         return protocol.select_frames(self.labels(home), **settings.get(self.params, "protocol.cue_frames"))
 
     @cached_property
     def example(self) -> tuple[str, int]:
-        """Home and frame that Figures 2 to 7 show.
+        """Home and frame of Figures 2 to 7, from ``figures.example``.
 
-        ``figures.example`` names them. Left open they are found: the labelled frame, of this home or of all,
-        that shows most by the information measure.
+        By default it is the labelled frame with the largest information measure, of the given home or of all.
         """
         asked = self.options("example")
         settings.refuse_unknown(asked, ["home", "frame"], "figures.example")
@@ -224,12 +212,9 @@ class Run:
 
 
 def home_of(run: Run, number: int) -> str:
-    """Give a home by its number, from 1 as in the thesis; the last one if there are fewer.
+    """Return a home by its number, from 1 as in the thesis; the last one if there are fewer.
 
-    Raises
-    ------
-    PlacecatError
-        If the number is below 1.
+    Raises PlacecatError for a number below 1.
     """
     if number < 1:
         raise PlacecatError(f"homes of figures are counted from 1: there is no home {number}")

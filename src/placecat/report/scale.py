@@ -13,7 +13,7 @@ ALL = "all"
 def seconds_by_size(measured: pd.DataFrame) -> pd.DataFrame:
     """Sum the items of each stage of reports/scale.csv.
 
-    The index is the stage, in the order they ran, and ``all``; a column has CPU seconds for a number of
+    The index is the stage, in order of time, and ``all``; each column has the CPU seconds for a number of
     frames.
     """
     table = measured.pivot_table("cpu_seconds", "stage", "frames", aggfunc="sum", sort=False)
@@ -23,10 +23,10 @@ def seconds_by_size(measured: pd.DataFrame) -> pd.DataFrame:
 
 
 def shown_scale(measured: pd.DataFrame, growth: pd.DataFrame, facts: Mapping[str, Any]) -> dict[str, Any]:
-    """Everything in reports/scale.csv, scale_growth.csv and scale.json as text for a page.
+    """reports/scale.csv, scale_growth.csv and scale.json as text for a page.
 
     ``sizes`` are numbers of frames; ``rows`` have the stage, CPU seconds by size, and wall seconds, peak and
-    exponent of the largest size; there are facts of the machine, the largest size and a full run as well.
+    exponent of the largest size; further facts are of the machine, the largest size and a full run.
     """
     by_size = seconds_by_size(measured)
     of_stage = growth[growth["item"] == ""].set_index("stage")

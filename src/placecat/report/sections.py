@@ -1,4 +1,4 @@
-"""The order of the report: the thesis's sections, with the tables and figures of each."""
+"""The order of the report: the thesis's sections, with their tables and figures."""
 
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass, replace
@@ -15,7 +15,7 @@ class Section:
     after: tuple[int, ...] = ()
 
 
-# Figures of chapter 3, which explain the method, stand where what they explain is measured.
+# Figures of chapter 3, which explain the method, stand beside the related measurements.
 THESIS = (
     Section("4.2", "Gist", tables=tuple(range(1, 8))),
     Section("4.3", "Holistic Centrist", tables=tuple(range(8, 11))),
@@ -30,9 +30,9 @@ THESIS = (
 
 
 def arrange(tables: Collection[int], figures: Collection[int]) -> tuple[list[Section], Section]:
-    """Spread the numbers of what there is over the sections.
+    """Distribute the numbers of existing tables and figures over the sections.
 
-    Gives those of `THESIS` that have something, with only what there is; and what has no section.
+    Returns the non-empty sections of `THESIS`, and the rest, which has no section.
     """
 
     def present(wanted: Iterable[int], there: Collection[int]) -> tuple[int, ...]:

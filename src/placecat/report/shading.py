@@ -1,16 +1,16 @@
-"""How strongly a cell is shaded by the difference between measured and published."""
+"""Shades of cells by the difference between measured and published numbers."""
 
 import itertools
 
-# Points; our choice: below the first a difference is within what one seed more or less changes.
+# Points; our choice: smaller differences may be due to the seed.
 STEPS = (2.0, 5.0, 10.0, 20.0)
 
 
 def shade(difference: float | None) -> str:
-    """Name of a cell's shade by measured minus published in points, None for no comparison.
+    """Name of a cell's shade by measured minus published in points; None for no comparison.
 
-    "above-1" to "above-4" or "below-1" to "below-4", the larger the difference the higher; "" for a small
-    difference or none.
+    "above-1" to "above-4" or "below-1" to "below-4", higher for larger differences; "" for a small one or
+    none.
     """
     if difference is None:
         return ""

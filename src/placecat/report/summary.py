@@ -1,4 +1,4 @@
-"""What the report says first: the best cue, its integration and smoothing, and how the findings fare."""
+"""The report's headline: the best cue, its integration and smoothing, and counts of verdicts."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -13,16 +13,16 @@ from placecat.thesis.number import AVERAGE
 INTEGRATION, SMOOTHED = "Integration", "HMM"
 VERDICTS = ("holds", "does not hold", "undecided")
 
-# Accuracies on the VPC-2009 home database in percent, of which the thesis says that Wu et al. published them:
+# Accuracies on the VPC-2009 home database in percent, published by Wu et al. according to the thesis:
 # the holistic Centrist of single frames (4.2), filtered over time (4.2), and SIFT in its place (2.3).
 WU_FRAMES, WU_FILTERED, WU_SIFT = 41.87, 46.78, 39.8
 
 
 @dataclass(frozen=True)
 class Headline:
-    """One group of Table 26 in averages over homes: the best cue, the integration, and that smoothed.
+    """One group of Table 26, averaged over homes: best cue, integration, and smoothed integration.
 
-    `best` and `best_published` name the best single cue here and in the thesis, "" where the group has none.
+    `best` and `best_published` name the best single cue here and in the thesis, "" if the group has none.
     """
 
     group: str
@@ -53,7 +53,7 @@ def best_system(table: pd.DataFrame) -> Best | None:
 
 
 def headlines(table: pd.DataFrame) -> list[Headline]:
-    """Condense Table 26 (:func:`placecat.thesis.tables.fill_table`) to a headline a group, in its order."""
+    """Condense Table 26 (:func:`placecat.thesis.tables.fill_table`) to headlines of its groups, in order."""
     averages = table[table["column"] == AVERAGE]
     return [_headline(str(group), part) for group, part in averages.groupby("group", sort=False)]
 
@@ -76,7 +76,7 @@ def _headline(group: str, part: pd.DataFrame) -> Headline:
 
 
 def _first(rows: pd.DataFrame) -> Mapping[Any, Any]:
-    """The first row; one without numbers if there is none."""
+    """The first row; a row without numbers if there is none."""
     nothing: dict[Any, Any] = {
         "row": "",
         **dict.fromkeys(("measured", "published", "spread", "seeds"), np.nan),
@@ -85,7 +85,7 @@ def _first(rows: pd.DataFrame) -> Mapping[Any, Any]:
 
 
 def readings_of(findings: pd.DataFrame) -> dict[str, str]:
-    """Columns with the verdicts of other readings of the thesis, to the readings' names."""
+    """Columns of verdicts under other readings of the thesis, to the readings' names."""
     first = "verdict_"
     return {name: name.removeprefix(first) for name in findings.columns if name.startswith(first)}
 

@@ -1,4 +1,4 @@
-"""What a run measured: typed results, and where they are on disk."""
+"""Results of a run: their types, and where they are on disk."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -8,30 +8,25 @@ if TYPE_CHECKING:
 
 
 def load(project: Path | str = ".") -> "pd.DataFrame":
-    """Load every number of the tables and of the text as one table, a row a cell.
+    """Load every number of the tables and of the text as one table, one row per cell.
 
     Parameters
     ----------
     project
-        The project's folder.
+        The project's folder. Raises PlacecatError if its stage `report` has not run.
 
     Returns
     -------
     DataFrame
-        ``cell`` is its number (``placecat explain`` takes it); ``table``, ``title``, ``group``, ``row`` and
-        ``column`` say where it stands, and ``home`` is its only test home, or "all". ``quantity`` says what
-        was measured; ``measured``, ``published`` and their ``difference`` are in ``unit``, NaN for none.
+        ``cell`` is its number (for ``placecat explain``); ``table``, ``title``, ``group``, ``row`` and
+        ``column`` say where it stands; ``home`` is its only test home, or "all". ``quantity`` is the measured
+        quantity; ``measured``, ``published`` and their ``difference`` are in ``unit``, NaN for none.
         ``spread`` is the largest minus the smallest of the ``seeds``, which ``seed_names`` and ``by_seed``
-        list. ``note`` says why the two numbers differ, or why one is missing; ``findings`` are those that
-        rest on it. Then what it was made from: ``data`` and ``published_data``; ``results``, ``system``,
-        ``cues``, ``classifiers``, ``descriptors``, ``filter`` and ``plan``; ``trained_on``, and the frames
-        that trained cues (``training_frames``) and integration (``integration_frames``) and were tested
-        (``tested_frames``); ``settings`` as JSON; and DVC's ``stages``.
-
-    Raises
-    ------
-    PlacecatError
-        If the stage `report` has not run.
+        list. ``note`` says why the two numbers differ, or why one is missing; ``findings`` are those that use
+        it. Then its origin: ``data`` and ``published_data``; ``results``, ``system``, ``cues``,
+        ``classifiers``, ``descriptors``, ``filter`` and ``plan``; ``trained_on``, and the numbers of frames
+        that trained the cues (``training_frames``) and the integration (``integration_frames``) and were
+        tested (``tested_frames``); ``settings`` as JSON; and DVC's ``stages``.
     """
     import pandas as pd
 

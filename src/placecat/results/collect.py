@@ -1,4 +1,4 @@
-"""Reading the results that the stage `scores` wrote."""
+"""The results of the stage `scores`, read from disk."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -13,12 +13,9 @@ from placecat.results.quality import TEXT_COLUMNS, from_rows
 
 
 def read_results(params: Mapping[str, Any]) -> Results:
-    """Read every result of a run, whose homes and places all `params` name.
+    """Read every result of a run; raises PlacecatError if the stage `scores` has not run.
 
-    Raises
-    ------
-    PlacecatError
-        If the stage `scores` has not run.
+    `params` name the homes and places.
     """
     others = [split["dataset"]["classes"] for split in settings.get(params, "splits").values()]
     results = from_scores(

@@ -1,4 +1,4 @@
-"""Counts of decisions as tables: of one home, of all homes, as shares."""
+"""Tables of decisions: counts of one home, of all homes, and shares."""
 
 import numpy as np
 import pandas as pd
@@ -9,13 +9,13 @@ ALL_HOMES = "all"
 
 
 def in_home(one: Measured, home: str) -> Measured:
-    """The part of a result that one of its homes is."""
+    """The part of a result for one of its homes."""
     number = one.homes.index(home)
     return Measured((home,), one.seeds, one.classes, one.confusion[:, number : number + 1])
 
 
 def confusion_rows(one: Measured) -> pd.DataFrame:
-    """Counts as a table: home, seed, truth, then a column for each place that was decided."""
+    """Counts as a table: home, seed, truth, then one column per decided place."""
     axes = [one.homes, one.seeds, one.classes]
     labels = pd.MultiIndex.from_product(axes, names=["home", "seed", "truth"])
     counts = one.confusion.swapaxes(0, 1).reshape(-1, len(one.classes))
@@ -23,7 +23,7 @@ def confusion_rows(one: Measured) -> pd.DataFrame:
 
 
 def pooled_rows(one: Measured) -> pd.DataFrame:
-    """Counts over all homes and seeds: truth, then a column for each place that was decided."""
+    """Counts over all homes and seeds: truth, then one column per decided place."""
     labels = pd.Index(one.classes, name="truth")
     return pd.DataFrame(pooled_counts(one), labels, list(one.classes)).reset_index()
 
@@ -34,6 +34,6 @@ def pooled_counts(one: Measured) -> np.ndarray:
 
 
 def shares(counts: np.ndarray) -> np.ndarray:
-    """(classes, classes) percent of the frames of each true place; NaN where there is no frame of it."""
+    """(classes, classes) percent of the frames of each true place; NaN for a place without frames."""
     frames = counts.sum(axis=1, keepdims=True)
     return np.divide(100.0 * counts, frames, out=np.full(counts.shape, np.nan), where=frames > 0)

@@ -1,4 +1,4 @@
-"""Everything that was measured: how often frames of a place were decided to be which place."""
+"""All measurements of a run: counts of decisions by true place."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from placecat.paths import NO_SEED
 SCORE_COLUMNS = ["result", "home", "seed", "truth", "decision", "frames"]
 MISSING_COLUMNS = ["result", "home", "reason"]
 DROPPED_COLUMNS = ["filter", "home", "threshold", "frames", "dropped", "labelled", "dropped_labelled"]
-# Those that are means, the others being counts; and what a table calls them.
+# The measures that are means (the others are counts), and their names in tables.
 MEASURES = {
     "log_loss": "Log loss",
     "calibration_error": "Calibration error",
     "stay_accuracy": "Stay accuracy",
 }
-# Decimals: of nats three, of percent two.
+# Decimals: three for nats, two for percent.
 DECIMALS = {"log_loss": 3, "calibration_error": 2, "stay_accuracy": 2}
 
 
@@ -60,19 +60,19 @@ class Measured:
         return np.array([[class_accuracies(of_home) for of_home in of_seed] for of_seed in self.confusion])
 
     def plain(self) -> NDArray[np.float64]:
-        """(seeds, homes) percentages of all frames, whatever their place."""
+        """(seeds, homes) percentages of all frames, of any place."""
         right = np.diagonal(self.confusion, axis1=2, axis2=3).sum(axis=2)
         frames = self.confusion.sum(axis=(2, 3))
         return np.divide(100.0 * right, frames, out=np.full(right.shape, np.nan), where=frames > 0)
 
     def pooled(self) -> Measured:
-        """The same with the frames of all homes counted as one."""
+        """The same, with the frames of all homes counted as one."""
         return Measured(("all",), self.seeds, self.classes, self.confusion.sum(axis=1, keepdims=True))
 
 
 @dataclass(frozen=True)
 class Quality:
-    """The distributions of one result on some test homes, once for each seed.
+    """Quality of one result's distributions on some test homes, once for each seed.
 
     Attributes
     ----------
@@ -98,12 +98,12 @@ class Quality:
         return values[:, there].mean(axis=1) if there.any() else np.empty(0)
 
     def stay_share(self) -> NDArray[np.float64]:
-        """(seeds,) percent of all stays of all homes that are named rightly; (0,) if there is none."""
+        """(seeds,) percent of all stays of all homes that are named right; (0,) without stays."""
         stays = self.values["stays"].sum(axis=1)
         return 100.0 * self.values["stays_right"].sum(axis=1) / stays if stays.all() else np.empty(0)
 
     def averages(self) -> dict[str, float]:
-        """Each of `MEASURES` as the mean over homes and seeds, rounded; without those that have no number."""
+        """Each of `MEASURES` as the rounded mean over homes and seeds, without those that have no number."""
         means = {measure: self.over_homes(measure) for measure in MEASURES}
         return {name: round(float(one.mean()), DECIMALS[name]) for name, one in means.items() if len(one)}
 
@@ -117,17 +117,18 @@ class Results:
     homes, classes
         Names of the homes and of the places of the main data set, in order.
     measured
-        Name of the result, e.g. ``cues/gist/5-5-1``, to what was measured.
+        Name of the result, e.g. ``cues/gist/5-5-1``, to its measurement.
     missing
-        (result, home) to the reason why it could not be computed on this data.
+        (result, home) to the reason why this data cannot give it.
     stays
-        The same results of further data sets by stay: a stay, a visit to a place, is a "home" here, with
-        frames of a single place.
+        The results of further data sets by stay: each stay, a visit to a place, is a "home" here, with frames
+        of a single place.
     dropped
-        Name of an information filter to what it drops (:func:`placecat.fusion.information_filter.dropped`):
-        columns home, threshold, frames, dropped, labelled, dropped_labelled.
+        Name of an information filter to the frames that it drops
+        (:func:`placecat.fusion.information_filter.dropped`): columns home, threshold, frames, dropped,
+        labelled, dropped_labelled.
     quality
-        Name of a result to how good its distributions are; those of trials are not kept.
+        Name of a result, except trials, to the quality of its distributions.
     """
 
     homes: tuple[str, ...]
@@ -140,18 +141,18 @@ class Results:
 
     @property
     def numbers(self) -> range:
-        """Numbers of the homes, from 1, as the thesis counts."""
+        """Numbers of the homes, from 1 as in the thesis."""
         return range(1, len(self.homes) + 1)
 
     def of(self, name: str) -> Measured:
-        """Look up one result; of an unknown name PlacecatError tells the nearest ones."""
+        """Look up one result; for an unknown name the PlacecatError names the nearest ones."""
         if name not in self.measured:
             near = difflib.get_close_matches(name, self.measured, n=3) or sorted(self.measured)[:5]
             raise PlacecatError(f"there is no result {name!r}: did you mean {' or '.join(near)}?")
         return self.measured[name]
 
     def find(self, name: str) -> Measured | None:
-        """As `of`; None for a result that there is a reason not to have."""
+        """Like `of`; None for a result that is missing for a reason."""
         return None if name not in self.measured and self.reasons(name) else self.of(name)
 
     def reasons(self, name: str) -> list[str]:
@@ -159,7 +160,7 @@ class Results:
         return list(dict.fromkeys(reason for (result, _), reason in self.missing.items() if result == name))
 
     def drops(self, name: str, home: str = "") -> str:
-        """What the information filter of a result drops, in all homes or in one; "" for an unfiltered one."""
+        """The frames that a result's information filter drops, in all homes or one; "" without a filter."""
         homes = next((self.dropped[part] for part in name.split("/")[1:2] if part in self.dropped), None)
         if homes is None:
             return ""
@@ -197,7 +198,7 @@ def mean_and_spread(values: NDArray[np.float64], *, random: bool) -> tuple[float
 
 
 def score_rows(name: str, one: Measured) -> list[tuple[str, str, str, str, str, int]]:
-    """Rows of the score file (`SCORE_COLUMNS`) of one result; pairs that never occurred are left out."""
+    """Rows of one result in the score file (`SCORE_COLUMNS`); pairs without decisions are left out."""
     return [
         (name, one.homes[h], one.seeds[s], one.classes[i], one.classes[k], int(one.confusion[s, h, i, k]))
         for s, h, i, k in np.argwhere(one.confusion).tolist()
@@ -213,7 +214,7 @@ def from_scores(
     stays: pd.DataFrame | None = None,
     dropped: pd.DataFrame | None = None,
 ) -> Results:
-    """Build the results (see there) from the rows that `score_rows` gives, `stays` with stays for homes.
+    """Build the results from the rows that `score_rows` gives; in `stays`, stays replace homes.
 
     Parameters
     ----------

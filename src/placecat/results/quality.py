@@ -1,4 +1,4 @@
-"""How good the distributions of every result are: log-loss, calibration error, and stays named rightly."""
+"""Quality of the distributions of every result: log-loss, calibration error, and stays named right."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from placecat.results.measured import DECIMALS, Quality
 QUALITY_COLUMNS = ["result", "home", "seed", *HomeQuality._fields]
 TEXT_COLUMNS = QUALITY_COLUMNS[:3]
 _COUNTS = ("stays", "stays_right")
-# Of what is written: the last bits of a logarithm depend on the processor.
+# Written decimals: the last bits of a logarithm depend on the processor.
 _DECIMALS = 6
 STAY_SHARE = "stay_share"
 _SHOWN = DECIMALS | {STAY_SHARE: 2}
 
 
 def gather(homes: Sequence[str], seeds: Sequence[str], measured: Sequence[Sequence[HomeQuality]]) -> Quality:
-    """Put the numbers of the homes together, of which `measured` has those of each seed."""
+    """Collect the numbers of the homes; `measured` has them for each seed."""
     values = np.array(measured, np.float64).reshape(len(seeds), len(homes), -1)
     return Quality(
         tuple(homes), tuple(seeds), {field: values[..., k] for k, field in enumerate(HomeQuality._fields)}
@@ -53,12 +53,12 @@ def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
 
 
 def quality_table(found: Mapping[str, Quality]) -> pd.DataFrame:
-    """A row a result: the means over its homes and seeds.
+    """The means of each result over its homes and seeds, one row per result.
 
-    Columns result; homes, seeds (their numbers; 0 where nothing is random); log_loss (nats),
-    calibration_error, stay_accuracy (percent, the mean over the places of a home and over homes); stays, the
-    number of stays; stay_share, percent of all of them that were named rightly; and the ``spread`` of each,
-    the largest minus the smallest of the seeds, NaN where nothing is random.
+    Columns result; homes, seeds (their numbers; 0 if nothing is random); log_loss (nats), calibration_error,
+    stay_accuracy (percent, the mean over the places of a home and over homes); stays, the number of stays;
+    stay_share, the percentage of all stays that were named right; and the ``spread`` of each, the largest
+    minus the smallest of the seeds, NaN if nothing is random.
     """
     rows = []
     for name, one in found.items():

@@ -1,4 +1,4 @@
-"""Where the distributions of every result lie, by the result's name."""
+"""Files of the distributions of every result, by the result's name."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,10 +14,9 @@ from placecat.training import protocol
 
 @dataclass(frozen=True)
 class Source:
-    """The distributions of one result over the places `classes`: an array of a `name` for each home and seed.
+    """Files of one result's distributions over the places `classes`: one array `name` for each home and seed.
 
-    The test homes are called as their folders; `site` is the further data set that they are of, "" for the
-    main one.
+    Test homes have the names of their folders; `site` is their further data set, "" for the main one.
     """
 
     folder: Path
@@ -31,7 +30,7 @@ class Source:
         return tuple(fold_file.seeds_in(self.folder, self.homes[0]))
 
     def file(self, home: str, seed: str) -> Path:
-        """File that has, among others, the array of a test home and seed."""
+        """File with the array, among others, of a test home and seed."""
         return fold_file.path_of(self.folder, home, seed)
 
     def array(self, home: str, seed: str) -> NDArray[np.float64]:
@@ -39,7 +38,7 @@ class Source:
         return fold_file.read(self.file(home, seed), self.name)
 
     def listed(self, home: str) -> str:
-        """The test home as `placecat.listing` takes it."""
+        """The test home's name in `placecat.listing`."""
         return f"{self.site}/{home}" if self.site else home
 
 

@@ -1,1 +1,1 @@
-"""Keep results right when runs are killed, started twice, or their settings change."""
+"""Correct results if runs are killed, started twice, or their settings change."""

@@ -1,9 +1,8 @@
 """DVC as `placecat repro` runs it: ``python -m placecat.runs.dvc repro``.
 
-It writes dvc.lock under another name and renames it, where plain DVC writes in place, so that a run killed
-just then does not lose its records. It says how many stages and how much time are left, and nothing of frozen
-stages, which nobody is to mend. On SIGTERM it ends its stage first, and does so when the run that started
-it is gone.
+It writes dvc.lock under another name and renames it. Plain DVC writes in place, and a run killed at that
+moment loses its records. It prints how many stages and how much time are left, and hides messages about
+frozen stages. On SIGTERM, or when the run that started it is gone, it first ends its stage.
 """
 
 import logging
@@ -33,7 +32,7 @@ def main() -> None:
     os.environ[lifeline.DVC] = str(os.getpid())
     from dvc.utils.serialize import _common
 
-    # What a later DVC calls otherwise, `placecat mend` still mends; a test tells of it.
+    # If a later DVC renames this, a test fails, and `placecat mend` still repairs dvc.lock.
     _common._dump_data = _write_whole
     from dvc.cli import main as dvc
 
@@ -44,14 +43,14 @@ def main() -> None:
 
 
 class _Left(logging.Filter):
-    """Adds to the line of a stage which of the stages it is and how long those from it on may take.
+    """Adds to the line of a stage its number and the time that it and later stages may take.
 
     Parameters
     ----------
     stages
         In order.
     seconds
-        That each took before; those that are missing count nothing.
+        Earlier time of each; missing ones count 0.
     """
 
     def __init__(self, stages: Sequence[str], seconds: Mapping[str, float]) -> None:
@@ -84,7 +83,7 @@ def _stop(number: int, frame: FrameType | None) -> None:
     stage = psutil.Process().children()
     for process in stage:
         process.terminate()
-    # DVC waits for its stage and ends since that failed; it does not heed Ctrl-C meanwhile.
+    # DVC ignores Ctrl-C while it waits for its stage, and ends when that has failed.
     if not stage:
         raise KeyboardInterrupt
 

@@ -1,8 +1,8 @@
-"""End a process soon after the one that started it has ended, for whatever reason.
+"""End a process soon after the one that started it, for any reason.
 
-The run, DVC, a stage and its workers are a chain of processes, of which somebody may kill any one. Each
-watches its parent. The kernel's own signal (PR_SET_PDEATHSIG) is not used: it is for Linux alone, and comes
-too early where a thread started the process, as joblib does.
+The run, DVC, a stage and its workers are a chain of processes, and any of them may be killed. Each watches
+its parent. The kernel's own signal (PR_SET_PDEATHSIG) is not used: it exists only on Linux, and comes too
+early if a thread started the process, as in joblib.
 """
 
 import os
@@ -13,9 +13,9 @@ from types import FrameType
 
 import psutil
 
-# Seconds: how often a process looks, and how long it has to tidy up.
+# Seconds between two looks, and to clean up.
 INTERVAL, GRACE = 0.5, 10.0
-# The process of DVC, in the environment of its stages: a shell may be in between.
+# Environment variable with the process of DVC, for its stages: a shell may be in between.
 DVC = "PLACECAT_DVC"
 
 _watching = False
@@ -30,7 +30,7 @@ def end_with(parent: int) -> None:
 
 
 def end_stage_with_dvc() -> None:
-    """Tidy up on SIGTERM as on Ctrl-C, whichever comes first, and do both if DVC is gone."""
+    """Clean up on SIGTERM as on Ctrl-C, and also when DVC is gone."""
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, _stop)
     if "DVC_STAGE" in os.environ:
@@ -38,8 +38,7 @@ def end_stage_with_dvc() -> None:
 
 
 def _stop(number: int, frame: FrameType | None) -> None:
-    # Once: the terminal and the run that it belongs to may both ask, and tidying up is not to be broken off.
-    # Functions, not SIG_IGN, which processes started now would inherit.
+    # Once: the terminal and the run may both ask, and must not interrupt the clean-up.
     for each in (signal.SIGINT, signal.SIGTERM):
         signal.signal(each, lambda *_: None)
     raise KeyboardInterrupt

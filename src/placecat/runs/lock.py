@@ -1,4 +1,4 @@
-"""One run at a time in a project's folder."""
+"""A lock that allows one run at a time in a project's folder."""
 
 import json
 import sys
@@ -9,22 +9,19 @@ from pathlib import Path
 
 from placecat.errors import PlacecatError
 
-# DVC's folder for what it can lose; git ignores it.
+# DVC's folder for temporary files; git ignores it.
 TEMPORARY = Path(".dvc/tmp")
-# DVC's note of which process reads and writes what.
+# DVC's record of which process reads and writes which path.
 DVC_IN_USE = TEMPORARY / "rwlock"
-# Seconds that the DVC of a run that was killed, and its stage, have to end.
+# Seconds for DVC and its stage to end after their run was killed.
 _ENDING = 12.0
 
 
 @contextmanager
 def alone() -> Iterator[None]:
-    """Keep other runs, and changes of params.yaml, out of this folder during a block. May be nested.
+    """Keep other runs, and changes of params.yaml, out of this folder during a block. Blocks may be nested.
 
-    Raises
-    ------
-    PlacecatError
-        If `placecat repro` or DVC is already running here.
+    Raises PlacecatError if `placecat repro` or DVC is already running here.
     """
     if not TEMPORARY.parent.is_dir():
         yield
@@ -48,19 +45,19 @@ def alone() -> Iterator[None]:
 
 @contextmanager
 def one_at_a_time(stage: str) -> Iterator[None]:
-    """Wait while another process runs the same stage: after its DVC was killed it may still be tidying up."""
+    """Wait while another process runs the same stage: if its DVC was killed, it may still be cleaning up."""
     if not TEMPORARY.parent.is_dir():
         yield
         return
     TEMPORARY.mkdir(exist_ok=True)
-    said = f"Another process makes {stage} here: this one waits for it."
+    said = f"Another process runs the stage {stage} here: this one waits for it."
     with waiting(TEMPORARY / f"placecat.{stage}.lock", said):
         yield
 
 
 @contextmanager
 def waiting(path: Path, said: str) -> Iterator[None]:
-    """Hold a lock during a block; print why this process waits for it, if it does."""
+    """Hold a lock during a block; if it is taken, print why this process waits."""
     from filelock import FileLock, Timeout
 
     lock = FileLock(path)
@@ -76,7 +73,7 @@ def waiting(path: Path, said: str) -> Iterator[None]:
 
 
 def _goes_on(who: str) -> str:
-    return f"a run goes on in this folder ({who}): wait until it has ended, or end it"
+    return f"a run is in progress in this folder ({who}): wait until it ends, or stop it"
 
 
 def _wait_for_dvc() -> None:
@@ -91,7 +88,7 @@ def _wait_for_dvc() -> None:
 
 
 def _dvc_in_use() -> tuple[int, str] | None:
-    """Process and command of a DVC that is running a stage here."""
+    """Process and command of a DVC that runs a stage here."""
     import psutil
 
     try:
@@ -99,11 +96,11 @@ def _dvc_in_use() -> tuple[int, str] | None:
         writers = list(content["write"].values())
         users = [(int(user["pid"]), str(user["cmd"])) for user in writers]
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
-        # Cut while it was written: of a process that was killed.
+        # Cut: its process was killed while writing.
         return None
     for process, command in users:
         try:
-            # The number may be another program's by now.
+            # The number may belong to another program by now.
             if any("dvc" in part for part in psutil.Process(process).cmdline()):
                 return process, command
         except psutil.Error:

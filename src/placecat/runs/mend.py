@@ -1,4 +1,4 @@
-"""Mend what a killed run left: a cut dvc.lock, DVC's locks, temporary files."""
+"""Repair of what a killed run left: a cut dvc.lock, DVC's locks, temporary files."""
 
 import os
 import re
@@ -15,23 +15,23 @@ from placecat.lockfile import LOCK
 from placecat.runs import lock
 from placecat.runs.unchanged import DEFINITION
 
-# The records of all stages so far, whole: DVC writes dvc.lock in place, at the end of each stage.
+# A whole copy of the records so far: DVC writes dvc.lock in place, after each stage.
 COPY = lock.TEMPORARY / "dvc.lock.whole"
-# Seconds after which nobody goes on with a temporary file.
+# Seconds after which a temporary file is abandoned.
 OLD = 24 * 3600.0
-# What placecat.files and placecat.runs.dvc write under until it is whole, and where.
+# Temporary names of placecat.files and placecat.runs.dvc, and their folders.
 _PARTIAL = re.compile(r"\..+\.[0-9a-f]{8}\.partial(\.\w+)?")
 _PARTIAL_IN = (".", "conf", "data", "data/*", "reports", "reports/*", "predictions")
-# Of DVC, in its cache.
+# Temporary names of DVC in its cache.
 _CACHED = re.compile(r"\.[\w-]{22}\.tmp")
 _CACHE = Path(".dvc/cache")
-# Of joblib: processes share memory and semaphores through them.
+# joblib's shared memory and semaphores.
 _SHARED = Path("/dev/shm")
 _OF_PROCESS = re.compile(r"(?:joblib_memmapping_folder_|sem\.loky-)(\d+)[_-].*")
 
 
 def mend() -> list[str]:
-    """Mend what a killed run left; needs :func:`placecat.runs.lock.alone`.
+    """Repair what a killed run left; needs :func:`placecat.runs.lock.alone`.
 
     Returns
     -------
@@ -47,7 +47,7 @@ def mend() -> list[str]:
             again = f"; these stages run again: {', '.join(lost)}" if lost else ""
             said.append(f"{LOCK} was cut when a run was killed: its records are restored{again}.")
     keep()
-    # Nobody uses it: what stands in it is of processes that were killed.
+    # Nobody uses it: its entries are of killed processes.
     lock.DVC_IN_USE.unlink(missing_ok=True)
     for path in _leftovers():
         shutil.rmtree(path, ignore_errors=True) if path.is_dir() else path.unlink(missing_ok=True)
@@ -55,9 +55,9 @@ def mend() -> list[str]:
 
 
 def keep() -> None:
-    """Keep the whole records of dvc.lock, and the earlier ones of the others.
+    """Copy the whole records of dvc.lock, and keep the earlier ones of the others.
 
-    Without a dvc.lock none are kept: somebody removed it to start anew.
+    Without a dvc.lock none are kept: somebody removed it for a fresh start.
     """
     if not lock.TEMPORARY.is_dir():
         return
@@ -70,8 +70,8 @@ def keep() -> None:
 
 
 def _mended(text: str) -> tuple[str, list[str]]:
-    """Content of dvc.lock, completed from the copy; the stages whose records are in neither."""
-    # A merge that git could not make is for a person to finish.
+    """Content of dvc.lock, completed from the copy; and the stages whose records are in neither."""
+    # A merge conflict is for a person to resolve.
     if "\n<<<<<<< " in text or not DEFINITION.is_file():
         return text, []
     stages = yaml.load(DEFINITION.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
@@ -86,7 +86,7 @@ def _mended(text: str) -> tuple[str, list[str]]:
     }
     missing = [name for name in kept if name not in whole]
     is_cut = not head or len(whole) < len(blocks)
-    # Records of stages that there are no more may be gone for good reason.
+    # Records of stages that no longer exist may be gone for good reason.
     if not is_cut and not any(name.split("@")[0] in stages for name in missing):
         return text, []
     merged = {name: whole.get(name, block) for name, block in kept.items()}
@@ -98,14 +98,14 @@ def _mended(text: str) -> tuple[str, list[str]]:
 
 
 def _blocks(text: str) -> tuple[str, dict[str, str]]:
-    """Split dvc.lock, as DVC writes it: the lines before the first stage, "" if they are cut; the stages."""
+    """Split dvc.lock, as DVC writes it, into the lines before the first stage ("" if cut) and the stages."""
     head, *rest = re.split(r"^(?=  [^\s#])", text, flags=re.MULTILINE)
     is_head = head.endswith("stages:\n") or (not rest and head.endswith("stages: {}\n"))
     return head if is_head else "", {block.split(":\n", 1)[0].strip(" '\"\n"): block for block in rest}
 
 
 def _is_whole(block: str) -> bool:
-    """Whether nothing is cut from a stage's record."""
+    """Whether a stage's record is complete."""
     try:
         (record,) = yaml.load(block, Loader=settings.Loader).values()
         return block.endswith("\n") and all(

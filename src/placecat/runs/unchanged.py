@@ -1,7 +1,7 @@
-"""Make sure that a stage's settings, code and data do not change while it runs.
+"""A check that a stage's settings, code and data do not change while it runs.
 
-DVC notes settings and dependencies after a stage. Without this check, those that were changed meanwhile would
-be noted for results of the earlier ones.
+DVC records settings and dependencies after a stage. Without this check, changes made meanwhile would be
+recorded for results of the earlier ones.
 """
 
 import hashlib
@@ -18,7 +18,7 @@ _at_start: tuple[str, dict[str, str]] | None = None
 
 
 def start(stage: str) -> None:
-    """Note the state of what a stage depends on, before it is read. Later calls do nothing."""
+    """Record the state of a stage's dependencies before they are read. Later calls do nothing."""
     global _at_start
     if _at_start is None:
         _at_start = (stage, state(stage))
@@ -27,10 +27,7 @@ def start(stage: str) -> None:
 def check() -> None:
     """Refuse results if something has changed since :func:`start`; without a start do nothing.
 
-    Raises
-    ------
-    PlacecatError
-        Names the first path that was changed.
+    The PlacecatError names the first path that was changed.
     """
     if _at_start is None:
         return
@@ -45,9 +42,9 @@ def check() -> None:
 
 
 def state(stage: str) -> dict[str, str]:
-    """Path of a file to its state, for params.yaml and every file that dvc.yaml lists for a stage.
+    """Path to state of params.yaml and every file that dvc.yaml lists for a stage.
 
-    It is the checksum of settings and code; of other files, which may be large, their size and time.
+    The state is the checksum of settings and code; of other files, which may be large, their size and time.
     """
     found = {}
     for dep in [str(paths.PARAMS), *_dependencies(stage)]:
@@ -69,7 +66,7 @@ def _dependencies(stage: str) -> Iterator[str]:
         return
     stages = yaml.load(DEFINITION.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
     for dep in stages.get(stage, {}).get("deps", []):
-        # Those of the data set are named by a setting: ${dataset.root}.
+        # A setting names those of the data set: ${dataset.root}.
         yield str(settings.get(settings.load(), dep[2:-1])) if dep.startswith("${") else dep
 
 

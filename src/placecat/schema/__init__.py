@@ -1,4 +1,4 @@
-"""Settings against what params.yaml and an experiment have, so that a wrong one is refused at once."""
+"""The schema of params.yaml and of an experiment, so that wrong settings are refused at once."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -15,19 +15,10 @@ _SHOWN = 80
 
 
 def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
-    """Refuse a setting that nothing reads, that is missing, of another type or out of its range.
+    """Refuse a setting that is unknown, missing, of another type or out of its range.
 
-    Parameters
-    ----------
-    content
-        Settings, as plain containers.
-    model
-        What they have.
-
-    Raises
-    ------
-    PlacecatError
-        Naming the first such setting by its dotted name.
+    `content` are settings as plain containers, `model` is their section. The PlacecatError names the first
+    such setting by its dotted name.
     """
     try:
         model.model_validate(content)
@@ -36,21 +27,10 @@ def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
 
 
 def check_value(value: Any, adapter: TypeAdapter[Any], where: str) -> None:
-    """Refuse a value that is of another type or out of its range.
+    """Refuse a value of another type or out of its range.
 
-    Parameters
-    ----------
-    value
-        Of a setting.
-    adapter
-        Of its type (see :func:`of_type`).
-    where
-        What a message calls it: its dotted name.
-
-    Raises
-    ------
-    PlacecatError
-        Naming it and what is right.
+    `adapter` is that of its type (see :func:`of_type`), `where` its dotted name in the PlacecatError, which
+    says what is right.
     """
     try:
         adapter.validate_python(value)
@@ -59,15 +39,15 @@ def check_value(value: Any, adapter: TypeAdapter[Any], where: str) -> None:
 
 
 def of_type(kind: Any) -> TypeAdapter[Any]:
-    """Give what checks values of a type: strictly, and without NaN and infinity."""
+    """Return a strict check of values of a type, without NaN and infinity."""
     return TypeAdapter(kind, config=ConfigDict(strict=True, allow_inf_nan=False))
 
 
 def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str, ...] = ()) -> str:
-    """The first mistake in one line."""
+    """The first mistake, in one line."""
     errors = error.errors(include_url=False)
     places = [_place(content, (*before, *one["loc"])) for one in errors]
-    # Where a value may be of several kinds, the kind that it comes nearest to.
+    # If a value may be of several kinds, the nearest kind.
     same = [number for number, place in enumerate(places) if place[: len(places[0])] == places[0]]
     first = max(same, key=lambda number: (len(places[number]), not errors[number]["type"].endswith("_type")))
     place, told = places[first], errors[first]
@@ -92,12 +72,12 @@ def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str,
     elif kind in ("dict_type", "mapping_type", "model_type"):
         said = "it must have settings of its own"
     if told["loc"][-1:] == ("[key]",):
-        return f"{'.'.join(place[:-1])}: {_short(repr(value))} is no good name: {said}"
+        return f"{'.'.join(place[:-1])}: {_short(repr(value))} is not a valid name: {said}"
     return f"{dotted}: {said}" if isinstance(value, Mapping) else f"{dotted}={_short(value)}: {said}"
 
 
 def _place(content: Any, loc: tuple[Any, ...]) -> tuple[str, ...]:
-    """Where a mistake is. Where a value may be of several kinds, the name of the kind is a part of `loc`."""
+    """The place of a mistake, without the name of the kind that pydantic adds to `loc` for unions."""
     place: list[str] = []
     for part in loc:
         if isinstance(content, Mapping | list) and _has(content, part):
@@ -111,6 +91,6 @@ def _has(here: Any, part: Any) -> bool:
 
 
 def _short(value: Any) -> str:
-    """A value as YAML writes most of them; the middle of a long one is left out."""
+    """A value roughly as in YAML, shortened in the middle."""
     text = printable(str(value).replace("\n", "\\n"))
     return text if len(text) <= _SHOWN else f"{text[: _SHOWN // 2]}...{text[-_SHOWN // 2 :]}"

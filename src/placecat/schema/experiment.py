@@ -1,4 +1,4 @@
-"""What an experiment has (conf/experiment.yaml): names, types and ranges."""
+"""The schema of an experiment (conf/experiment.yaml): names, types and ranges."""
 
 from typing import Literal
 
@@ -8,21 +8,21 @@ from placecat.schema.sections import Descriptor, Own, Section, Seeds
 
 
 class ExperimentFrames(Section):
-    """Of an experiment; None: as in params.yaml."""
+    """Frames of an experiment; None: as in params.yaml."""
 
     offset: Index | None
     step: Count | None
 
 
 class ExperimentCodebook(Section):
-    """Of an experiment; None: as usual for the classifier."""
+    """Codebook of an experiment; None: the classifier's usual one."""
 
     cells: Count | None
     tree: Own
 
 
 class Limits(Section):
-    """What an experiment may need unasked."""
+    """Limits of an experiment without further permission."""
 
     kernel_rows: Count
 
@@ -33,7 +33,7 @@ class Experiment(Section):
     descriptor: Descriptor
     classifier: Own
     data: Key
-    # However it is spelled, 1 for Home1 too.
+    # In any spelling, also 1 for Home1.
     test_home: str | int | list[str | int]
     judge: Literal["test_home", "training_homes"]
     frames: ExperimentFrames

@@ -1,4 +1,4 @@
-"""Names and texts in the settings: what may name a file, what may be a label or a title."""
+"""Names and texts in the settings: names of files, labels and titles."""
 
 import re
 from collections.abc import Hashable
@@ -8,10 +8,10 @@ from typing import Annotated, TypeVar
 from pydantic import AfterValidator
 
 _Item = TypeVar("_Item", bound=Hashable)
-# Of a file's 255 bytes some are left for the ending and for what stands before the name.
+# A file name has 255 bytes; some are left for prefix and ending.
 _LONGEST_NAME, _LONGEST_TEXT = 200, 4000
 _KEY = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_-]*")
-# What `protocol.test_homes` says instead of a name.
+# Values of `protocol.test_homes` that are no names.
 _RESERVED = ("all",)
 
 
@@ -31,7 +31,7 @@ def _folder(text: str) -> str:
         raise ValueError("it is an address: copy the data into a folder, and name that")
     if text.startswith("~"):
         raise ValueError("~ is not expanded here: write the whole path")
-    # DVC takes no folder that a stage writes into.
+    # DVC accepts no folder that a stage writes into.
     if Path("data").resolve().is_relative_to(Path(text).resolve()):
         raise ValueError("the folder holds what the stages write: put the homes in a folder of their own")
     return text

@@ -1,4 +1,4 @@
-"""Numbers that only images have: levels of a pyramid, and windows with a middle."""
+"""Numbers of images: levels of a pyramid, and windows with a middle."""
 
 from typing import Annotated
 

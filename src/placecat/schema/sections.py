@@ -1,7 +1,7 @@
-"""What each section of params.yaml has: names, types and ranges.
+"""The schema of each section of params.yaml: names, types and ranges.
 
-Settings of classifiers, estimators, descriptors and figures are the parameters of their functions, of which
-:mod:`placecat.signatures` knows.
+The settings of classifiers, estimators, descriptors and figures are the parameters of their functions, which
+:mod:`placecat.signatures` checks.
 """
 
 from collections.abc import Mapping
@@ -29,12 +29,12 @@ from placecat.schema.numbers import Level, Levels, Odd, Window
 Own = dict[str, Any]
 Seeds = Annotated[Distinct[Seed], MinLen(1)]
 Schemes = Annotated[Distinct[Literal["5-5-1", "4-5-1"]], MinLen(1)]
-# Names of cues, descriptors and so on; :mod:`placecat.references` knows whether they are there.
+# Names of cues, descriptors and so on; :mod:`placecat.references` checks that they exist.
 Keys = Distinct[Key]
 
 
 class Section(BaseModel):
-    """A mapping with these settings and no other, of these types."""
+    """A mapping with exactly these settings and types."""
 
     model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
 
@@ -69,7 +69,7 @@ class Dataset(Section):
     @model_validator(mode="before")
     @classmethod
     def _without_those_of_the_layout(cls, content: Any) -> Any:
-        """Leave out what the layout's reader takes beside the common settings, and so checks."""
+        """Leave out the settings of the layout's reader, which checks them itself."""
         if not isinstance(content, Mapping) or set(content) <= set(cls.model_fields):
             return content
         own = lookup.parameters("placecat.sequences", str(content.get("layout")), "read_home")
@@ -194,7 +194,7 @@ class Model(Section):
 
 
 class Points(Section):
-    """Of the circles."""
+    """Points of the circles."""
 
     radius: Positive
     inside: Annotated[float, Interval(gt=0, lt=0.785)]
@@ -268,7 +268,7 @@ class Descriptors(Section):
 
 
 class Descriptor(Section):
-    """By which a cue or codebook knows a descriptor."""
+    """The reference of a cue or codebook to a descriptor."""
 
     kind: Literal["local", "holistic"]
     name: Key
@@ -353,7 +353,7 @@ class Split(Section):
 
 
 class Example(Section):
-    """What Figures 2 to 7 show."""
+    """The example of Figures 2 to 7."""
 
     home: Count | None = None
     frame: Index | None = None
@@ -369,7 +369,7 @@ class Figures(BaseModel):
 
 
 class Params(Section):
-    """params.yaml. A section that is left out is missed by the stage that reads it."""
+    """params.yaml. A missing section is reported by the stage that reads it."""
 
     dataset: Dataset | None = None
     attention: Attention | None = None

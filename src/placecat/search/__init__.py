@@ -1,1 +1,1 @@
-"""Searching the settings of an experiment with Optuna, judged on training homes only."""
+"""Search of an experiment's settings with Optuna, judged on training homes only."""

@@ -1,4 +1,4 @@
-"""Results of a search."""
+"""The report of a search."""
 
 import shlex
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ from placecat.search.study import Tried, best
 RESULTS = "optimization_results.yaml"
 SUMMARY = "search.md"
 _PROGRAM = "placecat experiment"
-# What the test has otherwise than the search, or by default.
+# Settings in which the test differs from the search, or that have their default.
 _REPLACED = ("search", "judge", "test_home", "track", "data=main")
 
 
@@ -26,9 +26,9 @@ def write(folder: Path, tried: Sequence[Tried], space: Space, base: dict[str, st
     folder
         Of the sweep.
     tried
-        What was tried, the starts first.
+        The tried settings, the starts first.
     space
-        What could be chosen.
+        The space of the search.
     base
         The chosen options of ``descriptor``, ``classifier`` and ``data``.
     home
@@ -89,7 +89,7 @@ def _text(
     else:
         lines += [
             "",
-            f"The best of {count} is better here than elsewhere, since it was chosen for it. Test it once on "
+            f"The best of {count} looks too good here, since it was chosen here. Test it once on "
             "the test home, after all choices are made:",
         ]
     lines += ["", f"    {_command(found, common, home)}", ""]

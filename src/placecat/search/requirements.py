@@ -12,15 +12,8 @@ JUDGE = "training_homes"
 def check(config: Mapping[str, Any]) -> None:
     """Refuse a search whose result would mean nothing.
 
-    Parameters
-    ----------
-    config
-        The experiment: its ``judge`` and ``test_home`` are looked at.
-
-    Raises
-    ------
-    PlacecatError
-        Optuna is not installed; the judge is not the training homes; or the test homes are several.
+    Raises PlacecatError if Optuna is not installed, the experiment's ``judge`` is not the training homes, or
+    there are several test homes.
     """
     need_optuna()
     if config.get("judge") != JUDGE:

@@ -14,7 +14,7 @@ from placecat.search import starts
 if TYPE_CHECKING:
     from optuna.distributions import BaseDistribution
 
-# What describes the method. Data, homes, seeds and judge say how it is measured: they are not searched.
+# Settings of the method. Data, homes, seeds and judge are its measurement and are not searched.
 _OF_THE_METHOD = ("descriptor", "classifier", "codebook", "clustering")
 
 
@@ -25,13 +25,13 @@ class Space:
     Attributes
     ----------
     distributions
-        Key to what may be chosen, as Optuna knows it; of a choice the values as Hydra writes them.
+        Key to Optuna's distribution; the values of a choice are written as in Hydra.
     starts
-        Where the settings to start with are from, e.g. ``conf/cue/hog_y.yaml``, to key to value.
+        Source of each start, e.g. ``conf/cue/hog_y.yaml``, to key to value.
     fixed
-        Overrides that all its experiments have.
+        Overrides of all its experiments.
     digits
-        Significant digits of the numbers that it chooses from intervals. Those of the starts are kept.
+        Significant digits of numbers chosen from intervals. Those of the starts stay as they are.
     """
 
     distributions: "dict[str, BaseDistribution]"
@@ -40,7 +40,7 @@ class Space:
     digits: int
 
     def overrides(self, chosen: Mapping[str, Any]) -> tuple[str, ...]:
-        """The overrides for the values that Optuna chose."""
+        """The overrides for Optuna's choice of values."""
         return tuple(f"{key}={self._written(key, chosen[key])}" for key in self.distributions)
 
     def _written(self, key: str, value: Any) -> Any:
@@ -52,7 +52,7 @@ class Space:
         return min(max(float(f"{value:.{self.digits}g}"), own.low), own.high)
 
     def ends(self) -> list[tuple[str, ...]]:
-        """Overrides with each setting at each of its ends, and the others as in the first start."""
+        """Overrides with each setting at each of its ends, the others as in the first start."""
         first = next(iter(self.starts.values()))
         found = [first]
         for key, own in self.distributions.items():
@@ -74,25 +74,25 @@ def read(
     *,
     digits: int,
 ) -> Space:
-    """Read the space from the configuration and the command line, which goes first.
+    """Read the space from the configuration and the command line, which takes precedence.
 
     Parameters
     ----------
     spans
-        Key to what may be chosen, as conf/search writes it, e.g. ``interval(0.1, 2)`` or ``choice(a, b)``.
+        Key to span as in conf/search, e.g. ``interval(0.1, 2)`` or ``choice(a, b)``.
     arguments
-        Overrides of the command line. What has one value there is not searched.
+        Overrides of the command line. Keys with a single value there are not searched.
     config
-        The experiment composed without what is searched, with Hydra's own settings: the first start.
+        The experiment composed without the searched settings, with Hydra's own settings: the first start.
     params
         params.yaml, see :func:`placecat.search.starts.find`.
     digits
-        Significant digits of the numbers chosen from intervals.
+        Significant digits of numbers chosen from intervals.
 
     Raises
     ------
     PlacecatError
-        Nothing is searched; a key is none of the method's; or the space does not hold a start.
+        If nothing is searched, a key is not one of the method, or the space does not hold a start.
     """
     parser = OverridesParser.create()
     written = [*(f"{key}={value}" for key, value in spans.items()), *arguments]
@@ -124,7 +124,7 @@ def read(
 def _distribution(
     override: Override, found: Mapping[str, Any], parser: OverridesParser
 ) -> "tuple[BaseDistribution, dict[str, Any]]":
-    """The distribution of a setting, and the starts' values of it, as Optuna knows them."""
+    """The distribution of a setting, and the starts' values of it, in Optuna's form."""
     from optuna.distributions import CategoricalDistribution, FloatDistribution, IntDistribution
     from optuna.trial import create_trial
 
@@ -151,7 +151,7 @@ def _distribution(
         }
     for name, value in as_known.items():
         try:
-            # Optuna's check of whether it holds a value.
+            # Optuna checks whether the distribution holds a value.
             create_trial(params={key: value}, distributions={key: distribution}, value=0.0)
         except ValueError:
             raise PlacecatError(

@@ -1,4 +1,4 @@
-"""The settings that a search starts with, so that what it finds is at least as good."""
+"""The first settings of a search, so that its result is at least as good."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -7,7 +7,7 @@ from omegaconf import DictConfig, OmegaConf
 
 from placecat.errors import PlacecatError
 
-# Where the first one is from.
+# Source of the first start.
 SETTINGS = "the settings without a search"
 
 
@@ -17,22 +17,17 @@ def find(keys: Sequence[str], config: DictConfig, params: Mapping[str, Any]) -> 
     Parameters
     ----------
     keys
-        What is searched.
+        The searched keys; a key that the experiment lacks raises PlacecatError.
     config
-        The experiment composed without what is searched, with Hydra's own settings: the first start.
+        The experiment composed without the searched settings, with Hydra's own settings: the first start.
     params
-        params.yaml. A cue with the experiment's descriptor and classifier is a start, too, if it has other
-        settings: those of conf/cue are the best of the thesis.
+        params.yaml. A cue with the experiment's descriptor and classifier but other settings is also a start:
+        those of conf/cue are the best of the thesis.
 
     Returns
     -------
     dict
-        Where a start is from to the values of `keys`.
-
-    Raises
-    ------
-    PlacecatError
-        The experiment has no such key.
+        Source of a start to the values of `keys`.
     """
     first = {key: _value(key, config) for key in keys}
     found = {SETTINGS: first}
@@ -58,7 +53,7 @@ def _value(key: str, config: DictConfig) -> Any:
 def _of_cue(
     cue: Mapping[str, Any], params: Mapping[str, Any], config: DictConfig, keys: Sequence[str]
 ) -> dict[str, Any]:
-    """The classifier's settings of a cue, if it has the experiment's descriptor and classifier."""
+    """The classifier's settings of a cue with the experiment's descriptor and classifier, else none."""
     codebook = cue.get("codebook")
     descriptor = cue["descriptor"] if codebook is None else params["codebooks"][codebook]["descriptor"]
     wanted = {f"descriptor.{name}": value for name, value in descriptor.items()}

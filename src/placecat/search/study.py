@@ -1,4 +1,4 @@
-"""Ask Optuna what to try next, in batches whose size does not depend on the number of workers."""
+"""Optuna's choice of the next settings, in batches that do not depend on the number of workers."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -10,16 +10,16 @@ from placecat.search.space import Space
 
 @dataclass(frozen=True)
 class Tried:
-    """A setting that was tried.
+    """A tried setting.
 
     Attributes
     ----------
     number
         Of the experiment, from 0.
     overrides
-        What was chosen.
+        The choice.
     accuracy
-        In percent; None where the experiment gave no number.
+        In percent; None if the experiment gave no number.
     """
 
     number: int
@@ -36,24 +36,24 @@ def search(
     seed: int,
     n_startup_trials: int,
 ) -> list[Tried]:
-    """Look for the settings of the highest accuracy with Optuna's tree-structured Parzen estimator.
+    """Search the settings of the highest accuracy with Optuna's tree-structured Parzen estimator.
 
-    The first trials are the starts, so that the best is at least as good as each of them. A setting that
-    comes again is not run again, since it would give the same number.
+    The first trials are the starts, so the best is at least as good as each of them. A repeated setting is
+    not run again, since it would give the same number.
 
     Parameters
     ----------
     run
-        Takes the overrides of some experiments and the number of the first, gives their accuracies in
-        percent, NaN where there is none.
+        Takes the overrides of some experiments and the number of the first; returns their accuracies in
+        percent, NaN for none.
     n_trials
-        Settings to try, the starts and those that come again included.
+        Settings to try, including the starts and repeated ones.
     batch_size
-        Settings chosen at a time, none of which knows the others' results.
+        Settings chosen at a time, without each other's results.
     seed
         Of the sampler.
     n_startup_trials
-        Trials until the sampler goes by results; before, it draws evenly.
+        Trials before the sampler uses results; until then it draws evenly.
 
     Returns
     -------
@@ -63,7 +63,7 @@ def search(
     Raises
     ------
     PlacecatError
-        A number is out of range, or no experiment gave an accuracy until the sampler needs some.
+        If a number is out of range, or no experiment gave an accuracy by the time the sampler needs some.
     """
     for name, value, least in (("n_trials", n_trials, len(space.starts)), ("batch_size", batch_size, 1)):
         if value < least:
@@ -101,5 +101,5 @@ def search(
 
 
 def best(tried: Sequence[Tried]) -> Tried:
-    """The one of the highest accuracy; of equal ones the first, so a start unless another is better."""
+    """The one with the highest accuracy; the first of equal ones, so a start unless another is better."""
     return max(tried, key=lambda one: -math.inf if one.accuracy is None else one.accuracy)

@@ -1,4 +1,4 @@
-"""Stage `codebooks`: one tree a training set and seed serves every cluster number and classifier."""
+"""Stage `codebooks`: one tree per training set and seed serves every cluster number and classifier."""
 
 from collections.abc import Mapping
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Stage `cues`: train one cue for every fold and seed and apply it to the frames that later stages need."""
+"""Stage `cues`: train each cue for every fold and seed and apply it to the frames that later stages need."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -12,7 +12,7 @@ from placecat.training.cue import Cue, fit, read_frames
 
 
 def main() -> None:
-    """Train and apply every cue in every fold of every scheme that it is wanted for."""
+    """Train and apply every cue in every fold of each of its schemes."""
     params = settings.load()
     homes = list(settings.get(params, "dataset.homes"))
     shared = [homes, settings.get(params, "dataset.classes"), settings.get(params, "protocol")]
@@ -24,7 +24,7 @@ def main() -> None:
 
 
 def _paths(cue: Mapping[str, Any], homes: Sequence[str], params: Mapping[str, Any]) -> Iterator[Path]:
-    """What a cue reads."""
+    """The files that a cue reads."""
     if cue["codebook"] is None:
         descriptor = cue["descriptor"]
     else:
@@ -37,13 +37,13 @@ def _paths(cue: Mapping[str, Any], homes: Sequence[str], params: Mapping[str, An
 
 
 def _extra_homes(params: Mapping[str, Any]) -> list[str]:
-    """Sequences of another data set that the integration may train on in addition (thesis 4.5)."""
+    """Sequences of another data set that the integration may also train on (thesis 4.5)."""
     extra = settings.get(params, "protocol.extra")
     return [f"{extra['split']}/{sequence}" for sequence in extra["sequences"]]
 
 
 def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
-    """Train and apply one cue in every fold of every scheme that it is wanted for."""
+    """Train and apply one cue in every fold of each of its schemes."""
     own, cue = settings.get(params, f"cues.{name}"), Cue.of(params, name)
     tested = settings.get(params, "protocol.test_homes")
     seeds = settings.get(params, "protocol.seeds") if cue.codebook is not None else [None]
@@ -65,12 +65,9 @@ def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
 
 
 def apply(plan: plans.Plan, cue: Cue, clusters: Path | None, cross_validate: bool) -> dict[str, Any]:
-    """Train one cue by a plan; give its distributions for the frames of later stages.
+    """Train one cue by a plan; return its distributions for the frames of later stages.
 
-    Parameters
-    ----------
-    clusters
-        File of its codebook.
+    `clusters` is the file of its codebook.
     """
     codebook = None if clusters is None else cues.Codebook.from_arrays(files.read_arrays(clusters))
     frames = read_frames(plan.cues, cue.descriptor)

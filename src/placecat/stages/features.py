@@ -27,20 +27,15 @@ def main() -> None:
 
 
 def inputs(home: str, read: Any) -> items.Inputs:
-    """What the features of a home are made from: settings, its frames and the checksums of their files."""
+    """The inputs of a home's features: settings, its frames and the checksums of their files."""
     listed = paths.sequences(home)
     return items.Inputs(read, (listed / "frames.csv", listed / "sources.csv", listed / "home.json"))
 
 
 def feature_options(params: Mapping[str, Any], descriptors: Mapping[str, Any]) -> dict[str, Any]:
-    """Gather the settings of :func:`placecat.vision.frame.describe_frame`.
+    """Gather the settings of :func:`placecat.vision.frame.describe_frame` from all settings.
 
-    Parameters
-    ----------
-    params
-        All settings.
-    descriptors
-        ``local`` and ``holistic``: the descriptors to compute, with their settings.
+    `descriptors` has ``local`` and ``holistic``: the descriptors to compute, with their settings.
     """
     sections = ("attention", "regions", "information")
     options = {name: settings.get(params, name) for name in sections} | dict(descriptors)
@@ -62,7 +57,7 @@ def plan(
     options
         From :func:`feature_options`.
     variants
-        As conf/region_variants: variants of the salient regions, and the frames that they are found in.
+        As conf/region_variants: variants of the salient regions, and their frames.
     """
     frames = listing.read_frames(home)
     also, rows = {}, np.arange(0)
@@ -73,7 +68,7 @@ def plan(
         }
         check({**options, "variants": also})
         rows = np.arange(variants["frames"]["offset"], len(frames), variants["frames"]["step"])
-    # A video is decoded from its start, so that it is cut into few parts only.
+    # A video is decoded from its start, so it is cut into few parts only.
     is_video = bool((frames["position"] >= 0).any())
     chunk = max(32, -(-len(frames) // (4 * parallel.workers()))) if is_video else 32
     size, varied = listing.frame_size(home), set(rows.tolist())
@@ -103,7 +98,7 @@ def describe_home(
     *,
     variants: Mapping[str, Any] | None = None,
 ) -> None:
-    """Write the descriptors of all frames of one home to a folder; other parameters as for :func:`plan`."""
+    """Write the descriptors of all frames of one home to a folder; parameters as for :func:`plan`."""
     tasks, write = plan(home, root, options, variants)
     write(folder, parallel.in_parallel(describe, tasks, f"features of {home}"))
 
@@ -116,9 +111,9 @@ def describe(
     variants: Mapping[str, Any],
     rows: Collection[int],
 ) -> dict[str, np.ndarray]:
-    """Describe some frames of a home, those in `rows` with the variants of their regions.
+    """Describe some frames of a home; those in `rows` with the variants of their regions.
 
-    Each array's first axis is the frame, or that of `rows` for a variant.
+    Each array's first axis is the frame, for a variant that of `rows`.
     """
     keep_freed_memory()
     more = {**options, "variants": variants}
@@ -128,7 +123,7 @@ def describe(
 
 
 def _names(described: Sequence[Mapping[str, np.ndarray]]) -> list[str]:
-    """Names of arrays in order; not every part has those of the variants."""
+    """Names of arrays in order; some parts have no variants."""
     return list(dict.fromkeys(name for one in described for name in one))
 
 

@@ -1,4 +1,4 @@
-"""Stage `figures`: every figure of the thesis, and every added one, that this data can give."""
+"""Stage `figures`: all figures, those of the thesis and added ones, as far as the data allow."""
 
 import logging
 
@@ -10,7 +10,7 @@ from placecat.stages import run
 
 
 def main() -> None:
-    """Write reports/figures/: PNGs and PDFs, figures.json with captions and reasons for what is missing."""
+    """Write reports/figures/: PNGs and PDFs, and figures.json with captions and reasons for missing ones."""
     of_run = Run(settings.load())
     settings.refuse_unknown(
         settings.get(of_run.params, "figures"), ["example", "clusters", *figures.names()], "figures"
@@ -26,7 +26,7 @@ def main() -> None:
             except SettingError:
                 raise
             except PlacecatError as error:
-                # What the data lack leaves a figure out.
+                # A figure that the data cannot give is left out.
                 logging.warning("%s is left out: %s", name, error)
                 file, reason = None, str(error)
             entries.append(

@@ -1,4 +1,4 @@
-"""Stage `filtering`: what the information filter makes of decisions (thesis 4.6)."""
+"""Stage `filtering`: decisions after the information filter (thesis 4.6)."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -14,12 +14,12 @@ from placecat.results.measured import DROPPED_COLUMNS
 from placecat.stages import run
 from placecat.training import protocol
 
-# What smoothing needs of a filtered result besides the frames of the test home: it is not filtered.
+# Arrays that smoothing needs besides the frames of the test home; they are not filtered.
 STATISTICS = ("cross_validated", "cross_validated_truth")
 
 
 def main() -> None:
-    """Filter every cue and system that a filter names, in every test home, once for each seed."""
+    """Apply every filter to its cues and systems, in every test home, once for each seed."""
     params = settings.load()
     filters = settings.get(params, "filters")
     for name, options in filters.items():
@@ -53,7 +53,7 @@ def main() -> None:
 
 
 def _threshold(options: Mapping[str, Any], training: Sequence[str]) -> float:
-    """The threshold of a filter, from labelled frames of the training homes if it is given as a share."""
+    """The threshold of a filter; a share is converted by the labelled frames of the training homes."""
     if options.get("threshold") is not None:
         return float(options["threshold"])
     seen = [_information(home)[listing.read_labels(home) >= 0] for home in training]
@@ -65,7 +65,7 @@ def _information(home: str) -> NDArray[np.float32]:
 
 
 def _sources(params: Mapping[str, Any], options: Mapping[str, Any]) -> dict[str, Path]:
-    """Folders of the results that one filter names."""
+    """Folders of the results that a filter names."""
     found = {}
     for cue in options["cues"]:
         scheme = settings.get(params, f"cues.{cue}.schemes")[0]
@@ -77,7 +77,7 @@ def _sources(params: Mapping[str, Any], options: Mapping[str, Any]) -> dict[str,
 
 
 def filter_home(source: Path, home: str, threshold: float) -> dict[str, np.ndarray]:
-    """Give the filtered distributions of one home, and the statistics that smoothing needs."""
+    """Return the filtered distributions of one home, and the statistics for smoothing."""
     proba = fold_file.read(source, "test")
     held = hold(proba, _information(home), threshold=threshold, sequences=listing.sequence_slices(home))
     found = {"test": held}

@@ -1,4 +1,4 @@
-"""Stage `findings`: what the thesis claims, judged on what was measured."""
+"""Stage `findings`: the thesis's claims, judged on the measurements."""
 
 from placecat import files, paths, settings
 from placecat.results.collect import read_results

@@ -1,4 +1,4 @@
-"""Stage `integration`: fuse the cues' distributions to one."""
+"""Stage `integration`: fuse the cues' distributions into one."""
 
 from collections.abc import Mapping
 from pathlib import Path

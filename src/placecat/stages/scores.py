@@ -1,4 +1,4 @@
-"""Stage `scores`: how often frames of a place were decided to be which, and how good probabilities are."""
+"""Stage `scores`: counts of decisions by true place, and the quality of probabilities."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -21,8 +21,8 @@ from placecat.training import protocol
 def main() -> None:
     """Write scores.csv and missing.csv of the main pipeline, the splits, the trials and the toy problem.
 
-    And stays.csv: the scores of the splits by stay; and dropped.csv: what each information filter drops.
-    And probabilities.csv of all that keeps its distributions: the main pipeline and the splits.
+    Also stays.csv, the scores of the splits by stay; dropped.csv, the frames that each information filter
+    drops; and probabilities.csv, of the main pipeline and the splits.
     """
     params = settings.load()
     rows: list[Any] = []
@@ -53,12 +53,9 @@ def main() -> None:
 
 
 def measure(source: Source, options: Mapping[str, Any]) -> tuple[Measured, Quality]:
-    """Count the decisions of one result in all its test homes, and judge its distributions.
+    """Count the decisions of one result in all its test homes, and measure its distributions.
 
-    Parameters
-    ----------
-    options
-        Settings of :func:`placecat.evaluation.quality.home_quality`.
+    `options` are settings of :func:`placecat.evaluation.quality.home_quality`.
     """
     seeds = source.seeds()
     labels = {home: listing.read_labels(source.listed(home)) for home in source.homes}

@@ -1,4 +1,4 @@
-"""Stage `sequences`: read the data set's layout and label files; check them."""
+"""Stage `sequences`: read and check the data set's layout and label files."""
 
 import sys
 from collections.abc import Mapping
@@ -27,7 +27,7 @@ def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
     dataset
         As in conf/dataset.
     target
-        The folder to write, a folder a home in it.
+        The folder to write, with one folder per home.
     setting
         Where the data set stands in params.yaml, for messages.
     """
@@ -50,7 +50,7 @@ def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
 
 
 def _camera(camera: str | dict[str, str], home: str) -> str:
-    """Name the camera of a home: one for all, or one a home."""
+    """The camera of a home, from one name for all or one per home."""
     if isinstance(camera, str):
         return camera
     if home not in camera:
@@ -75,7 +75,7 @@ def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:
     files.write_csv(folder / "labels.csv", table)
     files.write_csv(folder / "sources.csv", _checksums(home))
     facts = {"fps": home.fps, "camera": home.camera, "width": home.width, "height": home.height}
-    # Of whole footage of one rate nothing.
+    # Empty for undamaged footage of one rate.
     odd = {"lost_frames": list(home.lost), "damaged_frames": list(home.damaged)}
     facts |= {name: value for name, value in odd.items() if value}
     if not home.is_even:

@@ -8,7 +8,7 @@ from placecat.stages.features import describe, feature_options, inputs, plan
 
 
 def main() -> None:
-    """Describe all frames of every sequence of the data set of every split."""
+    """Describe all frames of every sequence of every split's data set."""
     params = settings.load()
     splits = settings.get(params, "splits")
     items.keep_only(paths.SITE_FEATURES, splits)

@@ -8,7 +8,7 @@ from placecat.training.saved import smooth_home
 
 
 def main() -> None:
-    """Smooth every system, and every cue and filtered result that is wanted smoothed."""
+    """Smooth every system, and every cue and filtered result that the settings name."""
     params = settings.load()
     smoothing = settings.get(params, "smoothing")
     tested = settings.get(params, "protocol.test_homes")

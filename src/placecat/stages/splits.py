@@ -72,7 +72,7 @@ def make(split: str, folder: Path, params: Mapping[str, Any]) -> None:
 
 
 def apply_cue(plan: plans.Plan, cue: Cue, seed: int | None) -> tuple[Probabilities, Probabilities]:
-    """Train one cue; give its distributions for the integration's frames and for every tested frame."""
+    """Train one cue; return its distributions for the integration's frames and for every tested frame."""
     numbers = [cue.classifier["clusters"]] if cue.codebook is not None else None
     trained = train(plan, cue, seed, numbers=numbers)
     return trained.predict_chosen(plan.integration), {

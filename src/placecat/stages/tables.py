@@ -1,4 +1,4 @@
-"""Stage `tables`: accuracies of everything, and the numbers of the thesis beside those of this run."""
+"""Stage `tables`: accuracies of all results, and the thesis's numbers beside those of this run."""
 
 import pandas as pd
 
@@ -18,7 +18,7 @@ def main() -> None:
     params = settings.load()
     results = read_results(params)
     filled = {}
-    # DVC wants it, also where no table is optional.
+    # DVC needs the folder even if no table is optional.
     paths.OPTIONAL_TABLES.mkdir(parents=True, exist_ok=True)
     with files.replacing(paths.TABLES) as folder:
         for name, table in tables_of(params).items():

@@ -16,7 +16,7 @@ from placecat.stages import run
 
 
 class Task(NamedTuple):
-    """One of the problems: the scheme or schemes to compare by name, and the points."""
+    """One problem: names and schemes to compare, and the points."""
 
     schemes: dict[str, Any]
     points: dict[str, float]
@@ -26,10 +26,10 @@ class Task(NamedTuple):
 
 
 def main() -> None:
-    """Train the schemes on each seed's points and test them on others; and so for other radii and decisions.
+    """Train the schemes on each seed's points and test them on others, also for other radii and decisions.
 
-    Results are ``toy/parallel`` and ``toy/sequential``; ``toy/last/...``, the same on the points alone of
-    the class that is last in the sequential scheme's list; and ``toy/RADIUS/parallel`` and
+    Results are ``toy/parallel`` and ``toy/sequential``; ``toy/last/...``, the same on only the points of the
+    last class in the sequential scheme's list; and ``toy/RADIUS/parallel`` and
     ``toy/RADIUS/sequential/DECISION``.
     """
     toy = settings.get(settings.load(), "toy")
@@ -56,7 +56,7 @@ def main() -> None:
 
 
 def _deciding(schemes: Mapping[str, Any], decisions: list[str], radius: float) -> dict[str, Any]:
-    """The schemes by names with the radius, the sequential one once for each way to decide."""
+    """Schemes by names with the radius; the sequential one once for each kind of decision."""
     found = {f"{radius:g}/parallel": schemes["parallel"]}
     for decision in decisions:
         found[name := f"{radius:g}/sequential/{decision}"] = copy.deepcopy(schemes["sequential"])

@@ -1,4 +1,4 @@
-"""Stage `tracks`: follow the salient regions of a home and describe them (thesis 4.7)."""
+"""Stage `tracks`: track the salient regions of a home and describe them (thesis 4.7)."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -55,7 +55,7 @@ def plan(home: str, params: Mapping[str, Any]) -> items.Work:
 
 
 def _found_regions(home: str, max_regions: int) -> list[np.ndarray]:
-    """The salient regions of each frame, (n, 4), as the stage `features` found them; the strongest only."""
+    """The strongest salient regions of each frame, (n, 4), as the stage `features` found them."""
     folder = paths.features(home)
     regions = files.read_array(folder / "regions.npy")
     counts = files.read_array(folder / "count.npy")
@@ -70,13 +70,13 @@ def track(
     tracking: Mapping[str, Any],
     options: Mapping[str, Any],
 ) -> dict[str, np.ndarray]:
-    """Track and describe the regions of one sequence: each array's first axis is the frame."""
+    """Track and describe the regions of one sequence; each array's first axis is the frame."""
     keep_freed_memory()
     tracker = RegionTracker(**tracking)
     described = []
     for image, regions in zip(read_frames(root, frames, size=size), found, strict=True):
         described.append(describe_frame(image, options, regions=tracker.step(image, regions)))
-    # The information of a frame does not depend on the regions: it is among the features.
+    # A frame's information does not depend on the regions; it is among the features.
     names = [name for name in described[0] if name != "information"]
     return {name: np.stack([one[name] for one in described]) for name in names}
 

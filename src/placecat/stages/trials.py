@@ -1,4 +1,4 @@
-"""Stage `trials`: the cues that one study's tables try out, each in its test homes (thesis 4.2 and 4.4)."""
+"""Stage `trials`: the cues of each study's tables, each in its test homes (thesis 4.2 and 4.4)."""
 
 import json
 import logging
@@ -24,7 +24,7 @@ FACT_COLUMNS = ["trial", "home", "seed", "nu_lowest", "nu_highest", "flat_sigmoi
 
 
 def main() -> None:
-    """Train and test every trial of every study; write the decisions' counts."""
+    """Train and test every trial of every study; write the counts of decisions."""
     params = settings.load()
     homes = list(settings.get(params, "dataset.homes"))
     shared = [settings.get(params, f"dataset.{name}") for name in ("name", "homes", "classes")]
@@ -51,7 +51,7 @@ def main() -> None:
     flat = sum(int(files.read_csv(path)["flat_sigmoids"].sum()) for path in facts)
     if flat:
         logger.warning(
-            "%d sigmoids are flat: held-out decision values say nothing, or the contrary, of their class "
+            "%d sigmoids are flat: held-out decision values are uninformative about their class or reversed "
             "(flat_sigmoids in %s)",
             flat,
             paths.TRIALS / "*" / "facts.csv",
@@ -81,7 +81,7 @@ def make(study: str, trials: Sequence[Trial], folder: Path, params: Mapping[str,
 def _group(
     trials: Sequence[Trial], seeds: Sequence[int], tested: Collection[str]
 ) -> dict[tuple[str, str, int | None], list[str]]:
-    """Put trials on the same clusters together, in the order of the tables; others stay by themselves."""
+    """Group trials on the same clusters, in the order of the tables; others stay alone."""
     wanted: dict[tuple[str, str, int | None], list[str]] = {}
     for trial in trials:
         shared = trial.settings.get("codebook")
@@ -100,7 +100,7 @@ def _collect(
     seeds: Sequence[int],
     classes: Sequence[str],
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
-    """Rows of counts, and of reasons, of every trial; a home counts where every seed gave a number."""
+    """Rows of counts, and of reasons, of every trial; a home counts if every seed gave a number."""
     scores, missing = [], []
     for trial in trials:
         own_seeds = list(seeds) if trial.settings.get("codebook") is not None else [None]
@@ -122,7 +122,7 @@ def _collect(
 
 
 def _facts(trials: Sequence[Trial], outcomes: Mapping[tuple[str, str, int | None], Outcome]) -> pd.DataFrame:
-    """The nu in force and the flat sigmoids of every trial of two-class classifiers."""
+    """The nu in force and the flat sigmoids of every trial with two-class classifiers."""
     rows = []
     for trial in trials:
         for (key, home, seed), (_, facts) in outcomes.items():

@@ -1,1 +1,1 @@
-"""What the thesis says, beside what a run measured: tables, findings, numbers in the text."""
+"""The thesis beside a run's measurements: tables, findings, numbers in the text."""

@@ -1,4 +1,4 @@
-"""Refusing wrong tables when settings are composed, before any stage runs; imports little, to be quick."""
+"""Checks of the tables when settings are composed, before any stage runs. Imports little, to be quick."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -11,18 +11,11 @@ from placecat.thesis import definitions
 
 
 def check(params: Mapping[str, Any], root: Path = Path()) -> None:
-    """Refuse tables with an unknown layout, and trials with a classifier or settings that there are not.
+    """Refuse tables with an unknown layout, and trials with an unknown classifier or setting.
 
-    Parameters
-    ----------
-    params, root
-        As for :func:`placecat.thesis.definitions.tables`.
-
-    Raises
-    ------
-    PlacecatError
-        As :func:`placecat.thesis.definitions.tables`, :func:`placecat.evaluation.trials.expand` and
-        :mod:`placecat.signatures`; of an unknown layout the nearest and all that there are.
+    Parameters and errors are those of :func:`placecat.thesis.definitions.tables`. Errors also come from
+    :func:`placecat.evaluation.trials.expand` and :mod:`placecat.signatures`; for an unknown layout the
+    PlacecatError names the nearest and all valid ones.
     """
     studies = definitions.studies(params, root).values()
     of_studies = {name: table for study in studies for name, table in study.items()}

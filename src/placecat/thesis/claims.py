@@ -1,4 +1,4 @@
-"""What the thesis claims, as comparisons of results: the files of data/thesis/findings."""
+"""The thesis's claims as comparisons of results: the files of data/thesis/findings."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -9,9 +9,9 @@ from placecat.errors import PlacecatError
 
 COMBINE = ("mean", "best", "last")
 COMPARE = ("difference", "ratio")
-# The range of a claim about single homes: their results are compared one by one.
+# Range of a claim about single homes: their results are compared one by one.
 BOTH_SIGNS = "both_signs"
-# The range of a claim about one side, with the number that it is compared with.
+# Range of a claim about one side, with the number to compare it with.
 ABOVE = "above"
 
 
@@ -27,13 +27,13 @@ class Side:
         Names of results.
     combine
         ``mean``; ``best``, the one with the highest mean over all units; or ``last``, the last of those that
-        could be measured on this data.
+        this data can give.
     place
         Name of the class whose accuracy counts; None for the mean over the classes present.
     error
         Whether 100 minus the accuracy counts.
     plain
-        Whether the share of all frames counts, whatever their class.
+        Whether the share of all frames counts, of any class.
     published
         Where the thesis has the number of each result; None if that follows from its name.
     """
@@ -47,7 +47,7 @@ class Side:
     published: tuple[Mapping[str, Any], ...] | None = None
 
     def only(self, results: Sequence[str]) -> "Side":
-        """The side with some of its results, each beside the published number of its own cell."""
+        """The side with some of its results, each with the published number of its own cell."""
         published = self.published
         if published is not None and len(published) == len(self.results):
             published = tuple(
@@ -56,7 +56,7 @@ class Side:
         return replace(self, results=tuple(results), published=published)
 
     def renamed(self, parts: Mapping[str, str]) -> "Side":
-        """The side with other results beside the same published numbers; `parts` are of their names."""
+        """The side with other results but the same published numbers; `parts` of their names are replaced."""
         results = tuple("/".join(parts.get(part, part) for part in name.split("/")) for name in self.results)
         published = self.published
         if published is None and self.place is None and not self.error:
@@ -66,7 +66,7 @@ class Side:
 
 @dataclass(frozen=True)
 class Comparison:
-    """Left minus right, or left by right, and where the claim puts it.
+    """Left minus right, or left divided by right, and the claimed range.
 
     Attributes
     ----------
@@ -80,9 +80,9 @@ class Comparison:
     published
         Where the thesis has the difference itself; None if it follows from the sides.
     published_home
-        Whose published numbers are meant, where a table has those of several homes; None for their average.
+        The home of the published numbers, if a table has several; None for their average.
     pooled
-        Whether the frames of all test sequences are counted as one, as in Tables 30 and 31.
+        Whether the frames of all test sequences count as one, as in Tables 30 and 31.
     """
 
     left: Side
@@ -101,17 +101,16 @@ class Comparison:
 
 @dataclass(frozen=True)
 class Finding:
-    """One sentence of the thesis, its claim; all its comparisons have to hold.
+    """One sentence of the thesis, its claim; all its comparisons must hold.
 
     Attributes
     ----------
     name
         Of its file, e.g. ``finding_04``.
     readings
-        Other ways to read the thesis: a name, e.g. ``as_printed``, to the parts of results' names that stand
-        for others then.
+        Other readings of the thesis: a name, e.g. ``as_printed``, to replacements of parts of results' names.
     filters
-        Names of the information filters of which the reason tells how many frames they drop.
+        Names of the information filters whose numbers of dropped frames the reason states.
     """
 
     name: str
@@ -135,13 +134,9 @@ class Finding:
 def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
     """Read the settings of one finding.
 
-    A comparison with ``each``, a list of mappings, stands for one comparison a mapping, with ``{key}``
-    replaced by the mapping's value in all its text.
-
-    Raises
-    ------
-    PlacecatError
-        For settings that are unknown, missing or contradictory.
+    A comparison with ``each``, a list of mappings, stands for one comparison per mapping, with ``{key}``
+    replaced by the mapping's value in all its text. Unknown, missing or contradictory settings raise
+    PlacecatError.
     """
     file = f"{paths.FINDING_DEFINITIONS / name}.yaml"
     _check(config, ["number", "section", "claim", "comparisons"], ["readings", "filters"], file)

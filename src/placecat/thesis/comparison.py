@@ -1,4 +1,4 @@
-"""Results beside each other: a variant, what it is compared with, and their difference."""
+"""Comparisons of results: a variant, its baseline, and their difference."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -28,13 +28,13 @@ from placecat.thesis.number import (
 
 DIFFERENCE = "difference"
 SETTINGS = ["homes", "variant", "baseline", "pairs", "label", "places", "summary", "error_ratio", "plain"]
-# In the name of a trial: the best of this axis.
+# In the name of a trial: the best label of this axis.
 BEST = "*"
 _SPLIT = "splits/"
 
 
 class Line(NamedTuple):
-    """One number: what it is, in which home ("Home 6", "Average", or "" for neither), and its value."""
+    """One number: its meaning, its home ("Home 6", "Average", or "" for neither), and its value."""
 
     quantity: str
     home: str
@@ -42,7 +42,7 @@ class Line(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """What to call a comparison, "" for the only one; the names of its two results, and a note on each."""
+    """Label of a comparison, "" for the only one; the names of its two results, and a note on each."""
 
     label: str
     variant: str
@@ -57,17 +57,16 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
     Parameters
     ----------
     entry
-        ``variant`` and ``baseline``, each with ``quantity`` (what to call it) and ``result``, unless
-        ``pairs`` gives the two results of each label; in the name of a trial ``*`` for the label of an axis
-        is the best one on average. ``homes``, the numbers from 1 of homes to show besides the average, or
-        None for results that are not of the main data set. ``places``, those that are compared one by one as
-        well, or "all". Of pairs of trials ``label``, what to call each by the labels of its axes, e.g.
-        "{column} clusters". ``summary`` of the differences, one or some of "mean", "lowest" and "highest"; of
-        those by place if there are any. ``error_ratio``, with ``quantity``, ``variant`` and ``baseline``, two
-        more results. ``plain``, whether the share of all frames counts, of results that are not of the main
-        data set.
+        ``variant`` and ``baseline``, each with ``quantity`` (its name) and ``result``, unless ``pairs`` gives
+        the two results of each label; in the name of a trial ``*`` stands for the label of an axis that is
+        best on average. ``homes``, the numbers from 1 of homes to show besides the average, or None for
+        results of other data sets. ``places``, those to compare one by one as well, or "all". For pairs of
+        trials ``label``, their name by the labels of the axes, e.g. "{column} clusters". ``summary`` of the
+        differences (by place if there are any), one or some of "mean", "lowest" and "highest".
+        ``error_ratio``, with ``quantity``, ``variant`` and ``baseline``, two more results. ``plain``, whether
+        the share of all frames counts, for results of other data sets.
     where
-        What messages call the entry.
+        Name of the entry in messages.
 
     Returns
     -------
@@ -78,7 +77,7 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
     Raises
     ------
     PlacecatError
-        An unknown setting, or a result that does not exist.
+        For an unknown setting or result.
     """
     settings.refuse_unknown(entry, SETTINGS, where)
     lines: list[Line] = []
@@ -103,14 +102,14 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
 
 
 def alone(entry: Mapping[str, Any], results: Results, where: str) -> list[Line]:
-    """One result by itself: ``quantity``, ``result`` and ``homes`` as for :func:`compare`."""
+    """A single result: ``quantity``, ``result`` and ``homes`` as for :func:`compare`."""
     settings.refuse_unknown(entry, ["homes", "quantity", "result"], where)
     pair = Pair("", entry["result"], entry["result"])
     return [Line(entry["quantity"], home, number) for home, number, _ in _in_homes(pair, entry, results)]
 
 
 def _three(entry: Mapping[str, Any], label: str, home: str, left: Number, right: Number) -> list[Line]:
-    """Both sides and, last, their difference."""
+    """Both sides, then their difference."""
     prefix = f"{label}: " if label else ""
     return [
         Line(prefix + entry["variant"]["quantity"], home, left),
@@ -139,13 +138,13 @@ def _known(results: Results) -> list[str]:
 
 
 def _chosen(label: str, variant: str, baseline: str, results: Results) -> Pair:
-    """The pair with the best trial in place of every name with ``*``."""
+    """The pair with the best trial for every name with ``*``."""
     (left, left_note), (right, right_note) = (_best(one, results) for one in (variant, baseline))
     return Pair(label, left, right, left_note, right_note)
 
 
 def _best(pattern: str, results: Results) -> tuple[str, str]:
-    """The trial with the highest average over its homes among those of a pattern, and a note on it."""
+    """The trial of a pattern with the highest average over its homes, and a note on it."""
     wanted = _labels(pattern)
     if BEST not in wanted:
         return pattern, ""
@@ -164,12 +163,12 @@ def _best(pattern: str, results: Results) -> tuple[str, str]:
 
 
 def _labels(trial: str) -> list[str]:
-    """Labels of the axes of a trial; those may have slashes."""
+    """Labels of the axes of a trial; they may contain slashes."""
     return trial.split("/", 2)[-1].split("|")
 
 
 def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tuple[str, Number, Number]]:
-    """Label of a home and both numbers: in each of the entry's homes, and on average."""
+    """Label of a home and both numbers, for each of the entry's homes and the average."""
     names = (pair.variant, pair.baseline)
     homes: Sequence[int] | None = entry["homes"]
     if homes is None:
@@ -190,7 +189,7 @@ def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tu
 
 
 def _homes_of(names: Sequence[str], results: Results) -> tuple[list[int], list[int]]:
-    """Numbers from 1 of the homes in which all of some results were tried, and in which all were measured."""
+    """Numbers from 1 of the homes in which some results were all tried, and were all measured."""
     tried = [n for n in results.numbers if all(_was_tried(results, one, n) for one in names)]
     return tried, [n for n in tried if all(len(in_home(results, one, n).values) for one in names)]
 
@@ -222,13 +221,13 @@ def _in_place(results: Results, name: str, numbers: Sequence[int], place: str) -
 
 
 def _was_tried(results: Results, name: str, number: int) -> bool:
-    """Whether a result is, or has a reason not to be, in the n-th home (from 1)."""
+    """Whether a result exists, or is missing for a reason, in the n-th home (from 1)."""
     home, one = results.homes[number - 1], results.find(name)
     return (name, home) in results.missing or (one is not None and home in one.homes)
 
 
 def _whole(results: Results, name: str, plain: bool) -> Number:
-    """All homes of a result: of a split counted together, as in its table, otherwise their mean."""
+    """A result over all homes: of a split counted together, as in its table, otherwise the mean."""
     one = results.of(name)
     if name.startswith(_SPLIT):
         one = one.pooled()
@@ -253,7 +252,7 @@ def _summary(kind: str, differences: Mapping[str, Number], where: str) -> Line:
 
 
 def _error_ratio(results: Results, variant: str, baseline: str) -> Number:
-    """How many times larger the share of frames is that one result decides wrongly."""
+    """Ratio of the error rates of two results."""
     origins = (Origin(variant), Origin(baseline))
     errors = [100.0 - results.of(name).by_home().mean(axis=1) for name in (variant, baseline)]
     if (errors[1] <= 0).any():

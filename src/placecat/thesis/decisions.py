@@ -1,4 +1,4 @@
-"""Which decisions lie behind each row of a table."""
+"""The decisions behind each row of a table."""
 
 import itertools
 from collections.abc import Mapping
@@ -11,10 +11,10 @@ from placecat.thesis.number import AVERAGE, home_label
 
 
 def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, Measured]]:
-    """Find the results that each row of a table (:func:`placecat.thesis.tables.tables_of`) is computed from.
+    """Find the results behind each row of a table (:func:`placecat.thesis.tables.tables_of`).
 
-    Gives group and row to the results by column; a row that is one result in several homes has it under "".
-    Where a row is a home, the result is that of the home alone. What these data cannot give is left out.
+    Returns group and row to the results by column; a row with one result in several homes has it under "". If
+    a row is a home, the result is restricted to it. Results that these data cannot give are left out.
     """
     if "trial" in table:
         return _of_trials(table, results)
@@ -26,7 +26,7 @@ def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, 
 
 
 def _by_home(one: Measured, results: Results) -> dict[str, Measured]:
-    """The homes of the main data set by their names in tables, and, of several, all together."""
+    """The homes of the main data set by their names in tables, and, if several, all together."""
     found = {
         home_label(number): in_home(one, home)
         for number, home in enumerate(results.homes, start=1)

@@ -1,7 +1,7 @@
-"""Tables, findings and numbers in the text: what the thesis says, in the files of data/thesis.
+"""Definitions of tables, findings and numbers in the text, in the files of data/thesis.
 
-Two things stand for others in these files. A mapping with `like: PATH` starts from what that file holds, one
-of conf/ or another table, and changes what stands beside it. `${NAME}` is a setting of params.yaml.
+These files have two kinds of reference. A mapping with `like: PATH` starts from the content of that file, one
+of conf/ or another table, and changes the settings beside it. `${NAME}` is a setting of params.yaml.
 """
 
 import re
@@ -14,7 +14,7 @@ from placecat.errors import PlacecatError
 
 LIKE = "like"
 _SETTING = re.compile(r"\$\{(\.*)([\w.]+)\}")
-# What a table says beside what its layout needs.
+# Settings of a table besides those of its layout.
 _OF_A_TABLE = ("number", "title", "thesis_data", "layout", "caption", "split", "data", "plain", "needs")
 _OF_A_LAYOUT = ("rows", "result", "gains")
 _OF_TRIALS = ("trial", "homes", "axes")
@@ -23,14 +23,11 @@ _OF_TRIALS = ("trial", "homes", "axes")
 def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, Any]]:
     """Read the tables that show results of the pipeline, by name, e.g. ``table_26``, in order.
 
-    Each has ``number`` (None for an addition), ``title``, ``thesis_data``, ``layout`` and what the layout
-    needs. A table that `needs` a setting of all `params` is there if the setting is. `root` is the project's
-    folder.
+    Each has ``number`` (None for an addition), ``title``, ``thesis_data``, ``layout`` and the layout's
+    settings. A table with `needs` is included if `params`, all settings, have that setting. `root` is the
+    project's folder.
 
-    Raises
-    ------
-    PlacecatError
-        A file that is no YAML, a key or a setting that is unknown, with the file's name.
+    Raises PlacecatError, with the file's name, for invalid YAML or an unknown key or setting.
     """
     found = _read(sorted((root / paths.TABLE_DEFINITIONS).glob("*.yaml")), params, root)
     for path, table in found.items():
@@ -43,15 +40,15 @@ def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str
 
 
 def optional(root: Path = Path()) -> list[str]:
-    """Names of the tables that need a setting, in order: git keeps them for runs that have not got it."""
+    """Names of the tables that need a setting, in order: git keeps them for runs without it."""
     files = sorted((root / paths.TABLE_DEFINITIONS).glob("*.yaml"))
     return [path.stem for path in files if "needs" in _yaml(path)]
 
 
 def studies(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, dict[str, Any]]]:
-    """Read the tables whose cells are trials of their own, a folder a study, as :func:`tables`.
+    """Read the tables whose cells are trials, one folder per study, like :func:`tables`.
 
-    Gives study to name to table, each with ``trial``, ``homes`` and ``axes``
+    Returns study to name to table, each with ``trial``, ``homes`` and ``axes``
     (:func:`placecat.evaluation.trials.expand`).
     """
     found = _read(sorted((root / paths.TABLE_DEFINITIONS).glob("*/*.yaml")), params, root)
@@ -76,7 +73,7 @@ def in_text(root: Path = Path()) -> dict[str, dict[str, Any]]:
 
 
 def _read(files: list[Path], params: Mapping[str, Any], root: Path) -> dict[Path, dict[str, Any]]:
-    """Contents of files by their paths in the project, with all that stands for something else filled in."""
+    """Contents of files by their paths in the project, with all references resolved."""
     found = {path.relative_to(root): _load(path, root, ()) for path in files}
     for path, content in found.items():
         try:
@@ -87,7 +84,7 @@ def _read(files: list[Path], params: Mapping[str, Any], root: Path) -> dict[Path
 
 
 def _set(value: Any, around: tuple[dict[str, Any], ...], params: Mapping[str, Any]) -> Any:
-    """Put settings in the place of ``${NAME}``; ``${..NAME}`` is beside the mapping, as in conf/."""
+    """Replace ``${NAME}`` by settings; ``${..NAME}`` is beside the mapping, as in conf/."""
     if isinstance(value, dict):
         return {key: _set(one, (value, *around), params) for key, one in value.items()}
     if isinstance(value, list):
@@ -99,7 +96,7 @@ def _set(value: Any, around: tuple[dict[str, Any], ...], params: Mapping[str, An
 
 
 def _load(path: Path, root: Path, before: tuple[Path, ...]) -> dict[str, Any]:
-    """One file with what it is like; `before` are the files that led to it."""
+    """One file with the content that it is like; `before` are the files that led to it."""
     if path in before:
         raise PlacecatError(f"{path} is like itself, by way of {', '.join(map(str, before))}")
     content = _yaml(path)
@@ -114,7 +111,7 @@ def _load(path: Path, root: Path, before: tuple[Path, ...]) -> dict[str, Any]:
 
 
 def _filled(value: Any, inherited: Any, root: Path, before: tuple[Path, ...]) -> Any:
-    """A value over what it inherits: mappings are merged, but for those with `like`; all else replaces."""
+    """A value over its inherited one: mappings without `like` are merged, all else replaces."""
     if isinstance(value, list):
         return [_filled(one, None, root, before) for one in value]
     if not isinstance(value, dict):

@@ -1,4 +1,4 @@
-"""The findings ledger: what the thesis claims, what was measured, and whether it holds."""
+"""The ledger of findings: the thesis's claims, the measurements, and the verdicts."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -27,28 +27,23 @@ def ledger(
     Parameters
     ----------
     findings
-        Name of a finding to its settings, see `read_finding`.
+        Name of a finding to its settings, see `read_finding`; wrong settings raise PlacecatError.
     verdict
         Settings of `Rules`.
 
     Returns
     -------
     findings, comparisons
-        One row a finding, in order of their numbers: number, section, claim, published, measured, difference,
-        low, high, units, verdict, one ``verdict_...`` a reading ("" where the finding has no such reading),
-        reason. A finding of several comparisons shows the one that decides it; `difference` is the ratio if
-        that one is of a ratio.
-        And one row a comparison: finding, reading ("" or the other reading's name), left, right, compare,
-        published_left, published_right, published, measured_left, measured_right, measured, low, high,
-        corrected_low, corrected_high, range, units, verdict, reason, left_results, right_results; `published`
-        and `measured` are the difference, or the ratio where `compare` says so. A comparison holds by `low`
-        and `high` and fails by the corrected ends, which allow for the number of the finding's comparisons.
-        Numbers are percent and points with 2 decimals, NaN for none.
-
-    Raises
-    ------
-    PlacecatError
-        For settings that are wrong; what was not measured only makes a finding undecided.
+        One row per finding, in order of their numbers: number, section, claim, published, measured,
+        difference, low, high, units, verdict, one ``verdict_...`` per reading ("" if the finding has no such
+        reading), reason. A finding of several comparisons shows the one that decides it; `difference` is a
+        ratio if that one is. Missing measurements make a finding undecided. And one row per comparison:
+        finding, reading ("" or the other reading's name), left, right, compare, published_left,
+        published_right, published, measured_left, measured_right, measured, low, high, corrected_low,
+        corrected_high, range, units, verdict, reason, left_results, right_results; `published` and `measured`
+        are the difference, or the ratio if `compare` says so. A comparison holds by `low` and `high` and
+        fails by the corrected ends, which allow for the number of the finding's comparisons. Numbers are
+        percent and points with 2 decimals, NaN for none.
     """
     rules: Rules = settings.call(Rules, settings=verdict, where="verdict")
     read = sorted((read_finding(name, one) for name, one in findings.items()), key=lambda one: one.number)
@@ -104,7 +99,7 @@ def _finding_row(finding: Finding, judged: Sequence[Judged], rules: Rules) -> di
 
 
 def _margin(judged: Judged) -> tuple[bool, float]:
-    """Smallest for the comparison that decides; one without an interval says less than any with one."""
+    """Smallest for the deciding comparison; one without an interval decides first."""
     if judged.measurement is None or np.isnan(judged.measurement.interval.low):
         return True, 0.0
     return False, judged.claimed.margin(judged.measurement.interval) if judged.claimed else 0.0

@@ -1,4 +1,4 @@
-"""Numbers that the thesis gives in its text only: what was measured beside what was published."""
+"""Numbers that only the thesis's text has: measured beside published."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -16,14 +16,14 @@ from placecat.thesis.records import read_off
 from placecat.thesis.tables import comparable, not_comparable
 
 COLUMNS = ["name", "section", "quantity", "home", "published", "measured", "spread", "seeds", "note"]
-# What the table is called, and the columns that say which number a row is.
+# Name of the table, and the columns that identify a number.
 NAME = "in_text"
 KEY = ["name", "quantity", "home"]
 _OF_THE_DATA = ("thesis_data", "data", "split")
 
 
 class _Said(NamedTuple):
-    """What the thesis says of one quantity: a number, NaN where it has only words; the words; a note."""
+    """One quantity in the thesis: a number, NaN if there are only words; the words; a note."""
 
     value: float = np.nan
     quote: str = ""
@@ -46,12 +46,12 @@ def in_text(
         Name of an entry to its settings, see data/thesis/in_text.yaml: a comparison
         (:func:`~placecat.thesis.comparison.compare`), a single ``result``
         (:func:`~placecat.thesis.comparison.alone`) or a ``record``
-        (:func:`~placecat.thesis.records.read_off`), each with ``thesis_data`` and, if it is not the main
-        data set, what it was measured on (``split``, or ``data`` in words); or a ``reference``, the reason
-        why it was not measured.
+        (:func:`~placecat.thesis.records.read_off`), each with ``thesis_data`` and, if not measured on the
+        main data set, its data (``split``, or ``data`` in words); or a ``reference``, the reason why it was
+        not measured.
     published
-        Columns name, section, quantity, home, value (NaN where the thesis gives only words), quote and note,
-        which says what in the thesis contradicts the value.
+        Columns name, section, quantity, home, value (NaN if the thesis has only words), quote and note, which
+        says what in the thesis contradicts the value.
     dataset, splits
         ``title`` and ``thesis_data`` of the main data set, and of that of each split.
     records
@@ -62,14 +62,13 @@ def in_text(
     DataFrame
         Columns name, section, quantity, home ("Home 6", "Average", or "" for neither), published, measured,
         spread, seeds, note, ``notes``, the same by kind, and ``number``, a
-        :class:`~placecat.thesis.number.Number`. Of a comparison both sides and their difference, variant
-        minus baseline, in points. ``spread`` and ``seeds`` as in
-        :func:`~placecat.thesis.tables.fill_table`.
+        :class:`~placecat.thesis.number.Number`. A comparison has both sides and their difference, variant
+        minus baseline, in points. ``spread`` and ``seeds`` as in :func:`~placecat.thesis.tables.fill_table`.
 
     Raises
     ------
     PlacecatError
-        An unknown setting, an entry without a published line or the reverse, or a result that does not exist.
+        For an unknown setting or result, an entry without a published line, or the reverse.
     """
     sections = dict(zip(published["name"], published["section"], strict=True))
     _same_names(list(entries), list(sections))
@@ -92,7 +91,7 @@ def in_text(
 
 def _same_names(entries: Sequence[str], published: Sequence[str]) -> None:
     if more := [name for name in entries if name not in published]:
-        raise PlacecatError(f"in_text has an entry {more[0]!r} of which the thesis says nothing")
+        raise PlacecatError(f"in_text has an entry {more[0]!r} that the thesis does not mention")
     if more := [name for name in published if name not in entries]:
         raise PlacecatError(f"the thesis's number {more[0]!r} has no entry in in_text")
 

@@ -1,4 +1,4 @@
-"""Judging one comparison of the thesis on what was measured."""
+"""Judgement of one comparison of the thesis by the measurements."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -36,7 +36,7 @@ _WHERE = {
 
 @dataclass(frozen=True)
 class Thesis:
-    """What the thesis has: a number of each side and their difference (or ratio), NaN for none."""
+    """The thesis's numbers: of each side and their difference (or ratio), NaN for none."""
 
     numbers: tuple[float, ...]
     difference: float
@@ -44,26 +44,26 @@ class Thesis:
 
 @dataclass(frozen=True)
 class Measurement:
-    """What this run has.
+    """The numbers of this run.
 
     Attributes
     ----------
     numbers
         Of each side, percent.
     results
-        Those that each side was made of in the end.
+        The results finally used on each side.
     interval
         Of the difference (or ratio), rounded to 2 decimals; NaN ends if there is a single unit.
     corrected
         The same at the level that allows for the number of the finding's comparisons.
     units
-        Their number and what they are, for people.
+        Their number and kind, for people.
     gains
         Of each home (or all pooled sequences), (results,): left minus right, result by result, mean over
         seeds; empty if the sides have no such pairs.
     worse, better
-        A case is a result in a home; in how many the left was noticeably worse and better than the right,
-        whatever the seed.
+        Number of cases (a result in a home) in which the left was noticeably worse and better than the right
+        with every seed.
     note
         What was left out, "" for nothing.
     """
@@ -81,9 +81,9 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Judged:
-    """One comparison, what the thesis and this run have of it, and the verdict.
+    """One comparison with its published and measured numbers and its verdict.
 
-    The claimed range is None for ``both_signs``, the measurement if this run does not have all results.
+    The claimed range is None for ``both_signs``; the measurement is None if this run lacks a result.
     """
 
     comparison: Comparison
@@ -102,19 +102,14 @@ def judge_comparison(
     published: Published,
     comparisons: int = 1,
 ) -> Judged:
-    """Judge one comparison.
+    """Judge one comparison; wrong settings raise PlacecatError, missing measurements make it undecided.
 
     Parameters
     ----------
     finding
-        Name of the finding that makes it; the bootstrap's seed is derived from it.
+        Name of its finding; the bootstrap's seed derives from it.
     comparisons
-        How many the finding makes, each of which has to hold.
-
-    Raises
-    ------
-    PlacecatError
-        For settings that are wrong. What was not measured only makes the verdict undecided.
+        Number of the finding's comparisons, all of which must hold.
     """
     try:
         paired = (
@@ -143,10 +138,10 @@ def judge_comparison(
 
 
 def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str]:
-    """Judge that something can hurt as well as help: the verdict on all cases together, and why.
+    """Judge whether something hurts as well as helps: the verdict on all cases together, and the reason.
 
-    A case is a result in a home, and each comparison has homes of its own;
-    :func:`placecat.evaluation.verdict.judge_shares` has the rule.
+    A case is a result in a home, and each comparison has its own homes; see
+    :func:`placecat.evaluation.verdict.judge_shares` for the rule.
     """
     worse, better = sum(one.worse for one in measured), sum(one.better for one in measured)
     gains = [gain for one in measured for gain in one.gains]
@@ -167,7 +162,7 @@ def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str
 
 
 def look_up(comparison: Comparison, published: Published, sides: Sequence[Side] | None = None) -> Thesis:
-    """Find the published numbers of a comparison, or of `sides` that have only what was measured."""
+    """Find the published numbers of a comparison, or of `sides` restricted to measured results."""
     sides = comparison.sides if sides is None else sides
     home = comparison.published_home or AVERAGE
     numbers = [_combine(side, _published(side, published, home)[:, None]) for side in sides]
@@ -180,7 +175,7 @@ def look_up(comparison: Comparison, published: Published, sides: Sequence[Side] 
 def measure(
     finding: str, comparison: Comparison, rules: Rules, paired: Paired | Pooled, comparisons: int = 1
 ) -> Measurement:
-    """Measure a comparison, with a bootstrap over its units; NotComputable for a ratio to 0.
+    """Measure a comparison, with a bootstrap over its units; a ratio to 0 raises NotComputable.
 
     `finding` and `comparisons` are as for :func:`judge_comparison`.
     """

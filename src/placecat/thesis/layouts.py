@@ -1,4 +1,4 @@
-"""Layouts of tables: which measured number belongs to which cell."""
+"""Layouts of tables: the measured number of each cell."""
 
 import itertools
 from collections.abc import Mapping
@@ -25,11 +25,11 @@ from placecat.thesis.number import (
 
 
 class Cell(NamedTuple):
-    """One cell of a table: its key in the published tables, and what was measured for it.
+    """One cell of a table: its key in the published tables, and its measurement.
 
-    `measured` is a percentage, the mean over the seeds, or NaN with `notes` that say why there is none.
-    `spread` is the largest minus the smallest of the seeds, NaN where nothing is random; `seeds` is their
-    number, then 0. `number` has its seeds and origins.
+    `measured` is a percentage, the mean over the seeds, or NaN with `notes` that say why. `spread` is the
+    largest minus the smallest of the seeds, NaN if nothing is random; `seeds` is their number, then 0.
+    `number` has its seeds and origins.
     """
 
     group: str
@@ -55,19 +55,16 @@ def place_column(place: str) -> str:
 def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
     """Fill the cells of one table by its ``layout``, the name of one of the functions below.
 
-    Raises
-    ------
-    PlacecatError
-        A result that the run does not have.
+    A result that the run does not have raises PlacecatError.
     """
     return LAYOUTS[table["layout"]](table, results)
 
 
 def by_class(table: Mapping[str, Any], results: Results) -> list[Cell]:
-    """A row a test home, a column a place, and the averages over places and homes (e.g. Table 6).
+    """One row per test home, one column per place, and averages over places and homes (e.g. Table 6).
 
-    The one result is ``table["result"]``. An average over homes is one over the homes that show the place;
-    that of the averages is the mean over homes, as everywhere.
+    The only result is ``table["result"]``. An average over homes is over those that show the place; that of
+    the averages is the mean over homes, as everywhere.
     """
     name = table["result"]
     of_place = {
@@ -81,12 +78,12 @@ def by_class(table: Mapping[str, Any], results: Results) -> list[Cell]:
         filled += [cell(("", row, place_column(place)), some[number - 1]) for place, some in of_place.items()]
         filled.append(cell(("", row, AVERAGE), averages[row]))
     filled += [cell(("", AVERAGE, place_column(place)), mean(some)) for place, some in of_place.items()]
-    # With one home it is its own average.
+    # A single home is its own average.
     return [*filled, cell(("", AVERAGE, AVERAGE), averages.get(AVERAGE, averages[home_label(1)]))]
 
 
 def _in_place(results: Results, name: str, number: int, place: str) -> Number:
-    """Percentage of one home's frames of a place that were decided to be it."""
+    """Percentage of one home's frames of a place that were decided right."""
     whole = in_home(results, name, number)
     if not len(whole.values):
         return whole
@@ -99,10 +96,10 @@ def _in_place(results: Results, name: str, number: int, place: str) -> Number:
 
 
 def by_home(table: Mapping[str, Any], results: Results) -> list[Cell]:
-    """A row a result, a column a test home, and the average over homes (e.g. Table 26).
+    """One row per result, one column per test home, and the average over homes (e.g. Table 26).
 
-    Each of ``table["rows"]`` has `group`, `row` and `result`. The note of a filtered result says what the
-    information filter drops.
+    Each of ``table["rows"]`` has `group`, `row` and `result`. The note of a filtered result states the frames
+    that the information filter drops.
     """
     homes = {home_label(number): home for number, home in enumerate(results.homes, start=1)} | {AVERAGE: ""}
     return [
@@ -113,11 +110,11 @@ def by_home(table: Mapping[str, Any], results: Results) -> list[Cell]:
 
 
 def by_home_with_gains(table: Mapping[str, Any], results: Results) -> list[Cell]:
-    """As `by_home`, and what some results have more than the best of others, in points.
+    """Like `by_home`, with the gains of some results over the best of others, in points.
 
-    Groups are in the order of the rows; in a group gains come last. Each of ``table["gains"]`` has `group`,
-    `row`, `result` and `over`, a list of results. A gain is the difference to that one of them whose average
-    over homes is the largest, the same in every home; its note says which.
+    Groups are in the order of the rows, with gains last. Each of ``table["gains"]`` has `group`, `row`,
+    `result` and `over`, a list of results. A gain is the difference to the one of them with the largest
+    average over homes, the same in every home; its note names it.
     """
     names = {row["result"]: row["row"] for row in table["rows"]}
     filled = by_home(table, results)
@@ -134,11 +131,11 @@ def by_home_with_gains(table: Mapping[str, Any], results: Results) -> list[Cell]
 
 
 def grid(table: Mapping[str, Any], results: Results) -> list[Cell]:
-    """Any axes, of which one may be the test homes: cells that are trials of their own (e.g. Table 12).
+    """Any axes, one of them perhaps the test homes: cells that are trials of their own (e.g. Table 12).
 
-    The trials are those that ``table["axes"]`` spans, in the homes of ``table["homes"]``. If an axis is the
-    homes, its labels are "Home n" and, of two or more homes, "Average"; otherwise every cell is the mean over
-    the homes.
+    The trials are those that ``table["axes"]`` spans, in the homes of ``table["homes"]``. An axis of homes
+    has the labels "Home n" and, for two or more homes, "Average"; otherwise every cell is the mean over the
+    homes.
     """
     axes = [table["axes"].get(axis, {"": {}}) for axis in AXES]
     numbers = results.numbers if table["homes"] == "all" else [int(number) for number in table["homes"]]
@@ -149,7 +146,7 @@ def grid(table: Mapping[str, Any], results: Results) -> list[Cell]:
         if HOMES not in axes:
             filled.append(cell((group, row, column), over_homes(results, name, numbers)))
             continue
-        # The label of the axis of homes is empty so far.
+        # The label of the axis of homes is still empty.
         for home, number in in_homes(results, name, numbers):
             labels = [
                 home if axis == HOMES else label
@@ -160,10 +157,10 @@ def grid(table: Mapping[str, Any], results: Results) -> list[Cell]:
 
 
 def pooled_by_class(table: Mapping[str, Any], results: Results) -> list[Cell]:
-    """A row a result, a column a place, frames of all test sequences counted together (Tables 30 and 31).
+    """One row per result, one column per place, all test sequences counted together (Tables 30 and 31).
 
-    Each of ``table["rows"]`` has `group`, `row` and `result`. ``table["plain"]``, if it is there, names a
-    column with the share of all frames, whatever their place.
+    Each of ``table["rows"]`` has `group`, `row` and `result`. ``table["plain"]``, if present, names a column
+    for the share of all frames, of any place.
     """
     filled = []
     for row in table["rows"]:
@@ -184,9 +181,9 @@ def pooled_by_class(table: Mapping[str, Any], results: Results) -> list[Cell]:
 
 
 def probabilities(table: Mapping[str, Any], results: Results) -> list[Cell]:
-    """A row a result: how good its distributions are, averaged over test homes (an addition to the thesis).
+    """One row per result: quality of its distributions, averaged over test homes (an addition to the thesis).
 
-    Each of ``table["rows"]`` has `group`, `row` and `result` of the main data set. A column each for log-loss
+    Each of ``table["rows"]`` has `group`, `row` and `result` of the main data set. Columns are log-loss
     (nats), calibration error and accuracy of stays (both in percent), see
     :class:`placecat.evaluation.quality.HomeQuality`.
     """
@@ -202,7 +199,7 @@ def _quality(results: Results, name: str, measure: str) -> Number:
     if one is None:
         reasons = results.reasons(name)
         if not reasons:
-            # Refuses a name that there is not.
+            # Refuses an unknown name.
             results.of(name)
         return nothing(*(reasons or ["nothing was measured"]), origins=origins)
     values = one.over_homes(measure)

@@ -1,4 +1,4 @@
-"""What DVC compares between revisions: numbers of the tables, confusion matrices and accuracies as plots."""
+"""Metrics that DVC compares between revisions: numbers of the tables, and plots."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -13,16 +13,16 @@ from placecat.settings import refuse_unknown
 CONFUSION, ACCURACY_BY_HOME = "confusion", "accuracy_by_home"
 ACCURACY, LOG_LOSS = "accuracy", "log_loss"
 _AXES = ("group", "row", "column")
-# For the few rows or groups without a name in a table whose others have one.
+# Name of the few nameless rows or groups in a table whose others have names.
 _NAMELESS = "-"
 
 
 def nested_metrics(tables: Mapping[str, pd.DataFrame]) -> dict[str, Any]:
-    """Nest the numbers ``measured`` (NaN for none) of filled tables, by name, as `dvc metrics` wants them.
+    """Nest the numbers ``measured`` (NaN for none) of filled tables, by name, for `dvc metrics`.
 
-    Gives name to group to row to column to the number as in the table. What has no name anywhere in a table
-    is no level of its own: Table 26 is ``{"5-5-1, all cues": {"Gist": {"Home 1": 31.2}}}``, Table 5 ``{"SVM":
-    {"Home 1": 31.2}}``. Cells without a number are left out, and so are tables that have none.
+    Returns name to group to row to column to number. A label that is empty throughout a table is no level:
+    Table 26 is ``{"5-5-1, all cues": {"Gist": {"Home 1": 31.2}}}``, Table 5 ``{"SVM": {"Home 1": 31.2}}``.
+    Cells and tables without a number are left out.
     """
     return {name: found for name, table in tables.items() if (found := _nest(table))}
 
@@ -42,17 +42,12 @@ def _nest(table: pd.DataFrame) -> dict[str, Any]:
 
 
 def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -> dict[str, Any]:
-    """Averages of a few results, a column each in `dvc exp show`.
+    """Averages of a few results, one column each in `dvc exp show`.
 
     `chosen` has ``accuracy`` and ``log_loss``: name of a column, e.g. ``gist``, to that of its result, e.g.
-    ``cues/gist/5-5-1``. Gives name to accuracy in percent, rounded to two decimals, and in ``log_loss`` name
-    to log-loss in nats, rounded to three: means over homes and seeds as in the tables; none for a result that
-    these data cannot give.
-
-    Raises
-    ------
-    PlacecatError
-        Another kind of number, or a result that does not exist.
+    ``cues/gist/5-5-1``. Returns name to accuracy in percent, rounded to two decimals, and in ``log_loss``
+    name to log-loss in nats, rounded to three: means over homes and seeds as in the tables. Results that
+    these data cannot give are left out. An unknown kind of number or result raises PlacecatError.
     """
     refuse_unknown(chosen, [ACCURACY, LOG_LOSS], "metrics")
     averages: dict[str, dict[str, float]] = {ACCURACY: {}, LOG_LOSS: {}}
@@ -68,16 +63,11 @@ def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -
 
 
 def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[str, pd.DataFrame]:
-    """Choose what `dvc plots` draws.
+    """Choose the data of `dvc plots`.
 
-    `plots` has ``confusion`` and ``accuracy_by_home``: the name of a panel to that of its result. Gives file
-    below reports/plots, e.g. ``confusion/smoothing.csv``, to its rows; none for a result that these data
-    cannot give.
-
-    Raises
-    ------
-    PlacecatError
-        Another kind of plot, or a result that does not exist.
+    `plots` has ``confusion`` and ``accuracy_by_home``: the name of a panel to that of its result. Returns
+    file below reports/plots, e.g. ``confusion/smoothing.csv``, to its rows; none for a result that these data
+    cannot give. An unknown kind of plot or result raises PlacecatError.
     """
     kinds = {CONFUSION: decisions, ACCURACY_BY_HOME: accuracies}
     refuse_unknown(plots, list(kinds), "plots")
@@ -97,9 +87,9 @@ def _find(results: Results, name: str, where: str) -> Measured | None:
 
 
 def decisions(measured: Measured | None) -> pd.DataFrame:
-    """Columns truth and decision, one row a frame of all test homes, of the first seed.
+    """Columns truth and decision, one row per frame of all test homes, of the first seed.
 
-    DVC's template `confusion` counts the rows itself. They are in the order of the places.
+    DVC's template `confusion` counts the rows, which are in the order of the places.
     """
     if measured is None:
         return pd.DataFrame(columns=["truth", "decision"])
@@ -110,7 +100,7 @@ def decisions(measured: Measured | None) -> pd.DataFrame:
 
 
 def accuracies(measured: Measured | None) -> pd.DataFrame:
-    """Columns home and accuracy (percent, mean over places and seeds), one row a test home."""
+    """Columns home and accuracy (percent, mean over places and seeds), one row per test home."""
     if measured is None:
         return pd.DataFrame(columns=["home", "accuracy"])
     mean = measured.by_home().mean(axis=0).round(2)

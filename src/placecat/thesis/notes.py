@@ -1,4 +1,4 @@
-"""What is to be said of a number in a table, by what it is about."""
+"""Notes on the numbers of a table, by subject."""
 
 from collections.abc import Iterable
 from enum import StrEnum
@@ -11,13 +11,13 @@ _KEY = ["group", "row", "column"]
 
 
 class Kind(StrEnum):
-    """What a note is about."""
+    """Subject of a note."""
 
-    # The data set that the number was measured on; it holds for a whole table.
+    # The data set of the measured number; holds for a whole table.
     DATA = "data"
-    # The published number is from other data; it holds for a whole table.
+    # The published number is from other data; holds for a whole table.
     NOT_COMPARABLE = "not_comparable"
-    # The published cell is an n/a.
+    # The published cell is "n/a".
     NOT_AVAILABLE = "not_available"
     # The published number of this cell, e.g. one that contradicts the thesis's other numbers.
     PUBLISHED = "published"
@@ -33,12 +33,12 @@ class Note(NamedTuple):
 
     @property
     def is_of_the_table(self) -> bool:
-        """Whether it holds for a whole table, whose caption says it."""
+        """Whether it holds for a whole table and is in its caption."""
         return self.kind in (Kind.DATA, Kind.NOT_COMPARABLE)
 
     @property
     def is_about_the_published(self) -> bool:
-        """Whether it is about what the thesis has."""
+        """Whether it is about the thesis's number."""
         return self.kind in (Kind.NOT_COMPARABLE, Kind.NOT_AVAILABLE, Kind.PUBLISHED)
 
 
@@ -51,14 +51,14 @@ def joined(notes: Iterable[Note]) -> str:
 
 
 def without_empty(notes: Iterable[Note]) -> Notes:
-    """Notes that say something, each once."""
+    """Notes without empty ones, each once."""
     return tuple(dict.fromkeys(note for note in notes if note.text))
 
 
 def to_rows(name: str, cells: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.DataFrame:
-    """Column `notes` of a table as rows (`COLUMNS`), since a cell of a CSV cannot hold them.
+    """Column `notes` of a table as rows (`COLUMNS`), since a CSV cell cannot hold them.
 
-    The three columns `key` say which cell a row is.
+    The three columns `key` identify the cell of a row.
     """
     rows = [
         (name, *labels, note.kind.value, note.text)
@@ -69,7 +69,7 @@ def to_rows(name: str, cells: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.Dat
 
 
 def with_notes(name: str, cells: pd.DataFrame, rows: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.DataFrame:
-    """A table with its column `notes` again, from what :func:`to_rows` gave; `rows` may be of many tables."""
+    """A table with its column `notes` again, from the rows of :func:`to_rows` for one or many tables."""
     by_cell: dict[tuple[str, ...], Notes] = {}
     for _, *labels, kind, text in rows[rows["table"] == name][COLUMNS].itertuples(index=False, name=None):
         by_cell[tuple(labels)] = (*by_cell.get(tuple(labels), ()), Note(Kind(kind), text))

@@ -1,4 +1,4 @@
-"""A number for a report: its value for each seed, or the reason why there is none."""
+"""A number of a report: its value for each seed, or the reason why there is none."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from numpy.typing import NDArray
 from placecat.results.measured import Results, mean_and_spread
 
 AVERAGE = "Average"
-# In an origin: frames count whatever their place.
+# In an origin: frames of all places count.
 ALL_FRAMES = "all frames"
 
 
 class Origin(NamedTuple):
-    """What a number was read off: a result in some homes.
+    """The source of a number: a result in some homes.
 
-    `part` is a place or a measure of probabilities if it is not the accuracy over all places; `ALL_FRAMES`
-    for the share of all frames. Without homes it is of everything that was tested.
+    `part` is a place, a measure of probabilities or `ALL_FRAMES` (the share of all frames) if it is not the
+    accuracy over all places. Without homes it covers everything that was tested.
     """
 
     result: str
@@ -35,15 +35,15 @@ class Number:
     Attributes
     ----------
     values
-        (seeds,) percent or points; (1,) where nothing is random, (0,) where there is no number.
+        (seeds,) percent or points; (1,) if nothing is random, (0,) if there is no number.
     is_random
         Whether it depends on a seed.
     notes
-        The reasons, if there is no number; else what is to be said about it.
+        The reasons, if there is no number; else remarks on it.
     digits
         After the point.
     origins
-        What it was read off, also where there is no number.
+        Its sources, also if there is no number.
     """
 
     values: NDArray[np.float64]
@@ -59,20 +59,20 @@ class Number:
 
     @property
     def spread(self) -> float:
-        """Largest minus smallest over the seeds, 2 decimals; NaN if there is no number or nothing random."""
+        """Largest minus smallest over the seeds, 2 decimals; NaN without a number or if nothing is random."""
         return mean_and_spread(self.values, random=self.is_random)[1] if len(self.values) else float("nan")
 
     @property
     def seeds(self) -> int:
-        """Number of seeds, 0 where nothing is random or there is no number."""
+        """Number of seeds, 0 if nothing is random or there is no number."""
         return len(self.values) if self.is_random else 0
 
     def noted(self, *notes: str) -> Number:
-        """The number with further notes, without empty ones; without a value, as it is."""
+        """The number with further non-empty notes; unchanged if it has no value."""
         return replace(self, notes=merged([self.notes, notes])) if len(self.values) else self
 
     def minus(self, other: Number) -> Number:
-        """The difference for each seed; what is not random is the same with every seed."""
+        """The difference for each seed; non-random values are the same with every seed."""
         origins = united((self, other))
         if not len(self.values) or not len(other.values):
             reasons = merged(one.notes for one in (self, other) if not len(one.values))
@@ -83,7 +83,7 @@ class Number:
 
 
 def nothing(*reasons: str, origins: tuple[Origin, ...] = ()) -> Number:
-    """No number, and why."""
+    """A missing number and the reasons."""
     return Number(np.empty(0), False, reasons, origins=origins)
 
 
@@ -97,16 +97,16 @@ def united(numbers: Iterable[Number]) -> tuple[Origin, ...]:
 
 
 def merged(notes: Iterable[Iterable[str]]) -> tuple[str, ...]:
-    """Notes of several numbers in a row, each once, without empty ones."""
+    """Non-empty notes of several numbers in a row, each once."""
     return tuple(dict.fromkeys(note for of_one in notes for note in of_one if note))
 
 
 def mean(numbers: Sequence[Number]) -> Number:
-    """The mean of some numbers for each seed; those without a value are left out."""
+    """The mean of some numbers for each seed, without those that have no value."""
     there = [one for one in numbers if len(one.values)]
     if not there:
         return nothing(*merged(one.notes for one in numbers), origins=united(numbers))
-    # Adding keeps the seeds apart and spreads what is not random over them.
+    # Adding keeps the seeds apart and broadcasts non-random values.
     total = sum((one.values for one in there[1:]), there[0].values)
     is_random = any(one.is_random for one in there)
     return Number(total / len(there), is_random, origins=united(there))
@@ -131,7 +131,7 @@ def in_home(results: Results, name: str, number: int) -> Number:
 def over_homes(results: Results, name: str, numbers: Sequence[int]) -> Number:
     """Accuracy of a result averaged over homes given by their numbers (from 1), in percent.
 
-    Homes without a number are left out, and the note says so.
+    Homes without a number are left out, with a note.
     """
     parts = [in_home(results, name, number) for number in numbers]
     there = [number for number, part in zip(numbers, parts, strict=True) if len(part.values)]
@@ -139,18 +139,18 @@ def over_homes(results: Results, name: str, numbers: Sequence[int]) -> Number:
 
 
 def only_some(there: Sequence[int], numbers: Sequence[int]) -> str:
-    """The note on a mean over some of the homes, given by their numbers (from 1); "" if it is over all."""
+    """Note on a mean over only some of the homes, given by their numbers (from 1); "" if it is over all."""
     return "" if len(there) == len(numbers) else f"mean over {', '.join(map(home_label, there))} only"
 
 
 def best_of(results: Results, names: Sequence[str]) -> str:
-    """The result with the largest average over homes; the first one of equals, and if none was measured."""
+    """The result with the largest average over homes; the first of equals, or if none was measured."""
     averages = [over_homes(results, name, results.numbers).measured for name in names]
     return names[int(np.nanargmax(averages))] if np.isfinite(averages).any() else names[0]
 
 
 def in_homes(results: Results, name: str, numbers: Sequence[int]) -> list[tuple[str, Number]]:
-    """Accuracies in each of some homes and, of two or more, their average, with their published names."""
+    """Accuracies in some homes and, for two or more, their average, with their published names."""
     found = [(home_label(number), in_home(results, name, number)) for number in numbers]
     if len(numbers) > 1:
         found.append((AVERAGE, over_homes(results, name, numbers)))

@@ -1,4 +1,4 @@
-"""What two sides of a comparison measured on the same homes, or on the same stays."""
+"""Measurements of a comparison's sides on the same homes, or on the same stays."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -16,22 +16,22 @@ Statistic = Callable[[Sequence[NDArray[np.float64]]], NDArray[np.float64]]
 
 @dataclass(frozen=True)
 class Paired:
-    """Values of some sides on the homes that all of them were measured on.
+    """Values of some sides on the homes in which all of them were measured.
 
     Attributes
     ----------
     sides
-        Those asked for, each with only the results that are used.
+        The sides, each with only the results used.
     values
-        A side: (results, homes, seeds) percent. One seed where nothing is random.
+        Per side (results, homes, seeds) percent. One seed if nothing is random.
     homes
         Their names.
     seeds
-        Number of seeds that all random results have in common, 0 where nothing is random.
+        Number of seeds that all random results share, 0 if nothing is random.
     by_seed
         Whether a home with one seed is a unit, instead of a home with the mean over its seeds.
     note
-        Which homes had to be left out and why, "" for none.
+        Which homes were left out and why, "" for none.
     """
 
     sides: tuple[Side, ...]
@@ -48,7 +48,7 @@ class Paired:
         return f"{homes} x {_count(self.seeds, 'seed')}" if self.by_seed else homes
 
     def by_unit(self) -> tuple[NDArray[np.float64], ...]:
-        """A side: (results, units); the units are those of `by_seed`."""
+        """Per side (results, units); the units are those of `by_seed`."""
         if self.by_seed:
             return tuple(values.reshape(len(values), -1) for values in self.values)
         return tuple(values.mean(axis=2) for values in self.values)
@@ -60,7 +60,7 @@ class Paired:
 
     @property
     def at_hand(self) -> bool:
-        """Whether an interval is for the homes at hand only."""
+        """Whether an interval is for these homes only."""
         return self.by_seed
 
     def too_few(self, minimum: int) -> str:
@@ -68,11 +68,11 @@ class Paired:
         return f"{self.units} are too few for a verdict" if self.n_units < minimum else ""
 
     def overall(self) -> tuple[NDArray[np.float64], ...]:
-        """A side: (results, 1) percent, all units alike."""
+        """Per side (results, 1) percent, with equal weights of units."""
         return tuple(values.mean(axis=1, keepdims=True) for values in self.by_unit())
 
     def interval(self, statistic: Statistic, seed: int, level: float, resamples: int) -> Interval:
-        """Interval of a statistic of the sides, which takes (results, n) of each and gives (n,)."""
+        """Interval of a statistic that takes (results, n) of each side and returns (n,)."""
         by_unit = self.by_unit()
         return paired_bootstrap(
             lambda weights: statistic([values @ weights.T for values in by_unit]),
@@ -84,12 +84,9 @@ class Paired:
 
 
 def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
-    """Bring sides together; with `few_homes` or fewer a home with one seed is a unit, if anything is random.
+    """Pair the sides; with `few_homes` or fewer, a home with one seed is a unit, if anything is random.
 
-    Raises
-    ------
-    NotComputable
-        If a result was not measured, or if no home has all of them; the message has the reasons.
+    Raises NotComputable, with the reasons, if a result was not measured or no home has all of them.
     """
     used = computable(results, sides)
     names = list(dict.fromkeys(name for side in used for name in side.results))
@@ -115,11 +112,11 @@ def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
 
 
 def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
-    """Leave out what this data cannot give: numbers of which a side has several.
+    """Leave out results that this data cannot give, from sides with several.
 
-    The best, the last: of those that there are. Of means with one result for each, both sides keep the same
-    places. A side keeps all its results where none would be left, so that the reasons are told. What a side
-    keeps stays beside the published number of its own cell.
+    ``best`` and ``last`` choose from the remaining ones. Means that pair results keep the same positions on
+    both sides. A side that would lose all its results keeps them, so that the reasons are reported. A kept
+    result keeps the published number of its own cell.
     """
     impossible = {name for name, _ in results.missing} - set(results.measured)
     together = len({len(side.results) for side in sides}) == 1
@@ -142,7 +139,7 @@ def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
 
 
 def look_up(results: Results, name: str) -> Measured:
-    """Find a result; NotComputable with the reasons why it was not measured."""
+    """Find a result; a missing one raises NotComputable with the reasons."""
     if name not in results.measured:
         if reasons := results.reasons(name):
             raise NotComputable(f"{name}: {', '.join(sorted(reasons))}")
@@ -151,7 +148,7 @@ def look_up(results: Results, name: str) -> Measured:
 
 
 def common_seeds(measured: Iterable[Measured]) -> tuple[str, ...]:
-    """Names of the seeds that all random results have, none where nothing is random."""
+    """Names of the seeds that all random results share, none if nothing is random."""
     random = [one for one in measured if one.is_random]
     if not random:
         return ()
@@ -172,12 +169,12 @@ def _values(one: Measured, side: Side, homes: Sequence[str], seeds: tuple[str, .
         percent = 100.0 - percent
     if one.is_random and seeds:
         return percent[[one.seeds.index(seed) for seed in seeds]].T
-    # Nothing is random, or seeds differ: there is nothing to pair but the means.
+    # Nothing is random, or seeds differ: only the means can be paired.
     return np.broadcast_to(percent.mean(axis=0), (max(len(seeds), 1), len(homes))).T
 
 
 def left_out(sides: Sequence[Side], used: Sequence[Side]) -> list[str]:
-    """Say which results could not be computed; of the last one, those after it."""
+    """Name the results that could not be computed; for ``last``, those after the one used."""
     texts = []
     for side, kept in zip(sides, used, strict=True):
         asked = side.results

@@ -1,4 +1,4 @@
-"""What two sides of a comparison measured on the frames of all test sequences, counted as one."""
+"""Measurements of a comparison's sides on the frames of all test sequences, counted as one."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,25 +15,25 @@ from placecat.thesis.pairing import Statistic, common_seeds, computable, left_ou
 
 @dataclass(frozen=True)
 class Pooled:
-    """Decisions of some sides on the stays, visits to a place, that all test sequences have.
+    """Decisions of some sides on the stays, visits to a place, of all test sequences.
 
-    The frames of a stay are near-duplicates, so that a stay is the unit. Which stay shows which place is
-    fixed: each place is a stratum.
+    The frames of a stay are near-duplicates, so a stay is the unit. The place of each stay is fixed: each
+    place is a stratum.
 
     Attributes
     ----------
     sides
-        Those asked for, each with only the results that are used.
+        The sides, each with only the results used.
     right
-        A side: (results, seeds, stays) number of frames named rightly. One seed where nothing is random.
+        Per side (results, seeds, stays) number of frames decided right. One seed if nothing is random.
     frames
         (stays,) number of frames.
     places
         (stays,) number of the place, from 0 for the first of `names`.
     names
-        Of the places, each with a stay at least.
+        Of the places, each with at least one stay.
     note
-        What had to be left out and why, "" for nothing.
+        What was left out and why, "" for nothing.
     """
 
     sides: tuple[Side, ...]
@@ -43,7 +43,7 @@ class Pooled:
     names: tuple[str, ...]
     note: str
 
-    #: An interval is for these sequences only.
+    #: Intervals are for these sequences only.
     at_hand = True
 
     @property
@@ -53,12 +53,12 @@ class Pooled:
 
     @property
     def n_units(self) -> int:
-        """Number of stays, 1 if no place has two of them: then there is no interval."""
+        """Number of stays, 1 if no place has two of them, so that there is no interval."""
         return len(self.frames) if len(self.frames) > len(self.names) else 1
 
     @property
     def values(self) -> tuple[NDArray[np.float64], ...]:
-        """A side: (results, 1, seeds) percent, all sequences together as if they were one home."""
+        """Per side (results, 1, seeds) percent, all sequences counted as one home."""
         everything: NDArray[np.float64] = 1.0 / np.bincount(self.places)[self.places][None]
         return tuple(
             np.stack([self._accuracy(side, of_seed, everything) for of_seed in right.swapaxes(0, 1)], axis=2)
@@ -73,11 +73,11 @@ class Pooled:
         return f"one stay only shows {' and '.join(once)}: too few for a verdict" if once else ""
 
     def overall(self) -> tuple[NDArray[np.float64], ...]:
-        """A side: (results, 1) percent, mean over the seeds."""
+        """Per side (results, 1) percent, mean over the seeds."""
         return tuple(values.mean(axis=2) for values in self.values)
 
     def interval(self, statistic: Statistic, seed: int, level: float, resamples: int) -> Interval:
-        """As :meth:`placecat.thesis.pairing.Paired.interval`, from a bootstrap over the stays."""
+        """Like :meth:`placecat.thesis.pairing.Paired.interval`, from a bootstrap over the stays."""
         means = [right.mean(axis=1) for right in self.right]
         return stratified_bootstrap(
             lambda weights: statistic(
@@ -92,10 +92,10 @@ class Pooled:
     def _accuracy(
         self, side: Side, right: NDArray[np.float64], weights: NDArray[np.float64]
     ) -> NDArray[np.float64]:
-        """(results, stays) right frames and (n, stays) weights to (results, n) percent."""
+        """From (results, stays) right frames and (n, stays) weights to (results, n) percent."""
         kind = np.eye(len(self.names))[self.places]
         if side.plain:
-            # A place weighs as much as it has stays.
+            # A place weighs as much as its number of stays.
             kind = np.bincount(self.places)[self.places][:, None] * np.ones((1, 1))
         elif side.place is not None:
             kind = kind[:, [self.names.index(side.place)]]
@@ -107,10 +107,7 @@ class Pooled:
 def pool(results: Results, sides: Sequence[Side]) -> Pooled:
     """Bring sides together on the stays of all test sequences.
 
-    Raises
-    ------
-    NotComputable
-        If a result was not measured, or has no stays; the message has the reasons.
+    Raises NotComputable, with the reasons, if a result was not measured or has no stays.
     """
     used = computable(results, sides)
     names = list(dict.fromkeys(name for side in used for name in side.results))
@@ -143,7 +140,7 @@ def _by_stay(results: Results, name: str) -> Measured:
 
 
 def _right(one: Measured, stays: Sequence[str], seeds: Sequence[str]) -> NDArray[np.int64]:
-    """(seeds, stays) frames named rightly."""
+    """(seeds, stays) frames decided right."""
     right = np.diagonal(one.confusion, axis1=2, axis2=3).sum(axis=2)
     right = right[:, [one.homes.index(stay) for stay in stays]]
     if one.is_random and seeds:

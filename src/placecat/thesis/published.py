@@ -1,4 +1,4 @@
-"""Numbers that the thesis gives, looked up by where they stand in it."""
+"""The thesis's numbers, looked up by their place in it."""
 
 import re
 from collections.abc import Mapping
@@ -26,21 +26,16 @@ class Published:
     text: pd.DataFrame
 
     def number(self, reference: Mapping[str, Any], home: str = AVERAGE) -> float:
-        """Look up one number.
+        """Look up one number; NaN if the thesis has an n/a or no number.
 
         Parameters
         ----------
         reference
             ``{table, group, row, column}``, labels as published, without the axes that the table lacks; or
-            ``{text, quantity, home}``, the name of a number in the text and, where the name has several,
-            which one; or ``{result}``, as for :meth:`of_trial`.
+            ``{text, quantity, home}``, the name of a number in the text and, if the name has several, which
+            one; or ``{result}``, as for :meth:`of_trial`.
         home
             As for :meth:`of_trial`.
-
-        Returns
-        -------
-        float
-            NaN where the thesis has an n/a or gives no number.
 
         Raises
         ------
@@ -65,7 +60,7 @@ class Published:
         """The published number of a result that is a cell of a table, NaN for any other result.
 
         E.g. ``trials/table_12/HOG + y-Pos||196``; the empty label is the axis of homes. It is the number of
-        that home, as published; a table of a single home has only that one.
+        that home, as published; a table of a single home has no other.
         """
         match = _TRIAL.fullmatch(result)
         if match is None:

@@ -1,4 +1,4 @@
-"""Numbers read off tables of records: speeds that git keeps, facts that stages left beside their results."""
+"""Numbers from tables of records: speeds kept in git, and facts beside the stages' results."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -15,30 +15,30 @@ from placecat.thesis.comparison import Line
 from placecat.thesis.number import Number, Origin, nothing
 from placecat.training import protocol
 
-# In an origin: the name of a record follows.
+# Prefix of a record's name in an origin.
 RECORD = "record/"
 PICKS = {"lowest": np.min, "highest": np.max}
 _VALUE = ["quantity", "column", "where", "pick", "digits"]
 
 
 def read_off(entry: Mapping[str, Any], records: Mapping[str, pd.DataFrame], where: str) -> list[Line]:
-    """Read the numbers of one entry off a table.
+    """Read the numbers of one entry from a table.
 
     Parameters
     ----------
     entry
-        ``record``, the name of the table, and ``values``, each with ``quantity`` (what to call it),
-        ``column`` and ``where``, the values that columns of its row have; with several rows ``pick``,
-        "lowest" or "highest"; ``digits`` after the point, 2 by default.
+        ``record``, the name of the table, and ``values``, each with ``quantity`` (its name), ``column`` and
+        ``where``, the values of columns that select its row; with several rows ``pick``, "lowest" or
+        "highest"; ``digits`` after the point, 2 by default.
     records
         Tables by name; one without rows was not recorded.
     where
-        What messages call the entry.
+        Name of the entry in messages.
 
     Raises
     ------
     PlacecatError
-        An unknown setting, table or column, or several rows without ``pick``.
+        For an unknown setting, table or column, or several rows without ``pick``.
     """
     settings.refuse_unknown(entry, ["record", "values"], where)
     if entry["record"] not in records:
@@ -75,15 +75,14 @@ def _value(one: Mapping[str, Any], table: pd.DataFrame, where: str) -> Number:
 
 
 def read_records(params: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
-    """Read what numbers in the thesis's text are measured by besides results.
+    """Read the tables, besides results, behind numbers in the thesis's text.
 
     Returns
     -------
     dict
-        ``benchmarks`` and ``scale``, which git keeps; ``nu``, a row a model of a nu-SVM that trained for one
-        test home: result, home, asked, lowest and highest nu in force of its two-class machines;
-        ``rejected``, a row a labelled frame that a filter rejects: filter, home, information. Without rows
-        where nothing is there.
+        ``benchmarks`` and ``scale``, kept in git; ``nu``, one row per model of a nu-SVM and test home:
+        result, home, asked, lowest and highest nu in force of its two-class machines; ``rejected``, one row
+        per labelled frame that a filter rejects: filter, home, information. Missing ones have no rows.
     """
     kept = {"benchmarks": paths.BENCHMARKS, "scale": paths.SCALE_STAGES}
     found = {name: pd.read_csv(path) if path.is_file() else pd.DataFrame() for name, path in kept.items()}
@@ -121,7 +120,7 @@ def _nu_of_trials(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def _asked(classifier: Mapping[str, Any]) -> float | None:
-    """The nu that a classifier's settings ask for, if it is a nu-SVM."""
+    """The nu in a classifier's settings; None if it is no nu-SVM."""
     base = classifier.get("base", {})
     return float(base["nu"]) if base.get("name") == "nu_svm" else None
 

@@ -1,4 +1,4 @@
-"""What words like "better" and "about" mean when a claim is judged."""
+"""The meaning of words like "better" and "about" in a judgement."""
 
 from dataclasses import dataclass
 
@@ -11,7 +11,7 @@ from placecat.thesis.claims import ABOVE, BOTH_SIGNS
 
 @dataclass(frozen=True)
 class Rules:
-    """When something holds; see conf/verdict.
+    """Rules of a judgement; see conf/verdict.
 
     Attributes
     ----------
@@ -22,13 +22,13 @@ class Rules:
     few_homes
         As in `pair`.
     about
-        Share of a published difference that "about" may be off.
+        Relative deviation from a published difference that "about" allows.
     margin
-        Points that are still "little", and that make nothing "better".
+        Largest difference in points that is "little" and not "better".
     noticeable
-        Points from which on a single home got better or worse.
+        Smallest difference in points that makes a single home better or worse.
     rare
-        Share of the cases up to which it is an exception that one got better or worse, below 0.5.
+        Largest share of better or worse cases that counts as an exception, below 0.5.
     """
 
     level: float
@@ -42,25 +42,20 @@ class Rules:
 
 
 def claimed_range(kind: tuple[str, float | None], published_difference: float, rules: Rules) -> Range | None:
-    """Where a claim puts the difference.
+    """The range that a claim allows for the difference; None for ``both_signs``, no claim about the mean.
 
     Parameters
     ----------
     kind
         ``better``: above 0. ``worse``: below 0. ``about``: about the published difference. ``little``: not
         far from 0. ``no_better``: at most a little above 0. ``within`` and a number: nearer to 0 than that.
-        ``above`` and a number: above 0, since the number is what the left is compared with. ``both_signs``:
+        ``above`` and a number: above 0, since the left is compared with the number. ``both_signs``:
         noticeably below 0 in more than a rare share of the cases, and above 0 in as many.
-
-    Returns
-    -------
-    Range or None
-        None for ``both_signs``, which is no claim about the mean.
 
     Raises
     ------
     PlacecatError
-        An unknown kind, or ``about`` without a published difference.
+        For an unknown kind, or ``about`` without a published difference.
     """
     name, number = kind
     known = {

@@ -1,4 +1,4 @@
-"""The thesis's tables: what was measured beside what was published."""
+"""The thesis's tables: measured beside published numbers."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -25,7 +25,7 @@ def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[
     """Every table of a run by name, e.g. ``table_12``: those of the thesis by number, then additions.
 
     Each is its definition (:mod:`placecat.thesis.definitions`) and its ``name``. Studies without a layout are
-    no tables (:mod:`in_text`). `params` are all settings, `root` is the project's folder.
+    not tables (:mod:`in_text`). `params` are all settings, `root` is the project's folder.
     """
     found = definitions.tables(params, root)
     for study in definitions.studies(params, root).values():
@@ -35,12 +35,12 @@ def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[
 
 
 def folder_of(table: Mapping[str, Any]) -> Path:
-    """Where a table's files are: those that need a setting lie apart, since runs without it leave them."""
+    """Folder of a table's files; runs without a setting leave alone the tables that need it."""
     return paths.OPTIONAL_TABLES if "needs" in table else paths.TABLES
 
 
 def dataset_of(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, Any]:
-    """What a table is measured on: the main data set, its split's with the test sequences, or other data."""
+    """The data of a table: the main data set, its split's with the test sequences, or other data."""
     if "data" in table:
         return settings.get(params, "dataset") | {"title": table["data"], "thesis_data": None}
     if "split" not in table:
@@ -50,18 +50,18 @@ def dataset_of(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str,
 
 
 def label(table: Mapping[str, Any]) -> str:
-    """What a table is called: "Table 12", or "Addition" for what is no table of the thesis."""
+    """Name of a table: "Table 12", or "Addition" if it is not in the thesis."""
     return ADDITION if table["number"] is None else f"Table {table['number']}"
 
 
 def contradictions_of(notes: pd.DataFrame) -> dict[PublishedKey, str]:
-    """Rows of data/thesis/contradictions.csv by cell: what contradicts the thesis's own numbers."""
+    """Rows of data/thesis/contradictions.csv by cell: contradictions to the thesis's own numbers."""
     rows = notes[["table", *_KEY, "note"]].itertuples(index=False, name=None)
     return {(int(number), group, row, column): note for number, group, row, column, note in rows}
 
 
 def in_percent(table: Mapping[str, Any]) -> bool:
-    """Whether a table's numbers are percentages; otherwise its ``caption`` says what they are."""
+    """Whether a table's numbers are percentages; otherwise its ``caption`` explains them."""
     return "caption" not in table
 
 
@@ -77,14 +77,14 @@ def fill_table(
     Parameters
     ----------
     table
-        Its configuration: ``name``, ``number`` (None for an addition), ``thesis_data``, ``layout`` and what
-        the layout needs.
+        Its configuration: ``name``, ``number`` (None for an addition), ``thesis_data``, ``layout`` and the
+        layout's settings.
     published
         All published cells, columns table, group, row, column, value; an empty value is an n/a.
     dataset
-        What the table is measured on (:func:`dataset_of`): ``homes``, ``classes``, ``title``, which every
-        measured cell's note names, and ``thesis_data``; if that is not the table's ``thesis_data``, every
-        note says that the numbers do not compare.
+        The data of the table (:func:`dataset_of`): ``homes``, ``classes``, ``title``, which every measured
+        cell's note names, and ``thesis_data``; if that is not the table's ``thesis_data``, every note says
+        that the numbers do not compare.
     contradictions
         From :func:`contradictions_of`.
 
@@ -92,12 +92,11 @@ def fill_table(
     -------
     DataFrame
         Columns table ("Addition" for an addition), group, row, column, published, measured, spread, seeds,
-        note, and ``notes``, the same by kind; ``number``, the cell's :class:`~placecat.thesis.number.Number`:
-        first the published cells in their order, then cells that only
-        this run has. ``measured`` (percent, see :func:`in_percent`; mean over seeds, 2 decimals) is NaN only
-        with a note that says why.
-        ``spread`` is the largest minus the smallest of the seeds in points, NaN where nothing is random;
-        ``seeds`` is their number, then 0.
+        note, and ``notes``, the same by kind; ``number``, the cell's :class:`~placecat.thesis.number.Number`.
+        First the published cells in their order, then additional ones of this run. ``measured`` (percent, see
+        :func:`in_percent`; mean over seeds, 2 decimals) is NaN only with a note that says why. ``spread`` is
+        the largest minus the smallest of the seeds in points, NaN if nothing is random; ``seeds`` is their
+        number, then 0.
     """
     number = table["number"]
     known = published[published["table"] == number]
@@ -128,12 +127,12 @@ def comparable(table: Mapping[str, Any], dataset: Mapping[str, Any]) -> bool:
 
 
 def not_comparable(thesis_data: str) -> Note:
-    """The note on a published number that was measured on other data."""
+    """Note on a published number that was measured on other data."""
     return Note(Kind.NOT_COMPARABLE, f"the published number is from the {thesis_data} and does not compare")
 
 
 def _why_missing(key: tuple[str, str, str], dataset: Mapping[str, Any]) -> str:
-    """Why the layout has no cell of a published key: the data lack a home or a place."""
+    """Why the layout lacks a published cell: the data lack a home or a place."""
     _, row, column = key
     homes = len(dataset["homes"])
     if any(name.startswith("Home ") and int(name.removeprefix("Home ")) > homes for name in (row, column)):

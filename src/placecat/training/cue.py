@@ -1,4 +1,4 @@
-"""A cue by a plan: its frames are read, clustered and learned from, and it judges other frames."""
+"""Training of one cue by a plan: read its frames, cluster them, learn, and judge other frames."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class Cue:
 
 @dataclass(frozen=True)
 class TrainingFrames:
-    """Frames to learn from, part after part.
+    """Training frames, part after part.
 
     Attributes
     ----------
@@ -64,14 +64,14 @@ class TrainingFrames:
 
 @dataclass(frozen=True)
 class TrainedCue:
-    """A cue that has learned.
+    """A trained cue.
 
     Attributes
     ----------
     descriptor
-        What it sees.
+        Its descriptor.
     model
-        What it has learned.
+        Its model.
     truth, home_of_frame
         (n,) class and sequence of its training frames.
     cross_validated
@@ -85,7 +85,7 @@ class TrainedCue:
     cross_validated: NDArray[np.float64] | None
 
     def predict(self, home: str, rows: NDArray[np.int64] | None = None) -> NDArray[np.float64]:
-        """(n, n_classes) distributions for some frames of a sequence; for all of them without `rows`."""
+        """(n, n_classes) distributions for some frames of a sequence; for all without `rows`."""
         return self.model.predict_proba(store.read_descriptors(home, self.descriptor, rows))
 
     def predict_chosen(self, parts: Sequence[Part]) -> dict[str, NDArray[np.float64]]:
@@ -94,17 +94,14 @@ class TrainedCue:
 
     @cached_property
     def temperature(self) -> float:
-        """What its distributions are tempered with; 1 if it was not cross-validated."""
+        """Temperature of its distributions; 1 if it was not cross-validated."""
         return 1.0 if self.cross_validated is None else fit_temperature(self.cross_validated, self.truth)
 
 
 def read_frames(parts: Sequence[Part], descriptor: Mapping[str, Any]) -> TrainingFrames:
-    """Read the chosen frames of some sequences, below each other in this order.
+    """Read the chosen frames of some sequences, in this order.
 
-    Raises
-    ------
-    PlacecatError
-        A descriptor that was not computed, see :func:`placecat.store.read_descriptors`.
+    Raises PlacecatError for a descriptor that was not computed, see :func:`placecat.store.read_descriptors`.
     """
     chosen = {part.home: part.chosen() for part in parts}
     rows = {home: frames for home, (frames, _) in chosen.items()}
@@ -118,7 +115,7 @@ def read_frames(parts: Sequence[Part], descriptor: Mapping[str, Any]) -> Trainin
 def cluster(
     frames: TrainingFrames, plan: Plan, cue: Cue, seed: int, *, numbers: Sequence[int] | None = None
 ) -> Codebook:
-    """Cluster the training frames of a cue that decides from clusters.
+    """Cluster the training frames of a cue.
 
     Parameters
     ----------
@@ -127,7 +124,7 @@ def cluster(
     seed
         One of ``protocol.seeds``; the seed of the clustering derives from it and the plan's names.
     numbers
-        The cluster numbers that will be asked for; None leaves that to the codebook's settings.
+        The cluster numbers that will be used; None for those of the codebook's settings.
     """
     assert cue.codebook is not None
     cells = cue.codebook["cells"]
@@ -148,19 +145,10 @@ def fit(
     *,
     cross_validate: bool = False,
 ) -> TrainedCue:
-    """Train a cue on frames that were read, and clustered if it decides from clusters.
+    """Train a cue on frames, with a codebook if it needs one; errors as in :func:`placecat.cues.fit`.
 
-    Parameters
-    ----------
-    classes
-        Names of the places.
-    cross_validate
-        Whether each sequence's frames are judged by a cue trained on the others as well.
-
-    Raises
-    ------
-    PlacecatError
-        As :func:`placecat.cues.fit`.
+    With `cross_validate`, each sequence's frames are also judged by a cue trained on the others. `classes`
+    are the names of the places.
     """
     data = frames.described, frames.truth, frames.home_of_frame
     options: dict[str, Any] = {"classifier": cue.classifier, "classes": classes, "codebook": codebook}
@@ -177,19 +165,10 @@ def train(
     numbers: Sequence[int] | None = None,
     cross_validate: bool = False,
 ) -> TrainedCue:
-    """Train a cue by a plan: read its frames, cluster them if it decides from clusters, and learn.
+    """Train a cue by a plan: read its frames, cluster them if needed, and learn.
 
-    Parameters
-    ----------
-    seed, numbers
-        As for :func:`cluster`; a cue without clusters needs none.
-    cross_validate
-        As for :func:`fit`.
-
-    Raises
-    ------
-    PlacecatError
-        As :func:`read_frames` and :func:`fit`.
+    `seed` and `numbers` are as for :func:`cluster` (a cue without clusters needs none), `cross_validate` as
+    for :func:`fit`. Raises PlacecatError like :func:`read_frames` and :func:`fit`.
     """
     frames = read_frames(plan.cues, cue.descriptor)
     codebook = None

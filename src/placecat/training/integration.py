@@ -1,4 +1,4 @@
-"""Integration and smoothing by a plan, from the distributions of cues."""
+"""Integration and smoothing by a plan, of the distributions of cues."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -14,7 +14,7 @@ Probabilities = Mapping[str, NDArray[np.float64]]
 
 
 def smoothing_settings(params: Mapping[str, Any]) -> dict[str, Any]:
-    """Settings of :func:`placecat.fusion.smoothing.fit`: those of params.yaml, but for what is smoothed."""
+    """The settings of params.yaml for :func:`placecat.fusion.smoothing.fit`."""
     section = settings.get(params, "smoothing")
     return {name: value for name, value in section.items() if name not in ("cues", "filtered")}
 
@@ -38,9 +38,9 @@ def fuse(
     Parameters
     ----------
     parts
-        What it trains on.
+        Its training parts.
     outputs
-        Of each cue the distributions for the chosen frames of these parts, by name.
+        For each cue, name of a part to the distributions of its chosen frames.
     classes
         Names of the places.
     integrator, temperatures, cross_validated
@@ -54,9 +54,9 @@ def fuse(
 
 
 def training_walks(parts: Sequence[Part]) -> tuple[list[NDArray[np.int16]], list[float]]:
-    """What transitions are counted on: labels of each stretch without a cut, and its frames a second.
+    """Labels of each stretch without a cut, and its frames per second, to count transitions.
 
-    Of frames that come unevenly, those are taken that a camera of this rate would have shown.
+    Of unevenly timed frames, those are taken that a camera of this rate would have shown.
     """
     walks: list[NDArray[np.int16]] = []
     rates: list[float] = []
@@ -90,7 +90,7 @@ def smooth(
     proba
         (frames, n_classes) for every frame of `home`.
     parts
-        What the statistics are of.
+        Parts for the statistics.
     training_proba, training_truth
         (n, n_classes) cross-validated distributions of their frames, and (n,) classes.
     options

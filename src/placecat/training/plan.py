@@ -50,20 +50,20 @@ class Part:
 
 @dataclass(frozen=True)
 class Plan:
-    """Who trains and who is tested.
+    """Which sequences train, and which are tested.
 
     Attributes
     ----------
     classes
         Names of the places.
     cues
-        What codebooks, scalings and cues train on.
+        Parts that train codebooks, scalings and cues.
     integration
-        What the integration and the smoothing train on.
+        Parts that train the integration and the smoothing.
     extra
         Further sequences, for the integration of systems that ask for them (thesis 4.5).
     tested
-        What nothing fitted has seen.
+        Sequences that nothing fitted has seen.
     dataset
         Name of the data set.
     left_out
@@ -80,7 +80,7 @@ class Plan:
 
     @property
     def training_set(self) -> str:
-        """Name of what trains the cues. Seeds of codebooks derive from it and from `dataset`."""
+        """Name of the cues' training set. Seeds of codebooks derive from it and from `dataset`."""
         return self.dataset if self.left_out is None else protocol.training_set(self.left_out)
 
     @property
@@ -90,7 +90,7 @@ class Plan:
         return part.home
 
     def with_cue_frames(self, frames: Mapping[str, int]) -> Plan:
-        """Give the same plan with other frames, an ``offset`` and a ``step``, that train the cues."""
+        """The same plan with other frames (``offset`` and ``step``) to train the cues."""
         return replace(
             self,
             cues=tuple(replace(part, offset=frames["offset"], step=frames["step"]) for part in self.cues),
@@ -106,19 +106,8 @@ def of_homes(
 ) -> list[Plan]:
     """Plan every fold of the main data set.
 
-    Parameters
-    ----------
-    params
-        All settings.
-    scheme, tested
-        As for :func:`placecat.training.protocol.folds`.
-    extra
-        Whether the sequences of ``protocol.extra`` are planned as well.
-
-    Raises
-    ------
-    PlacecatError
-        As :func:`placecat.training.protocol.folds`.
+    `params` are all settings; `scheme` and `tested` are as for :func:`placecat.training.protocol.folds`, with
+    its errors. `extra` adds the sequences of ``protocol.extra``.
     """
     homes = settings.get(params, "dataset.homes")
     return [_of_fold(params, fold, extra=extra) for fold in protocol.folds(homes, scheme, tested)]
@@ -141,23 +130,13 @@ def of_release(
 
 
 def without_homes(params: Mapping[str, Any], left_out: Sequence[str], tested: Sequence[str]) -> Plan:
-    """Plan a judgement on training homes: those left out have no part in the training, some are tested.
-
-    Parameters
-    ----------
-    params
-        All settings.
-    left_out
-        Homes of the main data set.
-    tested
-        Some of `left_out`.
-    """
+    """Plan a test on training homes: the homes `left_out` do not train, and some of them are `tested`."""
     homes = [home for home in settings.get(params, "dataset.homes") if home not in left_out]
     return _of_main(params, homes, homes, tested, tuple(left_out))
 
 
 def of_split(params: Mapping[str, Any], split: str) -> Plan:
-    """Plan a fixed split, of which some sequences train with some of their places (thesis 4.9 and 4.10)."""
+    """Plan a fixed split, in which some sequences train with some of their places (thesis 4.9 and 4.10)."""
     own = settings.get(params, f"splits.{split}")
     classes = own["dataset"]["classes"]
 
@@ -180,9 +159,9 @@ def of_split(params: Mapping[str, Any], split: str) -> Plan:
 
 
 def on_training_homes(plan: Plan) -> list[Plan]:
-    """Plan a judgement on each training home of a plan with one tested sequence, which has no part in it.
+    """Plan a test on each training home of a plan with one tested sequence, which takes no part.
 
-    Each is tested by what trains on the others.
+    The other training homes train.
     """
     training = [part for part in plan.cues if part.home != plan.test]
     return [
@@ -230,7 +209,7 @@ def _parts(params: Mapping[str, Any], homes: Sequence[str], frames: str | None) 
 
 
 def _extra(params: Mapping[str, Any]) -> tuple[Part, ...]:
-    """Sequences of ``protocol.extra``, whose places are those of the main data set by name."""
+    """Sequences of ``protocol.extra``; their places are matched by name."""
     split, sequences = (settings.get(params, f"protocol.extra.{name}") for name in ("split", "sequences"))
     classes = settings.get(params, "dataset.classes")
     places = settings.get(params, f"splits.{split}.dataset.classes")

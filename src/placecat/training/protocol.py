@@ -39,13 +39,13 @@ class Fold:
 
     @property
     def left_out(self) -> tuple[str, ...]:
-        """What the training of the cues leaves out: the test home first."""
+        """Homes that the training of the cues leaves out, the test home first."""
         kept = [home for home in self.integration_homes if home not in self.cue_homes]
         return (self.test, *kept) if self.test else tuple(kept)
 
     @property
     def training_set(self) -> str:
-        """Name of the cues' training set. Seeds are derived from it."""
+        """Name of the cues' training set. Seeds derive from it."""
         return training_set(self.left_out)
 
 
@@ -55,24 +55,9 @@ def training_set(left_out: Sequence[str]) -> str:
 
 
 def tested_homes(homes: Sequence[str], wanted: str | Sequence[str] = ALL) -> tuple[str, ...]:
-    """Homes that are tested on; all of the others' training homes stay what they are.
+    """Return the homes to test on, in the order of `homes`; training sets do not depend on it.
 
-    Parameters
-    ----------
-    homes
-        Names of all homes in order.
-    wanted
-        ``all``, or the names of some.
-
-    Returns
-    -------
-    tuple of str
-        In the order of `homes`.
-
-    Raises
-    ------
-    PlacecatError
-        None at all, or a home that is not there.
+    `wanted` is ``all`` or the names of some. Raises PlacecatError for an empty list or an unknown home.
     """
     if wanted == ALL:
         return tuple(homes)
@@ -91,24 +76,24 @@ def tested_homes(homes: Sequence[str], wanted: str | Sequence[str] = ALL) -> tup
 
 
 def folds(homes: Sequence[str], scheme: str, tested: str | Sequence[str] = ALL) -> list[Fold]:
-    """One fold per home that is tested on.
+    """Make one fold per tested home.
 
-    In 4-5-1 the home kept from the cues is the one after the test home, cyclically: it rotates with the test
-    home, so that every home is kept once. The thesis does not say which it was.
+    In 4-5-1 the home after the test home, cyclically, is kept from the cues, so every home is kept once. The
+    thesis does not say which it was.
 
     Parameters
     ----------
     homes
         Names in order; at least 3 for 5-5-1 and 4 for 4-5-1.
     scheme
-        "5-5-1" or "4-5-1"; the names are the thesis's, whatever the number of homes.
+        "5-5-1" or "4-5-1"; the names are the thesis's, for any number of homes.
     tested
-        As for :func:`tested_homes`. A home's fold is the same whichever others are tested.
+        As for :func:`tested_homes`. It does not change the fold of a home.
 
     Raises
     ------
     PlacecatError
-        An unknown scheme, too few homes for it, or a tested home that is not there.
+        An unknown scheme, too few homes for it, or an unknown tested home.
     """
     if scheme not in SCHEMES:
         raise PlacecatError(f"scheme {scheme!r} is unknown: use one of {', '.join(SCHEMES)}")
@@ -146,17 +131,17 @@ def fold_of_all(homes: Sequence[str], scheme: str) -> Fold:
 
 
 def select_frames(labels: NDArray[np.int16], *, offset: int, step: int) -> NDArray[np.int64]:
-    """Labelled frames of one home that a training uses: every `step`-th frame, starting at `offset`.
+    """Labelled training frames of one home: every `step`-th frame from `offset`.
 
-    Counted over all frames of the home, then restricted to the labelled ones, so that two selections with
-    the same step and different offsets never share a frame (thesis 4.2 and 4.5).
+    The step counts all frames, of which the labelled ones are taken. So two selections with the same step and
+    different offsets never share a frame (thesis 4.2 and 4.5).
 
     Parameters
     ----------
     labels
         (frames,) class indices, -1 for unlabelled.
     offset, step
-        ``0 <= offset < step``.
+        ``0 <= offset < step``, else PlacecatError.
 
     Returns
     -------

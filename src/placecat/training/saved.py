@@ -1,4 +1,4 @@
-"""What stages saved of cues and systems, read to train on."""
+"""Results of cues and systems that stages saved, read for further training."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -14,7 +14,7 @@ from placecat.training.plan import Part, Plan
 
 
 class CueResults:
-    """What the stage `cues` left of a system's cues for one test home and seed.
+    """Results of the stage `cues` for a system's cues, one test home and one seed.
 
     Parameters
     ----------
@@ -33,13 +33,7 @@ class CueResults:
         }
 
     def arrays(self, name: str) -> list[NDArray[Any]]:
-        """Read one array of every cue.
-
-        Raises
-        ------
-        PlacecatError
-            A cue that has not been applied to these frames.
-        """
+        """Read one array of every cue; a cue that was not applied to these frames raises PlacecatError."""
         found = []
         for cue, place in self._places.items():
             if not fold_file.has(place, name):
@@ -51,24 +45,18 @@ class CueResults:
         return found
 
     def outputs(self, plan: Plan, parts: Sequence[Part]) -> list[dict[str, NDArray[np.float64]]]:
-        """Of each cue the distributions for the chosen frames of some parts of the plan, by name."""
+        """For each cue, name of a part to the distributions of its chosen frames."""
         found: list[dict[str, NDArray[np.float64]]] = [{} for _ in self._places]
         for part in parts:
             is_extra = part in plan.extra
             name = f"extra_{part.sequence}" if is_extra else f"integration_{part.home}"
             for of_cue, proba in zip(found, self.arrays(name), strict=True):
-                # Cues judge every frame of a further sequence.
+                # Of a further sequence, cues judge every frame.
                 of_cue[part.home] = proba[part.chosen()[0]] if is_extra else proba
         return found
 
     def temperatures(self) -> list[float]:
-        """Read the temperature of each cue.
-
-        Raises
-        ------
-        PlacecatError
-            A cue that was not cross-validated.
-        """
+        """Read the temperature of each cue; raises PlacecatError for a cue without cross-validation."""
         found = []
         for cue, place in self._places.items():
             facts = fold_file.read_facts(place)
@@ -83,17 +71,8 @@ class CueResults:
 def smooth_home(source: Path, plan: Plan, model: Mapping[str, Any]) -> dict[str, np.ndarray]:
     """Smooth the test home of one fold with statistics of its training homes.
 
-    Parameters
-    ----------
-    source
-        File of what a cue or a system left of the fold.
-    model
-        As for :func:`placecat.fusion.smoothing.fit`.
-
-    Raises
-    ------
-    PlacecatError
-        Results without cross-validation.
+    `source` is the file of a cue or a system for the fold; without cross-validation it raises PlacecatError.
+    `model` is as for :func:`placecat.fusion.smoothing.fit`.
     """
     if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(

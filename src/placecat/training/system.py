@@ -1,4 +1,4 @@
-"""A system by a plan: cues, their integration and its smoothing, trained and applied."""
+"""Training of one system by a plan: cues, integration and smoothing, trained and applied."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ class System:
     Attributes
     ----------
     cues
-        By name, in their order.
+        By name, in order.
     integrator
         ``method`` and ``classifier``, as for :func:`placecat.fusion.integrate.fit`.
     tempered
-        Whether the cues' distributions are tempered before.
+        Whether the cues' distributions are tempered first.
     extra
-        Whether the integration trains on the plan's further sequences as well.
+        Whether the integration also trains on the plan's further sequences.
     smoothing
         As for :func:`placecat.fusion.smoothing.fit`.
     """
@@ -56,7 +56,7 @@ class System:
         return cls(cues, system["integrator"], tempered, extra, smoothing_settings(params))
 
     def descriptors(self, params: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
-        """Give the ``local`` and ``holistic`` descriptors that the cues need, with their settings."""
+        """Return the ``local`` and ``holistic`` descriptors that the cues need, with their settings."""
         wanted: dict[str, dict[str, Any]] = {"local": {}, "holistic": {}}
         for cue in self.cues.values():
             kind = cue.descriptor["kind"]
@@ -67,14 +67,14 @@ class System:
 
 @dataclass(frozen=True)
 class Trained:
-    """A system that has learned.
+    """A trained system.
 
     Attributes
     ----------
     cues
-        By name, in their order.
+        By name, in order.
     integrator, smoothing
-        What decides from their distributions.
+        Trained on their distributions.
     """
 
     cues: Mapping[str, TrainedCue]
@@ -84,11 +84,8 @@ class Trained:
     def test(self, home: str) -> dict[str, NDArray[np.float64]]:
         """Name the places of every frame of a sequence.
 
-        Returns
-        -------
-        dict
-            (frames, n_classes) distributions of each cue by its name, of the ``integration``, of the
-            filter, ``hmm``, and after the delay, ``delayed``.
+        Returns (frames, n_classes) distributions of each cue by its name, of the ``integration``, of the
+        filter, ``hmm``, and after the delay, ``delayed``.
         """
         by_cue = {name: cue.predict(home) for name, cue in self.cues.items()}
         fused = self.integrator.predict_proba(np.stack(list(by_cue.values()), axis=1))
@@ -105,15 +102,8 @@ class Trained:
 def train(plan: Plan, system: System, seed: int) -> Trained:
     """Train a system by a plan, its cues in parallel.
 
-    Parameters
-    ----------
-    seed
-        One of ``protocol.seeds``, for the clusterings.
-
-    Raises
-    ------
-    PlacecatError
-        Features that were not computed, or settings that cannot be.
+    `seed` is one of ``protocol.seeds``, for the clusterings. Raises PlacecatError for missing features or
+    impossible settings.
     """
     parts = fused_parts(plan, extra=system.extra)
     tasks = [(plan, cue, seed, parts, system.tempered) for cue in system.cues.values()]

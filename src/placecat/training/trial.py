@@ -1,4 +1,4 @@
-"""Trials of cues by a plan: what each decides on the tested sequence."""
+"""Trials of cues by a plan: their decisions on the tested sequence."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -12,7 +12,7 @@ from placecat.evaluation.accuracy import confusion_matrix
 from placecat.training.cue import Cue, cluster, fit, read_frames
 from placecat.training.plan import Plan
 
-# Counts of decisions, with true places as rows, or why there are none; and the facts of the model.
+# Counts of decisions (rows are true places), or the reason why there are none; and facts of the model.
 Outcome = tuple[NDArray[np.int64] | str, Mapping[str, Any]]
 
 
@@ -27,16 +27,11 @@ def judge(plan: Plan, cues: Sequence[Cue], seed: int | None) -> list[Outcome]:
     Parameters
     ----------
     plan
-        With one tested sequence; its labelled frames count, of a variant of the regions those described.
+        With one tested sequence. Its labelled frames count; for a variant of the regions, the described ones.
     cues
         All with the descriptor and codebook of the first.
     seed
         One of ``protocol.seeds``; None without clusters.
-
-    Returns
-    -------
-    list
-        What came out of each.
     """
     descriptor = cues[0].descriptor
     frames = read_frames(plan.cues, descriptor)

@@ -1,1 +1,1 @@
-"""From a frame to its salient regions and descriptors. Knows nothing of labels or files."""
+"""From a frame to its salient regions and descriptors. This package knows no labels and opens no files."""

@@ -36,7 +36,7 @@ def compute_maps(
     frame_bgr
         (H, W, 3) uint8, BGR.
     fields
-        The fields of `FrameMaps` that are needed; the others stay empty. It changes no value. `find_regions`
+        The fields of `FrameMaps` to compute; the others stay empty. No value depends on it. `find_regions`
         needs all but ``color``.
     scales
         Pyramid levels in use, ascending, from 1 on; (2, 3, 4, 5) in the thesis.
@@ -47,8 +47,8 @@ def compute_maps(
     use_residual
         Compute the spectral residual; without it `residual` is empty.
     **settings
-        ``gabor_size`` and others of `placecat.vision.orientation.orientation_maps`; ``residual_box`` and
-        others of `placecat.vision.spectral_residual.spectral_residual`.
+        Settings of `placecat.vision.orientation.orientation_maps`, such as ``gabor_size``, and of
+        `placecat.vision.spectral_residual.spectral_residual`, such as ``residual_box``.
 
     Returns
     -------
@@ -57,10 +57,9 @@ def compute_maps(
     Raises
     ------
     TypeError
-        The frame is not an array of uint8.
+        If the frame is not an array of uint8.
     PlacecatError
-        The frame does not have the shape (H, W, 3) or is too small for the scales, or a setting is
-        impossible.
+        If the frame is not (H, W, 3) or too small for the scales, or a setting is impossible.
     """
     gabor, residual = parts_of(settings, compute_maps, orientation_maps, spectral_residual)
     frame = check_frame(frame_bgr)
@@ -71,7 +70,7 @@ def compute_maps(
         raise PlacecatError(f"radii must be whole numbers from 1 on, such as (1, 3), not {sizes}")
     in_color = "color" in fields or "color_contrast" in fields
     total, planes = reduced_planes(frame, color=in_color, clip=clip_color)
-    # The sum of the colours is whole, so a flat frame stays flat to the last bit; thirds only at the end.
+    # The sum of the colours is whole, so a flat frame stays flat to the last bit; divided by 3 at the end.
     totals = gaussian_pyramid(total, 1, levels[-1] + 1)
     grey = {s: totals[s] / np.float32(3) for s in sorted({*levels, *(s + 1 for s in levels)})}
     pyramids = [gaussian_pyramid(plane, 1, levels[-1]) for plane in planes]
@@ -108,17 +107,13 @@ def find_regions(maps: FrameMaps, **settings: Any) -> FloatArray:
         From `compute_maps`.
     **settings
         Those of `placecat.vision.regions.select_regions`, such as ``max_regions``, and of
-        `placecat.vision.saliency.saliency`, such as ``use_residual``.
+        `placecat.vision.saliency.saliency`, such as ``use_residual``. Raises PlacecatError for an impossible
+        one.
 
     Returns
     -------
-    (n, 4) float32: x, y of the centre in pixels of the frame, scale, saliency; saliency falling. Fewer than
-    ``max_regions`` where the frame has no more; (0, 4) for a flat frame.
-
-    Raises
-    ------
-    PlacecatError
-        An impossible setting.
+    (n, 4) float32: x, y of the centre in pixels of the frame, scale, saliency; saliency falling. n is at most
+    ``max_regions``, 0 for a flat frame.
     """
     selection, fusion = parts_of(settings, find_regions, select_regions, saliency)
     return select_regions(maps, saliency(maps, **fusion), **selection)

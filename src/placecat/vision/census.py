@@ -1,4 +1,4 @@
-"""Census transform, its histograms, and the 3x3 Laplacian it is applied to."""
+"""Census transform, its histograms, and the 3x3 Laplacian before it."""
 
 from functools import lru_cache
 from itertools import product
@@ -12,7 +12,7 @@ from placecat.errors import PlacecatError
 
 CODES = 256
 
-# Pixels a cell up to which one histogram over cells and codes is faster than a histogram for each cell.
+# Most pixels per cell for which one histogram over cells and codes is faster than one for each cell.
 _FEW = 10_000
 
 # Left to right, top to bottom; the first is the highest bit.
@@ -28,23 +28,17 @@ LAPLACIANS = {
 def census(images: NDArray[Any]) -> NDArray[np.uint8]:
     """Census transform: one bit for each of the eight neighbours of a pixel.
 
-    A bit is set where the centre is at least its neighbour. The neighbours are read left to right and top
-    to bottom, from the highest bit (top left, 128) to the lowest (bottom right, 1). Pixels on the border
-    of the image have no code.
+    A bit is set where the centre is at least its neighbour. The neighbours run left to right and top to
+    bottom, from the highest bit (top left, 128) to the lowest (bottom right, 1). Border pixels have no code.
 
     Parameters
     ----------
     images
-        (..., h, w) of any real type, h and w at least 3.
+        (..., h, w) of any real type. h or w below 3 raises PlacecatError.
 
     Returns
     -------
     (..., h - 2, w - 2) uint8.
-
-    Raises
-    ------
-    PlacecatError
-        For an image too small to hold a neighbourhood.
 
     References
     ----------
@@ -53,7 +47,7 @@ def census(images: NDArray[Any]) -> NDArray[np.uint8]:
     *_, height, width = images.shape
     if height < 3 or width < 3:
         raise PlacecatError(f"The census transform needs at least 3x3 pixels, not {width}x{height}.")
-    # In flat order a neighbour is a constant step away, also across images: only border pixels go wrong.
+    # In flat order each neighbour is a constant step away, across images too: only border pixels are wrong.
     flat = np.ascontiguousarray(images).reshape(-1)
     margin = width + 1
     inner = slice(margin, max(margin, flat.size - margin))
@@ -69,17 +63,7 @@ def census(images: NDArray[Any]) -> NDArray[np.uint8]:
 
 
 def histograms(codes: NDArray[np.uint8]) -> NDArray[np.float32]:
-    """Histogram of the codes of each image of a stack.
-
-    Parameters
-    ----------
-    codes
-        (n, h, w) uint8, from `census`.
-
-    Returns
-    -------
-    (n, 256) float32, each row with sum 1.
-    """
+    """Histogram of each image of codes (n, h, w) uint8, from `census`: (n, 256) float32, rows sum to 1."""
     count = len(codes)
     if count == 0:
         return np.zeros((0, CODES), np.float32)
@@ -103,8 +87,8 @@ def cell_histograms(codes: NDArray[np.uint8], cells: int) -> NDArray[np.float32]
 
     Returns
     -------
-    (cells**2, 256) float32, cells row by row from the top left; each row has sum 1, or 0 for a cell
-    without a pixel.
+    (cells**2, 256) float32, cells row by row from the top left; rows sum to 1, or 0 for a cell without a
+    pixel.
     """
     number = cells * cells
     if 0 < codes.size <= _FEW * number and number <= 256:
@@ -123,7 +107,7 @@ def cell_histograms(codes: NDArray[np.uint8], cells: int) -> NDArray[np.float32]
 
 
 def _cell_slices(height: int, width: int, cells: int) -> list[list[slice]]:
-    """Rows, and columns, of each cell."""
+    """Rows and columns of each cell."""
     return [
         [slice(k * length // cells, (k + 1) * length // cells) for k in range(cells)]
         for length in (height, width)
@@ -132,7 +116,7 @@ def _cell_slices(height: int, width: int, cells: int) -> list[list[slice]]:
 
 @lru_cache(maxsize=8)
 def _places(height: int, width: int, cells: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
-    """Number of the cell of each pixel, (h, w), and pixels of each cell, at least 1, (cells**2, 1)."""
+    """Cell index of each pixel, (h, w), and number of pixels of each cell, at least 1, (cells**2, 1)."""
     places = np.empty((height, width), np.uint8)
     rows, columns = _cell_slices(height, width, cells)
     for number, where in enumerate(product(rows, columns)):
@@ -150,16 +134,11 @@ def laplacian(image: NDArray[Any], kernel: str = "cross") -> NDArray[Any]:
         (h, w) uint8 or float32.
     kernel
         ``cross`` (4 neighbours), ``full`` (8 neighbours) or ``diagonal`` (the 3x3 kernel of OpenCV's
-        Laplacian with aperture 3). The thesis gives only "Laplacian filter".
+        Laplacian with aperture 3), else PlacecatError. The thesis gives only "Laplacian filter".
 
     Returns
     -------
     (h, w) int16 for uint8, float32 for float32.
-
-    Raises
-    ------
-    PlacecatError
-        For an unknown kernel.
     """
     check_kernel(kernel)
     depth = cv2.CV_16S if image.dtype == np.uint8 else cv2.CV_32F
@@ -167,12 +146,6 @@ def laplacian(image: NDArray[Any], kernel: str = "cross") -> NDArray[Any]:
 
 
 def check_kernel(kernel: str) -> None:
-    """Refuse an unknown Laplacian.
-
-    Raises
-    ------
-    PlacecatError
-        Naming the valid kernels.
-    """
+    """Refuse an unknown Laplacian; the PlacecatError names the valid ones."""
     if kernel not in LAPLACIANS:
         raise PlacecatError(f"Unknown Laplacian kernel '{kernel}': choose one of {', '.join(LAPLACIANS)}.")

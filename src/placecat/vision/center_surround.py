@@ -8,7 +8,7 @@ import numpy as np
 from placecat.vision.color import blue_yellow
 from placecat.vision.maps import FloatArray
 
-# Responses up to these are rounding of float32, which would give flat areas local maxima.
+# Responses up to these are rounding errors of float32, which would give flat areas local maxima.
 GREY_ROUNDING = 1e-3
 COLOR_ROUNDING = 1e-5
 
@@ -16,7 +16,7 @@ COLOR_ROUNDING = 1e-5
 def _surround_difference(plane: FloatArray, radius: int, out: FloatArray) -> None:
     """Subtract from each pixel the mean of the others in its k x k neighbourhood, k = 2 radius + 1.
 
-    With the mean m of all k^2 pixels that is (centre - m) k^2 / (k^2 - 1), so a box blur does it. The border
+    With the mean m of all k^2 pixels this is (centre - m) k^2 / (k^2 - 1), so a box blur suffices. The border
     is mirrored without repeating the edge pixel (reflect-101; the thesis does not give this).
     """
     size = 2 * radius + 1
@@ -37,8 +37,8 @@ def intensity_contrast(grey: FloatArray, radii: Sequence[int] = (1, 3)) -> Float
 
     Returns
     -------
-    (radii, 2, h, w) float32, 0 to 255: positive part of the difference and of its opposite; up to
-    `GREY_ROUNDING` counts as zero.
+    (radii, 2, h, w) float32, 0 to 255: the positive and the negative part of the difference. Values up to
+    `GREY_ROUNDING` become 0.
     """
     out = np.empty((len(radii), 2, *grey.shape), np.float32)
     for (on, off), radius in zip(out, radii, strict=True):
@@ -53,13 +53,13 @@ def color_contrast(planes: Sequence[FloatArray], radii: Sequence[int] = (1, 3)) 
     Parameters
     ----------
     planes
-        The colour planes of one level, as `placecat.vision.color.channels` takes them.
+        The colour planes of one level, as for `placecat.vision.color.channels`.
     radii
         Radii of the neighbourhoods.
 
     Returns
     -------
-    (radii, 4, h, w) float32, dimensionless, >= 0; up to `COLOR_ROUNDING` counts as zero.
+    (radii, 4, h, w) float32, dimensionless, >= 0. Values up to `COLOR_ROUNDING` become 0.
     """
     out = np.empty((len(radii), 4, *planes[0].shape), np.float32)
     difference = np.empty_like(planes[0])

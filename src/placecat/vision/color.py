@@ -5,9 +5,8 @@ the thesis follow from three planes, R, G and D = |R - G|::
 
     R = 1.5 (r/i - 1)        G = 1.5 (g/i - 1)        B = -(R + G)        Y = 2 (R + G) - 4/3 D
 
-Reducing and centre-surround are linear: they are done on R, G, D, and B and Y are formed where they are used.
-A black pixel has no colour and is taken as grey; R = G = D = 0 gives B = Y = 0, so the identities hold for it
-too.
+Reduction and centre-surround are linear, so they work on R, G, D; B and Y are formed at their use. A black
+pixel has no colour and counts as grey: R = G = D = 0 gives B = Y = 0, so the identities hold for it too.
 """
 
 from collections.abc import Sequence
@@ -20,29 +19,20 @@ from placecat.errors import PlacecatError
 from placecat.vision.maps import FloatArray
 from placecat.vision.pyramid import level_size
 
-# Lower strips stay in the cache of a core, but their calls take longer than that saves.
+# Lower strips fit a core's cache, but their additional calls cost more than that saves.
 STRIP_ROWS = 144
 SHIFT = np.float32(1.5)
 
 
 def check_frame(frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Check that an array is a frame, and make it contiguous.
-
-    Parameters
-    ----------
-    frame
-        (H, W, 3) uint8, BGR.
-
-    Returns
-    -------
-    The frame, C-contiguous.
+    """Return a frame, (H, W, 3) uint8 BGR, made C-contiguous.
 
     Raises
     ------
     TypeError
-        Not an array of uint8.
+        If it is not an array of uint8.
     PlacecatError
-        Not of shape (H, W, 3), or empty.
+        If it is not (H, W, 3), or empty.
     """
     if not isinstance(frame, np.ndarray) or frame.dtype != np.uint8:
         kind = frame.dtype if isinstance(frame, np.ndarray) else type(frame).__name__
@@ -59,19 +49,19 @@ def reduced_planes(
 ) -> tuple[FloatArray, list[FloatArray]]:
     """Return level 1 of the sum r + g + b and of the colour planes (thesis 3.1.1.1).
 
-    The frame is worked off in strips, so that less memory is used; the strips do not change the result.
+    The frame is processed in strips to save memory; they do not change the result.
 
     Parameters
     ----------
     frame
         (H, W, 3) uint8, BGR.
     color
-        False: only the sum, and no planes.
+        False: only the sum, no planes.
     clip
-        False: the planes are R, G, D. True: negative colour values of single pixels become 0, as in Itti
-        et al.; the planes are then R, G, B, Y. The thesis does not give this.
+        False: the planes are R, G, D. True: negative colour values of single pixels become 0, as in Itti et
+        al., and the planes are R, G, B, Y. The thesis does not give this.
     strip_rows
-        Rows worked on at once, even, at least 4.
+        Rows per strip, even, at least 4.
 
     Returns
     -------
@@ -79,14 +69,14 @@ def reduced_planes(
         (ceil(H / 2), ceil(W / 2)) float32, three times the intensity, 0 to 765.
     planes
         3 or 4 float32 planes of the same size: R and G from -1.5 to 3, D from 0 to 4.5; or R, G, B, Y from 0
-        to 3. None without `color`.
+        to 3. Empty without `color`.
     """
     frame = check_frame(frame)
     height, width = frame.shape[:2]
     out_width, out_height = level_size(width, height, 1)
     number = 1 if not color else 5 if clip else 4
     reduced = [np.empty((out_height, out_width), np.float32) for _ in range(number)]
-    # Two rows more above and below, as far as the 5x5 kernel reaches.
+    # Two more rows above and below for the 5x5 kernel.
     work = np.empty((4, min(strip_rows + 4, height), width), np.float32)
     split = np.empty((3, *work.shape[1:]), np.uint8)
     for start in range(0, height, strip_rows):
@@ -96,8 +86,7 @@ def reduced_planes(
         planes = _full_planes(frame[top:bottom], list(split[:, :count]), work[:, :count], color, clip)
         rows = slice(top // 2, (bottom + 1) // 2)
         for target, plane in zip(reduced, planes, strict=True):
-            # The strip's outermost rows lack pixels: the lower one is written again by the next strip, the
-            # upper one was right already.
+            # Outermost rows lack pixels. The next strip rewrites the lower one; the upper was right already.
             above = target[top // 2].copy()
             cv2.pyrDown(plane, dst=target[rows])
             if top:
@@ -134,14 +123,9 @@ def channels(planes: Sequence[FloatArray]) -> FloatArray:
 def blue_yellow(
     red: FloatArray, green: FloatArray, difference: FloatArray, blue: FloatArray, yellow: FloatArray
 ) -> None:
-    """Write B = -(R + G) and Y = 2 (R + G) - 4/3 D.
+    """Write B = -(R + G) and Y = 2 (R + G) - 4/3 D to `blue` and `yellow`.
 
-    Parameters
-    ----------
-    red, green, difference
-        (h, w) float32.
-    blue, yellow
-        Where to write, contiguous (h, w) float32.
+    All planes are (h, w) float32, the two written ones contiguous.
     """
     np.add(red, green, out=blue)
     cv2.addWeighted(blue, 2, difference, -4 / 3, 0, dst=yellow)

@@ -1,4 +1,4 @@
-"""The modules of descriptors that settings name, and their settings checked."""
+"""The descriptor modules that settings name, and checks of their settings."""
 
 import inspect
 from collections.abc import Callable, Mapping
@@ -13,24 +13,17 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 
 def settings_of(function: Callable[..., Any]) -> dict[str, Any]:
-    """List the settings of a function, its keyword-only parameters, with their defaults.
+    """List the settings of a function, its keyword-only parameters, and their defaults, in order.
 
-    Parameters
-    ----------
-    function
-        Any function.
-
-    Returns
-    -------
-    Setting to default (`inspect.Parameter.empty` without one), in the order written.
+    A setting without a default has `inspect.Parameter.empty`.
     """
     return dict(_keywords(function))
 
 
 def passing_on(*functions: Callable[..., Any]) -> Callable[[_Function], _Function]:
-    """Decorate a function with ``**settings``: those are the settings of other functions that it calls.
+    """Decorate a function with ``**settings`` that passes them on to other functions.
 
-    So a default is written once, at the function that uses it; `settings_of` gives them all.
+    `settings_of` then lists theirs too, so each default is written once, at the function that uses it.
     """
 
     def decorate(function: _Function) -> _Function:
@@ -41,7 +34,7 @@ def passing_on(*functions: Callable[..., Any]) -> Callable[[_Function], _Functio
             for name, parameter in inspect.signature(other).parameters.items():
                 if parameter.kind is inspect.Parameter.KEYWORD_ONLY:
                     parameters.setdefault(name, parameter)
-        # What `inspect` then tells of the function.
+        # The signature that `inspect` reports.
         function.__signature__ = signature.replace(parameters=list(parameters.values()))  # type: ignore
         return function
 
@@ -51,12 +44,9 @@ def passing_on(*functions: Callable[..., Any]) -> Callable[[_Function], _Functio
 def parts_of(
     settings: Mapping[str, Any], owner: Callable[..., Any], *functions: Callable[..., Any]
 ) -> list[dict[str, Any]]:
-    """Divide what `passing_on` lets an owner take: the settings that each of the functions has.
+    """Divide the settings of an owner with `passing_on` among its functions.
 
-    Raises
-    ------
-    TypeError
-        If one of them is no setting of the owner.
+    Raises TypeError for a setting that the owner does not have.
     """
     unknown = settings.keys() - _keywords(owner)
     if unknown:
@@ -71,21 +61,17 @@ def _keywords(function: Callable[..., Any]) -> dict[str, Any]:
 
 
 def check_settings(function: Callable[..., Any], settings: Mapping[str, Any], owner: str) -> None:
-    """Refuse settings that a function does not have.
+    """Refuse settings that a function does not take as keywords.
 
     Parameters
     ----------
     function
-        The function that will take the settings as keywords.
+        Its settings are listed by `settings_of`.
     settings
         Setting to value.
     owner
-        What a message calls their owner, e.g. "local descriptor 'hog'".
-
-    Raises
-    ------
-    PlacecatError
-        Naming the owner, the first unknown setting and the valid ones.
+        Their owner in the PlacecatError, e.g. "local descriptor 'hog'", which names the first unknown setting
+        and the valid ones.
     """
     refuse_unknown(settings, list(settings_of(function)), f"The {owner}")
 
@@ -93,10 +79,10 @@ def check_settings(function: Callable[..., Any], settings: Mapping[str, Any], ow
 def entry(
     package: str, name: str, settings: Mapping[str, Any], kind: str
 ) -> tuple[ModuleType, dict[str, Any]]:
-    """Find the module of a descriptor that the settings name, and check its own settings.
+    """Find the descriptor module of an entry ``name: settings`` and check its settings.
 
-    An entry ``name: settings`` means the module of this name. A variant has a name of its own and says of
-    which module it is: ``centrist_laplacian: {descriptor: centrist, image: laplacian}``.
+    The name is that of the module. A variant has a name of its own, and ``descriptor`` names its module:
+    ``centrist_laplacian: {descriptor: centrist, image: laplacian}``.
 
     Parameters
     ----------
@@ -107,7 +93,7 @@ def entry(
     settings
         Settings of the module's ``describe``, and ``descriptor`` for a variant.
     kind
-        What a message calls it, e.g. "local descriptor".
+        E.g. "local descriptor", for messages.
 
     Returns
     -------

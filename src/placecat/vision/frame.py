@@ -1,4 +1,4 @@
-"""Everything computed from a frame, in one pass: maps, regions, descriptors, information."""
+"""All features of a frame, in one pass: maps, regions, descriptors, information."""
 
 from collections.abc import Mapping
 from types import ModuleType
@@ -18,27 +18,19 @@ from placecat.vision.variants import check_variants, describe_variants, padded
 SECTIONS = ("attention", "regions", "local", "holistic", "information", "variants")
 
 _Section = Mapping[str, Any]
-# Name of an array to the module that fills it and the settings for that.
+# Name of an array to its module and settings.
 _Entries = dict[str, tuple[ModuleType, dict[str, Any]]]
 
 
 def check(settings: Mapping[str, _Section | None]) -> None:
     """Refuse unknown sections, descriptors and settings, before any frame is read.
 
-    Parameters
-    ----------
-    settings
-        As for `describe_frame`.
-
-    Raises
-    ------
-    PlacecatError
-        Naming what is unknown and what is valid.
+    `settings` are as for `describe_frame`. The PlacecatError names the unknown and the valid names.
     """
     for section in settings:
         if section not in SECTIONS:
             raise PlacecatError(
-                f"Unknown section '{section}' of the features: choose of {', '.join(SECTIONS)}."
+                f"Unknown section '{section}' of the features: choose from {', '.join(SECTIONS)}."
             )
     for section, function in (
         ("attention", compute_maps),
@@ -72,13 +64,13 @@ def describe_frame(
         (H, W, 3) uint8 BGR.
     settings
         Sections, each optional: ``attention`` (settings of `compute_maps`), ``regions`` (of `find_regions`),
-        ``information`` (of `information`), ``local`` and ``holistic`` (descriptor name to its settings;
-        only the descriptors named are computed). A variant has any name and, among its settings,
-        ``descriptor``, whose variant it is: ``{"centrist_full": {"descriptor": "centrist", "width": None}}``.
-        ``variants`` are those of the regions (`describe_variants`), by descriptors in ``local``.
+        ``information`` (of `information`), ``local`` and ``holistic`` (name of each descriptor to compute to
+        its settings). A variant has a free name and the setting ``descriptor``, e.g.
+        ``{"centrist_full": {"descriptor": "centrist", "width": None}}``. ``variants`` are those of the regions
+        (`describe_variants`), by descriptors in ``local``.
     regions
-        (n, 4) float32 regions to describe, such as tracked ones (thesis 4.7); None to find them here. Where
-        they are given, there are no variants, and maps that no descriptor reads are not computed.
+        (n, 4) float32 regions to describe, such as tracked ones (thesis 4.7); None to find them here. With
+        given regions there are no variants, and maps that no descriptor reads are not computed.
 
     Returns
     -------
@@ -105,7 +97,7 @@ def describe_frame(
         variants = describe_variants(
             maps, own["variants"], regions=own["regions"], local_settings=own["local"]
         )
-        # Without a descriptor that needs them the search is still done: the regions are a feature.
+        # The regions are a feature themselves: they are found even if no descriptor needs them.
         regions = find_regions(maps, **own["regions"])
     elif len(regions) > most:
         raise PlacecatError(f"{len(regions)} regions were given, but max_regions is {most}: raise it.")
@@ -122,21 +114,9 @@ def describe_frame(
 
 
 def layout(settings: Mapping[str, _Section | None]) -> dict[str, tuple[tuple[int, ...], np.dtype[Any]]]:
-    """Return the shape and dtype of every array of `describe_frame`, which depend on the settings alone.
+    """Return the shape and dtype of every array of `describe_frame`, by name and in its order.
 
-    Parameters
-    ----------
-    settings
-        As for `describe_frame`.
-
-    Returns
-    -------
-    Name to (shape, dtype), in the order of `describe_frame`.
-
-    Raises
-    ------
-    PlacecatError
-        As `describe_frame`.
+    They depend on the settings alone, which are as for `describe_frame`, with its errors.
     """
     blank = np.zeros((256, 256, 3), np.uint8)
     return {name: (array.shape, array.dtype) for name, array in describe_frame(blank, settings).items()}

@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 def cell_weights(length: int, cells: int) -> NDArray[np.float64]:
     """Weights that average ``length`` pixels into ``cells`` equal cells.
 
-    A pixel across a border counts for both cells, in proportion to its parts. So every cell has the same
-    size for every length; the thesis does not give how a length not divisible by the grid is cut.
+    A pixel across a border counts for both cells in proportion, so all cells have the same size. The thesis
+    does not say how to cut a length that the grid does not divide.
 
     Parameters
     ----------
     length
-        Pixels along the axis, at least 1. It may be less than ``cells``.
+        Pixels along the axis, at least 1; may be less than ``cells``.
     cells
         Cells along the axis, at least 1.
 
@@ -40,18 +40,9 @@ def _weights32(length: int, cells: int) -> NDArray[np.float32]:
 
 
 def cell_means(maps: NDArray[np.float32], cells: int) -> NDArray[np.float32]:
-    """Mean of each map in each cell of a ``cells`` x ``cells`` grid, as two small matrix products.
+    """Mean of each map (..., h, w) float32 in a ``cells`` x ``cells`` grid, by two small matrix products.
 
-    Parameters
-    ----------
-    maps
-        (..., h, w) float32.
-    cells
-        Cells along each axis.
-
-    Returns
-    -------
-    (..., cells, cells) float32, rows from the top, columns from the left.
+    Returns (..., cells, cells) float32, rows from the top, columns from the left.
     """
     height, width = maps.shape[-2:]
     means = (_weights32(height, cells) @ maps) @ _weights32(width, cells).T
@@ -70,13 +61,12 @@ def mean_variance(patches: NDArray[np.float32], grid: int) -> NDArray[np.float32
 
     Returns
     -------
-    (n, 2 c (1 + grid**2)) float32. The areas follow each other: the whole patch, then the cells row by row
-    from the top left. Each area holds the c means, then the c variances (of the population, hence with
-    divisor N), which are never negative.
+    (n, 2 c (1 + grid**2)) float32, area by area: the whole patch, then the cells row by row from the top
+    left. Each area holds the c means, then the c variances (divisor N), which are never negative.
     """
     count, channels = patches.shape[:2]
     values = patches.astype(np.float64)
-    # Variances are differences of squares: centred values lose no digits.
+    # Variances are differences of squares, which lose no digits if the values are centred.
     centre = values.mean(axis=(2, 3), keepdims=True)
     values -= centre
     areas = [_moments(values, centre[:, :, 0, 0], 1)]

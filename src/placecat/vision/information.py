@@ -1,4 +1,4 @@
-"""How much a view shows: the band-pass measure of the information filter."""
+"""The amount of information in a view: the band-pass measure of the information filter."""
 
 import cv2
 
@@ -10,10 +10,10 @@ from placecat.vision.pyramid import expand, level_size
 def information(maps: FrameMaps, *, fine: int = 2, coarse: int | None = None, unit: float = 256 / 3) -> float:
     """Measure the intermediate frequencies of a frame (thesis 4.6).
 
-    The intensity pyramid's level ``fine`` minus its level ``coarse``, expanded, and of that the mean
-    absolute value. The thesis gives no unit. Its thresholds 0.09766 and 0.13021 are 25 / 256 and
-    25 / 192. If intensities were 0 to 1, 0.09766 would reject nearly every indoor view. If 256 levels of the
-    sum r + g + b count as 1, it rejects a quarter, and 0.13021 two fifths: that is the default.
+    This is the mean absolute difference of level ``fine`` of the intensity pyramid and the expanded level
+    ``coarse``. The thesis gives no unit. Its thresholds 0.09766 and 0.13021 are 25 / 256 and 25 / 192. If
+    intensities ran from 0 to 1, 0.09766 would reject nearly every indoor view. If 256 levels of the sum r + g
+    + b count as 1, the default, it rejects a quarter, and 0.13021 two fifths.
 
     Parameters
     ----------
@@ -22,18 +22,14 @@ def information(maps: FrameMaps, *, fine: int = 2, coarse: int | None = None, un
     fine
         The finer level: the "second" scale.
     coarse
-        The coarser level; None for the last.
+        The coarser level, above ``fine``; None for the last.
     unit
         Grey levels of the intensity (r + g + b) / 3 that count as 1, > 0; 256 for intensities from 0 to 1.
 
     Returns
     -------
-    Not negative, at most 255 / unit.
-
-    Raises
-    ------
-    PlacecatError
-        For a level that is no level in use, ``coarse`` not above ``fine``, or a unit that is not positive.
+    float
+        0 to 255 / unit. Raises PlacecatError for levels or a unit out of range.
     """
     if not unit > 0:
         raise PlacecatError(f"The unit of the information measure is {unit}: it must be positive.")

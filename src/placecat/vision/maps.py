@@ -1,4 +1,4 @@
-"""What one pass over a frame computes once and every descriptor shares."""
+"""The maps of one frame, computed once and shared by every descriptor."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ FIELDS = ("grey", "color", "intensity_contrast", "color_contrast", "orientation"
 class FrameMaps:
     """Pyramids and feature maps of one frame (thesis 3.1.1); all arrays float32.
 
-    Level ``s`` has size (ceil(height / 2**s), ceil(width / 2**s)). A field that was not asked for is empty.
+    Level ``s`` has size (ceil(height / 2**s), ceil(width / 2**s)). Fields that were not asked for are empty.
 
     Attributes
     ----------
@@ -58,12 +58,9 @@ class FrameMaps:
     )
 
     def at_scales(self, scales: Collection[int]) -> FrameMaps:
-        """The same maps of some scales only, as if no others had been computed.
+        """The same maps at some scales only, as if no others had been computed.
 
-        Raises
-        ------
-        PlacecatError
-            None at all, or a scale that there is not.
+        Raises PlacecatError for no scale, or a scale without maps.
         """
         wanted = tuple(scale for scale in self.scales if scale in scales)
         if not wanted or len(wanted) < len(set(scales)):
@@ -76,12 +73,12 @@ class FrameMaps:
         return replace(self, scales=wanted, **some)
 
     def once(self, function: Callable[..., Any], array: NDArray[Any], *arguments: Any) -> Any:
-        """Call a function of an array, or return what it returned before for this frame.
+        """Return ``function(array, *arguments)``, computed once per frame.
 
         Parameters
         ----------
         function
-            A function of a module, without side effects.
+            A module-level function without side effects.
         array
             The frame or one of the maps, which do not change.
         *arguments
@@ -89,10 +86,10 @@ class FrameMaps:
 
         Returns
         -------
-        ``function(array, *arguments)``; several descriptors get the same object: do not write into it.
+        The same object for every descriptor: do not write into it.
         """
         key = (function, id(array), *arguments)
-        # The array is kept too: its id may go to another one.
+        # The array is stored too, so that no other can get its id.
         known, result = self._kept.get(key, (None, None))
         if known is not array:
             result = function(array, *arguments)

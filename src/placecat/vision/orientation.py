@@ -24,13 +24,13 @@ def gabor_kernel(
 
         2 exp(-(u^2 + aspect^2 v^2) / (2 sigma^2)) cos(2 pi u / wavelength + phase) / sum of the exponentials
 
-    so the magnitude of a quadrature pair is the amplitude of a wave that fits it.
+    so the magnitude of a quadrature pair is the amplitude of a matching wave.
 
     Parameters
     ----------
     angle
-        Direction along which the wave runs, degrees: 0 answers to vertical edges, 90 to horizontal ones, 45
-        to those that rise to the right.
+        Direction of the wave, degrees: 0 responds to vertical edges, 90 to horizontal ones, 45 to those that
+        rise to the right.
     phase
         Radians; 0 is even (lines), pi / 2 odd (edges).
     size
@@ -51,7 +51,7 @@ def gabor_kernel(
 
     References
     ----------
-    The thesis names Gabor filters and four angles, nothing else. The form is that of cv2.getGaborKernel.
+    The thesis names only Gabor filters and four angles. The form is that of cv2.getGaborKernel.
     """
     if size < 1 or size % 2 == 0:
         raise PlacecatError(f"gabor_size must be an odd number of pixels, not {size}")
@@ -81,8 +81,8 @@ def orientation_maps(
 ) -> FloatArray:
     """Return the Gabor magnitude at 0, 45, 90 and 135 degrees (thesis 3.1.1.1).
 
-    The thesis does not give the parameters. The defaults are those of the steerable pyramid Itti et al. use:
-    a wave of a quarter cycle a pixel, where the Laplacian level has its energy, under a round envelope.
+    The thesis does not give the parameters. The defaults are those of the steerable pyramid of Itti et al.: a
+    wave of a quarter cycle per pixel, where the Laplacian level has its energy, under a round envelope.
 
     Parameters
     ----------
@@ -96,12 +96,12 @@ def orientation_maps(
 
     Returns
     -------
-    (4, h, w) float32, >= 0, amplitude in grey levels; up to the rounding of float32 counts as zero. The
-    border is mirrored (reflect-101; the thesis does not give this).
+    (4, h, w) float32, >= 0, amplitude in grey levels; values within float32's rounding become 0. The border
+    is mirrored (reflect-101; the thesis does not give this).
     """
     bank = _bank(gabor_size, gabor_sigma, gabor_wavelength, gabor_aspect, gabor_phase)
     responses = [_respond(laplacian, parts) for parts in bank]
-    # In place. The last bit of cv2.magnitude depends on where its arrays lie in memory.
+    # In place, since the last bit of cv2.magnitude depends on its arrays' place in memory.
     out = responses[0]
     if len(responses) == 1:
         np.abs(out, out=out)
@@ -145,7 +145,7 @@ def _respond(plane: FloatArray, parts: tuple[Separable, ...]) -> FloatArray:
 
 
 def _separate(kernel: NDArray[np.float64]) -> Separable:
-    """Write a kernel as a sum of outer products, a single one when the envelope is round."""
+    """Write a kernel as a sum of outer products; a round envelope needs one."""
     columns, strength, rows = np.linalg.svd(kernel)
     kept = np.flatnonzero(strength > max(1e-7 * strength[0], 1e-12))
     return tuple(
@@ -154,7 +154,7 @@ def _separate(kernel: NDArray[np.float64]) -> Separable:
 
 
 def _clean(factor: NDArray[np.float64]) -> FloatArray:
-    """Make a factor that is even or odd but for rounding exactly so: OpenCV then needs half the products."""
+    """Make a factor that is even or odd up to rounding exactly so: OpenCV then needs half the products."""
     for sign in (1, -1):
         if np.abs(factor - sign * factor[::-1]).max() < 1e-9 * np.abs(factor).max():
             factor = (factor + sign * factor[::-1]) / 2

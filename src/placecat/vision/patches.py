@@ -1,4 +1,4 @@
-"""Squares cut around salient regions, in the pyramid level of each region's scale."""
+"""Square patches around salient regions, in the pyramid level of each region's scale."""
 
 from collections.abc import Mapping
 from functools import lru_cache
@@ -13,17 +13,10 @@ BORDERS = ("replicate", "reflect")
 
 
 def region_side(width: int) -> int:
-    """Side of a region's patch in pixels of its own level: the diameter, 2 width / 128 (thesis 3.1.1.3).
+    """Side of a region's patch in pixels of its level: the diameter, 2 width / 128 (thesis 3.1.1.3).
 
-    Parameters
-    ----------
-    width
-        Width of the frame in pixels (level 0).
-
-    Returns
-    -------
-    Rounded to whole pixels and at least 4. It is the same for every scale, since the radius doubles with each
-    level.
+    `width` is that of the frame in pixels (level 0). The side is rounded to whole pixels and at least 4. It
+    is the same for every scale, since the radius doubles with each level.
     """
     return max(MIN_SIDE, round(width / 64))
 
@@ -37,7 +30,7 @@ def cut(
 ) -> NDArray[np.float32]:
     """Cut a square around each region from the level of its scale.
 
-    Level-0 position x is x / 2**s in level s (cv2.pyrDown keeps the even pixels). A square of odd side is
+    Position x of level 0 is x / 2**s in level s (cv2.pyrDown keeps the even pixels). A square of odd side is
     centred on the nearest pixel, one of even side on the nearest corner between pixels.
 
     Parameters
@@ -49,8 +42,8 @@ def cut(
     side
         Side of the squares in pixels of the level.
     border
-        What lies outside the image: ``replicate`` repeats the outermost pixels, ``reflect`` mirrors the
-        image about them. The thesis does not give this.
+        Pixels outside the image: ``replicate`` repeats the outermost ones, ``reflect`` mirrors the image
+        about them. The thesis does not give this.
 
     Returns
     -------
@@ -86,7 +79,7 @@ def cut(
 def _places(
     shapes: tuple[tuple[int, int, int], ...], regions: bytes, side: int, border: str
 ) -> list[tuple[int, NDArray[np.intp], NDArray[np.intp]]]:
-    """Which regions lie in which level, and their pixels there.
+    """Regions in each level, and their pixels there.
 
     Parameters
     ----------
@@ -121,7 +114,7 @@ def _places(
 
 
 def _inside(index: NDArray[np.intp], length: NDArray[np.intp], border: str) -> NDArray[np.intp]:
-    """Indices of the pixels that stand for those outside, (n, side), of levels of (n, 1) lengths."""
+    """Indices of the pixels that replace those outside, (n, side), in levels of (n, 1) lengths."""
     if border == "replicate":
         return np.minimum(np.maximum(index, 0), length - 1)
     period = np.maximum(2 * length - 2, 1)
@@ -130,15 +123,5 @@ def _inside(index: NDArray[np.intp], length: NDArray[np.intp], border: str) -> N
 
 
 def to_bytes(patches: NDArray[np.float32]) -> NDArray[np.uint8]:
-    """Round intensities to whole grey levels, 0 to 255, as in an 8-bit image.
-
-    Parameters
-    ----------
-    patches
-        Any shape, float32, grey levels.
-
-    Returns
-    -------
-    The same shape, uint8.
-    """
+    """Round float32 grey levels of any shape to uint8, 0 to 255, as in an 8-bit image."""
     return np.clip(np.rint(patches), 0, 255).astype(np.uint8)

@@ -16,24 +16,10 @@ def level_size(width: int, height: int, level: int) -> tuple[int, int]:
 
 
 def check_scales(scales: tuple[int, ...], width: int, height: int) -> tuple[int, ...]:
-    """Check that the pyramid levels in use make sense for a frame.
+    """Return the pyramid levels in use if they are possible for a frame of `width` x `height` pixels.
 
-    Parameters
-    ----------
-    scales
-        Levels in use, each at least 1, ascending, none twice.
-    width, height
-        Frame size in pixels.
-
-    Returns
-    -------
-    The same scales.
-
-    Raises
-    ------
-    PlacecatError
-        Scales that are empty, not whole, below 1 or not ascending, or a frame whose coarsest level
-        would be less than two pixels wide or high.
+    Raises PlacecatError for scales that are empty, not whole, below 1 or not ascending, or a frame whose
+    coarsest level would be less than two pixels wide or high.
     """
     given = tuple(scales)
     whole = all(isinstance(s, int | np.integer) and s >= 1 for s in given)
@@ -53,53 +39,25 @@ def check_scales(scales: tuple[int, ...], width: int, height: int) -> tuple[int,
 def reduce(plane: FloatArray) -> FloatArray:
     """Blur with the 5x5 binomial kernel and keep every second row and column (thesis 3.1.1.1).
 
-    The border is mirrored without repeating the edge pixel (reflect-101). Pixel (x, y) of the result lies
-    at (2x, 2y) of the input.
-
-    Parameters
-    ----------
-    plane
-        (h, w) float32.
-
-    Returns
-    -------
-    (ceil(h / 2), ceil(w / 2)) float32.
+    Returns (ceil(h / 2), ceil(w / 2)) float32 of a (h, w) float32 plane; its pixel (x, y) lies at (2x, 2y) of
+    the input. The border is mirrored without repeating the edge pixel (reflect-101).
     """
     return _float(cv2.pyrDown(plane))
 
 
 def expand(plane: FloatArray, width: int, height: int) -> FloatArray:
-    """Double the size of a level with the same 5x5 kernel.
+    """Double a (ceil(height / 2), ceil(width / 2)) float32 level with the same 5x5 kernel.
 
-    Parameters
-    ----------
-    plane
-        (ceil(height / 2), ceil(width / 2)) float32.
-    width, height
-        Size of the result in pixels.
-
-    Returns
-    -------
-    (height, width) float32; pixel (x, y) of the input lies at (2x, 2y). OpenCV mirrors at the left and upper
-    border and repeats the last pixel at the right and lower one.
+    Returns (height, width) float32; pixel (x, y) of the input lies at (2x, 2y). OpenCV mirrors at the left
+    and upper border and repeats the last pixel at the right and lower one.
     """
     return _float(cv2.pyrUp(plane, dstsize=(width, height)))
 
 
 def gaussian_pyramid(plane: FloatArray, first: int, last: int) -> dict[int, FloatArray]:
-    """Reduce a plane again and again (thesis 3.1.1.1).
+    """Reduce a (h, w) float32 plane, the level `first`, repeatedly (thesis 3.1.1.1).
 
-    Parameters
-    ----------
-    plane
-        (h, w) float32, the level `first`.
-    first, last
-        First and last level of the result.
-
-    Returns
-    -------
-    dict of int to ndarray
-        Level to float32 plane, levels first to last.
+    Returns a dict of level to float32 plane, from `first` to `last`.
     """
     levels = {first: plane}
     for level in range(first + 1, last + 1):
@@ -108,20 +66,9 @@ def gaussian_pyramid(plane: FloatArray, first: int, last: int) -> dict[int, Floa
 
 
 def laplacian(gaussian: dict[int, FloatArray], level: int) -> FloatArray:
-    """Return a level of the approximate Laplacian pyramid (thesis 3.1.1.1).
+    """Return (h, w) float32, signed: a level of the approximate Laplacian pyramid (thesis 3.1.1.1).
 
-    It is the Gaussian level minus the expanded next one.
-
-    Parameters
-    ----------
-    gaussian
-        Gaussian pyramid holding `level` and `level` + 1.
-    level
-        The level wanted.
-
-    Returns
-    -------
-    (h, w) float32, signed, in the units of the pyramid.
+    It is `level` of the Gaussian pyramid minus the expanded next one, in the pyramid's units.
     """
     plane = gaussian[level]
     height, width = plane.shape

@@ -11,25 +11,15 @@ from placecat.vision.discovery import parts_of, passing_on
 from placecat.vision.maps import FloatArray, FrameMaps
 from placecat.vision.saliency import Saliency, feature_maps, local_maxima
 
-# Points looked at together.
+# Points in one block.
 BLOCK = 128
 
 
 def radius(scale: FloatArray | float, width: int, *, radius_factor: float = 1 / 128) -> FloatArray:
     """Return the radius of a region in pixels of the frame, width / 128 * 2^s (thesis 3.1.1.3).
 
-    Parameters
-    ----------
-    scale
-        Scale s of the region, any shape.
-    width
-        Width of the frame in pixels.
-    radius_factor
-        1/128 in the thesis.
-
-    Returns
-    -------
-    float32, of the shape of `scale`.
+    `scale`, s, has any shape, which the float32 result shares. `width` is that of the frame in pixels,
+    `radius_factor` 1/128 in the thesis.
     """
     return np.asarray(width * radius_factor * np.exp2(np.asarray(scale, np.float64)), np.float32)
 
@@ -37,18 +27,18 @@ def radius(scale: FloatArray | float, width: int, *, radius_factor: float = 1 / 
 def find_scales(maps: FrameMaps, fused: Saliency, points: NDArray[np.intp]) -> NDArray[np.intp]:
     """Find the scale of the strongest feature at salient points (thesis 3.1.1.3).
 
-    First the conspicuity map, then its sub-channel, then the scale with the highest response there.
-    Conspicuity maps and sub-channels are compared as they enter their sums, normalised and weighted; a
-    scale's response is its feature map, expanded as for the sum, and the stronger one of its radii (our
-    reading; the thesis says only "highest response"). Of equals the first is taken: intensity, color,
-    orientation, residual; low scales first.
+    First the conspicuity map with the highest response there is chosen, then its sub-channel, then the scale.
+    Conspicuity maps and sub-channels are compared as they enter their sums, normalised and weighted. A
+    scale's response is its feature map, expanded as for the sum, at the stronger of its radii (our reading;
+    the thesis says only "highest response"). Ties go to the first of intensity, color, orientation, residual,
+    and to low scales.
 
     Parameters
     ----------
     maps
         Maps of the frame.
     fused
-        What `placecat.vision.saliency.saliency` made of them.
+        Their fusion by `placecat.vision.saliency.saliency`.
     points
         (n,) flat indices into the saliency map.
 
@@ -100,18 +90,13 @@ def accept(
     width
         Width of the frame in pixels.
     max_regions
-        Largest number of points to accept.
+        Largest number of points to accept; below 1 raises PlacecatError.
     scale_distance, min_distance
         1/256 and 1/40 in the thesis.
 
     Returns
     -------
     Indices of the accepted points, ascending.
-
-    Raises
-    ------
-    PlacecatError
-        `max_regions` below 1.
     """
     if max_regions < 1:
         raise PlacecatError(f"max_regions must be at least 1, not {max_regions}")
@@ -123,7 +108,7 @@ def accept(
         block = np.arange(start, min(start + BLOCK, least.size))
         if accepted:
             block = block[_far(place, least, accepted, block).all(axis=0)]
-        # A whole number for each point, with a bit for each point that lies far enough: fast to intersect.
+        # An integer for each point, with a bit for each point far enough away: fast to intersect.
         far = np.packbits(_far(place, least, block, block), axis=1, bitorder="little")
         open_ = (1 << block.size) - 1
         while open_ and len(accepted) < max_regions:
@@ -141,7 +126,7 @@ def _far(
     old: Sequence[int] | NDArray[np.intp],
     new: NDArray[np.intp],
 ) -> NDArray[np.bool_]:
-    """Whether points `new` lie far enough from points `old`, (old, new); no point does from itself."""
+    """Whether points `new` lie far enough from points `old`, (old, new); false from a point to itself."""
     apart = np.zeros((len(old), len(new)))
     for axis in place:
         difference = axis[old][:, None] - axis[new]
@@ -166,19 +151,14 @@ def select_regions(
     maps, fused
         Maps of the frame and their fusion.
     max_regions, **settings
-        See `accept`.
+        As for `accept`, with its error.
     maximum_window
         See `placecat.vision.saliency.local_maxima`.
 
     Returns
     -------
-    (n, 4) float32, n <= `max_regions`: x, y of the centre in pixels of the frame, scale, saliency; saliency
-    falling, equal ones by y, then x. n may be 0.
-
-    Raises
-    ------
-    PlacecatError
-        `max_regions` below 1.
+    (n, 4) float32, 0 <= n <= `max_regions`: x, y of the centre in pixels of the frame, scale, saliency;
+    saliency falling, ties by y, then x.
     """
     (distances,) = parts_of(settings, select_regions, accept)
     points = local_maxima(fused.saliency, maximum_window)
@@ -186,7 +166,7 @@ def select_regions(
     order = np.argsort(-strength, kind="stable")
     points, strength = points[order], strength[order]
     step = 2**fused.scale
-    # Weaker points do not change what is accepted among stronger ones: look at more only if they are needed.
+    # Weaker points do not affect stronger ones, so more are looked at only if needed.
     count = 16 * max_regions
     while True:
         rows, columns = np.divmod(points[:count], fused.saliency.shape[1])
@@ -206,9 +186,9 @@ def select_regions(
 def _corners(
     rows: NDArray[np.intp], columns: NDArray[np.intp], sizes: NDArray[np.intp], ups: NDArray[np.intp]
 ) -> tuple[NDArray[np.intp], FloatArray]:
-    """Bilinear interpolation of maps at n pixels of a finer level: indices and weights.
+    """Bilinear interpolation of maps at n pixels of a finer level: indices and weights, each (maps, 4, n).
 
-    Beyond the last pixel a map goes on unchanged.
+    A map continues unchanged beyond its last pixel.
 
     Parameters
     ----------
@@ -218,11 +198,6 @@ def _corners(
         (maps, 2), height and width of each map.
     ups
         (maps,), doublings from each map to the finer level.
-
-    Returns
-    -------
-    index, share
-        (maps, 4, n).
     """
     up = ups[:, None]
     height, width = sizes.T[:, :, None]

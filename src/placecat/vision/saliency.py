@@ -1,4 +1,4 @@
-"""Fusion of feature maps to conspicuity maps and to the saliency map (thesis 3.1.1.1)."""
+"""Fusion of feature maps into conspicuity maps and the saliency map (thesis 3.1.1.1)."""
 
 from dataclasses import dataclass
 
@@ -15,7 +15,7 @@ CHANNELS = ("intensity", "color", "orientation", "residual")
 
 @dataclass(frozen=True)
 class Saliency:
-    """Saliency map of a frame and what it was fused from; maps are float32 of the size of level `scale`.
+    """Saliency map of a frame and its parts; maps are float32 of the size of level `scale`.
 
     Pixel (x, y) of a map lies at (x, y) 2**scale of the frame.
 
@@ -46,19 +46,9 @@ class Saliency:
 
 
 def feature_maps(maps: FrameMaps, channel: str) -> dict[int, FloatArray]:
-    """Return the feature maps of a channel in one layout.
+    """Return the feature maps of a channel of `CHANNELS` in one layout.
 
-    Parameters
-    ----------
-    maps
-        Maps of a frame.
-    channel
-        One of `CHANNELS`.
-
-    Returns
-    -------
-    dict of int to ndarray
-        Scale to (radii, subchannels, h, w), views; radii is 1 where there is no centre-surround.
+    Returns a dict of scale to (radii, subchannels, h, w), views; radii is 1 without centre-surround.
     """
     if channel == "intensity":
         return maps.intensity_contrast
@@ -82,37 +72,33 @@ def saliency(
 ) -> Saliency:
     """Fuse the feature maps of a frame (thesis 3.1.1.1).
 
-    Maps are added across scales and radii within each sub-channel, the sub-channels with weights 1 / sqrt(m)
-    to conspicuity maps; each of these is stretched linearly to [0, largest local maximum of its
+    Maps are added across scales and radii within each sub-channel. With weights 1 / sqrt(m) the sub-channels
+    are added into conspicuity maps. Each of these is stretched linearly to [0, largest local maximum of its
     sub-channels], and they are added with weights 1 / sqrt(m) again. m is the number of local maxima strictly
-    above the median of the map's local maxima; m = 0 gives the weight 0 (so a map with a single peak counts
-    for nothing).
+    above the median of the map's local maxima; m = 0 gives the weight 0, so a map with a single peak does not
+    count.
 
     Parameters
     ----------
     maps
         Maps of a frame.
     fusion_scale
-        Level at which maps are added, at most the lowest scale. The thesis does not give this.
+        Level of the sums, at most the lowest scale. The thesis does not give this.
     use_residual
-        Whether the spectral residual is a fourth channel (3.1.1.2).
+        Use the spectral residual as a fourth channel (3.1.1.2).
     maximum_window
         Side of the neighbourhood a local maximum dominates, odd. The thesis does not give this.
     intensity_unit, color_unit, orientation_unit, residual_unit
-        The channels' conspicuity maps are divided by these, since the largest local maximum is in the units
-        of its channel: black to white, pure red, a wave from black to white. The residual reaches 1 in every
-        frame and at every scale, the others do not; 4 puts it on a par with them in photographs of
-        homes. The thesis does not give these.
-
-    Returns
-    -------
-    All of it.
+        Divisors of the conspicuity maps, since the largest local maximum is in the units of its channel:
+        black to white, pure red, a wave from black to white. The residual, unlike the others, reaches 1 in
+        every frame and at every scale; 4 makes it comparable in photographs of homes. The thesis does not
+        give these.
 
     Raises
     ------
     PlacecatError
-        A fusion scale above the lowest scale or below 0, an even window, a unit not above 0, or the residual
-        asked for and not computed.
+        For a fusion scale above the lowest scale or below 0, an even window, a unit not above 0, or a missing
+        residual.
     """
     if not 0 <= fusion_scale <= maps.scales[0]:
         raise PlacecatError(
@@ -156,9 +142,9 @@ def add_across_scales(
 ) -> FloatArray:
     """Expand maps of several scales to one level and add them (thesis 3.1.1.1).
 
-    Expansion is bilinear, with pixel (x, y) of level s at (x, y) 2**(s - fusion_scale), where the pyramid has
-    it; beyond the last pixel the map goes on unchanged. Doubling again and again is the same as expanding
-    at once, so the coarser sum is carried along.
+    Expansion is bilinear: pixel (x, y) of level s lies at (x, y) 2**(s - fusion_scale), as in the pyramid,
+    and a map continues unchanged beyond its last pixel. Repeated doubling equals direct expansion, so the
+    coarser sum is carried along.
 
     Parameters
     ----------
@@ -185,25 +171,20 @@ def add_across_scales(
 def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
     """Find the local maxima of a map.
 
-    A local maximum is above zero and not below any pixel of the window around it; the map's border counts as
-    low. Of touching equal pixels the first by row, then column, stands for all, provided that all are local
-    maxima: a flat area that leads uphill has none, nor has a map that is the same everywhere.
+    A local maximum is above zero and not below any pixel of the window around it; beyond the border counts as
+    low. Touching equal pixels count once, as the first by row, then column, and only if all are local maxima:
+    a flat area that leads uphill has none, nor has a constant map.
 
     Parameters
     ----------
     plane
         (h, w) float32, finite.
     window
-        Side of the neighbourhood, odd, at least 3. The thesis does not give this.
+        Side of the neighbourhood, odd, at least 3, else PlacecatError. The thesis does not give this.
 
     Returns
     -------
     Flat indices, ascending.
-
-    Raises
-    ------
-    PlacecatError
-        An even window or one below 3.
     """
     if window < 3 or window % 2 == 0:
         raise PlacecatError(f"maximum_window must be an odd number from 3 on, not {window}")
@@ -223,16 +204,9 @@ def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
 
 
 def weight(peaks: FloatArray) -> float:
-    """Return the weight of a map from the strengths of its local maxima (thesis 3.1.1.1).
+    """Return the weight of a map from the strengths (n,) of its local maxima (thesis 3.1.1.1).
 
-    Parameters
-    ----------
-    peaks
-        (n,) strengths of the local maxima.
-
-    Returns
-    -------
-    1 / sqrt(m), m the number of strengths strictly above their median; 0 where m is 0.
+    It is 1 / sqrt(m), m the number of strengths strictly above their median; 0 if m is 0.
     """
     if peaks.size == 0:
         return 0.0
@@ -244,18 +218,9 @@ def weight(peaks: FloatArray) -> float:
 
 
 def stretch(plane: FloatArray, high: float) -> FloatArray:
-    """Map a plane linearly to [0, high] (thesis 3.1.1.1, normalisation of the conspicuity maps).
+    """Map a (h, w) float32 plane linearly to [0, high]; a flat plane becomes 0.
 
-    Parameters
-    ----------
-    plane
-        (h, w) float32.
-    high
-        New largest value.
-
-    Returns
-    -------
-    (h, w) float32; all zero for a flat plane.
+    This is the normalisation of the conspicuity maps (thesis 3.1.1.1).
     """
     least, most = float(plane.min()), float(plane.max())
     if most <= least:
@@ -273,7 +238,7 @@ def _sum_radii(stack: FloatArray) -> FloatArray:
 
 
 def _weighted_sum(stack: FloatArray, weights: FloatArray) -> FloatArray:
-    # Plane by plane: a matrix product may add in another order with other threads.
+    # Plane by plane: a matrix product's order of summation may depend on threads.
     total = stack[0] * weights[0]
     for plane, own in zip(stack[1:], weights[1:], strict=True):
         total += plane * own
@@ -291,14 +256,14 @@ def _double(stack: FloatArray, width: int, height: int) -> FloatArray:
     out = np.empty((count, 2 * rows, 2 * columns), np.float32)
     pairs = out.reshape(count * rows, 2, 2 * columns)
     pairs[:, 0] = wide.reshape(count * rows, 2 * columns)
-    # All planes at once: what is put between two of them is overwritten.
+    # All planes at once: rows between two planes are overwritten later.
     _halfway(pairs[:-1, 0], pairs[1:, 0], pairs[:-1, 1])
     out[:, -1] = out[:, -2]
     return np.ascontiguousarray(out[:, :height, :width])
 
 
 def _halfway(first: FloatArray, second: FloatArray, out: FloatArray) -> None:
-    """Write the means of two planes. Halves are exact, so that the sum is rounded once only."""
+    """Write the means of two planes. Halves are exact, so the sum is rounded only once."""
     if out.size:
         cv2.addWeighted(first, 0.5, second, 0.5, 0, dst=out)
 
@@ -310,7 +275,7 @@ def _plateaus(plane: FloatArray, tied: NDArray[np.bool_]) -> NDArray[np.intp]:
     if found.size == plane.size:  # the same everywhere
         return found[:0]
     rows, columns = np.divmod(found, width)
-    # A tied pixel next to an equal one that is not tied can be left uphill.
+    # A tied pixel next to an equal, untied one has an uphill way out.
     near = np.arange(-1, 2)[:, None]
     down = np.clip(rows + near, 0, height - 1) * width
     around = down[:, None] + np.clip(columns + near, 0, width - 1)
@@ -318,7 +283,7 @@ def _plateaus(plane: FloatArray, tied: NDArray[np.bool_]) -> NDArray[np.intp]:
     uphill = others.any(axis=(0, 1))
     if uphill.all():
         return found[:0]
-    # Ties are few and close together, but for drawn images: label the rectangle around them.
+    # Ties are few and close together, except in drawn images: label the rectangle around them.
     rows -= rows.min()
     columns -= columns.min()
     mask = np.zeros((rows.max() + 1, columns.max() + 1), np.uint8)

@@ -19,9 +19,9 @@ def spectral_residual(
 ) -> FloatArray:
     """Return the spectral residual saliency of an image (thesis 3.1.1.2).
 
-    The log amplitude spectrum minus its box mean, with the original phase, is transformed back; the squared
-    magnitude is smoothed and stretched to [0, 1], as the authors' code does, so that the scales can be added.
-    The spectrum is periodic, and so is the box: the result of the inverse transform is then real.
+    The log amplitude spectrum minus its box mean is transformed back with the original phase. The squared
+    magnitude is smoothed and stretched to [0, 1], as in the authors' code, so that scales can be added. The
+    box is periodic like the spectrum, so the inverse transform is real.
 
     Parameters
     ----------
@@ -31,15 +31,13 @@ def spectral_residual(
         Side of the box over the log amplitude, odd; 3 in Hou and Zhang. The thesis does not give this.
     residual_sigma
         Standard deviation in pixels of the Gaussian over the squared magnitude; 0 for none. The thesis does
-        not give this. The authors' code has 2.5 for a single image 64 pixels wide; with several scales less
-        does.
+        not give this. The authors' code has 2.5 for a single image 64 pixels wide; several scales need less.
     residual_width
-        Width in pixels to which a wider image is reduced before; the authors work at 64. None: the
-        image as it is, as the thesis says of the levels of the pyramid.
+        Width in pixels to reduce a wider image to; the authors use 64. None for no reduction, as the thesis
+        says of the pyramid's levels.
     residual_floor
-        The logarithm is that of sqrt(amplitude^2 + residual_floor^2), in grey levels: below it lies only the
-        rounding of float32, which the method would lift to the strength of all the rest. The thesis does not
-        give this.
+        The logarithm is that of sqrt(amplitude^2 + residual_floor^2), in grey levels. Amplitudes below it are
+        float32's rounding errors, which the method would amplify. The thesis does not give this.
 
     Returns
     -------
@@ -81,7 +79,7 @@ def spectral_residual(
     mean = _periodic_mean(logarithm, small.shape[1], residual_box)
     spectrum *= np.exp(np.float32(-0.5) * mean)
     power = np.square(scipy.fft.irfft2(spectrum, s=small.shape))
-    # The whitened image is of the order of one over its number of pixels: stretch before the blur.
+    # The whitened image has values of about 1 / number of pixels: stretch before the blur.
     power /= power.max()
     if residual_sigma > 0:
         power = cv2.GaussianBlur(power, (0, 0), residual_sigma, borderType=cv2.BORDER_REFLECT_101)
@@ -95,7 +93,7 @@ def spectral_residual(
 
 
 def _periodic_mean(half: FloatArray, width: int, box: int) -> FloatArray:
-    """Box mean of an even periodic map of which only columns 0 to width // 2 are stored."""
+    """Box mean of an even periodic map, of which only columns 0 to width // 2 are stored."""
     height, stored = half.shape
     reach = box // 2
     padded = np.empty((height + 2 * reach, stored + 2 * reach), np.float32)

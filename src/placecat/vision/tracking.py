@@ -1,4 +1,4 @@
-"""Salient regions followed from frame to frame (thesis 4.7)."""
+"""Tracking of salient regions from frame to frame (thesis 4.7)."""
 
 from functools import partial
 
@@ -12,7 +12,7 @@ from placecat.vision.regions import accept
 
 
 class RegionTracker:
-    """Follow salient regions until they leave the image (thesis 4.7), one sequence without a cut.
+    """Track salient regions until they leave the image (thesis 4.7), in one sequence without a cut.
 
     The thesis does not give its tracker. This one is the pyramidal Lucas-Kanade method on the grey frame at a
     reduced width. In every frame
@@ -34,22 +34,18 @@ class RegionTracker:
     max_regions
         Largest number of regions, 25 in the thesis.
     width
-        The frame is reduced to this width in pixels, its sides in proportion; a narrower one is left as it
-        is.
+        Width in pixels to reduce a wider frame to, in proportion.
     window
-        Side of the window that is compared, pixels of the reduced frame, odd, at least 3. At a width of 320,
-        21 is the size of the smallest regions.
+        Side of the compared window in pixels of the reduced frame, odd, at least 3. At a width of 320, 21 is
+        the size of the smallest regions.
     levels
-        How often the reduced frame is halved for large motions; fewer where a level would be smaller than the
-        window.
+        Halvings of the reduced frame for large motions; fewer if a level would be smaller than the window.
     iterations, epsilon
-        The search on a level ends after so many steps, or with a step shorter than `epsilon` pixels.
+        The search on a level ends after `iterations` steps, or with a step shorter than `epsilon` pixels.
     min_eigenvalue
-        Smallest eigenvalue, over the window's pixels, of the gradient matrix; flat windows have less and are
-        lost.
+        Smallest eigenvalue of the gradient matrix, per pixel of the window; flatter windows are lost.
     forward_backward
-        Largest distance, in pixels of the reduced frame, between where a region was and where following it
-        back leads.
+        Largest distance, in pixels of the reduced frame, between a region and its position when tracked back.
     scale_distance, min_distance
         Factors of the acceptance inequality, see `placecat.vision.regions.accept`.
 
@@ -114,7 +110,7 @@ class RegionTracker:
         self.ages = np.zeros(0, np.int64)
 
     def step(self, frame: NDArray[np.uint8], found: FloatArray) -> FloatArray:
-        """Follow the regions into the next frame, and fill the free places.
+        """Track the regions into the next frame, and fill the free places.
 
         Parameters
         ----------
@@ -126,7 +122,7 @@ class RegionTracker:
 
         Returns
         -------
-        (m, 4) float32, m <= `max_regions`, in the same form: those followed longest first, then the new ones,
+        (m, 4) float32, m <= `max_regions`, in the same form: the longest tracked first, then new ones,
         strongest first.
         """
         image = reduced_grey(frame, self.width)
@@ -140,8 +136,8 @@ class RegionTracker:
         return self._regions.copy()
 
     def _move(self, last: NDArray[np.uint8], image: NDArray[np.uint8], size: NDArray[np.int64]) -> None:
-        """Take the regions along, and drop those that are lost or have left the image."""
-        # The centre of a pixel of the frame lies in the reduced one where its area lies.
+        """Move the regions along, and drop those that are lost or have left the image."""
+        # Pixels are areas: their centres are scaled, not their corners.
         factor = np.array(image.shape[::-1]) / size
         points = ((self._regions[:, :2] + 0.5) * factor - 0.5).astype(np.float32)
         moved, seen = self._flow(last, image, points)
@@ -157,24 +153,16 @@ class RegionTracker:
     def _flow(
         self, first: NDArray[np.uint8], second: NDArray[np.uint8], points: FloatArray
     ) -> tuple[FloatArray, NDArray[np.bool_]]:
-        """Where (n, 2) points of one image are in another, and whether they were found there."""
+        """Positions of (n, 2) points of one image in another, and whether they were found there."""
         moved, status, _ = self._follow(first, second, points[:, None], np.empty_like(points[:, None]))
         return np.asarray(moved, np.float32).reshape(-1, 2), np.asarray(status).reshape(-1) == 1
 
 
 def reduced_grey(frame: NDArray[np.uint8], width: int) -> NDArray[np.uint8]:
-    """Return the grey frame reduced to a width, its sides in proportion; a narrower one keeps its size.
+    """Return the grey frame reduced to a width in pixels, in proportion; a narrower one keeps its size.
 
-    Parameters
-    ----------
-    frame
-        (H, W, 3) uint8 BGR.
-    width
-        Width in pixels.
-
-    Returns
-    -------
-    (max(1, round(H width / W)), width) uint8, OpenCV's grey value averaged over the area of each pixel.
+    `frame` is (H, W, 3) uint8 BGR. The result is (max(1, round(H width / W)), width) uint8: OpenCV's grey
+    value averaged over the area of each pixel.
     """
     grey = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
     height, full = grey.shape

@@ -1,4 +1,4 @@
-"""Salient regions found on the same maps with other settings, to see what those do (thesis 3.1.1, 4.4)."""
+"""Salient regions of the same maps found with other settings, to compare these (thesis 3.1.1, 4.4)."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -19,17 +19,8 @@ _Section = Mapping[str, Any]
 def check_variants(variants: Mapping[str, _Section], local_settings: Mapping[str, _Section]) -> None:
     """Refuse variants with unknown settings or descriptors.
 
-    Parameters
-    ----------
-    variants
-        As for `describe_variants`.
-    local_settings
-        The settings of every local descriptor that there is.
-
-    Raises
-    ------
-    PlacecatError
-        Naming what is unknown and what is valid.
+    `variants` are as for `describe_variants`; `local_settings` are those of every local descriptor. The
+    PlacecatError names the unknown and the valid names.
     """
     for name, own in variants.items():
         where = f"variant '{name}' of the regions"
@@ -56,21 +47,17 @@ def describe_variants(
         Of the frame, all fields.
     variants
         Name to ``scales`` (some of those of the maps, None for all), ``regions`` (settings of `find_regions`
-        in place of others) and ``descriptors`` (names of local descriptors).
+        to change) and ``descriptors`` (names of local descriptors). A scale without maps, or an impossible
+        setting, raises PlacecatError.
     regions
-        Settings of `find_regions` that variants do not change.
+        Settings of `find_regions` that variants start from.
     local_settings
         Settings of the local descriptors by name.
 
     Returns
     -------
-    ``variant_NAME/count``, ``variant_NAME/regions`` and ``variant_NAME/local_DESCRIPTOR``, as
-    `placecat.vision.frame.describe_frame` has them.
-
-    Raises
-    ------
-    PlacecatError
-        A scale that the maps lack, or an impossible setting.
+    ``variant_NAME/count``, ``variant_NAME/regions`` and ``variant_NAME/local_DESCRIPTOR``, in the form of
+    `placecat.vision.frame.describe_frame`.
     """
     result: dict[str, NDArray[Any]] = {}
     for name, own in variants.items():

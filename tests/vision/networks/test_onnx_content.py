@@ -74,7 +74,7 @@ def test_the_checksum_covers_weights_in_other_files(path):
     expected = onnx_content.fingerprint(path, [weights])
     onnx_content.check(path, expected)
     weights.write_bytes(np.zeros(3, np.float32).tobytes())
-    refused("it is another file than was meant", path, expected)
+    refused("it is not the expected file", path, expected)
 
 
 @pytest.mark.skipif(shutil.which("sha256sum") is None, reason="there is no sha256sum")
@@ -106,7 +106,7 @@ def test_damaged_files_give_one_message(path):
     path.with_name("weights.bin").write_bytes(bytes(12))
     for end in (0, 1, 7, len(content) // 2, len(content) - 1):
         path.write_bytes(content[:end])
-        refused("is no ONNX file", path)
+        refused("is not an ONNX file", path)
     for seed in range(200):
         rng = np.random.default_rng(seed)
         damaged = bytearray(content)

@@ -79,7 +79,7 @@ def test_a_missing_file_and_one_with_another_checksum_are_named(file):
     one_message(
         r"nowhere\.onnx, the network of the settings, is missing", onnx_file.load, Path("nowhere.onnx")
     )
-    one_message("it is another file than was meant", onnx_file.load, file, None, "0" * 64)
+    one_message("it is not the expected file", onnx_file.load, file, None, "0" * 64)
 
 
 def test_without_onnxruntime_the_message_says_how_to_install_it(monkeypatch, file):
@@ -108,7 +108,7 @@ def test_a_network_of_something_else_than_an_image_is_refused(monkeypatch, file,
 
 def test_what_onnxruntime_says_comes_in_one_line(monkeypatch, file):
     stand_in(monkeypatch, broken=True)
-    one_message(r"net\.onnx is no ONNX file .*: Load model failed: Protobuf", onnx_file.load, file)
+    one_message(r"net\.onnx is not an ONNX file .*: Load model failed: Protobuf", onnx_file.load, file)
 
     def refuse(name, image):
         raise RuntimeError("Got invalid dimensions for input: image")
@@ -148,7 +148,7 @@ def test_mistakes_with_a_real_file_give_one_message(real, tmp_path):
     )
     fixed.write_bytes(b"no network")
     networks.load.cache_clear()
-    one_message("is no ONNX file", lambda: embedding.describe(frame(), None, network=str(fixed)))
+    one_message("is not an ONNX file", lambda: embedding.describe(frame(), None, network=str(fixed)))
 
 
 def test_a_real_file_with_weights_elsewhere_describes_a_frame(real, tmp_path):

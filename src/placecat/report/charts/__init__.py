@@ -1,1 +1,1 @@
-"""Charts of tables for MLflow, in the style of the figures."""
+"""Charts of tables for MLflow, in the figures' style."""

@@ -9,19 +9,19 @@ from matplotlib.figure import Figure
 from placecat.report.charts.bars import bars_of, point_name
 
 BAR, POINT, PUBLISHED = "#0072b2", "#222222", "#d55e00"
-# Inches: a line of the chart, and what stands above and below all lines.
+# Inches: width, height of a line, and space above and below all lines.
 _WIDTH, _LINE, _ROUND = 6.5, 0.19, 0.85
 
 
 def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figure | None:
     """Draw the averages of a filled table (see `bars_of`); None if there are none.
 
-    `published` says whether the published numbers are of the same data and stand beside.
+    `published` says whether the published numbers are of the same data and are drawn too.
     """
     bars = bars_of(cells)
     if not bars:
         return None
-    # Lines from top to bottom: bars, and the names of their sections.
+    # Lines from top to bottom: bars and section names.
     places: list[int] = []
     headings: dict[int, str] = {}
     section = ""
@@ -51,7 +51,7 @@ def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figur
     for place, heading in headings.items():
         axes.text(0.006, place, heading, fontweight="bold", bbox=clear, **text)
     axes.set_ylim(lines - 0.4, -0.6)
-    # A gain, which a few tables have as well, may be negative.
+    # A few tables have gains, which may be negative.
     axes.set_xlim(min(0.0, np.floor(min(shown) / 10) * 10), min(100.0, np.ceil(max(shown) / 10 + 0.01) * 10))
     axes.set_xlabel("accuracy in percent, mean over places")
     axes.xaxis.grid(True)

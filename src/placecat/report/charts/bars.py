@@ -12,9 +12,9 @@ _HOME = r"Home \d+"
 
 @dataclass(frozen=True)
 class Bar:
-    """One bar: the name of its group, "" for none, its own, and numbers in percent.
+    """One bar: the name of its group, "" for none, its own name, and numbers in percent.
 
-    `published` is NaN for none; `points` are what `measured` is the average of, as far as the table has it.
+    `published` is NaN for none; `points` are the numbers in the table that `measured` averages.
     """
 
     section: str
@@ -25,9 +25,9 @@ class Bar:
 
 
 def bars_of(cells: pd.DataFrame) -> list[Bar]:
-    """A filled table's averages: over homes, else over places; without either, every cell is a bar.
+    """A filled table's averages over homes, else over places; without either, every cell is a bar.
 
-    They are in the table's order; what was not measured has no bar.
+    They are in the table's order; cells that were not measured have no bar.
     """
     axis = _averaged(cells)
     if axis is None:
@@ -42,7 +42,7 @@ def bars_of(cells: pd.DataFrame) -> list[Bar]:
     bars = []
     for (section, label), part in named.groupby(["section", "label"], sort=False):
         whole = part if axis is None else part[part[axis] == AVERAGE]
-        # The only home has no average.
+        # A single home has no average.
         whole = part if whole.empty else whole
         if len(whole) != 1 or not np.isfinite(whole["measured"].iloc[0]):
             continue
@@ -53,13 +53,13 @@ def bars_of(cells: pd.DataFrame) -> list[Bar]:
 
 
 def point_name(cells: pd.DataFrame) -> str:
-    """Say whether a point of `bars_of` is a "home" or a "place"."""
+    """Whether a point of `bars_of` is a "home" or a "place"."""
     axis = _averaged(cells)
     return "home" if axis is not None and cells[axis].str.fullmatch(_HOME).any() else "place"
 
 
 def _averaged(cells: pd.DataFrame) -> str | None:
-    """The column of labels over which a table averages."""
+    """The column of labels that a table averages over."""
     for axis in ("row", "column"):
         if cells[axis].str.fullmatch(_HOME).any():
             return axis

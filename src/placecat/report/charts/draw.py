@@ -1,4 +1,4 @@
-"""The pictures of a table's runs in MLflow, as files."""
+"""Picture files of a table's runs in MLflow."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -22,9 +22,9 @@ def draw_table(
     published: bool,
     chart: bool = True,
 ) -> list[Path]:
-    """Write ``chart.png`` and ``confusion.png`` of a table, if it has any, and give their paths.
+    """Write ``chart.png`` and ``confusion.png`` of a table, if it has any, and return their paths.
 
-    See `accuracy_chart` and `confusion_sheet`. A table whose numbers are no percentages has no `chart`.
+    See `accuracy_chart` and `confusion_sheet`. A table whose numbers are not percentages has no `chart`.
     """
     written = []
     with house_style():

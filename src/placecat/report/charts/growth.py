@@ -1,4 +1,4 @@
-"""How the time of stages grows with the number of frames."""
+"""Growth of the stages' times with the number of frames."""
 
 import pandas as pd
 from matplotlib.figure import Figure
@@ -6,7 +6,7 @@ from matplotlib.ticker import NullLocator
 
 from placecat.report.scale import ALL, seconds_by_size
 
-# CPU seconds below which a stage is left out: it is imports only.
+# Stages with fewer CPU seconds are left out: they are imports only.
 _LEAST = 10.0
 
 
@@ -26,7 +26,7 @@ def growth_chart(measured: pd.DataFrame) -> Figure | None:
     axes.plot(frames, by_size.loc[ALL], "o-", color="#222222", label="all stages")
     for stage in shown:
         axes.plot(frames, by_size.loc[stage], "o-", label=stage)
-    # A guide for the eye: what grows as the frames do.
+    # A guide for the eye: growth proportional to the frames.
     start = by_size.loc[ALL].to_numpy(float)[0]
     line = [start * size / frames[0] for size in frames]
     axes.plot(frames, line, "--", color="#8a8a8a", linewidth=0.8, label="in proportion to the frames")

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from placecat.report.benchmarks import ratios_of, times
 
 MET, MISSED, TARGET = "#0072b2", "#d55e00", "#222222"
-# Inches: a line of the chart, and what stands above and below the lines of a panel.
+# Inches: width, height of a line, and space above and below the lines of a panel.
 _WIDTH, _LINE, _ROUND = 6.5, 0.24, 0.55
 _BOUND = 1.25
 
@@ -18,7 +18,7 @@ _BOUND = 1.25
 def speed_chart(benchmarks: pd.DataFrame) -> Figure | None:
     """Draw the median ratio of each comparison, the range of its pairs and its target; None without any.
 
-    Two panels: how many times faster (more is better), and how many times the peer's time (less is better).
+    Two panels: speed-up (more is better), and share of the peer's time (less is better).
     """
     ratios = ratios_of(benchmarks)
     panels = [

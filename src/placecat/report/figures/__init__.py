@@ -1,8 +1,8 @@
 """The thesis's figures, and added ones, drawn from a run.
 
-A module that draws some has `FIGURES`: a name, ``figure_NN`` for one of the thesis and ``figure_NAME`` for an
-added one, to its caption and what draws it. That takes the run and the settings ``figures.<name>``; it gives
-the figure, or raises PlacecatError where this run has not what it shows.
+A module with figures has `FIGURES`: a name (``figure_NN`` in the thesis, ``figure_NAME`` for an added one) to
+its caption and its function. The function takes the run and the settings ``figures.<name>``, and returns the
+figure, or raises PlacecatError if this run lacks its data.
 """
 
 import importlib
@@ -24,7 +24,7 @@ _WITHOUT_EFFECT = ("compute", "reproducibility")
 
 
 def names() -> list[str]:
-    """Names of the figures, ``figure_NN`` in order, then the added ones."""
+    """Names of the figures: ``figure_NN`` in order, then added ones."""
     return sorted(_all())
 
 
@@ -35,22 +35,14 @@ def number(name: str) -> int | None:
 
 
 def caption(name: str) -> str:
-    """What stands below a figure."""
+    """Caption of a figure."""
     return _all()[name][0]
 
 
 def draw(name: str, run: Run) -> Figure:
-    """Draw one figure.
+    """Draw the figure of a name in `names`.
 
-    Parameters
-    ----------
-    name
-        One of `names`.
-
-    Raises
-    ------
-    PlacecatError
-        If there is no such figure, or this run has not what it shows.
+    Raises PlacecatError if there is no such figure, or this run lacks its data.
     """
     if name not in _all():
         raise PlacecatError(f"there is no figure {name!r}: choose one of {', '.join(names())}")
@@ -64,7 +56,7 @@ def draw(name: str, run: Run) -> Figure:
 def render(name: str, run: Run, target: Path) -> None:
     """Draw one figure (see `draw`) in the house's style and write it as PNG; an error writes nothing.
 
-    Beside it, with the ending ``.pdf``, it is written as PDF with all settings of the run in its properties.
+    A PDF beside it, with the ending ``.pdf``, has all settings of the run in its properties.
     """
     with house_style():
         figure = draw(name, run)
@@ -73,7 +65,7 @@ def render(name: str, run: Run, target: Path) -> None:
 
 
 def _made_by(name: str, run: Run) -> str:
-    """The settings that made a figure: its own first, then all that are of no other figure."""
+    """The settings behind a figure: its own first, then all except those of other figures."""
     of_all = {key: value for key, value in run.params.items() if key not in _WITHOUT_EFFECT}
     flat = settings.flatten(of_all | {"figures": {"example": run.options("example")}})
     own = settings.flatten(run.options(name), f"figures.{name}.")

@@ -1,4 +1,4 @@
-"""Thesis 4.4.4, Figures 12 to 14: what the largest clusters of salient regions hold, by their patches."""
+"""Thesis 4.4.4, Figures 12 to 14: patches of the largest clusters of salient regions."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -39,7 +39,7 @@ class Cluster:
     distance
         (n,) from the cluster's centre.
     home, frame
-        (n,) where each region is from.
+        (n,) origin of each region.
     patches
         (n, PIXELS, PIXELS, 3) uint8 BGR: the squares around the regions.
     """
@@ -60,8 +60,8 @@ class Cluster:
 def draw_cluster(run: Run, rank: int, *, by_contrast: bool) -> Figure:
     """Draw patches of one cluster, of rank 1 (the largest) to `SHOWN`; settings in ``figures.clusters``.
 
-    `by_contrast` shows the third of its patches that has most contrast apart from the third that has least,
-    each by a random sample; otherwise there is a random sample of all.
+    `by_contrast` draws random samples of the third of its patches with most contrast and of the third with
+    least; otherwise the sample is of all.
     """
     return settings.call(
         _draw, run, rank, by_contrast, settings=run.options("clusters"), where="figures.clusters"
@@ -95,7 +95,7 @@ def _draw(
 def spread(
     order: NDArray[np.integer], home: NDArray[np.int64], frame: NDArray[np.int64], count: int, apart: int
 ) -> list[int]:
-    """Take the first in order, `count` at most, passing over those from the same moment as one taken before.
+    """Take the first `count` in order, skipping those from the same moment as one taken before.
 
     `order` has indices into `home` and `frame`. Frames of one home less than `apart` from each other are of
     the same moment.
@@ -113,7 +113,7 @@ def spread(
 def cut_patch(frame: NDArray[np.uint8], region: NDArray[np.float32]) -> NDArray[np.uint8]:
     """Cut the square around a salient region (4,) (x, y, scale, saliency) from a frame (H, W, 3) uint8 BGR.
 
-    Beyond the frame's border its outermost pixels go on; the square is (PIXELS, PIXELS, 3) uint8 BGR.
+    The square is (PIXELS, PIXELS, 3) uint8 BGR; the frame's outermost pixels continue beyond its border.
     """
     x, y, scale = (float(value) for value in region[:3])
     side = max(2, round(2 * float(radius(scale, frame.shape[1]))))

@@ -1,4 +1,4 @@
-"""Thesis 3.1.1, Figure 2: the frame that Figures 3 to 7 follow through the attention system."""
+"""Thesis 3.1.1, Figure 2: the example frame of Figures 3 to 7."""
 
 from matplotlib.figure import Figure
 

@@ -33,7 +33,7 @@ TITLE = (
 )
 PLANE, RIGHT, GAP, PIE, ROW = 4.1, 2.75, 0.25, 0.13, 0.27
 LABEL_GAP = 0.025
-# How a region's number is written.
+# Text style of a region's number.
 NUMBER: dict[str, Any] = {
     "fontsize": 8,
     "fontweight": "bold",
@@ -45,8 +45,8 @@ NUMBER: dict[str, Any] = {
 class Query:
     """A frame of the test home, by its index.
 
-    Its regions have the (n, D) descriptors `x` and the (n,) nearest `clusters`; together they say `proba`
-    (classes,).
+    Its regions have the (n, D) descriptors `x` and the (n,) nearest `clusters`; `proba` (classes,) is their
+    common distribution.
     """
 
     index: int
@@ -69,7 +69,7 @@ def draw(
     test = home_of(run, home)
     train = training_regions(run, codebook, test)
     tree = run.codebook(codebook, run.fold(test).training_set).trees[0]
-    # Equation (2) as it is printed, which the thesis's figure shows.
+    # Equation (2) as printed, as in the thesis's figure.
     model = ModifiedKNN(n_clusters=clusters, codebook=tree, class_weighting="once")
     model.fit(train.x, train.labels)
     pca = _plane(train)
@@ -90,7 +90,7 @@ def draw(
     draw_regions(view, found, picture.shape[1], ["black"] * len(found), linewidth=1.2)
     middle = np.array([picture.shape[1], picture.shape[0]]) / 2
     for number, (x, y, scale, _) in enumerate(found.tolist(), 1):
-        # Beside the circle, toward the middle: some circles are cut by the border.
+        # Beside the circle, towards the middle, since the border cuts some circles.
         inward = (middle - (x, y)) / max(float(np.hypot(*(middle - (x, y)))), 1.0)
         apart = float(radius(scale, picture.shape[1])) + LABEL_GAP * picture.shape[1]
         at = np.array((x, y)) + inward * apart
@@ -108,11 +108,12 @@ def draw(
 def _query(
     run: Run, model: ModifiedKNN, pca: Any, codebook: str, home: str, frame: int | None, regions: int
 ) -> Query:
-    """Take the frame asked for, or find one that shows the principle.
+    """Take the given frame, or find one that shows the principle.
 
-    It is labelled, has its regions in different clusters, is decided right, shows more than half of the
-    frames do (by the information measure), and its clusters are the nearest in the plane too: of such the one
-    with the largest probability. What no frame has is not asked for, the last first.
+    A suitable frame is labelled, has its regions in different clusters, is decided right, shows more than
+    half of the frames do (by the information measure), and its clusters are also the nearest in the plane;
+    among these the one with the largest probability is taken. Conditions that no frame meets are dropped, the
+    last first.
     """
     found = run.descriptors(home, codebook)
     assert found.counts is not None
@@ -144,7 +145,7 @@ def _query(
 def _plane(train: TrainingRegions) -> Any:
     from sklearn.decomposition import PCA
 
-    # One thread: sums differ in the last bits with their number.
+    # One thread, since the last bits of sums depend on their number.
     with threadpool_limits(limits=1, user_api="blas"):
         return PCA(2, svd_solver="full").fit(train.x)
 
@@ -200,7 +201,7 @@ def _draw_product(axes: Axes, model: ModifiedKNN, query: Query, classes: Sequenc
         for number, cluster in enumerate(query.clusters, 1)
     }
     rows |= {"÷ all regions": counts.sum(axis=0), "= the frame": query.proba}
-    # A place without training frames has no part in any of them.
+    # A place without training frames has no share.
     shares = {name: np.zeros(len(classes)) for name in rows}
     for name, values in rows.items():
         shares[name][model.classes_] = values / values.sum()

@@ -21,11 +21,11 @@ TITLE = (
     "panel is the decision, the one on top the true place."
 )
 
-# So that places are told apart in grey print.
+# Line styles distinguish places in grey print.
 LINES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)), (0, (1, 2)), (0, (3, 3)))
-# Of the decision, below the curves.
+# Heights of the decision's bar, below the curves.
 BAR = (-0.22, -0.09)
-# Share of the window from which on a stretch has room for its place's name.
+# Smallest share of the window with room for the place's name.
 NAMED = 0.12
 LUMINANCE = np.array([0.299, 0.587, 0.114])
 
@@ -33,7 +33,7 @@ LUMINANCE = np.array([0.299, 0.587, 0.114])
 def draw(
     run: Run, *, home: Count | None, start: Index | None, frames: Two, classifier: str, hmm: str, delayed: str
 ) -> Figure:
-    """Three panels below each other; settings in ``figures.figure_11``."""
+    """Draw three panels, one below the other; settings in ``figures.figure_11``."""
     if frames < 2:
         raise SettingError(f"figures.figure_11.frames must be 2 or more, not {frames}")
     chosen, window = choose(run, classifier, hmm, home=home, start=start, frames=frames)
@@ -46,15 +46,15 @@ def draw(
 def choose(
     run: Run, classifier: str, hmm: str, *, home: int | None, start: int | None, frames: int
 ) -> tuple[str, slice]:
-    """The home and the frames that are shown.
+    """Choose the home and the frames to show.
 
     Parameters
     ----------
     classifier, hmm
-        Results between which changes of the decision are to vanish.
+        Results between which changes of the decision should vanish.
     home
-        Number of the home from 1; None for the one in which most changes vanish, the first of equals, or,
-        with a `start`, for the first.
+        Number of the home from 1; None for the first one in which most changes vanish, or, with a `start`,
+        for the first.
     start
         First frame, counted from 0; None for the window in which most changes vanish.
     frames
@@ -81,7 +81,7 @@ def figure(
     home: str,
     start: int,
 ) -> Figure:
-    """Draw panels: titles to (frames, classes) distributions, and (frames,) true classes, -1 for unlabelled.
+    """Draw panels of titles to (frames, classes) distributions; (frames,) true classes are -1 if unlabelled.
 
     The frames are those of a home from `start` on.
     """
@@ -127,7 +127,7 @@ def _bar(
     span: tuple[float, float],
     colors: Sequence[str],
 ) -> None:
-    """A bar in the colours of the places over time, between two heights; white where unlabelled."""
+    """Draw the places over time as a bar of their colours between two heights; white if unlabelled."""
     for part in stretches(places):
         if places[part.start] >= 0:
             axes.fill_between(
@@ -146,7 +146,7 @@ def _name(
     classes: Sequence[str],
     colors: Sequence[str],
 ) -> None:
-    """Write the place into a stretch of the bar that has room for it."""
+    """Write the place into a stretch of the bar with enough room."""
     if part.stop - part.start < NAMED * len(truth):
         return
     place = truth[part.start]

@@ -1,4 +1,4 @@
-"""Thesis 4.5, Figure 15: which places are confused, after integration and after smoothing."""
+"""Thesis 4.5, Figure 15: confusions of places after integration and after smoothing."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -20,7 +20,7 @@ TITLE = (
 )
 
 WIDTH = 6.5
-# Percentages from here on are written in white.
+# Percentages from this one on are written in white.
 DARK = 55.0
 
 

@@ -24,7 +24,7 @@ WIDTH, LABELS, BARS, DECISIONS, FOOT = 2.6, 1.4, 2.25, 0.78, 0.34
 
 
 class Failure(NamedTuple):
-    """A frame that all cues get wrong: its home, number from 0, place, and how sure they are (0 to 1)."""
+    """A frame that all cues get wrong: its home, number from 0, place, and their certainty (0 to 1)."""
 
     home: str
     frame: int
@@ -66,7 +66,7 @@ def draw(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
 def failures(run: Run, results: list[str], least: float = 0.0) -> list[Failure]:
     """Find for each place the frame that all cues get wrong with the greatest certainty, the surest first.
 
-    A frame counts from an information measure of `least` on; `results` are those of the cues.
+    Frames need an information measure of at least `least`; `results` are those of the cues.
     """
     homes = run.source(results[0]).homes
     labels = [run.labels(home) for home in homes]
@@ -90,10 +90,10 @@ def failures(run: Run, results: list[str], least: float = 0.0) -> list[Failure]:
 
 
 def surety(largest: NDArray[np.float64], labelled: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """(frames,) share of the `labelled` frames on which a cue is at most as sure, the mean over the cues.
+    """(frames,) share of the `labelled` frames on which a cue is at most as certain, the mean over the cues.
 
-    `largest` are the (cues, frames) probabilities of the decisions. They do not compare themselves: some cues
-    have nearly even distributions always, others never.
+    `largest` are the (cues, frames) probabilities of the decisions. They do not compare directly: some cues
+    always have nearly even distributions, others never.
     """
     shares = [
         np.searchsorted(np.sort(of_cue[labelled]), of_cue, side="right") / labelled.sum()

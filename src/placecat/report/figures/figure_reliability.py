@@ -26,9 +26,9 @@ COLUMNS = 3
 # In inches.
 WIDTH, ROW, LEGEND = 6.5, 2.65, 0.25
 POINT, GAP = "#0072b2", "#d55e00"
-# Share of the frames from which a bin is drawn: what happened to a handful of frames says little.
+# Smallest share of the frames for drawing a bin, since a few frames say little.
 LEAST = 0.005
-# Points squared: what a bin of all frames and the smallest bin have.
+# Points squared: area of a bin of all frames, and of the smallest bin.
 LARGEST, SMALLEST = 150.0, 5.0
 
 
@@ -69,13 +69,13 @@ def draw(run: Run, *, panels: Mapping[str, str]) -> Figure:
 
 
 def diagram_of(run: Run, result: str) -> Reliability:
-    """The diagram of all test homes and seeds of a result, each weighing the same; needs a labelled frame."""
+    """The diagram of all test homes and seeds of a result, with equal weights; needs a labelled frame."""
     source = run.source(result)
     bins = settings.get(run.params, "probabilities.bins")
     found = [
         reliability(run.labels(source.listed(home)), run.proba(result, home, seed), bins=bins)
         for home in source.homes
-        # Without any it says that the result was not computed.
+        # Without seeds, reading reports that the result was not computed.
         for seed in source.seeds() or (None,)
     ]
     there = [one for one in found if one.weight.any()]

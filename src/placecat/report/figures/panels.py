@@ -1,4 +1,4 @@
-"""Parts that several figures share: frames, maps, circles and arrows."""
+"""Shared parts of figures: frames, maps, circles and arrows."""
 
 from typing import Any
 
@@ -16,9 +16,9 @@ DARKEST = 99.5
 
 
 def show_frame(axes: Axes, frame: NDArray[np.uint8], *, width: int = 960) -> None:
-    """Show a frame, (H, W, 3) uint8 BGR, without axes; the data coordinates are the frame's pixels.
+    """Show a frame, (H, W, 3) uint8 BGR, without axes; data coordinates are its pixels.
 
-    The figure keeps a picture of at most `width` pixels.
+    The figure stores a picture of at most `width` pixels.
     """
     height, full = frame.shape[:2]
     shown = cv2.cvtColor(frame, cv2.COLOR_BGR2RGB)
@@ -30,13 +30,13 @@ def show_frame(axes: Axes, frame: NDArray[np.uint8], *, width: int = 960) -> Non
 
 
 def show_map(axes: Axes, plane: NDArray[np.floating], *, frame_size: tuple[int, int] | None = None) -> None:
-    """Show a map (h, w) >= 0, strong responses dark; the darkest are those from the `DARKEST` percentile on.
+    """Show a map (h, w) >= 0, strong responses dark; the `DARKEST` percentile and above are darkest.
 
-    The data coordinates are pixels of the frame of that size (width, height), or None, the map's own.
+    Data coordinates are pixels of a frame of `frame_size` (width, height), or, for None, of the map.
     """
     width, height = frame_size or plane.shape[::-1]
     extent = (-0.5, width - 0.5, height - 0.5, -0.5)
-    # A few peaks are many times the rest, which they would leave white.
+    # A few peaks far above the rest would leave it white.
     darkest = float(np.percentile(plane, DARKEST))
     axes.imshow(plane, cmap=palette.MAP, vmin=0.0, vmax=darkest or float(plane.max()) or 1.0, extent=extent)
     frame_in(axes)
@@ -45,19 +45,19 @@ def show_map(axes: Axes, plane: NDArray[np.floating], *, frame_size: tuple[int, 
 def draw_regions(
     axes: Axes, regions: NDArray[np.float32], width: int, colors: list[str], *, linewidth: float = 1.0
 ) -> None:
-    """Draw circles around salient regions (n, 4) (x, y, scale, saliency; thesis 3.1.1.3), a colour each.
+    """Draw circles around salient regions (n, 4) (x, y, scale, saliency; thesis 3.1.1.3), one colour each.
 
-    The frame that they lie on has `width` pixels.
+    `width` is that of their frame in pixels.
     """
     for (x, y, scale, _), color in zip(regions.tolist(), colors, strict=True):
         size = float(radius(scale, width))
-        # A pale rim keeps the circle visible on dark and on light ground.
+        # A pale rim keeps the circle visible on dark and light backgrounds.
         for edge, wide in (("white", linewidth + 0.9), (color, linewidth)):
             axes.add_patch(Circle((x, y), size, fill=False, edgecolor=edge, linewidth=wide))
 
 
 class Sheet:
-    """A figure of `width` and `height` inches; its panels are placed by hand, from the upper left corner."""
+    """A figure of `width` and `height` inches, with panels placed by hand from the upper left corner."""
 
     def __init__(self, width: float, height: float) -> None:
         self.width, self.height = width, height
@@ -70,7 +70,7 @@ class Sheet:
         return self.figure.add_axes(box)
 
     def arrow(self, start: tuple[float, float], end: tuple[float, float], text: str = "") -> None:
-        """Draw a small arrow between two points (x, y), with a text on its middle."""
+        """Draw a small arrow between two points (x, y), with a text at its middle."""
         self.figure.add_artist(
             FancyArrowPatch(
                 self._at(*start),
@@ -97,17 +97,17 @@ class Sheet:
 
 
 def peaks(weight: float) -> int:
-    """Number m of local maxima that gave a map the weight 1 / sqrt(m) (thesis 3.1.1.1); 0 for weight 0."""
+    """Number m of local maxima behind a map's weight 1 / sqrt(m) (thesis 3.1.1.1); 0 for weight 0."""
     return round(weight**-2) if weight else 0
 
 
 def weight_text(weight: float) -> str:
-    """A map's weight as a figure writes it: "× 1/√m" in numbers."""
+    """A map's weight in a figure: "× 1/√m" in numbers."""
     return f"× 1/√{peaks(weight)}" if weight else "× 0"
 
 
 def frame_in(axes: Axes, color: str = "#999999", linewidth: float = 0.5) -> None:
-    """Leave only a line around the axes."""
+    """Draw only a line around the axes."""
     axes.set_xticks([])
     axes.set_yticks([])
     axes.spines[:].set(visible=True, color=color, linewidth=linewidth)

@@ -1,4 +1,4 @@
-"""Find the stretch of a film that best shows the effect of smoothing (Figure 11)."""
+"""The stretch of a film that best shows the effect of smoothing (Figure 11)."""
 
 from collections.abc import Sequence
 
@@ -14,10 +14,10 @@ def most_smoothed(
     *,
     frames: int,
 ) -> tuple[int, slice]:
-    """Find the window in which smoothing removes most changes of the decision.
+    """Find the window in which smoothing removes most changes of the decision; the first of equals.
 
-    Changes count between two labelled frames without a cut between them. Of equal windows the first is taken.
-    Gives the number of changes before minus those after, and the window.
+    Returns the number of changes before minus those after, and the window. Changes count between two labelled
+    frames without a cut between them.
 
     Parameters
     ----------
@@ -26,7 +26,7 @@ def most_smoothed(
     truth
         (n,) class indices, -1 for unlabelled.
     sequences, frames
-        Stretches without a cut, in one of which a window of so many frames lies; a shorter one is a window.
+        Stretches without a cut, and the length of a window within one; a shorter stretch is a window.
     """
     removed = changes(before, truth) - changes(after, truth)
     best: tuple[int, slice] | None = None
@@ -42,14 +42,14 @@ def most_smoothed(
 
 
 def changes(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> NDArray[np.int64]:
-    """(n - 1,) 1 where the decision changes between two frames that follow each other and are labelled."""
+    """(n - 1,) 1 where the decision changes between two successive labelled frames."""
     decision = proba.argmax(axis=1)
     labelled = truth >= 0
     return ((decision[1:] != decision[:-1]) & labelled[1:] & labelled[:-1]).astype(np.int64)
 
 
 def stretches(places: NDArray[np.integer]) -> list[slice]:
-    """The stretches of equal values in (n,) places, in order."""
+    """Stretches of equal values in (n,) places, in order."""
     if not len(places):
         return []
     starts = np.flatnonzero(np.r_[True, places[1:] != places[:-1]]).tolist()

@@ -1,4 +1,4 @@
-"""Distributions over places as bars cut into shares (Figures 9, 12 to 14)."""
+"""Distributions over places as divided bars (Figures 9, 12 to 14)."""
 
 from collections.abc import Mapping, Sequence
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from placecat.drawing.palette import INK, place_colors, place_title
 
-# Share from which there is room for its percentage.
+# Smallest share with room for its percentage.
 LEAST_WRITTEN = 0.07
 LEGEND_COLUMNS = 5
 
@@ -19,7 +19,7 @@ LEGEND_COLUMNS = 5
 def share_bar(
     axes: Axes, y: float, shares: NDArray[np.floating], classes: Sequence[str], *, height: float = 0.7
 ) -> None:
-    """Draw (classes,) shares of 1 as a horizontal bar around `y`, with percentages where there is room."""
+    """Draw (classes,) shares of 1 as a horizontal bar around `y`, with percentages if there is room."""
     left = 0.0
     for share, color in zip(shares.tolist(), place_colors(classes).values(), strict=True):
         axes.barh(y, share, height, left, color=color, edgecolor="white", linewidth=0.6)
@@ -34,7 +34,7 @@ def share_bar(
 def share_rows(
     axes: Axes, rows: Mapping[str, NDArray[np.floating]], classes: Sequence[str], *, height: float = 0.7
 ) -> None:
-    """Draw a distribution (classes,) a row, with its name on the left; the first is at 0, the next at -1."""
+    """Draw one distribution (classes,) per row, its name on the left; the first is at 0, the next at -1."""
     for row, shares in enumerate(rows.values()):
         share_bar(axes, -row, shares, classes, height=height)
     axes.set_yticks([-row for row in range(len(rows))], list(rows))
@@ -46,7 +46,7 @@ def share_rows(
 
 
 def place_legend(figure: Figure, classes: Sequence[str], at: tuple[float, float]) -> None:
-    """Draw the legend of the places' colours; `at` is its centre left in fractions of the figure."""
+    """Draw the legend of the places' colours; `at` is its left centre in fractions of the figure."""
     handles = [Patch(color=color) for color in place_colors(classes).values()]
     titles = [place_title(place) for place in classes]
     figure.legend(

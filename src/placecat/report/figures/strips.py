@@ -1,6 +1,6 @@
-"""Thesis 4.5 and 4.9, Figures 16, 17 and 20: strips of probabilities, the darker the more probable a place.
+"""Thesis 4.5 and 4.9, Figures 16, 17 and 20: strips of probabilities, darker for more probable places.
 
-Frames run rightwards, places downwards.
+Frames run to the right, places downwards.
 """
 
 from collections.abc import Mapping, Sequence
@@ -22,9 +22,9 @@ from placecat.ranges import Count
 from placecat.report.figures.segment import stretches
 from placecat.report.run import Run, home_of
 
-# As many as a strip has pixels; more frames than that are averaged.
+# Pixels of a strip; more frames are averaged.
 MAX_COLUMNS = 1000
-# Percentiles of a strip's probabilities that are white and black.
+# Percentiles of a strip's probabilities drawn white and black.
 WHITE, BLACK = 1.0, 99.0
 # In inches.
 WIDTH = 6.5
@@ -35,36 +35,32 @@ DASHES = (0, (3, 2))
 
 
 def of_home(run: Run, *, home: Count, panels: Mapping[str, str]) -> Figure:
-    """The strips of one home, given by its number from 1; see :func:`figure`."""
+    """Draw the strips of one home, given by its number from 1; see :func:`figure`."""
     return figure(run, [home_of(run, home)], panels)
 
 
 def of_tests(run: Run, *, panels: Mapping[str, str]) -> Figure:
-    """The strips of all test homes of the first result; see :func:`figure`."""
+    """Draw the strips of all test homes of the first result; see :func:`figure`."""
     return figure(run, run.source(next(iter(panels.values()))).homes, panels)
 
 
 def figure(run: Run, homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
-    """Strips below each other, each with its homes beside each other; the greys span what a strip has.
+    """Draw strips, one below the other, each with its homes side by side; the greys span a strip's values.
 
     Parameters
     ----------
     homes
         Test homes of all the results.
     panels
-        Title of a strip to the result it shows, from above; its first seed, where there are several.
-
-    Raises
-    ------
-    PlacecatError
-        If this run has not one of the results.
+        Title of a strip to its result, from above; the first seed if there are several. A missing result
+        raises PlacecatError.
     """
     listed = {home: run.source(next(iter(panels.values()))).listed(home) for home in homes}
     truths = {home: run.labels(listed[home]) for home in homes}
     cuts = {home: [part.start for part in run.sequence_slices(listed[home])[1:]] for home in homes}
     rows = max(len(run.source(result).classes) for result in panels.values())
     rows += any((truth < 0).any() for truth in truths.values())
-    # Beside each other, titles and accuracies would run into each other on one line.
+    # With several homes, titles and accuracies would overlap on one line.
     lines = 1 if len(homes) == 1 else 2
     height = len(panels) * (rows * ROW + lines * TITLE_LINE + 0.1) + BELOW
     drawn = Figure(figsize=(WIDTH, height))
@@ -106,9 +102,9 @@ def draw(
     cuts: Sequence[int],
     span: tuple[float, float],
 ) -> AxesImage:
-    """Draw one strip: a row a place, the true place as a blue line, the accuracy (thesis 4.2) above.
+    """Draw one strip: one row per place, the true place as a blue line, the accuracy (thesis 4.2) above.
 
-    Where frames are unlabelled, the line runs through a row of its own.
+    If frames are unlabelled, the line runs through an additional row.
 
     Parameters
     ----------
@@ -117,9 +113,9 @@ def draw(
     truth
         (frames,) class indices, -1 for unlabelled.
     cuts
-        Frames before which the film is cut.
+        Frames that follow a cut of the film.
     span
-        The probabilities that are white and black.
+        The probabilities drawn white and black.
     """
     frames, n_classes = proba.shape
     if len(truth) != frames:
@@ -154,13 +150,13 @@ def draw(
 def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
     """Draw the line of the true place, thick in the rows, thin between them, from (frames,) class indices.
 
-    Where a frame is unlabelled, -1, the line is in the row `n_classes`.
+    Unlabelled frames, -1, are in the row `n_classes`.
     """
     row = np.where(truth < 0, n_classes, truth)
     parts = stretches(row)
     starts = [part.start for part in parts]
     levels = row[starts]
-    # The white rim keeps the line apart from dark rows, in grey print too.
+    # The white rim separates the line from dark rows, also in grey print.
     rim = [patheffects.withStroke(linewidth=2.6, foreground="white")]
     axes.hlines(
         levels, starts, [part.stop for part in parts], color=palette.TRUTH, linewidth=1.4, path_effects=rim
@@ -169,16 +165,16 @@ def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
 
 
 def greys(proba: NDArray[np.float64]) -> tuple[float, float]:
-    """The probabilities that are white and black: percentiles `WHITE` and `BLACK`, 0 and 1 if equal.
+    """The probabilities drawn white and black: percentiles `WHITE` and `BLACK`, 0 and 1 if equal.
 
-    Some classifiers never leave the uniform distribution far: between 0 and 1 nothing of them would show.
+    Fixed at 0 and 1, the nearly uniform distributions of some classifiers would be invisible.
     """
     low, high = (float(value) for value in np.percentile(proba, [WHITE, BLACK]))
     return (low, high) if high - low > 1e-6 else (0.0, 1.0)
 
 
 def columns(proba: NDArray[np.float64], limit: int) -> NDArray[np.float64]:
-    """Average neighbours of (frames, classes) to (min(frames, limit), classes), means of equal shares."""
+    """Average (frames, classes) over neighbours to (min(frames, limit), classes), in equal shares."""
     if len(proba) <= limit:
         return proba
     edges = np.arange(limit + 1) * len(proba) // limit

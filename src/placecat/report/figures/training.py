@@ -1,4 +1,4 @@
-"""The salient regions that one fold's codebooks and cues trained on, one row a region."""
+"""Salient regions that trained one fold's codebooks and cues, one row per region."""
 
 from dataclasses import dataclass
 
@@ -21,11 +21,11 @@ class TrainingRegions:
     homes
         Names of the homes.
     home
-        (n,) which of `homes` it is from.
+        (n,) index of its home in `homes`.
     frame
         (n,) index of its frame in the home.
     number
-        (n,) its place among the frame's regions, 0 for the most salient.
+        (n,) its rank among the frame's regions, 0 for the most salient.
     """
 
     x: NDArray[np.float32]

@@ -1,8 +1,8 @@
 """The descriptors of whole frames (thesis 3.2), one module each.
 
-A new one is one module, whose name is its own. It has ``describe(frame, maps, *, settings...)``, which
-gives (D,) float32, and ``MAPS``, the fields of `FrameMaps` that it reads. One that needs packages of an extra
-imports them when it describes, and lists them in ``PACKAGES``, so that the tests skip it without them.
+A new descriptor is one module of its name. It has ``describe(frame, maps, *, settings...)``, which returns
+(D,) float32, and ``MAPS``, the fields of `FrameMaps` that it reads. If it needs packages of an extra, it
+imports them when it describes, and lists them in ``PACKAGES``, so that tests skip it without them.
 """
 
 from collections.abc import Mapping
@@ -19,22 +19,10 @@ def names() -> list[str]:
 
 
 def load(name: str) -> ModuleType:
-    """Import a holistic descriptor by name.
-
-    Raises
-    ------
-    PlacecatError
-        For an unknown name; lists the valid ones.
-    """
+    """Import a holistic descriptor by name; the PlacecatError for an unknown name lists the valid ones."""
     return lookup.module(__name__, name, "holistic descriptor", "describe")
 
 
 def entry(name: str, settings: Mapping[str, Any]) -> tuple[ModuleType, dict[str, Any]]:
-    """Find the module of an entry ``name: settings`` and check its settings, see `discovery.entry`.
-
-    Raises
-    ------
-    PlacecatError
-        Naming the entry, what is unknown and what is valid.
-    """
+    """Find the module of an entry ``name: settings`` and check its settings, see `discovery.entry`."""
     return discovery.entry(__name__, name, settings, "holistic descriptor")

@@ -11,7 +11,7 @@ from placecat.ranges import OneOf, Pixels
 from placecat.vision.census import LAPLACIANS, cell_histograms, census, check_kernel, laplacian
 from placecat.vision.maps import FrameMaps
 
-# The fields of `FrameMaps` that it reads.
+# The fields of `FrameMaps` that this module reads.
 MAPS: tuple[str, ...] = ()
 
 CELLS = 4
@@ -33,15 +33,15 @@ def describe(
     Parameters
     ----------
     frame
-        (H, W, 3) uint8 BGR. Its grey image is OpenCV's, 0.299 r + 0.587 g + 0.114 b; the thesis does not
-        give this.
+        (H, W, 3) uint8 BGR. Its grey image is OpenCV's, 0.299 r + 0.587 g + 0.114 b, which the thesis does
+        not give.
     maps
-        No map is used: this descriptor has its own size of the image, which its variants share through them.
+        Cache of the resized image, which the variants share; no map is used.
     width
-        The frame is reduced to this width, its sides in proportion; a narrower frame is left as it is.
-        None for the full size (variant in thesis 4.3).
+        Reduce the frame to this width, in proportion; a narrower frame stays as it is. None for the full size
+        (variant in thesis 4.3).
     image
-        What is transformed: ``laplacian``, or ``intensity`` (variant in thesis 4.3).
+        The image to transform: ``laplacian``, or ``intensity`` (variant in thesis 4.3).
     kernel
         The Laplacian's, as in `placecat.vision.census.laplacian`.
     interpolation

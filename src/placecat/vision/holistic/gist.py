@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from placecat.vision.grid import cell_means
 from placecat.vision.maps import FrameMaps
 
-# The fields of `FrameMaps` that it reads.
+# The fields of `FrameMaps` that this module reads.
 MAPS = ("grey", "color", "intensity_contrast", "color_contrast", "orientation")
 
 CELLS = 4
@@ -20,14 +20,14 @@ def describe(
     Parameters
     ----------
     frame
-        (H, W, 3) uint8 BGR; not used, the maps hold what is needed.
+        (H, W, 3) uint8 BGR; not used.
     maps
         Of the frame.
     color
-        With the colour maps. The variant without is in thesis 4.2.
+        Include the colour maps. Thesis 4.2 has a variant without them.
     center_surround
-        Take intensity and colour from the centre-surround maps; otherwise from the pyramids (variant in
-        thesis 4.2). The orientation maps have no centre-surround and stay.
+        Take intensity and colour from the centre-surround maps, otherwise from the pyramids (variant in
+        thesis 4.2). The orientation maps have no centre-surround.
 
     Returns
     -------
@@ -54,6 +54,6 @@ def describe(
 
 
 def _means(level: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Cell means as (radii, sub-channels, 4, 4), with ones for the axes a channel lacks."""
+    """Cell means as (radii, sub-channels, 4, 4); axes that a channel lacks have length 1."""
     means = cell_means(level, CELLS)
     return means.reshape((1,) * (4 - means.ndim) + means.shape)

@@ -11,9 +11,9 @@ from placecat.vision.census import LAPLACIANS, census, check_kernel, histograms
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import BORDERS, cut, region_side, to_bytes
 
-# The fixed unit of `concatenate`: the total standard deviation over regions of indoor frames, rounded.
+# The unit in `concatenate`: the total standard deviation over regions of indoor frames, rounded.
 SPREAD = 0.3
-# The fields of `FrameMaps` that it reads.
+# The fields of `FrameMaps` that this module reads.
 MAPS = ("grey",)
 
 IMAGES = ("intensity", "laplacian")
@@ -33,12 +33,13 @@ def describe(
     Parameters
     ----------
     image
-        What is transformed: ``intensity``, the thesis's choice, or ``laplacian`` (its variant in the text).
+        The image to transform: ``intensity``, the thesis's choice, or ``laplacian`` (its variant in the
+        text).
     kernel
         The Laplacian's, as in `placecat.vision.census.laplacian`.
     quantise
-        Round intensities to whole grey levels first, as in an 8-bit image, so that flat areas give ties and
-        not the sign of noise. The thesis does not give this.
+        Round intensities to whole grey levels first, as in an 8-bit image, so that flat areas give ties
+        instead of noise. The thesis does not give this.
 
     Returns
     -------
@@ -60,7 +61,7 @@ def describe(
         )
     check_kernel(kernel)
     filtered = image == "laplacian"
-    # One pixel more on each side: every pixel of the patch has a Laplacian of real neighbours.
+    # One more pixel on each side, so that every pixel of the patch has real neighbours.
     patches = cut(maps.grey, regions, region_side(maps.width) + 2 * filtered, border=border)
     values = to_bytes(patches).astype(np.int16) if quantise else patches
     return histograms(census(_laplacians(values, kernel) if filtered else values))

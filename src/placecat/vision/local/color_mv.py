@@ -11,9 +11,9 @@ from placecat.vision.grid import mean_variance
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import BORDERS, cut, region_side
 
-# The fixed unit of `concatenate`: the total standard deviation over regions of indoor frames, rounded.
+# The unit in `concatenate`: the total standard deviation over regions of indoor frames, rounded.
 SPREAD = 2.5
-# The fields of `FrameMaps` that it reads.
+# The fields of `FrameMaps` that this module reads.
 MAPS = ("color",)
 
 
@@ -29,18 +29,13 @@ def describe(
     Parameters
     ----------
     grid
-        Cells along each axis; 0 for the whole region only. The thesis has 3, and in 4.4.2 the variant 0,
-        with 8 dimensions.
+        Cells along each axis, else PlacecatError; 0 for the whole region only. The thesis has 3, and in 4.4.2
+        the variant 0 with 8 dimensions.
 
     Returns
     -------
     (n, 8 (1 + grid**2)) float32. First the whole region, then the cells row by row from the top left; each
     area has 4 means, then 4 variances (>= 0). Cells are of equal size, in fractions of pixels.
-
-    Raises
-    ------
-    PlacecatError
-        For a negative grid.
     """
     if grid < 0:
         raise PlacecatError(f"The grid of local descriptor 'color_mv' is {grid}: it must be 0 or more.")

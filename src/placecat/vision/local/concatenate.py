@@ -18,10 +18,10 @@ def concatenate(
 ) -> NDArray[np.float32]:
     """Append the vertical position and the colour descriptor to a shape descriptor.
 
-    The parts have different magnitudes (SIFT goes to 255, HOG to 1) and the thesis does not give their
-    weights. So each descriptor is divided by its spread, a fixed number (the ``SPREAD`` of its module,
-    nothing fitted), after which its total standard deviation over indoor regions is about 1: the same
-    weight means the same relative influence on a distance, for every descriptor.
+    The parts have different magnitudes (SIFT goes to 255, HOG to 1), and the thesis does not give their
+    weights. So each descriptor is divided by its spread, the fixed ``SPREAD`` of its module. Its total
+    standard deviation over indoor regions is then about 1, and equal weights mean equal influence on a
+    distance.
 
     Parameters
     ----------
@@ -33,7 +33,7 @@ def concatenate(
     color
         (n, C) float32, or None for none.
     y_weight, color_weight
-        What y and the colour descriptor are multiplied by, >= 0.
+        Factors of y and of the colour descriptor, >= 0.
     shape_spread, color_spread
         Spreads, > 0; 1 leaves a part as it is.
 

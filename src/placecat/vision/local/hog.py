@@ -11,9 +11,9 @@ from placecat.ranges import OneOf
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import BORDERS, cut, region_side, to_bytes
 
-# The fixed unit of `concatenate`: the total standard deviation over regions of indoor frames, rounded.
+# The unit in `concatenate`: the total standard deviation over regions of indoor frames, rounded.
 SPREAD = 0.7
-# The fields of `FrameMaps` that it reads.
+# The fields of `FrameMaps` that this module reads.
 MAPS = ("grey",)
 
 WINDOW = 64
@@ -22,7 +22,7 @@ INTERPOLATIONS = {"nearest": cv2.INTER_NEAREST, "linear": cv2.INTER_LINEAR, "cub
 _HOG = cv2.HOGDescriptor((WINDOW, WINDOW), (64, 64), (32, 32), (16, 16), 8)
 _SIZE = int(_HOG.getDescriptorSize())
 
-# Patches side by side in a mosaic, so that its rows stay in the cache.
+# Patches per row of a mosaic, few enough for the cache.
 _COLUMNS = 5
 
 
@@ -36,8 +36,7 @@ def describe(
     """Describe regions by OpenCV's HOG: window 64, block 64, stride 32, cell 16, 8 bins (thesis 3.1.2).
 
     The intensity patch, in whole grey levels, is resized to 64x64. The result equals
-    `cv2.HOGDescriptor.compute` on each of these; one call serves all patches, side by side with mirrored
-    borders.
+    `cv2.HOGDescriptor.compute` on each patch; one call computes all, side by side with mirrored borders.
 
     Parameters
     ----------

@@ -11,9 +11,9 @@ from placecat.vision.grid import mean_variance
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import BORDERS, cut, region_side
 
-# The fixed unit of `concatenate`: the total standard deviation over regions of indoor frames, rounded.
+# The unit in `concatenate`: the total standard deviation over regions of indoor frames, rounded.
 SPREAD = 65.0
-# The fields of `FrameMaps` that it reads.
+# The fields of `FrameMaps` that this module reads.
 MAPS = ("orientation",)
 
 
@@ -26,7 +26,7 @@ def describe(
 ) -> NDArray[np.float32]:
     """Describe regions by means and variances of the orientation maps (thesis 3.1.2).
 
-    These are the Gabor responses at 0, 45, 90 and 135 degrees; the rest is as in `color_mv`.
+    These are the Gabor responses at 0, 45, 90 and 135 degrees; see `color_mv` for the rest.
     """
     if grid < 0:
         raise PlacecatError(f"The grid of local descriptor 'orientation_mv' is {grid}: it must be 0 or more.")

@@ -12,9 +12,9 @@ from placecat.ranges import OneOf
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import BORDERS, cut, region_side
 
-# The fixed unit of `concatenate`: the total standard deviation over regions of indoor frames, rounded.
+# The unit in `concatenate`: the total standard deviation over regions of indoor frames, rounded.
 SPREAD = 430.0
-# The fields of `FrameMaps` that it reads.
+# The fields of `FrameMaps` that this module reads.
 MAPS = ("grey",)
 
 ORIENTATIONS = ("upright", "dominant")
@@ -33,9 +33,9 @@ def describe(
 ) -> NDArray[np.float32]:
     """Describe each region by one SIFT descriptor whose 4x4 cells cover it (thesis 3.1.2).
 
-    A cell is a quarter of the region's side. As in Lowe's, Hess's and OpenCV's programs a gradient votes
-    for the nearest cells and bins with trilinear weights, so gradients up to half a cell outside count too;
-    a Gaussian of half the region's side weighs them. The level is not blurred again.
+    A cell is a quarter of the region's side. As in the programs of Lowe, Hess and OpenCV, a gradient votes
+    for the nearest cells and bins with trilinear weights, so gradients up to half a cell outside count too. A
+    Gaussian of half the region's side weights them. The level is not blurred again.
 
     Parameters
     ----------
@@ -98,12 +98,12 @@ def dominant_angles(
         (n, 2 R + 1, 2 R + 1) float32, the angle in radians.
     scale
         Lowe's scale of the region in pixels: a third of a cell. The window is a Gaussian of 1.5 scales, cut
-        at 4.5; if the patch ends before, it is cut there.
+        at 4.5 scales or at the patch's end.
 
     Returns
     -------
-    (n,) float64 radians in [0, 2 pi): the highest of 36 bins, smoothed, with parabolic interpolation. 0 for
-    a patch without gradients.
+    (n,) float64 radians in [0, 2 pi): the highest of 36 bins, smoothed, with parabolic interpolation. 0 for a
+    patch without gradients.
     """
     count, centre = len(magnitude), magnitude.shape[1] // 2
     radius = min(round(4.5 * scale), centre)
@@ -159,7 +159,7 @@ def _votes(
     lower = np.floor(position)
     position -= lower
     upper_part = np.multiply(position, magnitude, out=position)
-    # BINS is a power of two: the mask is the remainder, of negative numbers too.
+    # BINS is a power of two, so the mask gives the remainder, also of negative numbers.
     first = lower.astype(np.intp)
     first &= BINS - 1
     second = first + 1
@@ -176,7 +176,7 @@ def _votes(
 
 @lru_cache(maxsize=8)
 def _starts(count: int, pixels: int) -> NDArray[np.intp]:
-    """Where the bins of each pixel begin, (n, pixels)."""
+    """Index of the first bin of each pixel, (n, pixels)."""
     starts = np.arange(count * pixels).reshape(count, pixels) * BINS
     starts.flags.writeable = False
     return starts

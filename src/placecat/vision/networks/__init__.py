@@ -1,6 +1,6 @@
-"""Pretrained networks: an image in, features out. What they need is imported when one is loaded.
+"""Pretrained networks: an image in, features out. Each imports its packages when it is loaded.
 
-Nothing is downloaded: weights come with a package, or are a file that the settings name.
+Nothing is downloaded: weights come with a package, or in a file that the settings name.
 """
 
 from collections.abc import Callable
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 from placecat.vision.networks import efficientnet_lite0, onnx_file
 
-#: (1, 3, height, width) float32 to what the network says of it, of any shape whose first axis is the image.
+#: (1, 3, height, width) float32 to features of any shape whose first axis is the image.
 Network = Callable[[NDArray[np.float32]], NDArray[np.float32]]
 
 NAMED: dict[str, Callable[[], Network]] = {"efficientnet_lite0": efficientnet_lite0.load}
@@ -29,7 +29,7 @@ def load(network: str, output: str | None = None, sha256: str | None = None) -> 
     network
         One of `NAMED`, or the path of an ONNX file.
     output
-        Of an ONNX file: the name of the output that is taken; None for its first.
+        Of an ONNX file: name of the output to use; None for its first.
     sha256
         Checksum that an ONNX file, with its weights, must have; None for any.
 

@@ -1,6 +1,6 @@
-"""What an ONNX file holds that matters before it is run: its operators, and the files of its weights.
+"""Checks of an ONNX file before it is run: its operators, and the files of its weights.
 
-Read by hand: messages of protocol buffers are numbered fields, and the package onnx is not needed otherwise.
+It is parsed here, since protocol buffers are just numbered fields; the package onnx is not needed otherwise.
 """
 
 import hashlib
@@ -21,7 +21,7 @@ _VALUES, _INDICES = 1, 2
 _EXTERNAL = 13
 _KEY, _VALUE = 1, 2
 
-# The kind of a message to its fields that are messages, and of which kind.
+# The kind of a message to its fields that are messages, and their kinds.
 _INSIDE = {
     "model": {_GRAPH: "graph", _FUNCTIONS: "function"},
     "function": {_FUNCTION_NODE: "node"},
@@ -42,29 +42,20 @@ _INSIDE = {
 
 _TEXTS = {"node": (_INPUT, _OPERATOR), "entry": (_KEY, _VALUE)}
 
-# Each run would give something else.
+# Operators whose output differs in each run.
 _RANDOM = ("Random", "Multinomial", "Bernoulli", "Sampling")
-# How often they turn is not known before.
+# Operators that may loop for ever.
 _ENDLESS = ("Loop", "BeamSearch", "GreedySearch", "WhisperBeamSearch")
-# Its third input says that it is used for training, where it is random.
+# A third input switches to training, where it is random.
 _DROPOUT, _TRAINING = "Dropout", 2
 
 
 def check(path: Path, sha256: str | None) -> None:
-    """Refuse a network that gives other numbers each time, may never end, or is another than was meant.
+    """Refuse a network that is random, may never end, or is not the expected file.
 
-    Parameters
-    ----------
-    path
-        An ONNX file.
-    sha256
-        As for :func:`fingerprint`; None for any.
-
-    Raises
-    ------
-    PlacecatError
-        If it cannot be read, is no ONNX file, has an operator that is random or may loop for ever, weights in
-        files that are missing or outside its folder, or another checksum.
+    `sha256` is as for :func:`fingerprint`, None for any. Raises PlacecatError if the ONNX file cannot be read
+    or is none, has an operator that is random or may loop for ever, has weights in files that are missing or
+    outside its folder, or has another checksum.
     """
     try:
         operators, weights = _content(path)
@@ -80,17 +71,16 @@ def check(path: Path, sha256: str | None) -> None:
                 )
         files = [_weights(path, name) for name in weights]
         if sha256 is not None and (found := fingerprint(path, files)) != sha256:
-            raise PlacecatError(
-                f"{path} has the SHA-256 {found}, not {sha256}: it is another file than was meant"
-            )
+            raise PlacecatError(f"{path} has the SHA-256 {found}, not {sha256}: it is not the expected file")
     except OSError as error:
         raise PlacecatError(f"{path} cannot be read: {error.strerror or error}") from None
 
 
 def fingerprint(path: Path, weights: list[Path]) -> str:
-    """Give the SHA-256 of a network in hexadecimal: of its file, or, with weights in other files, of all.
+    """Return the SHA-256 of a network in hexadecimal: of its file, or of all files if it has several.
 
-    Then it is that of what ``sha256sum NETWORK WEIGHTS...`` prints, in their folder, the weights by name.
+    The latter is the SHA-256 of the output of ``sha256sum NETWORK WEIGHTS...`` in their folder, the weights
+    by name.
     """
     if not weights:
         return checksum(path)
@@ -100,7 +90,7 @@ def fingerprint(path: Path, weights: list[Path]) -> str:
 
 
 def _weights(path: Path, name: str) -> Path:
-    """The file of some weights, which has to be in the folder of the network."""
+    """The path of a file of weights, which must be in the network's folder."""
     relative, folder = PurePosixPath(name), path.parent
     file = folder / relative
     if not relative.parts or relative.is_absolute() or ".." in relative.parts or "\\" in name or "\0" in name:
@@ -121,9 +111,9 @@ def _content(path: Path) -> tuple[list[tuple[str, list[str]]], list[str]]:
     has_graph = False
     with path.open("rb") as file:
         if not file.seek(0, 2):
-            raise PlacecatError(f"{path} is no ONNX file: it is empty")
+            raise PlacecatError(f"{path} is not an ONNX file: it is empty")
         with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
-            # What is inside what is followed without recursion, however deep.
+            # Nested messages of any depth, without recursion.
             waiting = [("model", 0, len(content))]
             try:
                 while waiting:
@@ -141,14 +131,14 @@ def _content(path: Path) -> tuple[list[tuple[str, list[str]]], list[str]]:
                     elif kind == "entry" and texts.get(_KEY, [""])[-1] == "location":
                         weights.add(texts.get(_VALUE, [""])[-1])
             except ValueError as error:
-                raise PlacecatError(f"{path} is no ONNX file, or damaged: {error}") from None
+                raise PlacecatError(f"{path} is not an ONNX file, or damaged: {error}") from None
     if not has_graph:
-        raise PlacecatError(f"{path} is no ONNX file: it has no network")
+        raise PlacecatError(f"{path} is not an ONNX file: it has no network")
     return operators, sorted(weights)
 
 
 def _fields(content: mmap.mmap, at: int, end: int) -> Iterator[tuple[int, int, int]]:
-    """The fields of a message that have a length: number, first and last byte; ValueError if it is none."""
+    """Yield number, first and last byte of each field that has a length; ValueError if damaged."""
     while at < end:
         key, at = _varint(content, at, end)
         number, kind = key >> 3, key & 7

@@ -25,9 +25,9 @@ def load(
     path
         The file. Its one input takes an image as (1, 3, height, width) float32.
     output
-        Name of the output that is taken; None for the first.
+        Name of the output to use; None for the first.
     sha256
-        Checksum that it must have, see `onnx_content.fingerprint`; None for any.
+        Its expected checksum, see `onnx_content.fingerprint`; None for any.
 
     Returns
     -------
@@ -37,8 +37,7 @@ def load(
     ------
     PlacecatError
         If onnxruntime or the file is missing, or the file is refused by `onnx_content.check`, is no ONNX,
-        takes something else than one image or lacks the output; when called, an image of a size that it does
-        not take.
+        does not take one image, or lacks the output; when called, for an image of the wrong size.
     """
     with reading(path):
         is_there = path.is_file()
@@ -49,13 +48,13 @@ def load(
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = options.inter_op_num_threads = 1
     options.use_deterministic_compute = True
-    # Fatal ones only: errors are raised, and become one message.
+    # Log fatal errors only: others are raised and become one message.
     options.log_severity_level = 4
     try:
         session = onnxruntime.InferenceSession(path, options, providers=["CPUExecutionProvider"])
     # onnxruntime's errors have no base class of their own.
     except Exception as error:
-        raise PlacecatError(f"{path} is no ONNX file that onnxruntime can run: {_short(error)}") from None
+        raise PlacecatError(f"{path} is not an ONNX file that onnxruntime can run: {_short(error)}") from None
     name = _input(session, path)
     outputs = [one.name for one in session.get_outputs()]
     wanted = outputs[0] if output is None else output
@@ -76,7 +75,7 @@ def load(
 
 
 def _input(session: Any, path: Path) -> str:
-    """Name of the one input, which takes an image."""
+    """Name of the only input, which takes an image."""
     inputs = session.get_inputs()
     kinds = [f"{one.type.removeprefix('tensor')} {one.shape}" for one in inputs]
     if len(inputs) != 1 or inputs[0].type != "tensor(float)" or not _takes_image(inputs[0].shape):
@@ -88,7 +87,7 @@ def _input(session: Any, path: Path) -> str:
 
 
 def _takes_image(shape: list[int | str | None]) -> bool:
-    # What a file leaves open has a name or None.
+    # A dimension that the file leaves open is a name or None.
     return len(shape) == 4 and all(
         not isinstance(found, int) or found == wanted
         for found, wanted in zip(shape[:2], (1, CHANNELS), strict=True)

@@ -1,4 +1,4 @@
-"""What networks need beyond the project's own packages."""
+"""Imports of the packages that only networks need."""
 
 import hashlib
 import importlib
@@ -12,19 +12,9 @@ INSTALL = "`pip install -e '.[deep]'` in the environment of placecat installs it
 
 
 def import_packages(names: Sequence[str], wanted_by: str) -> list[ModuleType]:
-    """Import packages of the extra `deep`.
+    """Import modules of the extra `deep`.
 
-    Parameters
-    ----------
-    names
-        Of the modules.
-    wanted_by
-        What a message says needs them.
-
-    Raises
-    ------
-    PlacecatError
-        Naming the first that is missing or cannot be imported.
+    The PlacecatError names the first that is missing or cannot be imported, and `wanted_by`, what needs it.
     """
     modules = []
     for name in names:
