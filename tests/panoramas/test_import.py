@@ -1,5 +1,6 @@
 """`placecat import panoramas`, from pictures to what the stage `sequences` reads."""
 
+import json
 import os
 import re
 import shutil
@@ -100,16 +101,28 @@ def test_every_frame_has_the_label_of_its_panorama(folder, capsys):
     assert yaml.safe_load(card.split("```yaml\n")[1].split("```")[0]) == read_settings(SMALL)
 
 
-@pytest.mark.parametrize("source", ["equirectangular", "cubes"])
-def test_frames_are_the_planned_views(folder, source):
+def zind_data(image_path, **pano):
+    """Data of a home of the Zillow Indoor Dataset with one panorama."""
+    partial_room = {"pano_1": {"image_path": image_path, **pano}}
+    return {"merger": {"1": {"complete_room_01": {"partial_room_01": partial_room}}}}
+
+
+@pytest.mark.parametrize(
+    ("source", "home"), [("equirectangular", "flat"), ("cubes", "flat"), ("zind", "zind_flat")]
+)
+def test_frames_are_the_planned_views(folder, source, home):
     shutil.rmtree(folder / "source")
-    (folder / "source").mkdir()
-    (folder / "source/rooms.csv").write_text("home,file,room\nflat,a.png,kitchen\n")
+    (folder / "source/flat").mkdir(parents=True)
+    if source == "zind":
+        data = zind_data("a.png", label="kitchen", floor_number=1, is_inside=True)
+        (folder / "source/flat/zind_data.json").write_text(json.dumps(data))
+    else:
+        (folder / "source/rooms.csv").write_text("home,file,room\nflat,flat/a.png,kitchen\n")
     if source == "cubes":
         for letter, face in zip("frblud", faces(64), strict=True):
-            write(folder / f"source/a.png_{letter}.jpg", face)
+            write(folder / f"source/flat/a.png_{letter}.jpg", face)
     else:
-        write(folder / "source/a.png", sphere(128))
+        write(folder / "source/flat/a.png", sphere(128))
     changes = [
         f"source={source}",
         "fps=3.0",
@@ -123,7 +136,7 @@ def test_frames_are_the_planned_views(folder, source):
     path = np.concatenate([look.path for look in looks])
     assert len(path) > 25
     for number, (pan, tilt, fov) in enumerate(path, start=1):
-        frame = cv2.imread(str(folder / f"homes/flat/1/{number:08d}.jpg")).astype(float)
+        frame = cv2.imread(str(folder / f"homes/{home}/1/{number:08d}.jpg")).astype(float)
         wanted = colour(*np.moveaxis(view_rays(pan, tilt, fov, 32, 18), -1, 0))
         # JPEG halves the resolution of colours.
         assert np.abs(frame - wanted).max() < 12
@@ -184,7 +197,7 @@ def test_a_face_that_is_no_square_is_named(folder):
         ("tilt=[-91,0]", "tilt.0=-91"),
         ("labels.living_room=7", "labels.living_room=7: it must be a list"),
         ("ways=[my room]", "label files separate their columns by spaces"),
-        ("cubes.file=face.jpg", "it must have {file} and {face}"),
+        ("cubes.file=face.jpg", "it must have FILE and FACE"),
         ("stays.kitchen.mean=0", "stays.kitchen.mean=0"),
         ("+stays.kitchen.mode=1", "stays.kitchen has no setting 'mode'"),
     ],

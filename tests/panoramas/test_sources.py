@@ -107,18 +107,18 @@ def test_a_link_that_leads_out_is_refused(table, tmp_path):
 
 
 def test_a_cube_has_six_pictures_named_by_settings(tmp_path):
-    (tmp_path / "rooms.csv").write_text("home,file,room\nflat,one,kitchen\n")
+    (tmp_path / "rooms.csv").write_text("home,file,room\nflat,FACE,kitchen\n")
     for letter in "frblud":
-        write(tmp_path / f"one_{letter}.jpg", PICTURE)
+        write(tmp_path / f"FACE_{letter}.jpg", PICTURE)
     (only,) = sources.read(tmp_path, read_settings(["source=cubes"]))
-    assert only.files == tuple(f"one_{letter}.jpg" for letter in "frblud")
-    changes = ["source=cubes", "cubes.file='tiles/{face}/{file}.jpg'", "cubes.faces.up=top"]
-    with pytest.raises(PlacecatError, match=r"tiles/f/one\.jpg: the picture is missing"):
+    assert only.files == tuple(f"FACE_{letter}.jpg" for letter in "frblud")
+    changes = ["source=cubes", "cubes.file=tiles/FACE/FILE.jpg", "cubes.faces.up=top"]
+    with pytest.raises(PlacecatError, match=r"tiles/f/FACE\.jpg: the picture is missing"):
         sources.read(tmp_path, read_settings(changes))
     for folder in ("f", "r", "b", "l", "top", "d"):
-        write(tmp_path / f"tiles/{folder}/one.jpg", PICTURE)
+        write(tmp_path / f"tiles/{folder}/FACE.jpg", PICTURE)
     (only,) = sources.read(tmp_path, read_settings(changes))
-    assert only.files[4] == "tiles/top/one.jpg"
+    assert only.files[4] == "tiles/top/FACE.jpg"
 
 
 def panorama(number, label, **more):

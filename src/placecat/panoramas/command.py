@@ -59,6 +59,7 @@ def import_command(source: Path, destination: Path, changes: Sequence[str]) -> i
         0; mistakes raise PlacecatError and leave nothing behind.
     """
     settings = read_settings(changes)
+    classes = read_yaml(paths.CONF / "dataset" / f"{DATASET}.yaml")["classes"]
     _refuse_existing(destination)
     panoramas = sources.read(source, settings)
     homes = dict.fromkeys(one.home for one in panoramas)
@@ -72,7 +73,7 @@ def import_command(source: Path, destination: Path, changes: Sequence[str]) -> i
         files.write_text(temporary / card.FILE, card.card(plans, settings, source.resolve().name))
         # It may have come meanwhile.
         _refuse_existing(destination)
-    _print(destination, plans, settings)
+    _print(destination, plans, classes, settings)
     return 0
 
 
@@ -103,8 +104,7 @@ def _write_frames(folder: Path, source: Path, plans: Plans, settings: Mapping[st
             (place / f"{number:08d}.jpg").write_bytes(frame)
 
 
-def _print(destination: Path, plans: Plans, settings: Mapping[str, Any]) -> None:
-    classes = read_yaml(paths.CONF / "dataset" / f"{DATASET}.yaml")["classes"]
+def _print(destination: Path, plans: Plans, classes: Sequence[str], settings: Mapping[str, Any]) -> None:
     lacking = {}
     for home, floors in plans.items():
         by_label = counts(floors)

@@ -59,8 +59,8 @@ class Cubes(Section):
     @field_validator("file")
     @classmethod
     def _check_file(cls, file: str) -> str:
-        if "{face}" not in file or "{file}" not in file:
-            raise ValueError("it must have {file} and {face}")
+        if "FILE" not in file or "FACE" not in file:
+            raise ValueError("it must have FILE and FACE")
         return file
 
 

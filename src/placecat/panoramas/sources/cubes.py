@@ -17,7 +17,8 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
     pattern, names = settings["cubes"]["file"], settings["cubes"]["faces"]
 
     def files(file: str) -> list[str]:
-        before, _, after = pattern.partition("{file}")
-        return [f"{before}{file}{after}".replace("{face}", names[face]) for face in FACES]
+        return [
+            file.join(part.replace("FACE", names[face]) for part in pattern.split("FILE")) for face in FACES
+        ]
 
     return read_table(root, settings, files)
