@@ -18,6 +18,7 @@ import placecat
 from placecat import settings
 from placecat.__main__ import _parser
 from placecat.experiment import options, sweep
+from placecat.panoramas.command import read_settings
 from project import ROOT
 
 _SPEC = importlib.util.spec_from_file_location("fill", ROOT / "docs/fill.py")
@@ -89,6 +90,7 @@ def check_placecat(words):
     elif len(words) > 1:
         chosen = _parser().parse_args(words)
         check_settings(getattr(chosen, "overrides", ()))
+        read_settings(getattr(chosen, "changes", ()))
     else:
         with pytest.raises(SystemExit, match=r"^0$"):
             _parser().parse_args([*words, "--help"])

@@ -58,7 +58,8 @@ def test_a_missing_data_set_stops_the_first_stage(folder):
 
 
 @pytest.mark.parametrize(
-    "command", ["", "params", "repro", "compare", "times", "train", "predict", "demo", "explain"]
+    "command",
+    ["", "params", "repro", "compare", "times", "train", "predict", "demo", "explain", "import panoramas"],
 )
 def test_every_command_has_help(command, capsys):
     with pytest.raises(SystemExit) as caught:
@@ -76,6 +77,7 @@ def test_every_command_has_help(command, capsys):
         "predict": "--labels CSV",
         "demo": "predictions/demo",
         "explain": "--again",
+        "import panoramas": "DESTINATION",
     }[command] in text
 
 

@@ -120,6 +120,7 @@ def _parser() -> argparse.ArgumentParser:
     demo.set_defaults(run=_demo)
     _add_train(commands)
     _add_predict(commands)
+    _add_import(commands)
     _add_worker(commands)
     # Hydra parses their arguments.
     commands.add_parser("experiment", help="train and test any descriptor and classifier, or a sweep of them")
@@ -227,6 +228,29 @@ def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
         "--force", action="store_true", help="replace a prediction of another source, or one that was edited"
     )
     predict.set_defaults(run=_predict)
+
+
+def _add_import(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    kinds = commands.add_parser(
+        "import",
+        help="make homes from other pictures",
+        description="Make homes that `placecat repro` reads from other pictures.",
+    ).add_subparsers(required=True, metavar="KIND", title="kinds")
+    panoramas = kinds.add_parser(
+        "panoramas",
+        help="360-degree pictures",
+        description="Make homes from 360-degree pictures: seeded walks of a view that turns in them. "
+        "Writes frames, labels and a data card. The settings are those of conf/panoramas.yaml.",
+    )
+    panoramas.add_argument("source", type=Path, metavar="SOURCE", help="the folder of the panoramas")
+    panoramas.add_argument("destination", type=Path, metavar="DESTINATION", help="a new folder for the homes")
+    panoramas.add_argument(
+        "changes",
+        nargs="*",
+        metavar="SETTING=VALUE",
+        help="another value of a setting, e.g. source=zind, fps=10.0",
+    )
+    panoramas.set_defaults(run=_import_panoramas)
 
 
 def _add_worker(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -367,6 +391,12 @@ def _worker(options: argparse.Namespace) -> int:
     from placecat.compute.command import worker_command
 
     worker_command(options.scheduler, options.options)
+
+
+def _import_panoramas(options: argparse.Namespace) -> int:
+    from placecat.panoramas.command import import_command
+
+    return import_command(options.source, options.destination, options.changes)
 
 
 def _predict(options: argparse.Namespace) -> int:

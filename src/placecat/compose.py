@@ -98,6 +98,32 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
     return text
 
 
+def overridden(content: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any]:
+    """Apply Hydra overrides to settings that are no part of params.yaml.
+
+    Parameters
+    ----------
+    content
+        The settings, as plain containers.
+    overrides
+        E.g. ``fps=10.0``.
+
+    Raises
+    ------
+    PlacecatError
+        An override that Hydra cannot read or that names no setting.
+    """
+    from omegaconf import OmegaConf
+    from omegaconf.errors import OmegaConfBaseException
+
+    check_overrides(overrides)
+    try:
+        result: dict[str, Any] = OmegaConf.to_container(_by_hydra(overrides, content), resolve=True)  # type: ignore[assignment]
+    except OmegaConfBaseException as error:
+        raise _refusal(error) from None
+    return result
+
+
 def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any]) -> "DictConfig":
     """Apply overrides with Hydra, to merged settings or to a folder with config.yaml."""
     from hydra import compose as hydra_compose

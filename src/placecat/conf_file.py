@@ -5,18 +5,27 @@ from pathlib import Path
 from typing import Any
 
 from placecat import settings
+from placecat.compose import overridden
 
 
-def read(path: Path, names: Sequence[str]) -> dict[str, Any]:
+def read(path: Path, names: Sequence[str], overrides: Sequence[str] = ()) -> dict[str, Any]:
     """Read a file that must have exactly these settings.
+
+    Parameters
+    ----------
+    path, names
+        The file and its settings.
+    overrides
+        Hydra overrides of them, e.g. ``fps=10.0``.
 
     Raises
     ------
     PlacecatError
-        If it is missing or no YAML, or has an unknown setting or lacks one.
+        If it is missing or no YAML, or has an unknown setting or lacks one; for an override that Hydra
+        cannot read or that names no setting.
     """
     content = settings.read_yaml(path, "run this in the project's folder, or restore it from git")
     settings.refuse_unknown(content, list(names), str(path))
     for name in names:
         settings.get(content, name)
-    return content
+    return overridden(content, overrides) if overrides else content

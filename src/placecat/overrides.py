@@ -41,6 +41,24 @@ def check(overrides: Sequence[str], *, several: bool = False) -> None:
         raise PlacecatError(f"Hydra cannot read the value {value!r} of {name} without quotes: {hint}")
 
 
+def text(value: str) -> str:
+    """Put a text between Hydra's quotes where it would read something else without.
+
+    Examples
+    --------
+    >>> text("home_1"), text("Flat A"), text("a,b"), text("12")
+    ('home_1', 'Flat A', "'a,b'", "'12'")
+    """
+    from hydra.core.override_parser.overrides_parser import OverridesParser
+    from hydra.errors import HydraException
+
+    try:
+        is_plain = OverridesParser.create().parse_override(f"name=[{value}]").value() == [value]
+    except HydraException:
+        is_plain = False
+    return value if is_plain else _text(value)
+
+
 def for_shell(argument: str) -> str:
     """Quote an argument for a shell."""
     return f'"{argument}"' if _PLAIN_IN_QUOTES.fullmatch(argument) else shlex.quote(argument)

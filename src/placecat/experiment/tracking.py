@@ -162,12 +162,12 @@ def _log_one(client: Any, experiment: str, name: str, one: Ran, parent: str | No
 
 def _params(used: dict[str, Any]) -> dict[str, str]:
     """Parameters of an experiment, by the names that rows of tables have."""
-    cue = [used.get(part) for part in ("descriptor", "classifier", "codebook")]
-    rest = {
-        name: value for name, value in used.items() if name not in ("descriptor", "classifier", "codebook")
-    }
+    of_cue = ("descriptor", "classifier", "codebook")
+    rest = {name: value for name, value in used.items() if name not in of_cue}
     own = {store.key(name): value for name, value in settings.flatten(rest).items()}
-    return {"decides": "cue"} | own | params_of_cue(*cue)
+    return (
+        {"decides": "cue"} | own | params_of_cue(used["descriptor"], used["classifier"], used.get("codebook"))
+    )
 
 
 def _write_confusion(folder: Path, name: str, result: dict[str, Any]) -> list[Path]:

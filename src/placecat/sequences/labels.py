@@ -183,7 +183,7 @@ def read_label_csv(
     PlacecatError
         If the header, a number or a label is wrong, or the rows leave out or repeat a frame, naming the line.
     """
-    rows = _rows(path)
+    rows = read_rows(path)
     header = tuple(cell.strip() for cell in rows[0][1]) if rows else ()
     if header not in (FRAME_HEADER, SECOND_HEADER):
         raise PlacecatError(
@@ -236,6 +236,27 @@ def read_text(path: Path) -> str:
     return text
 
 
+def read_rows(path: Path) -> list[tuple[int, list[str]]]:
+    """Read a CSV: the line and the cells of each row that is not empty.
+
+    Raises
+    ------
+    PlacecatError
+        As `read_text`, or if it is not UTF-8 or no CSV, naming the line.
+    """
+    lines = read_text(path).splitlines()
+    for number, line in enumerate(lines, start=1):
+        if "\ufffd" in line:
+            raise PlacecatError(f"{path} line {number}: not UTF-8; save the file as UTF-8.")
+        if line.count('"') % 2:
+            raise PlacecatError(f"{path} line {number}: a quotation mark is not closed; close or remove it.")
+    reader = csv.reader(lines)
+    try:
+        return [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
+    except csv.Error as error:
+        raise PlacecatError(f"{path} line {reader.line_num}: not a CSV ({error}).") from None
+
+
 def whole(text: str, path: Path, line: int) -> int:
     """Read a whole number: up to ten digits with an optional minus sign.
 
@@ -256,20 +277,6 @@ def shown(text: str) -> str:
 
 def _frames(first: int, last: int) -> str:
     return f"frames {first} to {last}" if last > first else f"frame {first}"
-
-
-def _rows(path: Path) -> list[tuple[int, list[str]]]:
-    lines = read_text(path).splitlines()
-    for number, line in enumerate(lines, start=1):
-        if "\ufffd" in line:
-            raise PlacecatError(f"{path} line {number}: not UTF-8; save the file as UTF-8.")
-        if line.count('"') % 2:
-            raise PlacecatError(f"{path} line {number}: a quotation mark is not closed; close or remove it.")
-    reader = csv.reader(lines)
-    try:
-        return [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
-    except csv.Error as error:
-        raise PlacecatError(f"{path} line {reader.line_num}: not a CSV ({error}).") from None
 
 
 def _from_seconds(

@@ -66,8 +66,8 @@ def describe_frame(
         Sections, each optional: ``attention`` (settings of `compute_maps`), ``regions`` (of `find_regions`),
         ``information`` (of `information`), ``local`` and ``holistic`` (name of each descriptor to compute to
         its settings). A variant has a free name and the setting ``descriptor``, e.g.
-        ``{"centrist_full": {"descriptor": "centrist", "width": None}}``. ``variants`` are those of the regions
-        (`describe_variants`), by descriptors in ``local``.
+        ``{"centrist_full": {"descriptor": "centrist", "width": None}}``. ``variants`` are those of the
+        regions (`describe_variants`), by descriptors in ``local``.
     regions
         (n, 4) float32 regions to describe, such as tracked ones (thesis 4.7); None to find them here. With
         given regions there are no variants, and maps that no descriptor reads are not computed.

@@ -1,0 +1,54 @@
+"""The data card of homes made from panoramas: README.md beside them."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import yaml
+
+from placecat import __version__
+from placecat.errors import one_line
+from placecat.panoramas.labels import counts
+from placecat.panoramas.plan import Look, seed
+from placecat.templates import environment
+
+FILE = "README.md"
+
+
+def card(plans: Mapping[str, Mapping[str, Sequence[Look]]], settings: Mapping[str, Any], folder: str) -> str:
+    """Write the card.
+
+    Parameters
+    ----------
+    plans
+        Home to floor to looks.
+    settings
+        Those of conf/panoramas.yaml.
+    folder
+        Name of the source's folder.
+    """
+    looks = [look for floors in plans.values() for own in floors.values() for look in own]
+    by_home = {_plain(home): counts(floors) for home, floors in plans.items()}
+    return (
+        environment("placecat.panoramas")
+        .get_template("card.md.j2")
+        .render(
+            version=__version__,
+            panoramas=len({look.panorama for look in looks}),
+            folder=_plain(folder),
+            frames=sum(len(look.path) for look in looks),
+            counts=by_home,
+            labels=sorted({label for own in by_home.values() for label in own}),
+            seeds=[
+                (_plain(home), floor, seed(home, floor, settings["walk"]))
+                for home, floors in plans.items()
+                for floor in floors
+            ],
+            settings=settings,
+            settings_text=yaml.safe_dump(dict(settings), sort_keys=False, allow_unicode=True),
+        )
+    )
+
+
+def _plain(text: str) -> str:
+    """A name that ends no cell and no code."""
+    return one_line(text).replace("|", "/").replace("`", "'")

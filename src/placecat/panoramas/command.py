@@ -1,0 +1,136 @@
+"""``placecat import panoramas``."""
+
+import shlex
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from placecat import conf_file, files, overrides, parallel, paths, schema
+from placecat.errors import PlacecatError, one_line
+from placecat.panoramas import card, sources
+from placecat.panoramas.labels import counts, label_file, looks_table
+from placecat.panoramas.plan import Look, plan
+from placecat.panoramas.render import render
+from placecat.schema.panoramas import Panoramas
+from placecat.sequences.vpc2009 import LABEL_FILE
+from placecat.settings import read_yaml
+
+SETTINGS = paths.CONF / "panoramas.yaml"
+LOOKS = "looks.csv"
+# The data set that reads what is written.
+DATASET = "my_homes"
+
+Plans = Mapping[str, Mapping[str, Sequence[Look]]]
+
+
+def read_settings(changes: Sequence[str] = (), path: Path = SETTINGS) -> dict[str, Any]:
+    """Read conf/panoramas.yaml.
+
+    Parameters
+    ----------
+    changes
+        Hydra overrides, e.g. ``fps=10.0``.
+
+    Raises
+    ------
+    PlacecatError
+        If it is missing, or has an unknown setting, lacks one, or has one of the wrong kind.
+    """
+    content = conf_file.read(path, list(Panoramas.model_fields), changes)
+    schema.check(content, Panoramas)
+    return content
+
+
+def import_command(source: Path, destination: Path, changes: Sequence[str]) -> int:
+    """Turn panoramas into homes, and print what to do with them.
+
+    Parameters
+    ----------
+    source
+        The folder of the panoramas.
+    destination
+        A new folder; nothing stands there before all is written.
+    changes
+        As for :func:`read_settings`.
+
+    Returns
+    -------
+    int
+        0; mistakes raise PlacecatError and leave nothing behind.
+    """
+    settings = read_settings(changes)
+    classes = read_yaml(paths.CONF / "dataset" / f"{DATASET}.yaml")["classes"]
+    _refuse_existing(destination)
+    panoramas = sources.read(source, settings)
+    homes = dict.fromkeys(one.home for one in panoramas)
+    plans = {home: plan([one for one in panoramas if one.home == home], settings) for home in homes}
+    with files.replacing(destination) as temporary:
+        temporary.mkdir()
+        _write_frames(temporary, source, plans, settings)
+        for home, floors in plans.items():
+            files.write_text(temporary / home / LABEL_FILE, label_file(floors))
+            files.write_csv(temporary / home / LOOKS, looks_table(floors))
+        files.write_text(temporary / card.FILE, card.card(plans, settings, source.resolve().name))
+        # It may have come meanwhile.
+        _refuse_existing(destination)
+    _print(destination, plans, classes, settings)
+    return 0
+
+
+def _refuse_existing(destination: Path) -> None:
+    files.check_target(destination)
+    if destination.exists() or destination.is_symlink():
+        raise PlacecatError(f"{destination} exists: give the name of a new folder, or move it away")
+
+
+def _write_frames(folder: Path, source: Path, plans: Plans, settings: Mapping[str, Any]) -> None:
+    """Write the frames of all homes, look by look."""
+    looks = [
+        (folder / home / floor, look)
+        for home, floors in plans.items()
+        for floor, own in floors.items()
+        for look in own
+    ]
+    for place in dict.fromkeys(place for place, _ in looks):
+        place.mkdir(parents=True)
+    options = tuple(settings[name] for name in ("width", "height", "quality"))
+    tasks = [
+        (tuple(source / file for file in look.panorama.files), look.panorama.origin, look.path, *options)
+        for _, look in looks
+    ]
+    rendered = parallel.stream(render, tasks, "panoramas", locally=True)
+    for (place, look), frames in zip(looks, rendered, strict=True):
+        for number, frame in enumerate(frames, start=look.first):
+            (place / f"{number:08d}.jpg").write_bytes(frame)
+
+
+def _print(destination: Path, plans: Plans, classes: Sequence[str], settings: Mapping[str, Any]) -> None:
+    lacking = {}
+    for home, floors in plans.items():
+        by_label = counts(floors)
+        frames, stays = (sum(column) for column in zip(*by_label.values(), strict=True))
+        print(f"{one_line(home)}: {frames} frames, {stays} stays, {len(floors)} floors")
+        if absent := [name for name in classes if name not in by_label]:
+            lacking[home] = absent
+    for home, absent in lacking.items():
+        print(f"{one_line(home)} lacks {', '.join(absent)}.")
+    print(f"{one_line(destination)}/{card.FILE} says how they were made.")
+    # More than two of them train beside the one that is tested and the one that is left out.
+    if len(plans) < 4:
+        print("At least four homes are needed to train and test; add some.")
+    print(f"\nNow:\n\n  {_next(destination, list(plans), settings['fps'], is_complete=not lacking)}")
+
+
+def _next(destination: Path, homes: Sequence[str], fps: float, *, is_complete: bool) -> str:
+    """The command that computes every table on these homes."""
+    chosen = [
+        f"dataset={DATASET}",
+        f"dataset.root={overrides.text(str(destination))}",
+        f"dataset.homes=[{','.join(map(overrides.text, homes))}]",
+        f"dataset.fps={float(fps)}",
+    ]
+    if not is_complete:
+        chosen.append("dataset.require_all_classes=false")
+    words = " ".join(shlex.quote(one) for one in chosen)
+    # make's shell reads SET once more.
+    return f"placecat repro {words}" if set(words) & set('"$`\\') else f'make repro SET="{words}"'

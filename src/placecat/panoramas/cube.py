@@ -1,0 +1,96 @@
+"""Views of a cube of six square pictures, seen from inside.
+
+Front, right, back and left stand upright beside each other. The lower edge of the picture above and the upper
+edge of the picture below adjoin the front.
+"""
+
+from collections.abc import Sequence
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+FACES = ("front", "right", "back", "left", "up", "down")
+"""The order of pictures in :func:`prepare`."""
+# Of each face the directions to the right, down and outwards, in the coordinates of placecat.panoramas.rays.
+_AXES = np.array(
+    [
+        [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+        [[0, 0, -1], [0, 1, 0], [1, 0, 0]],
+        [[-1, 0, 0], [0, 1, 0], [0, 0, -1]],
+        [[0, 0, 1], [0, 1, 0], [-1, 0, 0]],
+        [[1, 0, 0], [0, 0, 1], [0, -1, 0]],
+        [[1, 0, 0], [0, 0, -1], [0, 1, 0]],
+    ],
+    dtype=np.float64,
+)
+# Pixels added around each face, so that interpolation goes on across its edges.
+_BORDER = 1
+# Faces lie in one picture in rows of three.
+_IN_ROW = 3
+
+
+def prepare(faces: Sequence[NDArray[np.uint8]], focal: float) -> NDArray[np.uint8]:
+    """Make the faces of a cube ready for :func:`look`.
+
+    Parameters
+    ----------
+    faces
+        Six (N, N, 3) uint8, in the order of `FACES`.
+    focal
+        As for :func:`placecat.panoramas.sphere.prepare`.
+
+    Returns
+    -------
+    (2 (N' + 2), 3 (N' + 2), 3) uint8: the faces, each with a border of what its neighbours show.
+    """
+    side = min(len(faces[0]), int(np.ceil(2 * focal)))
+    if side < len(faces[0]):
+        faces = [cv2.resize(face, (side, side), interpolation=cv2.INTER_AREA) for face in faces]  # type: ignore[misc]
+    tiles = [
+        cv2.copyMakeBorder(face, _BORDER, _BORDER, _BORDER, _BORDER, cv2.BORDER_REPLICATE) for face in faces
+    ]
+    atlas = np.concatenate([np.concatenate(tiles[:_IN_ROW], axis=1), np.concatenate(tiles[_IN_ROW:], axis=1)])
+    # All borders are looked up before one is written.
+    rows, columns = _border(side + 2 * _BORDER)
+    flat = (2 * (np.stack([columns, rows]) - _BORDER + 0.5) / side) - 1
+    seen = [look(atlas, (flat.T @ axes[:2] + axes[2])[None])[0] for axes in _AXES]
+    for number, pixels in enumerate(seen):
+        row, column = divmod(number, _IN_ROW)
+        atlas[rows + row * (side + 2 * _BORDER), columns + column * (side + 2 * _BORDER)] = pixels
+    return atlas
+
+
+def look(prepared: NDArray[np.uint8], rays: NDArray[np.float64]) -> NDArray[np.uint8]:
+    """Give what is seen along rays, by bilinear interpolation.
+
+    Parameters
+    ----------
+    prepared
+        From :func:`prepare`.
+    rays
+        (h, w, 3) directions, as :func:`placecat.panoramas.rays.view_rays` gives them.
+
+    Returns
+    -------
+    (h, w, 3) uint8.
+    """
+    tile = len(prepared) // 2
+    # The face that a ray meets is the one that it goes along farthest.
+    outwards = rays @ _AXES[:, 2].T
+    face = outwards.argmax(axis=-1)
+    depth = np.take_along_axis(outwards, face[..., None], axis=-1)
+    across_and_down = np.einsum("...j,...ij->...i", rays, _AXES[face, :2]) / depth
+    places = (across_and_down + 1) / 2 * (tile - 2 * _BORDER) - 0.5 + _BORDER
+    row, column = np.divmod(face, _IN_ROW)
+    columns = (places[..., 0] + column * tile).astype(np.float32)
+    rows = (places[..., 1] + row * tile).astype(np.float32)
+    return cv2.remap(prepared, columns, rows, cv2.INTER_LINEAR)  # type: ignore[return-value]
+
+
+def _border(tile: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Rows and columns of the pixels around a square."""
+    is_border = np.ones((tile, tile), dtype=bool)
+    is_border[_BORDER:-_BORDER, _BORDER:-_BORDER] = False
+    rows, columns = np.nonzero(is_border)
+    return rows, columns

@@ -1,0 +1,87 @@
+"""How the view turns within a panorama: from one direction to the next, as smoothly as a hand moves.
+
+References
+----------
+T. Flash, N. Hogan, The Coordination of Arm Movements: An Experimentally Confirmed Mathematical Model. Journal
+of Neuroscience 5(7), 1985: a movement of least jerk.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def gaze(
+    frames: int,
+    *,
+    fps: float,
+    fov: Sequence[float],
+    tilt: Sequence[float],
+    turn: Sequence[float],
+    speed: Sequence[float],
+    rest: Sequence[float],
+    rng: np.random.Generator,
+) -> NDArray[np.float64]:
+    """Turn the view about for some frames.
+
+    Parameters
+    ----------
+    frames
+        At least one.
+    fps
+        Frames a second.
+    fov, tilt
+        Least and largest horizontal field of view, which stays as it is, and tilt, in degrees.
+    turn
+        Least and largest turn to the left or to the right, in degrees.
+    speed
+        Least and largest mean speed of a turn, in degrees a second.
+    rest
+        Shortest and longest rest between two turns, in seconds.
+    rng
+        Source of every choice: the same path for every `fps`.
+
+    Returns
+    -------
+    (frames, 3) float64
+        Pan, tilt and field of view in degrees. Pan goes on beyond 360.
+
+    Examples
+    --------
+    >>> path = gaze(3, fps=2.0, fov=[60, 60], tilt=[0, 0], turn=[90, 90], speed=[90, 90], rest=[9, 9],
+    ...     rng=np.random.default_rng(0))
+    >>> np.abs(path[1:, 0] - path[0, 0]).round(6).tolist()
+    [45.0, 90.0]
+    """
+    times = np.arange(frames) / fps
+    path = np.empty((frames, 3))
+    path[:, 2] = _within(fov, rng)
+    at = np.array([rng.uniform(0, 360), _within(tilt, rng)])
+    now = 0.0
+    while True:
+        by = _within(turn, rng) * (1 if rng.random() < 0.5 else -1)
+        target = np.array([at[0] + by, _within(tilt, rng)])
+        turning = abs(by) / _within(speed, rng)
+        done = np.clip((times - now) / turning, 0, 1)
+        is_here = times >= now
+        path[is_here, :2] = at + (target - at) * least_jerk(done[is_here])[:, None]
+        now += turning + _within(rest, rng)
+        if now > times[-1]:
+            return path
+        at = target
+
+
+def least_jerk(done: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Share of the way after a share of the time, 0 to 1: at rest at both ends (Flash and Hogan 1985).
+
+    Examples
+    --------
+    >>> least_jerk(np.array([0.0, 0.5, 1.0])).tolist()
+    [0.0, 0.5, 1.0]
+    """
+    return done**3 * (10 - 15 * done + 6 * done**2)
+
+
+def _within(limits: Sequence[float], rng: np.random.Generator) -> float:
+    return float(rng.uniform(limits[0], limits[1]))

@@ -1,0 +1,51 @@
+"""A panorama of a home, as a source lists it."""
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+_NUMBER = re.compile(r"[\s_-]*[0-9]+$")
+
+
+@dataclass(frozen=True)
+class Panorama:
+    """One point from which all directions are seen.
+
+    Attributes
+    ----------
+    home, floor
+        Names of folders.
+    room
+        A name of the room that is its own on the floor.
+    label
+        What kind of room it is.
+    files
+        One equirectangular picture, or six faces of a cube in the order of `placecat.panoramas.cube.FACES`:
+        POSIX paths relative to the folder of the source.
+    origin
+        The file, and the line where there is one, that lists it, for messages.
+    """
+
+    home: str
+    floor: str
+    room: str
+    label: str
+    files: tuple[str, ...]
+    origin: str
+
+
+def kind(name: str) -> str:
+    """Give what a room is called without its number: in small letters, words joined by ``_``.
+
+    Examples
+    --------
+    >>> kind("Living Room 2"), kind("walk-in closet"), kind("bedroom_1"), kind("12")
+    ('living_room', 'walk_in_closet', 'bedroom', '12')
+    """
+    return re.sub(r"[\s_-]+", "_", _NUMBER.sub("", name.strip()) or name.strip()).casefold()
+
+
+def labels_by_kind(labels: Mapping[str, Iterable[str]]) -> dict[str, str]:
+    """Give the label of every `kind` of room that the setting `labels` names."""
+    named = {kind(name): label for label, names in labels.items() for name in names}
+    return named | {kind(label): label for label in labels}

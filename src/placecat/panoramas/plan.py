@@ -1,0 +1,94 @@
+"""Which frame of a home looks where: its walk, floor by floor."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.footage.names import natural
+from placecat.panoramas.gaze import gaze
+from placecat.panoramas.panorama import Panorama
+from placecat.panoramas.walk import Part, Room, walk
+from placecat.seeds import derive
+
+_OF_WALK = ("fps", "visits", "ways", "stays", "other_stays", "shortest_stay", "longest_look")
+_OF_GAZE = ("fps", "fov", "tilt", "turn", "speed", "rest")
+
+
+@dataclass(frozen=True, eq=False)
+class Look:
+    """Consecutive frames that look into one panorama.
+
+    Attributes
+    ----------
+    panorama
+        Into which.
+    stay
+        Number of the stay on this floor, from 0.
+    first
+        Number of the first frame on this floor, from 1.
+    path
+        (frames, 3) float64: pan, tilt and horizontal field of view in degrees.
+    """
+
+    panorama: Panorama
+    stay: int
+    first: int
+    path: NDArray[np.float64]
+
+    @property
+    def last(self) -> int:
+        """Number of the last frame."""
+        return self.first + len(self.path) - 1
+
+
+def plan(panoramas: Sequence[Panorama], settings: Mapping[str, Any]) -> dict[str, list[Look]]:
+    """Plan the walk through a home.
+
+    Parameters
+    ----------
+    panoramas
+        Those of one home.
+    settings
+        Those of conf/panoramas.yaml. Seeds are derived from the names of home and floor and from `walk`.
+
+    Returns
+    -------
+    dict
+        Floor to its looks in order, floors in natural order.
+    """
+    floors: dict[str, list[Look]] = {}
+    for floor in sorted({one.floor for one in panoramas}, key=natural):
+        here = [one for one in panoramas if one.floor == floor]
+        rng = np.random.default_rng(seed(here[0].home, floor, settings["walk"]))
+        parts = walk(_rooms(here), **{name: settings[name] for name in _OF_WALK}, rng=rng)
+        floors[floor] = _looks(parts, here, settings, rng)
+    return floors
+
+
+def seed(home: str, floor: str, number: int) -> int:
+    """Give the seed of a walk by the names of home and floor, and its number."""
+    return derive("panoramas", home, floor, number)
+
+
+def _rooms(panoramas: Sequence[Panorama]) -> list[Room]:
+    rooms: dict[tuple[str, str], list[int]] = {}
+    for number, one in enumerate(panoramas):
+        rooms.setdefault((one.room, one.label), []).append(number)
+    return [Room(label, tuple(numbers)) for (_, label), numbers in rooms.items()]
+
+
+def _looks(
+    parts: Sequence[Part],
+    panoramas: Sequence[Panorama],
+    settings: Mapping[str, Any],
+    rng: np.random.Generator,
+) -> list[Look]:
+    looks: list[Look] = []
+    for part in parts:
+        path = gaze(part.frames, **{name: settings[name] for name in _OF_GAZE}, rng=rng)
+        first = looks[-1].last + 1 if looks else 1
+        looks.append(Look(panoramas[part.panorama], part.stay, first, path))
+    return looks

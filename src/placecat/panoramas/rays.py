@@ -1,0 +1,61 @@
+"""Where the pixels of a view look: a pinhole camera that is turned on the spot.
+
+Directions are (x, y, z): x to the right, y down, z ahead, for the camera of a view that is neither panned nor
+tilted.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def focal_length(fov: float, width: int) -> float:
+    """Give the focal length in pixels.
+
+    Parameters
+    ----------
+    fov
+        Horizontal field of view in degrees, above 0 and below 180.
+    width
+        Of the view, in pixels.
+
+    Examples
+    --------
+    >>> round(focal_length(90.0, 640), 6)
+    320.0
+    """
+    return float(width / 2 / np.tan(np.radians(fov) / 2))
+
+
+def view_rays(pan: float, tilt: float, fov: float, width: int, height: int) -> NDArray[np.float64]:
+    """Give the direction in which each pixel's centre looks.
+
+    Parameters
+    ----------
+    pan, tilt
+        In degrees; pan is positive to the right, tilt upwards.
+    fov
+        As for :func:`focal_length`.
+    width, height
+        Of the view, in pixels; pixels are square, and the middle of the view looks along the axis.
+
+    Returns
+    -------
+    (height, width, 3) float64, not of unit length.
+
+    Examples
+    --------
+    A view of one pixel looks along the axis: to the right, and straight up.
+
+    >>> view_rays(90.0, 0.0, 60.0, 1, 1).round(6).ravel().tolist()
+    [1.0, 0.0, 0.0]
+    >>> (view_rays(0.0, 90.0, 60.0, 1, 1).round(6) + 0.0).ravel().tolist()
+    [0.0, -1.0, 0.0]
+    """
+    focal = focal_length(fov, width)
+    across = (np.arange(width) + 0.5 - width / 2) / focal
+    down = ((np.arange(height) + 0.5 - height / 2) / focal)[:, None]
+    sin, cos = np.sin(np.radians(tilt)), np.cos(np.radians(tilt))
+    y, ahead = down * cos - sin, down * sin + cos
+    sin, cos = np.sin(np.radians(pan)), np.cos(np.radians(pan))
+    x, z = across * cos + ahead * sin, ahead * cos - across * sin
+    return np.stack(np.broadcast_arrays(x, y, z), axis=-1)

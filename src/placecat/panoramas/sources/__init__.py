@@ -1,0 +1,89 @@
+"""Where panoramas come from: one module a source.
+
+A source is a module of this package that defines ``read(root, settings)``, which lists the panoramas below a
+folder by the settings of conf/panoramas.yaml; its file name is its name there.
+"""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from placecat import lookup, schema
+from placecat.errors import PlacecatError, did_you_mean, reading
+from placecat.panoramas.panorama import Panorama
+from placecat.schema.names import FileName, Label
+
+_HOME, _ROOM = schema.of_type(FileName), schema.of_type(Label)
+
+
+def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
+    """List the panoramas of a source.
+
+    Parameters
+    ----------
+    root
+        Its folder.
+    settings
+        Those of conf/panoramas.yaml.
+
+    Returns
+    -------
+    list of Panorama
+        At least one, in the order of the source; their pictures exist and are not decoded.
+
+    Raises
+    ------
+    PlacecatError
+        If the source or one of its files is unknown, missing or wrong; the message names the file, and the
+        line where there is one.
+    """
+    source = lookup.module(__name__, settings["source"], "source", "read")
+    if not root.is_dir():
+        what = "not a folder" if root.exists() else "no such folder"
+        raise PlacecatError(f"{root}: {what}; give the folder of the panoramas.")
+    with reading(root):
+        panoramas = _chosen(source.read(root, settings), settings["homes"])
+        if not panoramas:
+            raise PlacecatError(f"{root}: no panorama here; correct SOURCE, source or labels.")
+        for one in panoramas:
+            schema.check_value(one.home, _HOME, f"{one.origin}: home")
+            schema.check_value(one.room, _ROOM, f"{one.origin}: room")
+            _check_files(root, one)
+    _check_names(panoramas)
+    return panoramas
+
+
+def _chosen(panoramas: list[Panorama], homes: list[str] | None) -> list[Panorama]:
+    if homes is None:
+        return panoramas
+    there = {one.home for one in panoramas}
+    for home in homes:
+        if home not in there:
+            raise PlacecatError(f"homes: there is no home {home!r}{did_you_mean(home, there)}")
+    return [one for one in panoramas if one.home in homes]
+
+
+def _check_files(root: Path, panorama: Panorama) -> None:
+    for file in panorama.files:
+        path = root / file
+        if not path.is_file():
+            raise PlacecatError(f"{path}: the picture is missing ({panorama.origin}).")
+        if not path.resolve().is_relative_to(root.resolve()):
+            raise PlacecatError(f"{path}: a link that leads out of {root} ({panorama.origin}).")
+
+
+def _check_names(panoramas: list[Panorama]) -> None:
+    """Refuse two homes that are one for other systems, and a picture that is listed twice."""
+    homes: dict[str, str] = {}
+    files: dict[str, str] = {}
+    for one in panoramas:
+        first = homes.setdefault(one.home.casefold(), one.home)
+        if first != one.home:
+            raise PlacecatError(
+                f"{one.origin}: the homes {first!r} and {one.home!r} differ only in capital letters; "
+                "rename one."
+            )
+        for file in one.files:
+            where = files.setdefault(file, one.origin)
+            if where != one.origin:
+                raise PlacecatError(f"{one.origin}: {file} is listed before ({where}); remove one.")

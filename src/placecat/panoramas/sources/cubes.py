@@ -1,0 +1,24 @@
+"""Tours of cube tiles: six square pictures a panorama, and a table of their rooms."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from placecat.panoramas.cube import FACES
+from placecat.panoramas.panorama import Panorama
+from placecat.panoramas.sources.table import read_table
+
+
+def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
+    """List the panoramas of a folder; see `placecat.panoramas.sources.read`.
+
+    The setting `cubes` names the six pictures by the cell `file` of the table.
+    """
+    pattern, names = settings["cubes"]["file"], settings["cubes"]["faces"]
+
+    def files(file: str) -> list[str]:
+        return [
+            file.join(part.replace("FACE", names[face]) for part in pattern.split("FILE")) for face in FACES
+        ]
+
+    return read_table(root, settings, files)

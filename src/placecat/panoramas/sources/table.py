@@ -1,0 +1,75 @@
+"""The table of rooms beside pictures: a CSV with the columns home, file, room, and perhaps floor."""
+
+import re
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from placecat.errors import PlacecatError, did_you_mean
+from placecat.footage.names import relative
+from placecat.panoramas.panorama import Panorama, kind, labels_by_kind
+from placecat.sequences.labels import read_rows, shown
+
+_NEEDED, _OPTIONAL = ("home", "file", "room"), ("floor",)
+FLOOR = re.compile(r"[A-Za-z0-9_-]{1,50}")
+"""A name of a floor, as label files have them."""
+_ONLY_FLOOR = "1"
+
+
+def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], list[str]]) -> list[Panorama]:
+    """Read the table of a source.
+
+    Parameters
+    ----------
+    root
+        The folder of the source.
+    settings
+        Those of conf/panoramas.yaml: `table` and `labels`.
+    files
+        From the cell `file` to the pictures of a panorama, relative to `root`.
+
+    Returns
+    -------
+    One panorama a row.
+
+    Raises
+    ------
+    PlacecatError
+        If the table is missing or no CSV, or a row has the wrong cells, a path that leads out of `root` or
+        a room that no label names; the message names the line.
+    """
+    path = root / settings["table"]
+    if not path.is_file():
+        raise PlacecatError(f"{path}: the table of rooms is missing; write one with {','.join(_NEEDED)}.")
+    rows = read_rows(path)
+    header = [cell.strip() for cell in rows[0][1]] if rows else []
+    if len(set(header)) < len(header) or not set(_NEEDED) <= set(header) <= {*_NEEDED, *_OPTIONAL}:
+        raise PlacecatError(
+            f"{path} line {rows[0][0] if rows else 1}: the header is {shown(','.join(header))}; write "
+            f"{','.join(_NEEDED)}, and {_OPTIONAL[0]} if there are several."
+        )
+    labels = labels_by_kind(settings["labels"])
+    panoramas = []
+    for line, row in rows[1:]:
+        where = f"{path} line {line}"
+        if len(row) != len(header):
+            raise PlacecatError(f"{where}: {len(row)} columns; write {','.join(header)}.")
+        cells = dict(zip(header, (cell.strip() for cell in row), strict=True))
+        for name in _NEEDED:
+            if not cells[name]:
+                raise PlacecatError(f"{where}: {name} is empty; fill it in.")
+        floor = cells.get("floor", _ONLY_FLOOR)
+        if not FLOOR.fullmatch(floor):
+            raise PlacecatError(
+                f"{where}: {shown(floor)} is no floor; write a number or a name of letters, digits, _ and -."
+            )
+        label = labels.get(kind(cells["room"]))
+        if label is None:
+            raise PlacecatError(
+                f"{where}: unknown room {shown(cells['room'])}{did_you_mean(kind(cells['room']), labels)}; "
+                "correct it, or add it to labels."
+            )
+        pictures = tuple(str(relative(file, where)) for file in files(cells["file"]))
+        room = "_".join(cells["room"].casefold().split())
+        panoramas.append(Panorama(cells["home"], floor, room, label, pictures, where))
+    return panoramas

@@ -1,0 +1,85 @@
+"""The Zillow Indoor Dataset: ``HOME/zind_data.json`` and the equirectangular pictures that it names.
+
+A home is named ``zind_HOME``, since a name of digits alone would be read as a number. A room is a complete
+room with a label: an open kitchen and its dining room are one complete room and two rooms here.
+
+References
+----------
+S. Cruz et al., Zillow Indoor Dataset: Annotated Floor Plans With 360° Panoramas and 3D Room Layouts. CVPR
+2021; the format: github.com/zillow/zind, data_organization.md.
+"""
+
+import json
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from placecat.errors import PlacecatError
+from placecat.footage.names import natural, relative
+from placecat.panoramas.panorama import Panorama, kind, labels_by_kind
+from placecat.panoramas.sources.table import FLOOR
+
+DATA = "zind_data.json"
+MOST_BYTES = 64 << 20
+"""Of a home's data: our choice. Its sample has 0.1 MB."""
+_LEVELS = ("floor", "complete room", "partial room", "panorama")
+
+
+def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
+    """List the panoramas of all homes in a folder; see `placecat.panoramas.sources.read`."""
+    folders = [folder for folder in root.iterdir() if (folder / DATA).is_file()]
+    if not folders:
+        raise PlacecatError(f"{root}: no home here; expected HOME/{DATA}.")
+    found = []
+    for folder in sorted(folders, key=lambda path: natural(path.name)):
+        found += list(_home(folder, settings["zind"], labels_by_kind(settings["labels"])))
+    return found
+
+
+def _home(folder: Path, settings: Mapping[str, Any], labels: Mapping[str, str]) -> Iterator[Panorama]:
+    path = folder / DATA
+    for names, content in _panoramas(path, _load(path)):
+        where = f"{path}: {'.'.join(names)}"
+        room, image = (content.get(name) for name in ("label", "image_path"))
+        if not isinstance(room, str) or not isinstance(image, str):
+            raise PlacecatError(f"{where} needs label and image_path, each a text.")
+        if settings["inside_only"] and content.get("is_inside") is False:
+            continue
+        label = labels.get(kind(room), settings["others"])
+        if label is None:
+            continue
+        floor, complete_room = names[1], names[2]
+        if not FLOOR.fullmatch(floor):
+            raise PlacecatError(f"{where}: {floor!r} is no name of a floor.")
+        file = f"{folder.name}/{relative(image, where)}"
+        yield Panorama(f"zind_{folder.name}", floor, f"{complete_room}_{label}", label, (file,), where)
+
+
+def _load(path: Path) -> Any:
+    if path.stat().st_size > MOST_BYTES:
+        raise PlacecatError(f"{path}: larger than {MOST_BYTES >> 20} MB; this is no home's data.")
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except json.JSONDecodeError as error:
+        raise PlacecatError(
+            f"{path} line {error.lineno}: no JSON ({error.msg}); download it again."
+        ) from None
+    except (UnicodeDecodeError, RecursionError) as error:
+        raise PlacecatError(f"{path}: no JSON ({type(error).__name__}); download it again.") from None
+
+
+def _panoramas(path: Path, content: Any) -> Iterator[tuple[list[str], dict[str, Any]]]:
+    """Each panorama with its names from the top."""
+    merger = content.get("merger") if isinstance(content, dict) else None
+    level = [(["merger"], merger)]
+    for what in _LEVELS:
+        deeper = []
+        for names, holder in level:
+            if not isinstance(holder, dict):
+                raise PlacecatError(f"{path}: {'.'.join(names)} holds no {what}; download it again.")
+            deeper += [([*names, name], inner) for name, inner in holder.items()]
+        level = deeper
+    for names, panorama in level:
+        if not isinstance(panorama, dict):
+            raise PlacecatError(f"{path}: {'.'.join(names)} is no panorama; download it again.")
+        yield names, panorama

@@ -1,0 +1,121 @@
+"""A walk through the rooms of a floor: which room when, for how long, and which of its panoramas."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import cycle
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Room:
+    """A room and its panoramas, by their numbers."""
+
+    label: str
+    panoramas: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Part:
+    """Frames in which the view stays in one panorama.
+
+    Attributes
+    ----------
+    stay
+        Number of the stay that it belongs to, from 0.
+    room, panorama
+        Numbers.
+    frames
+        At least one.
+    """
+
+    stay: int
+    room: int
+    panorama: int
+    frames: int
+
+
+def walk(
+    rooms: Sequence[Room],
+    *,
+    fps: float,
+    visits: Sequence[int],
+    ways: Sequence[str],
+    stays: Mapping[str, Mapping[str, float]],
+    other_stays: Mapping[str, float],
+    shortest_stay: float,
+    longest_look: float,
+    rng: np.random.Generator,
+) -> list[Part]:
+    """Walk through the rooms of a floor.
+
+    Every room is entered once in the first round, in the following ones those that are visited again. No room
+    follows itself. Rooms of a label in `ways` are not entered for themselves: one of them lies between any
+    two others.
+
+    Parameters
+    ----------
+    rooms
+        At least one, each with a panorama or more.
+    fps
+        Frames a second.
+    visits
+        Fewest and most visits of a room.
+    ways
+        Labels of rooms that a person passes.
+    stays, other_stays
+        Label to the mean length of a stay and its standard deviation, in seconds, which a gamma distribution
+        has; of all other labels.
+    shortest_stay, longest_look
+        In seconds. A stay that is longer than `longest_look` is shared by several panoramas of the room, as
+        far as it has them.
+    rng
+        Source of every choice.
+
+    Returns
+    -------
+    list of Part
+        At least one.
+    """
+    is_way = [room.label in ways for room in rooms]
+    # Where there are only ways, they are what is visited.
+    entered = [number for number, way in enumerate(is_way) if not way] or list(range(len(rooms)))
+    passed = [number for number in range(len(rooms)) if number not in entered]
+    turns = [cycle(room.panoramas) for room in rooms]
+    parts = []
+    for stay, number in enumerate(_with_ways(_order(entered, visits, rng), passed, rng)):
+        room, length = rooms[number], stays.get(rooms[number].label, other_stays)
+        seconds = max(shortest_stay, _gamma(length["mean"], length["deviation"], rng))
+        frames = max(1, round(seconds * fps))
+        looks = min(max(1, round(seconds / longest_look)), len(room.panoramas), frames)
+        for share in np.array_split(np.arange(frames), looks):
+            parts.append(Part(stay, number, next(turns[number]), len(share)))
+    return parts
+
+
+def _order(entered: Sequence[int], visits: Sequence[int], rng: np.random.Generator) -> list[int]:
+    """Rooms in the order of visits."""
+    times = {number: int(rng.integers(visits[0], visits[1], endpoint=True)) for number in entered}
+    order: list[int] = []
+    for visit in range(1, visits[1] + 1):
+        left = [number for number in entered if times[number] >= visit]
+        now = [left[place] for place in rng.permutation(len(left))]
+        if order and now and now[0] == order[-1]:
+            now.append(now.pop(0))
+        # The last of all rooms is not visited twice in a row.
+        if order and now and now[0] == order[-1]:
+            break
+        order += now
+    return order
+
+
+def _with_ways(order: Sequence[int], passed: Sequence[int], rng: np.random.Generator) -> Iterator[int]:
+    ways = cycle(rng.permutation(passed).tolist()) if passed else None
+    for place, number in enumerate(order):
+        if place and ways is not None:
+            yield int(next(ways))
+        yield number
+
+
+def _gamma(mean: float, deviation: float, rng: np.random.Generator) -> float:
+    return float(rng.gamma((mean / deviation) ** 2, deviation**2 / mean))

@@ -1,0 +1,98 @@
+"""What the import of panoramas has (conf/panoramas.yaml): names, types and ranges."""
+
+from typing import Annotated
+
+from annotated_types import Interval, Len
+from pydantic import AfterValidator, field_validator
+
+from placecat.ranges import Index, Side
+from placecat.schema.names import Distinct, FileName, Label, Text
+from placecat.schema.sections import Section
+
+
+def _ordered(numbers: list[float]) -> list[float]:
+    if numbers[0] > numbers[1]:
+        raise ValueError("the first must not be larger than the second")
+    return numbers
+
+
+def _word(text: str) -> str:
+    if not text or text.split() != [text]:
+        raise ValueError("label files separate their columns by spaces: write it without any")
+    return text
+
+
+_Pair = (Len(2, 2), AfterValidator(_ordered))
+Word = Annotated[Label, AfterValidator(_word)]
+Tilts = Annotated[list[Annotated[float, Interval(ge=-90, le=90)]], *_Pair]
+Fovs = Annotated[list[Annotated[float, Interval(ge=1, le=170)]], *_Pair]
+Turns = Annotated[list[Annotated[float, Interval(ge=1, le=3600)]], *_Pair]
+Seconds = Annotated[float, Interval(ge=0.01, le=3600)]
+Rests = Annotated[list[Annotated[float, Interval(ge=0, le=3600)]], *_Pair]
+Visits = Annotated[list[Annotated[int, Interval(ge=1, le=1000)]], *_Pair]
+
+
+class Stay(Section):
+    """How long people stay in a place, in seconds."""
+
+    mean: Seconds
+    deviation: Seconds
+
+
+class Faces(Section):
+    """What stands for each face in the name of its file."""
+
+    front: Text
+    right: Text
+    back: Text
+    left: Text
+    up: Text
+    down: Text
+
+
+class Cubes(Section):
+    """How the six pictures of a panorama are called."""
+
+    file: Text
+    faces: Faces
+
+    @field_validator("file")
+    @classmethod
+    def _check_file(cls, file: str) -> str:
+        if "FILE" not in file or "FACE" not in file:
+            raise ValueError("it must have FILE and FACE")
+        return file
+
+
+class Zind(Section):
+    """Of the Zillow Indoor Dataset."""
+
+    others: Word | None
+    inside_only: bool
+
+
+class Panoramas(Section):
+    """conf/panoramas.yaml."""
+
+    source: str
+    table: FileName
+    homes: Annotated[Distinct[FileName], Len(1)] | None
+    labels: dict[Word, Distinct[Label]]
+    cubes: Cubes
+    zind: Zind
+    width: Side
+    height: Side
+    fps: Annotated[float, Interval(gt=0, le=1000)]
+    quality: Annotated[int, Interval(ge=1, le=100)]
+    walk: Index
+    visits: Visits
+    ways: Distinct[Word]
+    stays: dict[Word, Stay]
+    other_stays: Stay
+    shortest_stay: Seconds
+    longest_look: Seconds
+    fov: Fovs
+    tilt: Tilts
+    turn: Turns
+    speed: Turns
+    rest: Rests

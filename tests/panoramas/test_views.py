@@ -1,0 +1,70 @@
+"""Views of drawn panoramas against the colour of the direction in which each pixel looks."""
+
+import math
+
+import numpy as np
+import pytest
+from worlds import colour, faces, sphere
+
+from placecat.panoramas import cube
+from placecat.panoramas import sphere as equirectangular
+from placecat.panoramas.rays import view_rays
+
+WIDTH, HEIGHT, FOV = 64, 36, 60.0
+# Ahead, the seam behind, the poles, edges and corners of the cube, and a tilted view across two of them.
+DIRECTIONS = [
+    (0, 0),
+    (180, 0),
+    (-170, 5),
+    (20, 90),
+    (-75, -90),
+    (45, 0),
+    (135, 0),
+    (45, 35.26),
+    (-135, -35.26),
+    (80, 60),
+]
+
+
+def direct(pan, tilt):
+    """The view pixel by pixel: two angles from the axis, then rotations by matrices."""
+    pan, tilt = math.radians(pan), math.radians(tilt)
+    about_x = np.array([[1, 0, 0], [0, math.cos(tilt), -math.sin(tilt)], [0, math.sin(tilt), math.cos(tilt)]])
+    about_y = np.array([[math.cos(pan), 0, math.sin(pan)], [0, 1, 0], [-math.sin(pan), 0, math.cos(pan)]])
+    view = np.empty((HEIGHT, WIDTH, 3))
+    step = 2 * math.tan(math.radians(FOV) / 2) / WIDTH
+    for row in range(HEIGHT):
+        for column in range(WIDTH):
+            flat = [(column - (WIDTH - 1) / 2) * step, (row - (HEIGHT - 1) / 2) * step, 1]
+            view[row, column] = colour(*(about_y @ about_x @ flat))
+    return view
+
+
+@pytest.mark.parametrize(("pan", "tilt"), DIRECTIONS)
+def test_a_view_shows_the_colour_of_every_direction(pan, tilt):
+    rays = view_rays(pan, tilt, FOV, WIDTH, HEIGHT)
+    wanted = direct(pan, tilt)
+    for prepared, look in (
+        (equirectangular.prepare(sphere(24), 1000.0), equirectangular.look),
+        (cube.prepare(faces(16), 1000.0), cube.look),
+        # Scaled down before.
+        (equirectangular.prepare(sphere(96), 7.6), equirectangular.look),
+        (cube.prepare(faces(64), 8.0), cube.look),
+    ):
+        seen = look(prepared, rays)
+        assert seen.shape == wanted.shape
+        # Half a step of the panorama's colours, half one of the view's, and what is not straight within a
+        # pixel, which is up to 15 steps: a seam, a pole or an edge without its neighbour shows 2.7 and more.
+        assert np.abs(seen - wanted).max() < 1.6
+
+
+def test_a_longer_view_keeps_the_pixels_of_the_panorama():
+    assert equirectangular.prepare(sphere(24), 1000.0).shape == (26, 50, 3)
+    assert equirectangular.prepare(sphere(96), 7.6).shape == (26, 50, 3)
+    assert cube.prepare(faces(16), 1000.0).shape == (36, 54, 3)
+    assert cube.prepare(faces(64), 8.0).shape == (36, 54, 3)
+
+
+def test_a_sphere_is_twice_as_wide_as_high():
+    assert equirectangular.fits(1024, 2048)
+    assert not equirectangular.fits(1024, 2047)
