@@ -121,6 +121,7 @@ FIELDS: dict[str, dict[str, Field]] = {
         "method": one_of(*METHODS),
         "model": optional(_CUE),
         "temperatures": optional(array("f", "C", low=1e-6)),
+        "weights": optional(array("f", "C", low=0)),
     },
     "JointProbabilityCue": {
         "codebook": having("words"),
