@@ -137,8 +137,6 @@ def check_system(system: TrainedSystem) -> None:
     for name, array in (("temperatures", integrator.temperatures), ("weights", integrator.weights)):
         if array is not None and array.shape != (len(names),):
             raise PlacecatError(f"its {name} are not those of {len(names)} cues")
-    if (integrator.weights is not None) != (integrator.method == "log_pool"):
-        raise PlacecatError("its integration has weights and needs none, or needs them and has none")
 
 
 def check_distribution(proba: Any, n_classes: int) -> None:

@@ -294,7 +294,10 @@ RELATIONS: dict[str, Callable[[Mapping[str, Any], Sizes], bool]] = {
     "SmoothingModel": lambda state, _: all(
         _are_distributions(state[name]) for name in ("transition", "emission")
     ),
-    "Integrator": lambda state, _: (state["model"] is None) == (state["method"] != "das"),
+    "Integrator": lambda state, _: (
+        (state["model"] is None) == (state["method"] != "das")
+        and (state["weights"] is None) == (state["method"] != "log_pool")
+    ),
     "HierarchicalKMeans": _fit_tree,
     "FlatKMeans": lambda state, _: all(len(own) == key for key, own in state["centers_"].items()),
     "DependencyTree": _fit_pairs,
