@@ -42,10 +42,19 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
     for name, codebook in codebooks.items():
         yield from _of_descriptor(_file("codebook", name), codebook.get("descriptor"), descriptors)
     for name, system in systems.items():
-        judged = [cue for cue in cues if cues[cue]["cross_validate"]] if system["temperature"] else cues
+        judged = [cue for cue in cues if cues[cue]["cross_validate"]]
+        why = [
+            reason
+            for reason, is_so in (
+                ("temperature: true", system["temperature"]),
+                ("method: log_pool", system["integrator"]["method"] == "log_pool"),
+            )
+            if is_so
+        ]
         for cue in system["cues"]:
             yield _file("system", name), "cue", cue, cues
-            yield f"{_file('system', name)} has temperature: true", "cue with cross_validate", cue, judged
+            for reason in why:
+                yield f"{_file('system', name)} has {reason}", "cue with cross_validate", cue, judged
             yield _file("system", name), f"cue {cue} with the scheme", system["scheme"], cues[cue]["schemes"]
     for name, own in filters.items():
         for cue in own["cues"]:

@@ -129,7 +129,9 @@ def tree(**changes):
         ),
         (lambda: changed(fitted("tree")[0].estimator, root=1), "DependencyTree do not fit"),
         (lambda: Integrator("das", None), "Integrator do not fit"),
+        (lambda: Integrator("log_pool", None), "Integrator do not fit"),
         (lambda: Integrator("vote_decision", None, np.zeros(2)), "temperatures .*out of range"),
+        (lambda: Integrator("log_pool", None, None, np.array([-1.0])), "weights .*out of range"),
         (lambda: Codebook([1.0], of_sets=True), "trees of a Codebook .*without assign"),
     ],
 )

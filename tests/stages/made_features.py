@@ -126,6 +126,13 @@ PARAMS = {
             "cues": ["hog_y", "gist"],
             "integrator": {"method": "vote_distribution"},
         },
+        "pool": {
+            "scheme": "5-5-1",
+            "temperature": False,
+            "extra": False,
+            "cues": ["hog_y", "gist"],
+            "integrator": {"method": "log_pool", "shrinkage": 0.01},
+        },
     },
     "filters": {"informative": {"threshold": 0.3, "cues": ["gist"], "systems": ["das"]}},
     "splits": {

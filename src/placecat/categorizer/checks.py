@@ -133,9 +133,10 @@ def check_system(system: TrainedSystem) -> None:
         raise PlacecatError("settings of the tracking do not fit the cues")
     if system.smoothing.transition.shape != (n_classes, n_classes):
         raise PlacecatError(f"its smoothing is not for {n_classes} places")
-    temperatures = system.integrator.temperatures
-    if temperatures is not None and temperatures.shape != (len(names),):
-        raise PlacecatError(f"its temperatures are not those of {len(names)} cues")
+    integrator = system.integrator
+    for name, array in (("temperatures", integrator.temperatures), ("weights", integrator.weights)):
+        if array is not None and array.shape != (len(names),):
+            raise PlacecatError(f"its {name} are not those of {len(names)} cues")
 
 
 def check_distribution(proba: Any, n_classes: int) -> None:

@@ -121,6 +121,7 @@ FIELDS: dict[str, dict[str, Field]] = {
         "method": one_of(*METHODS),
         "model": optional(_CUE),
         "temperatures": optional(array("f", "C", low=1e-6)),
+        "weights": optional(array("f", "C", low=0)),
     },
     "JointProbabilityCue": {
         "codebook": having("words"),
@@ -293,7 +294,10 @@ RELATIONS: dict[str, Callable[[Mapping[str, Any], Sizes], bool]] = {
     "SmoothingModel": lambda state, _: all(
         _are_distributions(state[name]) for name in ("transition", "emission")
     ),
-    "Integrator": lambda state, _: (state["model"] is None) == (state["method"] != "das"),
+    "Integrator": lambda state, _: (
+        (state["model"] is None) == (state["method"] != "das")
+        and (state["weights"] is None) == (state["method"] != "log_pool")
+    ),
     "HierarchicalKMeans": _fit_tree,
     "FlatKMeans": lambda state, _: all(len(own) == key for key, own in state["centers_"].items()),
     "DependencyTree": _fit_pairs,

@@ -109,7 +109,8 @@ def _card(params: Mapping[str, Any], name: str, plan: plans.Plan, seed: int) -> 
     system = settings.get(params, f"systems.{name}")
     homes = [part.home for part in plan.integration]
     facts = [files.read_json(paths.sequences(home) / "home.json") for home in homes]
-    trained_on = {"cues": plan.cues, "integration": fused_parts(plan, extra=system["extra"])}
+    fused = fused_parts(plan, method=system["integrator"]["method"], extra=system["extra"])
+    trained_on = {"cues": plan.cues, "integration": fused}
     frames = {kind: sum(len(part.chosen()[0]) for part in parts) for kind, parts in trained_on.items()}
     dataset = settings.get(params, "dataset")
     cues = {cue: settings.get(params, f"cues.{cue}") for cue in system["cues"]}

@@ -13,7 +13,7 @@ from placecat.evaluation.probabilities import log_loss
 from placecat.fusion.temperature import fit_temperature
 from placecat.training import plan as plans
 from placecat.training.cue import Cue, train
-from placecat.training.integration import fuse
+from placecat.training.integration import fuse, fused_parts
 from placecat.training.saved import CueResults
 
 # (home left out as the test home, judged home, accuracy in percent, log-loss in nats)
@@ -73,8 +73,8 @@ def judge_system(system: Mapping[str, Any], plan: plans.Plan, seed: int, smalles
         kept from them as well as the test home. Of 5-5-1: it judges the test home.
     """
     read = CueResults(system, plan.test, seed)
-    cue_homes = {part.home for part in plan.cues}
-    parts = [part for part in plan.integration if part.home in cue_homes]
+    cue_homes, method = {part.home for part in plan.cues}, system["integrator"]["method"]
+    parts = [part for part in fused_parts(plan, method=method, extra=False) if part.home in cue_homes]
     kept = [part for part in plan.integration if part.home not in cue_homes]
     temperatures = None
     if system["temperature"]:
@@ -82,7 +82,7 @@ def judge_system(system: Mapping[str, Any], plan: plans.Plan, seed: int, smalles
         temperatures = [fit_temperature(proba, truth) for proba, truth in held_out]
     integrator = fuse(
         parts,
-        read.outputs(plan, parts),
+        read.training(plan, parts, method),
         plan.classes,
         system["integrator"],
         temperatures=temperatures,

@@ -303,8 +303,16 @@ class Cue(Section):
 class Integrator(Section):
     """A file of conf/integrator."""
 
-    method: Literal["das", "vote_distribution", "vote_decision"]
+    method: Literal["das", "vote_distribution", "vote_decision", "log_pool"]
     classifier: Own | None = None
+    shrinkage: NonNegative | None = None
+
+    @model_validator(mode="after")
+    def _of_its_method(self) -> "Integrator":
+        for name, method in (("classifier", "das"), ("shrinkage", "log_pool")):
+            if (getattr(self, name) is not None) != (self.method == method):
+                raise ValueError(f"{name} is a setting of method: {method}, which needs it, and of no other")
+        return self
 
 
 class System(Section):
@@ -316,6 +324,12 @@ class System(Section):
     extra: bool
     cues: Annotated[Keys, MinLen(1)]
     integrator: Integrator
+
+    @model_validator(mode="after")
+    def _without_extra(self) -> "System":
+        if self.extra and self.integrator.method == "log_pool":
+            raise ValueError("extra: true does not go with log_pool, which learns from the cues' own homes")
+        return self
 
 
 class Filter(Section):
@@ -350,6 +364,12 @@ class Split(Section):
     integration_parts: Annotated[list[Part], MinLen(1)]
     test: Annotated[Distinct[FileName], MinLen(1)]
     systems: dict[Key, Annotated[Keys, MinLen(1)]]
+
+    @model_validator(mode="after")
+    def _cues_are_not_judged(self) -> "Split":
+        if self.integrator.method == "log_pool":
+            raise ValueError("log_pool does not go with a fixed split, whose cues are not cross-validated")
+        return self
 
 
 class Example(Section):

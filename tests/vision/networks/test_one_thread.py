@@ -1,6 +1,6 @@
 from types import SimpleNamespace
 
-from placecat.vision.networks.efficientnet_lite0 import _one_thread
+from placecat.vision.networks.efficientnet_lite import _one_thread
 
 
 def test_one_thread_is_set_where_pytorch_says_so_already():

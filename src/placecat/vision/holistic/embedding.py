@@ -12,18 +12,15 @@ from placecat.errors import PlacecatError
 from placecat.ranges import NonNegative, OneOf, Positive, Side
 from placecat.vision import networks
 from placecat.vision.maps import FrameMaps
-from placecat.vision.networks import efficientnet_lite0
+from placecat.vision.networks import efficientnet_lite
 
 # The fields of `FrameMaps` that it reads.
 MAPS: tuple[str, ...] = ()
 # What it imports by default, all of the extra `deep`.
-PACKAGES = efficientnet_lite0.PACKAGES
+PACKAGES = efficientnet_lite.PACKAGES
 
 _OWNER = "holistic descriptor 'embedding'"
 POOLS = ("mean", "first")
-# Of the images of ImageNet, as networks trained on it expect them.
-MEAN = (0.485, 0.456, 0.406)
-STD = (0.229, 0.224, 0.225)
 
 
 def describe(
@@ -31,10 +28,10 @@ def describe(
     maps: FrameMaps,
     *,
     network: str = "efficientnet_lite0",
-    width: Side = 224,
-    height: Side = 224,
-    mean: Annotated[Sequence[NonNegative], Len(3, 3)] = MEAN,
-    std: Annotated[Sequence[Positive], Len(3, 3)] = STD,
+    width: Side | None = None,
+    height: Side | None = None,
+    mean: Annotated[Sequence[NonNegative], Len(3, 3)] | None = None,
+    std: Annotated[Sequence[Positive], Len(3, 3)] | None = None,
     output: str | None = None,
     pool: Annotated[str, OneOf(POOLS)] | None = None,
     sha256: str | None = None,
@@ -48,11 +45,13 @@ def describe(
     maps
         Not used.
     network
-        ``efficientnet_lite0``, or the path of an ONNX file, relative to the folder of the project.
+        ``efficientnet_lite0``, ``1`` or ``2``, or the path of an ONNX file, relative to the folder of the project.
     width, height
-        What the whole frame is scaled to, in pixels, whatever its shape.
+        What the whole frame is scaled to, in pixels, whatever its shape. None for both takes the size that
+        the network was trained with (224x224 for an ONNX file), None for one keeps the frame's shape.
     mean, std
-        Of red, green and blue, from 0 to 1: subtracted from them, and what they are divided by then.
+        Of red, green and blue, from 0 to 1: subtracted from them, and what they are divided by then. None
+        takes those that the network was trained with (those of ImageNet for an ONNX file).
     output
         Of an ONNX file: the name of the output that is taken; None for its first.
     pool
@@ -72,23 +71,43 @@ def describe(
         Impossible settings; a network or a package that is missing; a network that takes no such image, or
         gives no vector or no finite numbers.
     """
-    image = _input(frame, width, height, mean, std)
+    image = _input(frame, _prepared(frame, networks.preparation(network), width, height, mean, std))
     return _vector(_features(image, network, output, sha256), network, pool)
 
 
-def _input(
-    frame: NDArray[np.uint8], width: int, height: int, mean: Sequence[float], std: Sequence[float]
-) -> NDArray[np.float32]:
-    """The frame as (1, 3, height, width) float32 RGB."""
-    if min(width, height) < 1:
+def _prepared(
+    frame: NDArray[np.uint8],
+    own: networks.Preparation,
+    width: int | None,
+    height: int | None,
+    mean: Sequence[float] | None,
+    std: Sequence[float] | None,
+) -> networks.Preparation:
+    """How a frame is prepared by the settings; what they leave out is the network's own."""
+    if min(width or 1, height or 1) < 1 or 0 in (width, height):
         raise PlacecatError(f"The width and height of {_OWNER} must be at least 1, not {width} and {height}.")
-    if len(mean) != 3:
+    if mean is not None and len(mean) != 3:
         raise PlacecatError(f"The mean of {_OWNER} must be three numbers, not {list(mean)}.")
-    if len(std) != 3 or min(std) <= 0:
+    if std is not None and (len(std) != 3 or min(std) <= 0):
         raise PlacecatError(f"The std of {_OWNER} must be three positive numbers, not {list(std)}.")
-    scaled = cv2.resize(frame, (width, height), interpolation=cv2.INTER_AREA)
+    rows, columns = frame.shape[:2]
+    if width is None and height is None:
+        width, height = own.width, own.height
+    elif width is None:
+        assert height is not None
+        width = max(1, round(height * columns / rows))
+    elif height is None:
+        height = max(1, round(width * rows / columns))
+    return networks.Preparation(
+        width, height, own.mean if mean is None else tuple(mean), own.std if std is None else tuple(std)
+    )
+
+
+def _input(frame: NDArray[np.uint8], prepared: networks.Preparation) -> NDArray[np.float32]:
+    """The frame as (1, 3, height, width) float32 RGB."""
+    scaled = cv2.resize(frame, (prepared.width, prepared.height), interpolation=cv2.INTER_AREA)
     rgb = scaled[:, :, ::-1].astype(np.float32) / np.float32(255)
-    normal = (rgb - np.array(mean, np.float32)) / np.array(std, np.float32)
+    normal = (rgb - np.array(prepared.mean, np.float32)) / np.array(prepared.std, np.float32)
     return np.ascontiguousarray(normal.transpose(2, 0, 1)[None])
 
 

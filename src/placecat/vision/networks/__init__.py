@@ -6,18 +6,48 @@ Nothing is downloaded: weights come with a package, or in a file that the settin
 from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.vision.networks import efficientnet_lite0, onnx_file
+from placecat.vision.networks import efficientnet_lite, onnx_file
 
 #: (1, 3, height, width) float32 to features of any shape whose first axis is the image.
 Network = Callable[[NDArray[np.float32]], NDArray[np.float32]]
 
-NAMED: dict[str, Callable[[], Network]] = {"efficientnet_lite0": efficientnet_lite0.load}
+NAMED = tuple(efficientnet_lite.WEIGHTS)
 ENDING = ".onnx"
+
+
+class Preparation(NamedTuple):
+    """How an image is prepared for a network.
+
+    Attributes
+    ----------
+    width, height
+        In pixels.
+    mean, std
+        Of red, green and blue, from 0 to 1.
+    """
+
+    width: int
+    height: int
+    mean: tuple[float, ...]
+    std: tuple[float, ...]
+
+
+# What most networks trained on ImageNet expect. Our choice for an ONNX file, which does not say.
+_IMAGENET = Preparation(224, 224, (0.485, 0.456, 0.406), (0.229, 0.224, 0.225))
+
+
+def preparation(network: str) -> Preparation:
+    """How images were prepared when a network was trained; for an ONNX file, as most are for ImageNet."""
+    if network not in NAMED:
+        return _IMAGENET
+    side = efficientnet_lite.WEIGHTS[network].side
+    return Preparation(side, side, efficientnet_lite.MEAN, efficientnet_lite.STD)
 
 
 @lru_cache(maxsize=4)
@@ -47,4 +77,4 @@ def load(network: str, output: str | None = None, sha256: str | None = None) -> 
     for name, value in (("output", output), ("sha256", sha256)):
         if value is not None:
             raise PlacecatError(f"{name} is a setting of ONNX files: with network {network} it must be null")
-    return NAMED[network]()
+    return efficientnet_lite.load(network)

@@ -1,0 +1,120 @@
+"""Logarithmic opinion pool: a product of the cues' distributions, each to a power that is learnt."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import minimize
+
+from placecat.errors import PlacecatError
+
+Float = NDArray[np.float64]
+
+# Distributions are not taken as surer than this: one wrong certainty would be a veto.
+_SMALLEST = 1e-6
+
+
+def pool(proba: Float, weights: Float) -> Float:
+    """Multiply distributions, each to the power of its cue's weight, and normalise.
+
+    Parameters
+    ----------
+    proba
+        (n, cues, n_classes) distributions; probabilities below 1e-6 count as that.
+    weights
+        (cues,) at or above 0. All 0 gives uniform distributions.
+
+    Returns
+    -------
+    (n, n_classes); rows sum to 1.
+
+    Examples
+    --------
+    >>> pool(np.array([[[0.8, 0.2], [0.1, 0.9]]]), np.array([1.0, 0.0])).round(3).tolist()
+    [[0.8, 0.2]]
+    """
+    powers = np.exp(_scores(_logs(proba), weights))
+    return powers / powers.sum(axis=-1, keepdims=True)
+
+
+def fit_weights(
+    proba: Float, truth: NDArray[np.int16], homes: NDArray[np.str_] | Sequence[str], *, shrinkage: float
+) -> Float:
+    """Find the weights with the least log-loss on frames that the cues have not seen.
+
+    The loss is convex in the weights. Every home weighs the same, and in it every class. A cue alone at its
+    best power is among the candidates, so that without shrinkage the pool is no worse than any of them here.
+
+    Parameters
+    ----------
+    proba
+        (n, cues, n_classes) distributions by cues that saw neither the frame nor its home.
+    truth, homes
+        (n,) class indices, and the home of each frame.
+    shrinkage
+        At or above 0: so much times the sum of the squared weights is added to the loss (in nats).
+
+    Returns
+    -------
+    (cues,) at or above 0.
+
+    Raises
+    ------
+    PlacecatError
+        Weights that are not found.
+
+    References
+    ----------
+    Heskes, Selecting weighting factors in logarithmic opinion pools, NIPS 1997.
+
+    Examples
+    --------
+    >>> proba = np.array([[[0.9, 0.1], [0.5, 0.5]], [[0.2, 0.8], [0.9, 0.1]]])
+    >>> weights = fit_weights(proba, np.array([0, 1], np.int16), ["a", "b"], shrinkage=0.01)
+    >>> bool(weights[0] > 1), round(float(weights[1]), 6)
+    (True, 0.0)
+    """
+    logs, index = _logs(proba), truth.astype(np.intp)
+    rows, importance = np.arange(len(logs)), _importance(index, np.asarray(homes))
+    right = logs[rows, :, index]
+
+    def loss(weights: Float) -> tuple[float, Float]:
+        scores = _scores(logs, weights)
+        powers = np.exp(scores)
+        total = powers.sum(axis=1)
+        expected = (logs * (powers / total[:, None])[:, None]).sum(axis=2)
+        value = float((importance * (np.log(total) - scores[rows, index])).sum())
+        slope = (importance[:, None] * (expected - right)).sum(axis=0)
+        return value + shrinkage * float((weights**2).sum()), slope + 2 * shrinkage * weights
+
+    cues = logs.shape[1]
+    start, bounds = np.full(cues, 1.0 / cues), [(0.0, None)] * cues
+    options = {"maxiter": 1000, "ftol": 1e-12, "gtol": 1e-8}
+    found = minimize(loss, start, jac=True, method="L-BFGS-B", bounds=bounds, options=options)
+    if not np.isfinite(found.x).all():
+        raise PlacecatError("the weights of the integration are not found: raise integrator.shrinkage")
+    weights: Float = found.x
+    return weights
+
+
+def _logs(proba: Float) -> Float:
+    return np.log(np.maximum(np.asarray(proba, dtype=np.float64), _SMALLEST))
+
+
+def _scores(logs: Float, weights: Float) -> Float:
+    """(n, n_classes) weighted sums of (n, cues, n_classes) logarithms, the largest of a row 0."""
+    # Cue after cue, so that a frame alone gets the same bits as among others.
+    total = np.zeros((len(logs), logs.shape[2]))
+    for cue, weight in enumerate(weights.tolist()):
+        total += weight * logs[:, cue]
+    return total - total.max(axis=1, keepdims=True)
+
+
+def _importance(truth: NDArray[np.intp], homes: NDArray[np.str_]) -> Float:
+    """(n,) weights of frames that sum to 1: homes weigh the same, and in a home its classes."""
+    _, home = np.unique(homes, return_inverse=True)
+    group = home * (truth.max() + 1) + truth
+    sizes = np.bincount(group)
+    classes = np.array([len(np.unique(truth[home == one])) for one in range(home.max() + 1)])
+    importance: Float = 1.0 / (len(classes) * classes[home] * sizes[group])
+    return importance

