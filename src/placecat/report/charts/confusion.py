@@ -58,14 +58,14 @@ class Matrices:
 def confusion_sheet(title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> Figure | None:
     """Draw all confusion matrices of a table: one line per row, with each column or each home.
 
-    `rows` are from :func:`placecat.thesis.decisions.decisions_of`; None if there are none.
+    `rows` are from :func:`placecat.thesis.decisions.decisions_of`; without any there is no figure.
     """
     lines = {key: _blocks(of_row) for key, of_row in rows.items() if of_row}
     if not lines:
         return None
     columns = list(dict.fromkeys(name for blocks in lines.values() for name in blocks))
     size = max(len(values) for blocks in lines.values() for values in blocks.values())
-    # One picture, since hundreds of axes would take minutes. Gaps are NaN, which is white.
+    # One picture of all, as hundreds of axes would take minutes. The gaps are NaN, which shows as white.
     step = size + 1
     canvas = np.full((len(lines) * step - 1, len(columns) * step - 1), np.nan)
     for y, blocks in enumerate(lines.values()):
@@ -76,7 +76,7 @@ def confusion_sheet(title: str, rows: Mapping[tuple[str, str], Mapping[str, Meas
     left = 0.2 + 0.058 * max(len(line) for label in labels for line in label.split("\n"))
     height, width = (_CELL * count for count in canvas.shape)
     above, right, below = 0.65, 0.75, 0.1
-    # The title may need more room.
+    # The title may need the room.
     full = (max(left + width + right, 5.2), above + height + below)
     figure = Figure(figsize=full)
     axes = _panel(figure, left, below, width, height)

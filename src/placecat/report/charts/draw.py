@@ -24,7 +24,7 @@ def draw_table(
 ) -> list[Path]:
     """Write ``chart.png`` and ``confusion.png`` of a table, if it has any, and return their paths.
 
-    See `accuracy_chart` and `confusion_sheet`. A table whose numbers are not percentages has no `chart`.
+    See `accuracy_chart` and `confusion_sheet`. A table whose numbers are no percentages has no `chart`.
     """
     written = []
     with house_style():
