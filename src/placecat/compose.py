@@ -152,10 +152,15 @@ def _refusal(error: Exception) -> PlacecatError:
 
 @lock.alone()
 def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> None:
-    """Write conf/found.yaml, compose the settings and write them to params.yaml, unless nothing has changed.
+    """Write conf/found.yaml, compose the settings and write them to params.yaml.
 
-    Raises PlacecatError like `found`, `compose`, :func:`placecat.check.check` and
-    :func:`placecat.thesis.checks.check`, or if a run is in progress; params.yaml then stays as it was.
+    Nothing is composed where it was from the same files and overrides before.
+
+    Raises
+    ------
+    PlacecatError
+        As `found`, `compose`, :func:`placecat.check.check` and :func:`placecat.thesis.checks.check`, or a run
+        that goes on; params.yaml stays as it was.
     """
     listing = paths.CONF / "found.yaml"
     if (paths.CONF / "config.yaml").is_file():

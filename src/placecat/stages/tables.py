@@ -1,4 +1,4 @@
-"""Stage `tables`: accuracies of all results, and the thesis's numbers beside those of this run."""
+"""Stage `tables`: accuracies of everything, and the numbers of the thesis beside those of this run."""
 
 import pandas as pd
 

@@ -71,7 +71,13 @@ class CueResults:
         return self.outputs(plan, parts)
 
     def temperatures(self) -> list[float]:
-        """Read the temperature of each cue; raises PlacecatError for a cue without cross-validation."""
+        """Read the temperature of each cue.
+
+        Raises
+        ------
+        PlacecatError
+            A cue that was not cross-validated.
+        """
         found = []
         for cue, place in self._places.items():
             facts = fold_file.read_facts(place)

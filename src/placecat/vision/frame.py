@@ -64,10 +64,10 @@ def describe_frame(
         (H, W, 3) uint8 BGR.
     settings
         Sections, each optional: ``attention`` (settings of `compute_maps`), ``regions`` (of `find_regions`),
-        ``information`` (of `information`), ``local`` and ``holistic`` (name of each descriptor to compute to
-        its settings). A variant has a free name and the setting ``descriptor``, e.g.
-        ``{"centrist_full": {"descriptor": "centrist", "width": None}}``. ``variants`` are those of the
-        regions (`describe_variants`), by descriptors in ``local``.
+        ``information`` (of `information`), ``local`` and ``holistic`` (descriptor name to its settings;
+        only the descriptors named are computed). A variant has any name and, among its settings,
+        ``descriptor``, whose variant it is: ``{"centrist_full": {"descriptor": "centrist", "width": None}}``.
+        ``variants`` are those of the regions (`describe_variants`), by descriptors in ``local``.
     regions
         (n, 4) float32 regions to describe, such as tracked ones (thesis 4.7); None to find them here. With
         given regions there are no variants, and maps that no descriptor reads are not computed.
