@@ -90,7 +90,7 @@ def raw_image(
             f"{name}: {width}x{height} pixels in {encoding} with rows of {step} bytes do not fit "
             f"{len(data)} bytes of data; record it again."
         )
-    pixels = np.ascontiguousarray(data[: rows * step].reshape(rows, step)[:, :row])
+    pixels = data[: rows * step].reshape(rows, step)[:, :row].copy()
     pixels = pixels.reshape((rows, width) if kind.width == 1 else (rows, width, kind.width))
     if kind.conversion is None:
         return pixels
