@@ -44,13 +44,13 @@ def make_home(labels: list[str]) -> Home:
 
 class TestOpenHome:
     def test_layouts_are_the_reader_modules(self) -> None:
-        assert layouts() == ["cold", "folder", "video", "vpc2009"]
+        assert layouts() == ["cold", "folder", "robot_at_home", "video", "vpc2009"]
 
     @pytest.mark.parametrize("layout", ["tum", "labels", "base", "../folder", "", "os"])
     def test_unknown_layout(self, layout: str, tmp_path: Path) -> None:
         with pytest.raises(
             PlacecatError,
-            match=r"dataset.layout .* does not exist.*: use one of cold, folder, video, vpc2009$",
+            match=r"dataset.layout .* does not exist.*: use one of cold, .*, robot_at_home, video, vpc2009$",
         ):
             open_home(layout, tmp_path, "Home1")
 
@@ -108,6 +108,19 @@ class TestReadFrames:
         write_image(tmp_path / "c.png", 77)
         images = read_frames(tmp_path, rows(["a.avi", "b.avi", "c.png", "b.avi", "a.avi"], [2, 8, -1, 3, 1]))
         assert [decoded(image) for image in images] == [2, 8, 77, 3, 1]
+
+    def test_turned_pictures_and_videos(self, tmp_path: Path) -> None:
+        write_video(tmp_path / "a.avi", 9)
+        write_image(tmp_path / "c.png", 77, width=HEIGHT, height=WIDTH)
+        mixed = rows(["a.avi", "c.png", "a.avi"], [5, -1, 6]).assign(turn=[90, 0, 270])
+        images = list(read_frames(tmp_path, mixed, size=(HEIGHT, WIDTH)))
+        # NumPy turns counter-clockwise.
+        back = [np.rot90(image, turn // 90) for image, turn in zip(images, mixed["turn"], strict=True)]
+        assert [decoded(np.ascontiguousarray(image)) for image in back] == [5, 77, 6]
+        with pytest.raises(PlacecatError, match=r"a\.avi frame 6: the frame is 64x48, the others .* 48x64"):
+            list(read_frames(tmp_path, mixed.assign(turn=0), size=(HEIGHT, WIDTH)))
+        with pytest.raises(PlacecatError, match="cannot be turned by 45 degrees; choose 0, 90, 180 or 270"):
+            list(read_frames(tmp_path, mixed.assign(turn=45)))
 
     def test_image_named_like_a_series_in_a_video_row(self, tmp_path: Path) -> None:
         # OpenCV's image backend would read 00000001.png, 00000002.png, ... as one video.
@@ -265,5 +278,9 @@ def test_home_checks_its_columns() -> None:
     home = make_home(["kitchen"])
     with pytest.raises(TypeError, match="columns"):
         Home("a", Path(), 1.0, "", 1, 1, home.frames.drop(columns="label"), {}, home.label_lines)
+    with pytest.raises(TypeError, match="columns"):
+        Home("a", Path(), 1.0, "", 1, 1, home.frames.assign(tilt=1), {}, home.label_lines)
+    assert "turn" not in home.frames
+    Home("a", Path(), 1.0, "", 1, 1, home.frames.assign(turn=90), {}, home.label_lines)
     with pytest.raises(TypeError, match="label lines"):
         Home("a", Path(), 1.0, "", 1, 1, home.frames, {}, home.label_lines[:0])

@@ -1,12 +1,17 @@
+import numpy as np
 import pytest
 import yaml
 from clips import steady, write_clip, zero
+from made_robot_at_home import make
+from test_cold import write_sequence
 
 from placecat import files, listing
 from placecat.errors import PlacecatError
+from placecat.footage.frames import read_frames
 from placecat.stages import sequences
 from placecat.training.integration import training_walks
 from placecat.training.plan import Part
+from project import ROOT
 from sketch import draw_homes
 
 CLASSES = ["bedroom", "bathroom", "kitchen", "living_room", "dining_room"]
@@ -68,3 +73,44 @@ def test_what_is_missing_of_a_video_is_told_and_kept(tmp_path, dataset, capsys):
     # Transitions are counted on the frames that an even camera would have shown.
     (walk, other), rates = training_walks([Part("one", (0, 1, 2, 3, 4)), Part("two", (0, 1, 2, 3, 4))])
     assert (len(walk), len(other), rates) == (30, 30, [30.0, 30.0])
+
+
+def test_the_settings_of_a_layout_reach_it(tmp_path, dataset):
+    write_sequence(tmp_path / "cold", "town/seq1", ["CR", "CR", "KT"])
+    (tmp_path / "cold/town/seq1/std_cam").rename(tmp_path / "cold/town/seq1/omni_cam")
+    cold = {"layout": "cold", "root": "cold", "homes": ["town-seq1"]}
+    cold |= {
+        "ignored": [],
+        "classes": ["corridor", "kitchen"],
+        "aliases": {"CR": "corridor", "KT": "kitchen"},
+    }
+    with pytest.raises(PlacecatError, match=r"std_cam: the folder of images is missing"):
+        cameras(tmp_path, dataset | cold)
+    assert cameras(tmp_path, dataset | cold | {"images": "omni_cam"}) == ["one"]
+    sources = files.read_csv(tmp_path / "data/sequences/town-seq1/frames.csv")["source"]
+    assert sources.str.contains("/omni_cam/").all()
+
+
+def test_robot_at_home_turned(tmp_path, dataset):
+    """The size of its frames, the column of turns, and the classes of its rooms."""
+
+    picture = np.zeros((32, 24, 3), np.uint8)
+    seen = make(tmp_path / "rah", lambda *_: picture, cameras=[2], frames=2)
+    own = yaml.safe_load((ROOT / "conf/dataset/robot_at_home.yaml").read_text()) | {"root": "rah"}
+    assert cameras(tmp_path, own | {"camera": "RGBD_2", "turn": 270}) == ["RGBD_2"] * 5
+    for home in own["homes"]:
+        folder = tmp_path / "data/sequences" / home
+        facts = files.read_json(folder / "home.json")
+        assert (facts["width"], facts["height"]) == (32, 24)
+        listed, labels = listing.read_frames(home), files.read_csv(folder / "labels.csv")
+        assert listed["turn"].tolist() == [270] * len(labels)
+        assert {image.shape for image in read_frames("rah", listed, size=listing.frame_size(home))} == {
+            (24, 32, 3)
+        }
+        classes = {"bedroom": 0, "masterroom": 0, "bathroom": 1, "kitchen": 2, "livingroom": 3}
+        wanted = [classes.get(one.kind, -1) for one in seen if one.home == home and one.is_labelled]
+        assert labels["class"].tolist() == wanted
+    assert cameras(tmp_path, own | {"camera": "RGBD_2"}) == ["RGBD_2"] * 5
+    assert "turn" not in listing.read_frames("alma")
+    with pytest.raises(PlacecatError, match=r"pare, sequence pare-s1, frame 1: unknown label 'hall'"):
+        cameras(tmp_path, own | {"camera": "RGBD_2", "ignored": ["corridor", "dressingroom", "fullhouse"]})

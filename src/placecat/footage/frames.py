@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 from placecat.footage.bags import Bag, is_bag
 from placecat.footage.names import relative
-from placecat.footage.pictures import read_image
+from placecat.footage.pictures import read_image, turned
 from placecat.footage.recording import Recording
 
 
@@ -31,11 +31,11 @@ def read_frames(
     frames
         Any rows of `Home.frames`, in any order.
     size
-        (width, height) in pixels that every frame must have; None takes that of the first row.
+        (width, height) in pixels that every frame must have, once turned; None takes that of the first row.
 
     Yields
     ------
-    (H, W, 3) uint8, BGR.
+    (H, W, 3) uint8, BGR, turned as the column ``turn`` says, where there is one.
 
     Raises
     ------
@@ -43,9 +43,10 @@ def read_frames(
         If a frame is missing, unreadable, or of another size, naming its file.
     """
     root = Path(home_root)
+    turns = frames["turn"] if "turn" in frames else [0] * len(frames)
     video: _Video | None = None
     try:
-        for source, position in zip(frames["source"], frames["position"], strict=True):
+        for source, position, turn in zip(frames["source"], frames["position"], turns, strict=True):
             path = root / relative(source, "frame list")
             if position < 0:
                 image = read_image(path)
@@ -55,6 +56,7 @@ def read_frames(
                         video.close()
                     video = _Video(path)
                 image = video.read(int(position))
+            image = turned(image, int(turn))
             height, width = image.shape[:2]
             size = size or (width, height)
             if (width, height) != size:

@@ -58,6 +58,9 @@ OTHERS = (
 MOST_PIXELS = 50_000_000
 MOST_BYTES = 256_000_000
 
+TURNS = {90: cv2.ROTATE_90_CLOCKWISE, 180: cv2.ROTATE_180, 270: cv2.ROTATE_90_COUNTERCLOCKWISE}
+"""Degrees clockwise, as :func:`turned` takes them."""
+
 _NUMBER = re.compile(r"[0-9]+")
 # One point only: 1.2.3 is no decimal number.
 _DECIMAL = re.compile(r"(?<![0-9.])([0-9]+)\.([0-9]+)(?!\.?[0-9])")
@@ -171,6 +174,32 @@ def decode_image(content: bytes, path: Path | str) -> NDArray[np.uint8]:
     if image is None:
         raise _damaged(path, len(content), "cut off or damaged?")
     return image  # type: ignore[return-value]
+
+
+def turned(image: NDArray[np.uint8], degrees: int) -> NDArray[np.uint8]:
+    """Turn a picture.
+
+    Parameters
+    ----------
+    image
+        (H, W, 3) uint8.
+    degrees
+        Clockwise: 0, 90, 180 or 270.
+
+    Returns
+    -------
+    (H, W, 3) uint8, or (W, H, 3) by 90 and 270 degrees; `image` itself by 0.
+
+    Raises
+    ------
+    PlacecatError
+        For any other angle.
+    """
+    if degrees == 0:
+        return image
+    if degrees not in TURNS:
+        raise PlacecatError(f"a picture cannot be turned by {degrees} degrees; choose 0, 90, 180 or 270.")
+    return cv2.rotate(image, TURNS[degrees])  # type: ignore[return-value]
 
 
 def _visible(folder: Path) -> list[Path]:

@@ -16,7 +16,16 @@ from placecat.footage.frames import read_frames
 from placecat.sequences.base import Home
 from placecat.sequences.places import place_labels, require_classes
 
-__all__ = ["Home", "layouts", "list_homes", "open_home", "place_labels", "read_frames", "require_classes"]
+__all__ = [
+    "Home",
+    "layouts",
+    "list_homes",
+    "open_home",
+    "place_labels",
+    "read_frames",
+    "require_classes",
+    "settings_of",
+]
 
 # What the module of a layout defines.
 READER = ("list_homes", "read_home")
@@ -30,6 +39,17 @@ def layouts() -> list[str]:
     Module names in this package that define a reader, sorted.
     """
     return lookup.names(__name__, *READER)
+
+
+def settings_of(layout: str) -> list[str]:
+    """Name the settings of a layout: the parameters of its ``read_home`` beside the folder and the home.
+
+    Raises
+    ------
+    PlacecatError
+        If the layout is unknown.
+    """
+    return list(inspect.signature(_reader(layout).read_home).parameters)[2:]
 
 
 def list_homes(layout: str, root: Path | str) -> list[str]:
@@ -67,8 +87,8 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
     name
         One of ``list_homes(layout, root)``.
     **settings
-        Passed to the layout's ``read_home``: ``fps`` (frames a second, or None where the layout knows it),
-        ``camera`` (its name) and whatever else that layout takes.
+        Passed to the layout's ``read_home``, see `settings_of`: ``fps`` (frames a second, or None where the
+        layout knows it), ``camera`` (its name) and whatever else that layout takes.
 
     Returns
     -------
@@ -81,8 +101,7 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
         If the layout or a setting is unknown, the home cannot be read, or its labels do not fit its frames;
         the message names the file, and the line where there is one.
     """
-    reader = _reader(layout)
-    known = list(inspect.signature(reader.read_home).parameters)[2:]
+    reader, known = _reader(layout), settings_of(layout)
     for setting in settings:
         if setting not in known:
             raise PlacecatError(

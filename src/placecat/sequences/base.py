@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 COLUMNS = ("sequence", "number", "source", "position", "seconds", "label")
 """The columns of `Home.frames`."""
+TURN = "turn"
+"""One more column, of pictures that are turned."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,14 +29,15 @@ class Home:
     camera
         A name for the camera; frames of one camera share its height, lens and colour response.
     width, height
-        Size of every frame in pixels, taken from the first.
+        Size of every frame in pixels, turned, taken from the first.
     frames
         One row a frame, in order, indexed 0, 1, ...: ``sequence`` (str: the floor of a VPC home, the sequence
         folder of COLD, "1" for a video or a folder), ``number`` (int32, from 1 in each sequence), ``source``
         (str, POSIX path relative to `root`: an image, the video file or the bag), ``position`` (int32, frame
         position in the video from 0, those that are lost counted; in a bag that of the message among those
         with pictures; -1 for an image file), ``seconds`` (float64, since the start of the sequence) and
-        ``label`` (str as in the label file; "" when there is none).
+        ``label`` (str as in the label file; "" when there is none). Where pictures have to be turned, also ``turn`` (int32,
+        degrees clockwise: 0, 90, 180 or 270).
     label_files
         Sequence to its label file, relative to `root`; empty when there is none.
     label_lines
@@ -69,7 +72,7 @@ class Home:
         return bool((np.abs(steps * self.fps - 1) < 1e-6).all())
 
     def __post_init__(self) -> None:
-        if list(self.frames.columns) != list(COLUMNS):
+        if [column for column in self.frames.columns if column != TURN] != list(COLUMNS):
             raise TypeError(f"frames has the columns {list(self.frames.columns)}, not {list(COLUMNS)}")
         if len(self.label_lines) != len(self.frames):
             raise TypeError(f"{len(self.label_lines)} label lines for {len(self.frames)} frames")
@@ -82,6 +85,7 @@ def frame_table(
     number: Sequence[int],
     seconds: Sequence[float] | NDArray[np.float64],
     label: Sequence[str],
+    turn: int = 0,
 ) -> pd.DataFrame:
     """Build `Home.frames` with its column types.
 
@@ -91,10 +95,12 @@ def frame_table(
         One value a frame, or one for all.
     number, seconds, label
         One value a frame.
+    turn
+        Degrees clockwise by which every frame is turned.
 
     Returns
     -------
-    The columns `COLUMNS`, indexed from 0.
+    The columns `COLUMNS`, and `TURN` unless it is 0, indexed from 0.
     """
     table = pd.DataFrame({"number": np.asarray(number, dtype=np.int32)})
     table["sequence"] = sequence
@@ -102,4 +108,7 @@ def frame_table(
     table["position"] = np.asarray(position, dtype=np.int32)
     table["seconds"] = np.asarray(seconds, dtype=np.float64)
     table["label"] = list(label)
-    return table[list(COLUMNS)]
+    if turn == 0:
+        return table[list(COLUMNS)]
+    table[TURN] = np.int32(turn)
+    return table[[*COLUMNS, TURN]]

@@ -10,7 +10,7 @@ import pandas as pd
 
 from placecat import files, paths, settings
 from placecat.errors import PlacecatError
-from placecat.sequences import Home, open_home, place_labels, require_classes
+from placecat.sequences import Home, open_home, place_labels, require_classes, settings_of
 from placecat.stages import run
 
 
@@ -39,10 +39,11 @@ def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
         )
     if not dataset["homes"]:
         raise PlacecatError(f"{setting}.homes is empty: name the homes to use")
+    layout = dataset["layout"]
+    given = {name: dataset[name] for name in settings_of(layout) if name in dataset}
     with files.replacing(target) as folder:
         for name in dataset["homes"]:
-            camera = _camera(dataset["camera"], name)
-            home = open_home(dataset["layout"], root, name, fps=dataset["fps"], camera=camera)
+            home = open_home(layout, root, name, **given | {"camera": _camera(dataset["camera"], name)})
             if home.note:
                 print(f"placecat: note: {home.note}", file=sys.stderr)
             _write(folder / name, home, dataset)

@@ -1,0 +1,217 @@
+"""Robot@Home2: the database ``rh.db`` and the pictures ``files/rgbd``, as they come from the archive.
+
+A robot with four cameras drove through five homes. A home is a sequence a session, frames of one camera in
+order of time. The label of a frame is the type of its room, e.g. ``livingroom``; which class it stands for is
+the data set's ``aliases`` setting. Recordings that run through several rooms have the type ``fullhouse``.
+
+References
+----------
+G. Ambrosio-Cestero, J.-R. Ruiz-Sarmiento, J. Gonzalez-Jimenez, The Robot@Home2 dataset: A new release with
+improved usability tools. SoftwareX 23, 101490, 2023.
+Definitions of the tables: https://github.com/goyoambrosio/RobotAtHome2 (``robotathome/transition``).
+"""
+
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import pairwise
+from pathlib import Path
+from typing import Annotated, Literal, NamedTuple, TypeVar
+
+import numpy as np
+
+from placecat.errors import PlacecatError, did_you_mean
+from placecat.footage.names import natural, relative
+from placecat.footage.pictures import read_image, turned
+from placecat.ranges import OneOf, Positive
+from placecat.sequences.base import Home, frame_table
+from placecat.sequences.folders import data_folder, frame_rate, inside, some_homes
+from placecat.sequences.sqlite_file import Columns, SqliteFile, opened
+
+DATABASE, PICTURES = "rh.db", "files/rgbd"
+OBSERVATIONS = {"labelled": ("rh_lblrgbd",), "all": ("rh_lblrgbd", "rh_raw")}
+"""The setting `observations`: those with labelled objects, or those also that its makers discarded."""
+FILES = "rh2_old2new_rgbd_files"
+COLOR = "_intensity.png"
+"""End of the name of a colour picture; the others are depths and labels."""
+TICKS = 10_000_000
+"""Of the database's clock, a second."""
+
+_NAMED: Columns = {"id": int, "name": str}
+_OBSERVED: Columns = {"id": int, "home_session_id": int, "room_id": int | None, "time_stamp": int}
+_FILE_NAMES = dict.fromkeys(("new_file_1", "new_file_2", "new_file_3"), str | None)
+_TABLES: dict[str, Columns] = {
+    **dict.fromkeys(("rh_homes", "rh_home_sessions", "rh_room_types", "rh_sensors"), _NAMED),
+    "rh_rooms": {"id": int, "room_type_id": int},
+    FILES: {"id": int, "new_path": str, **_FILE_NAMES},
+}
+_Named = TypeVar("_Named")
+
+
+class _Observation(NamedTuple):
+    """A frame: its session, time, number in the database, type of room ("" for none) and picture."""
+
+    session: str
+    ticks: int
+    number: int
+    room: str
+    picture: str
+
+
+def list_homes(root: Path) -> list[str]:
+    """Name the homes of the database ``rh.db``; see `placecat.sequences.list_homes`."""
+    homes: list[str] = []
+    if (data_folder(root) / DATABASE).exists():
+        with opened(root / DATABASE, _TABLES) as database:
+            homes = [name for _, name in database.rows("rh_homes")]
+    return some_homes(homes, root, f"{DATABASE} of Robot@Home2")
+
+
+def read_home(
+    root: Path,
+    name: str,
+    *,
+    fps: float | None = None,
+    camera: str = "RGBD_1",
+    observations: Annotated[str, OneOf(OBSERVATIONS)] = "labelled",
+    turn: Literal[0, 90, 180, 270] = 0,
+    longest_gap: Positive = 1.0,
+    database: str = DATABASE,
+    pictures: str = PICTURES,
+) -> Home:
+    """Read what one camera saw of one home, a sequence a session; see `placecat.sequences.open_home`.
+
+    Parameters
+    ----------
+    fps
+        None takes the times of the database, and the rate of the median time between frames; a number puts
+        an even rate in their place.
+    camera
+        ``RGBD_1`` to ``RGBD_4``.
+    observations
+        A key of `OBSERVATIONS`.
+    turn
+        Degrees clockwise by which pictures are turned.
+    longest_gap
+        Seconds. A longer time between two frames of a session, as between two rooms, counts as this long.
+    database, pictures
+        Where the database and the folder of colour pictures are, relative to `root`.
+    """
+    relative(name, "dataset.homes")
+    file = data_folder(root) / relative(database, "dataset.database")
+    folder = root / relative(pictures, "dataset.pictures")
+    tables = OBSERVATIONS[observations]
+    with opened(
+        file, _TABLES | dict.fromkeys(tables, _OBSERVED | {"home_id": int, "sensor_id": int})
+    ) as data:
+        home = _number(data.rows("rh_homes"), name, f"{file}: there is no home", "dataset.homes")
+        sensor = _number(data.rows("rh_sensors"), camera, f"{file}: there is no camera", "dataset.camera")
+        frames = sorted(
+            (one for table in tables for one in _observations(data, file, table, home, sensor)),
+            key=lambda one: (natural(one.session), one.ticks, one.number),
+        )
+    if not frames:
+        raise PlacecatError(
+            f"{file}: {name} has no frame of the camera {camera} in {' or '.join(tables)}; choose another "
+            "dataset.camera or dataset.observations."
+        )
+    sources = [f"{pictures}/{one.picture}" for one in frames]
+    _check_pictures(file, root, folder, sources)
+    numbers, seconds, median = _times(frames, longest_gap)
+    rate = frame_rate(fps, name, median)
+    height, width = turned(read_image(root / sources[0]), turn).shape[:2]
+    return Home(
+        name=name,
+        root=root,
+        fps=rate,
+        camera=camera,
+        width=width,
+        height=height,
+        frames=frame_table(
+            [one.session for one in frames],
+            sources,
+            -1,
+            numbers,
+            seconds if fps is None else (np.array(numbers) - 1) / rate,
+            [one.room for one in frames],
+            turn,
+        ),
+        label_files={},
+        label_lines=np.zeros(len(frames), dtype=np.int32),
+    )
+
+
+def _number(rows: Iterable[tuple[int, str]], name: str, missing: str, setting: str) -> int:
+    """The number that a table gives a name."""
+    numbers = {named: number for number, named in rows}
+    if name not in numbers:
+        raise PlacecatError(
+            f"{missing} {name!r}{did_you_mean(name, numbers)} (there are: {', '.join(numbers)}); correct "
+            f"{setting}."
+        )
+    return numbers[name]
+
+
+def _observations(data: SqliteFile, file: Path, table: str, home: int, sensor: int) -> Iterator[_Observation]:
+    types, sessions = dict(data.rows("rh_room_types")), dict(data.rows("rh_home_sessions"))
+    rooms = dict(data.rows("rh_rooms"))
+    pictures = {
+        number: f"{path}/{picture}"
+        for number, path, *names in data.rows(FILES)
+        for picture in names
+        if picture is not None and picture.endswith(COLOR)
+    }
+    for number, session, room, ticks, *_ in data.rows(table, home_id=home, sensor_id=sensor):
+        where = f"{file}: observation {number} of {table}"
+        if number not in pictures:
+            # The labelled ones are there twice, and have their pictures by the number in the other table.
+            if table == "rh_raw":
+                continue
+            raise PlacecatError(f"{where} has no picture *{COLOR} in {FILES}; restore the file.")
+        kind = "" if room is None else _known(types, _known(rooms, room, where, "rooms"), where, "room_types")
+        yield _Observation(
+            _known(sessions, session, where, "home_sessions"),
+            ticks,
+            number,
+            kind,
+            relative(pictures[number], where).as_posix(),
+        )
+
+
+def _known(named: Mapping[int, _Named], number: int, where: str, table: str) -> _Named:
+    if number not in named:
+        raise PlacecatError(f"{where} refers to {number}, which rh_{table} does not have; restore the file.")
+    return named[number]
+
+
+def _times(frames: list[_Observation], longest_gap: float) -> tuple[list[int], list[float], float | None]:
+    """Number each frame in its session; give its seconds, and the rate of the median step."""
+    # Of whole ticks, which are exact, unlike seconds since 1601.
+    longest = round(longest_gap * TICKS)
+    numbers, ticks, steps = [1], [0], []
+    for before, one in pairwise(frames):
+        is_same = one.session == before.session
+        step = one.ticks - before.ticks
+        numbers.append(numbers[-1] + 1 if is_same else 1)
+        ticks.append(ticks[-1] + min(step, longest) if is_same else 0)
+        if is_same and step > 0:
+            steps.append(step)
+    rate = TICKS / float(np.median(steps)) if steps else None
+    return numbers, [tick / TICKS for tick in ticks], rate
+
+
+def _check_pictures(file: Path, root: Path, folder: Path, sources: list[str]) -> None:
+    if not folder.is_dir():
+        raise PlacecatError(
+            f"{folder}: the folder of pictures is missing; unpack them there, or correct dataset.pictures."
+        )
+    wanted: dict[Path, list[str]] = {}
+    for path in (root / source for source in sources):
+        wanted.setdefault(path.parent, []).append(path.name)
+    for place, names in wanted.items():
+        inside(place, folder, str(file))
+        links = {entry.name: entry.is_symlink() for entry in os.scandir(place)} if place.is_dir() else {}
+        for name in names:
+            if name not in links:
+                raise PlacecatError(f"{place / name}: the picture is missing ({file} lists it); restore it.")
+            if links[name]:
+                inside(place / name, folder, str(file))
