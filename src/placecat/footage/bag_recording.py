@@ -127,8 +127,8 @@ class BagRecording:
             number = int(behind.argmax()) + 1
             raise PlacecatError(
                 f"{self.path}: frame {number} of {self.topic} is {behind.max():.3g} s earlier than one "
-                "before it: the clock was set, or stamps are damaged; cut the bag there, or give the frame rate "
-                f"with {setting}."
+                "before it: the clock was set, or stamps are damaged; cut the bag there, or give the frame "
+                f"rate with {setting}."
             )
         is_late = np.append(False, stamps[1:] <= before[:-1])
         if is_late.any():

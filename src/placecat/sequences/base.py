@@ -36,8 +36,8 @@ class Home:
         (str, POSIX path relative to `root`: an image, the video file or the bag), ``position`` (int32, frame
         position in the video from 0, those that are lost counted; in a bag that of the message among those
         with pictures; -1 for an image file), ``seconds`` (float64, since the start of the sequence) and
-        ``label`` (str as in the label file; "" when there is none). Where pictures have to be turned, also ``turn`` (int32,
-        degrees clockwise: 0, 90, 180 or 270).
+        ``label`` (str as in the label file; "" when there is none). Where pictures have to be turned, also
+        ``turn`` (int32, degrees clockwise: 0, 90, 180 or 270).
     label_files
         Sequence to its label file, relative to `root`; empty when there is none.
     label_lines
