@@ -1,5 +1,7 @@
 """Every encoding of sensor_msgs/Image against colours that are known."""
 
+from types import SimpleNamespace
+
 import cv2
 import numpy as np
 import pytest
@@ -15,8 +17,9 @@ BAYER = {"bayer_rggb8": "RGGB", "bayer_bggr8": "BGGR", "bayer_gbrg8": "GBRG", "b
 
 
 def decode(data, encoding, step, width=WIDTH, height=HEIGHT):
-    flat = np.frombuffer(np.ascontiguousarray(data).tobytes(), np.uint8)
-    return raw_image(flat, width=width, height=height, step=step, encoding=encoding, name="a.bag")
+    content = np.ascontiguousarray(data).tobytes()
+    message = SimpleNamespace(width=width, height=height, step=step, encoding=encoding, data=content)
+    return raw_image(message, "a.bag")
 
 
 def luma_and_chroma():
@@ -106,7 +109,7 @@ def test_other_encodings_are_named():
 @pytest.mark.parametrize("ending", [".png", ".jpg"])
 def test_compressed_pictures(ending):
     content = cv2.imencode(ending, np.full((HEIGHT, WIDTH, 3), COLOR, np.uint8))[1].ravel()
-    image = compressed_image(content, kind="rgb8; jpeg compressed bgr8", name="a.bag")
+    image = compressed_image(SimpleNamespace(data=content, format="rgb8; jpeg compressed bgr8"), "a.bag")
     assert np.abs(image.astype(int) - COLOR).max() <= (0 if ending == ".png" else 3)
 
 
@@ -115,4 +118,4 @@ def test_damaged_pictures_are_told(keep):
     pixels = np.random.default_rng(0).integers(0, 256, (64, 64, 3), np.uint8)
     content = cv2.imencode(".png", pixels)[1].ravel()[:keep]
     with pytest.raises(Damaged, match=r"a\.bag \(format 'png'\): not a readable image"):
-        compressed_image(content, kind="png", name="a.bag")
+        compressed_image(SimpleNamespace(data=content, format="png"), "a.bag")

@@ -58,18 +58,8 @@ class Picture:
 
     def image(self) -> NDArray[np.uint8]:
         """(height, width, 3) uint8, BGR; raises as `placecat.footage.image_messages` does."""
-        message = self._message
-        data = np.asarray(message.data, np.uint8)
-        if hasattr(message, "format"):
-            return compressed_image(data, kind=message.format, name=self._name)
-        return raw_image(
-            data,
-            width=message.width,
-            height=message.height,
-            step=message.step,
-            encoding=message.encoding,
-            name=self._name,
-        )
+        decode = compressed_image if hasattr(self._message, "format") else raw_image
+        return decode(self._message, self._name)
 
 
 class Bag:

@@ -1,6 +1,6 @@
 """Pixels of ROS image messages: sensor_msgs/Image and sensor_msgs/CompressedImage."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 import cv2
 import numpy as np
@@ -12,6 +12,23 @@ from placecat.footage.pictures import MOST_BYTES, MOST_PIXELS, decode_image
 
 class Damaged(PlacecatError):
     """A picture that cannot be decoded, in a recording whose other pictures may be whole."""
+
+
+class Image(Protocol):
+    """A sensor_msgs/Image, of whatever library; ``data`` is a buffer of bytes."""
+
+    width: int
+    height: int
+    step: int
+    encoding: str
+    data: Any
+
+
+class CompressedImage(Protocol):
+    """A sensor_msgs/CompressedImage, of whatever library."""
+
+    format: str
+    data: Any
 
 
 class _Encoding(NamedTuple):
@@ -46,21 +63,15 @@ ENCODINGS = tuple(_ENCODINGS)
 """Encodings of sensor_msgs/Image that are read."""
 
 
-def raw_image(
-    data: NDArray[np.uint8], *, width: int, height: int, step: int, encoding: str, name: str
-) -> NDArray[np.uint8]:
+def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
     """Decode a sensor_msgs/Image.
 
     Parameters
     ----------
-    data
-        (n,) uint8.
-    width, height, step
-        Pixels, pixels, and bytes from one row to the next; not trusted.
-    encoding
-        One of `ENCODINGS`.
+    message
+        Its encoding is one of `ENCODINGS`; its sizes are not trusted.
     name
-        Of the message, for errors.
+        What errors call it.
 
     Returns
     -------
@@ -74,6 +85,8 @@ def raw_image(
         If the encoding is not read, or the picture is larger than
         `placecat.footage.pictures.MOST_PIXELS`.
     """
+    width, height, step, encoding = message.width, message.height, message.step, message.encoding
+    data = np.frombuffer(message.data, np.uint8)
     if encoding not in _ENCODINGS:
         raise PlacecatError(
             f"{name}: pictures of the encoding {encoding!r} are not read; give another topic, or convert "
@@ -102,17 +115,13 @@ def raw_image(
         ) from None
 
 
-def compressed_image(data: NDArray[np.uint8], *, kind: str, name: str) -> NDArray[np.uint8]:
+def compressed_image(message: CompressedImage, name: str) -> NDArray[np.uint8]:
     """Decode a sensor_msgs/CompressedImage, whatever it calls itself, if it is a JPEG or PNG.
 
     Parameters
     ----------
-    data
-        (n,) uint8.
-    kind
-        The message's ``format``, for errors.
     name
-        Of the message, for errors.
+        What errors call it.
 
     Returns
     -------
@@ -123,9 +132,10 @@ def compressed_image(data: NDArray[np.uint8], *, kind: str, name: str) -> NDArra
     Damaged
         If it is cut off, damaged, or no JPEG or PNG of a kind that is read.
     """
-    if len(data) > MOST_BYTES:
-        raise Damaged(f"{name}: {len(data) / 1e6:.0f} MB are no picture; record it again.")
+    content = memoryview(message.data)
+    if content.nbytes > MOST_BYTES:
+        raise Damaged(f"{name}: {content.nbytes / 1e6:.0f} MB are no picture; record it again.")
     try:
-        return decode_image(data.tobytes(), f"{name} (format {kind!r})")
+        return decode_image(content.tobytes(), f"{name} (format {message.format!r})")
     except PlacecatError as error:
         raise Damaged(str(error)) from None
