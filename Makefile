@@ -80,7 +80,8 @@ ui: $(READY) ## open MLflow on what `make repro` logged
 		$(BIN)/mlflow ui --backend-store-uri sqlite:///mlflow.db --workers 1
 
 COMPILE := uv pip compile pyproject.toml --universal --python-version 3.11 --generate-hashes --no-header --upgrade
-TESTED := --extra build --extra cluster --extra dask --extra docs --extra render --extra search --extra test
+TESTED := --extra build --extra cluster --extra dask --extra docs --extra render --extra rerun --extra robot \
+	--extra search --extra test
 lock: ## write the lock files; needs uv, after a change of the dependencies in pyproject.toml
 	$(COMPILE) $(TESTED) -o requirements-test.lock
 	$(COMPILE) --extra build -c requirements-test.lock -o requirements.lock

@@ -170,14 +170,14 @@ def _add_train(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     predict = commands.add_parser(
         "predict",
-        help="apply a trained system to a video, a folder of images or a camera",
+        help="apply a trained system to a video, a folder of images, a bag or a camera",
         description="Name the place of every frame of new footage. Writes a table of frames, a table of "
         "segments (which, corrected, is a label file), a timeline and a summary.",
     )
     predict.add_argument(
         "source",
         metavar="SOURCE",
-        help="a video, a folder of images, camera, camera:NUMBER, or the address of a stream",
+        help="a video, a folder of images, a bag of ROS, camera, camera:NUMBER, or the address of a stream",
     )
     predict.add_argument(
         "--model", type=Path, default=paths.MODEL, metavar="FILE", help=f"by default {paths.MODEL}"
@@ -223,6 +223,16 @@ def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
     )
     predict.add_argument(
         "--fps", type=float, help="frames/s of the footage, where it does not say or is wrong"
+    )
+    predict.add_argument("--topic", help="the topic of a bag's pictures, where it has several")
+    predict.add_argument(
+        "--mcap",
+        type=Path,
+        metavar="FILE",
+        help="also annotated pictures and probabilities as ROS 2 messages",
+    )
+    predict.add_argument(
+        "--rerun", type=Path, metavar="FILE", help="also frames, regions and probabilities for Rerun (.rrd)"
     )
     predict.add_argument(
         "--force", action="store_true", help="replace a prediction of another source, or one that was edited"

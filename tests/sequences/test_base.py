@@ -132,7 +132,7 @@ class TestReadFrames:
     def test_video_too_short(self, tmp_path: Path) -> None:
         write_video(tmp_path / "a.avi", 9)
         with pytest.raises(
-            PlacecatError, match=r"a\.avi: frame 10 is missing or unreadable \(the video ends after 9\)"
+            PlacecatError, match=r"a\.avi: frame 10 is missing or unreadable \(it ends after 9\)"
         ):
             list(read_frames(tmp_path, rows(["a.avi"] * 2, [8, 9])))
 

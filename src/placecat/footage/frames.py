@@ -2,15 +2,17 @@
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
+from placecat.footage.bags import Bag, is_bag
 from placecat.footage.names import relative
 from placecat.footage.pictures import read_image, turned
-from placecat.footage.recording import Picture, Recording
+from placecat.footage.recording import Recording
 
 
 def read_frames(
@@ -18,9 +20,9 @@ def read_frames(
 ) -> Iterator[NDArray[np.uint8]]:
     """Decode frames in the order of the rows.
 
-    A video is decoded from its start (`placecat.footage.recording`) and frames between rows are passed
-    over; a row that lies before the last one starts again. The file is never asked to seek: containers answer
-    with a nearby frame without saying so. Rows in increasing position cost one pass.
+    A video or a bag is read from its start (`placecat.footage.recording`, `placecat.footage.bags`) and frames
+    between rows are passed over; a row that lies before the last one starts again. The file is never asked to
+    seek: containers answer with a nearby frame without saying so. Rows in increasing position cost one pass.
 
     Parameters
     ----------
@@ -70,13 +72,13 @@ def read_frames(
 
 
 class _Video:
-    """A video read forwards, from its start again to go back."""
+    """A video or a bag read forwards, from its start again to go back."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
-        self._recording = Recording(path)
+        self._recording = Bag(path) if is_bag(path) else Recording(path)
         self._pictures = self._recording.pictures()
-        self._last: Picture | None = None
+        self._last: Any = None
 
     def close(self) -> None:
         self._pictures.close()
@@ -93,7 +95,7 @@ class _Video:
             self._last = following
         if self._last is None or self._last.number != number:
             count = self._recording.count
-            why = f"the video ends after {count}" if number > count else "it is damaged there"
+            why = f"it ends after {count}" if number > count else "it is damaged there"
             raise PlacecatError(
                 f"{self.path}: frame {number} is missing or unreadable ({why}); restore the file."
             )

@@ -159,6 +159,11 @@ def read_image(path: Path) -> NDArray[np.uint8]:
         raise PlacecatError(f"{path}: the frame is missing; restore it, or correct the label file.") from None
     except OSError as error:
         raise PlacecatError(f"{path}: the frame cannot be opened ({error.strerror}).") from None
+    return decode_image(content, path)
+
+
+def decode_image(content: bytes, path: Path | str) -> NDArray[np.uint8]:
+    """Decode the content of one JPEG or PNG file as :func:`read_image` does; messages name it `path`."""
     if content.startswith(_PNG):
         _check_png(path, content)
     elif content.startswith(_JPEG):
@@ -204,13 +209,13 @@ def _visible(folder: Path) -> list[Path]:
         raise PlacecatError(f"{folder}: the folder cannot be read ({error.strerror}).") from None
 
 
-def _damaged(path: Path, size: int, why: str) -> PlacecatError:
+def _damaged(path: Path | str, size: int, why: str) -> PlacecatError:
     return PlacecatError(
         f"{path}: not a readable image ({size} bytes; {why}); restore the file, or take it out."
     )
 
 
-def _check_size(path: Path, width: int, height: int) -> None:
+def _check_size(path: Path | str, width: int, height: int) -> None:
     """Before memory is taken for what the header says."""
     if width * height > MOST_PIXELS:
         raise PlacecatError(
@@ -218,7 +223,7 @@ def _check_size(path: Path, width: int, height: int) -> None:
         )
 
 
-def _check_jpeg(path: Path, content: bytes) -> None:
+def _check_jpeg(path: Path | str, content: bytes) -> None:
     """Refuse damage that OpenCV passes over: it fills in what it cannot decode."""
     try:
         height, width, colors, _ = simplejpeg.decode_jpeg_header(content)
@@ -233,7 +238,7 @@ def _check_jpeg(path: Path, content: bytes) -> None:
         raise _damaged(path, len(content), f"cut off or damaged: {error}") from None
 
 
-def _check_png(path: Path, content: bytes) -> None:
+def _check_png(path: Path | str, content: bytes) -> None:
     """Refuse chunks whose checksum is wrong, and kinds of PNG that are no frames."""
     kinds: set[bytes] = set()
     at = len(_PNG)

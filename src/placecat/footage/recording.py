@@ -127,13 +127,7 @@ class Recording:
                 f"{self.path}: the video does not say when its frames are shown (its frame rate: {texts}); "
                 f"give it with {setting}."
             )
-        steps = np.diff(found.seconds)
-        if len(steps) and steps.max() > timing.LONGEST:
-            number = int(steps.argmax()) + 2
-            raise PlacecatError(
-                f"{self.path}: frame {number} comes {steps.max() / 3600:.3g} hours after the one before: its "
-                f"times are damaged; give the frame rate with {setting}."
-            )
+        timing.check_gaps(found, str(self.path), setting)
         return found
 
     def pictures(self) -> Generator[Picture, None, None]:
@@ -171,9 +165,9 @@ class Recording:
         """Say what the last pass over the file found missing or damaged; "" if nothing."""
         parts = []
         if self.lost:
-            parts.append(f"{_frames(self.lost)} of {self.count} cannot be decoded and {_are(self.lost)} lost")
+            parts.append(f"{named(self.lost)} of {self.count} cannot be decoded and {are(self.lost)} lost")
         if self.damaged:
-            parts.append(f"{_frames(self.damaged)} {_are(self.damaged)} damaged")
+            parts.append(f"{named(self.damaged)} {are(self.damaged)} damaged")
         if parts:
             parts.append("what follows may show it up to the next key frame")
         if self._reached == self.count:
@@ -338,11 +332,12 @@ class Recording:
                         yield Picture(number, self._shown(frame), self, frame)
 
 
-def _are(numbers: list[int]) -> str:
+def are(numbers: list[int]) -> str:
+    """Give the verb for frames of these numbers."""
     return "are" if len(numbers) > 1 else "is"
 
 
-def _frames(numbers: list[int], most: int = 5) -> str:
+def named(numbers: list[int], most: int = 5) -> str:
     """Name frames by their numbers, e.g. "frames 3, 7 to 9"."""
     breaks = np.flatnonzero(np.diff(numbers) > 1) + 1
     runs = [part.tolist() for part in np.split(np.array(numbers), breaks)]

@@ -7,6 +7,8 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
+from placecat.errors import PlacecatError
+
 MOST_RATE = 500.0
 """Frames a second above which a rate is taken for a mistake: headers have 1,000 or 90,000, which are units of
 time; slow motion is filmed at 240."""
@@ -87,3 +89,26 @@ def measure(
     shown = last * float(tick)
     end = float(times[-1]) + (shown if shown >= 0.5 * float(steps.min()) else float(np.median(steps)))
     return Timing(times, end, 1 / period, False)
+
+
+def check_gaps(found: Timing, title: str, setting: str) -> None:
+    """Refuse times with a gap of more than `LONGEST` between two frames.
+
+    Parameters
+    ----------
+    title
+        The file, for the message.
+    setting
+        What sets the frame rate, for the message.
+
+    Raises
+    ------
+    PlacecatError
+        Naming the frame after the longest gap.
+    """
+    steps = np.diff(found.seconds)
+    if len(steps) and steps.max() > LONGEST:
+        raise PlacecatError(
+            f"{title}: frame {int(steps.argmax()) + 2} comes {steps.max() / 3600:.3g} hours after the one "
+            f"before: its times are damaged; give the frame rate with {setting}."
+        )

@@ -16,13 +16,13 @@ from placecat import files
 from placecat.categorizer import Categorizer, Decision
 from placecat.drawing.style import house_style, save
 from placecat.errors import PlacecatError, one_line
-from placecat.predict import destination, report, tables, timeline, truth
+from placecat.predict import destination, exports, report, tables, timeline, truth
 from placecat.predict.camera import Camera
 from placecat.predict.fitting import Fit, fit
 from placecat.predict.frame import Frame, Source
 from placecat.predict.prediction import Prediction
-from placecat.predict.run import Speed, Wish, run
-from placecat.predict.sources import open_source, without_password
+from placecat.predict.run import Speed, Wish, run, true_label
+from placecat.predict.sources import BagSource, Folder, open_source, without_password
 from placecat.progress import Progress
 
 TIMELINE, SPEED = "timeline.png", "speed.json"
@@ -48,6 +48,15 @@ class Options:
     seconds: float | None = None
     fps: float | None = None
     force: bool = False
+    topic: str | None = None
+    mcap: Path | None = None
+    rerun: Path | None = None
+
+    @property
+    def exports(self) -> dict[str, Path]:
+        """Ending to the file that is wanted."""
+        wanted = {".mcap": self.mcap, ".rrd": self.rerun}
+        return {ending: path for ending, path in wanted.items() if path is not None}
 
 
 def predict_command(options: Options) -> int:
@@ -66,6 +75,7 @@ def predict_command(options: Options) -> int:
         fps=options.fps,
         usual_fps=categorizer.frame_rate,
         size=categorizer.frame_size,
+        topic=options.topic,
     )
     if source.is_live and options.every != 1:
         raise PlacecatError(
@@ -88,6 +98,7 @@ def predict_command(options: Options) -> int:
         is_live=source.is_live,
         force=options.force,
     ) as folder:
+        exports.check(options.exports, folder, read, force=options.force)
         _write(folder, options, source, chosen, categorizer, labels)
     return 0
 
@@ -102,13 +113,18 @@ def _write(
 ) -> None:
     """Predict into a folder, and print a summary."""
     _announce(options, source, chosen, categorizer)
-    with files.replacing(folder) as temporary:
+    with (
+        exports.opened(options.exports, categorizer.classes, chosen.target, source.start) as exported,
+        files.replacing(folder) as temporary,
+    ):
         temporary.mkdir()
         film = temporary / f"{ANNOTATED}{options.film}" if options.film else None
         wish = Wish(every=options.every, seconds=options.seconds, film=film, truth=labels)
         with Progress(description=source.name, total=_total(source, wish), unit="frames") as progress:
 
             def show(frame: Frame, decision: Decision, speed: Speed) -> None:
+                for export in exported:
+                    export.add(frame, decision, true_label(labels, frame.number, categorizer.classes))
                 progress.set_postfix_str(f"{decision.place} {decision.confidence:.0%}", refresh=False)
                 progress.update()
 
@@ -153,7 +169,9 @@ def _announce(options: Options, source: Source, chosen: Fit, categorizer: Catego
     print(f"{categorizer.card.get('title', options.model)}: {', '.join(categorizer.classes)}")
     if chosen.source != chosen.target:
         print(f"Frames: {chosen}.")
-    if Path(options.source).is_dir() and options.fps is None:
+    if isinstance(source, BagSource):
+        print(f"Topic: {source.topic}.")
+    if isinstance(source, Folder) and options.fps is None:
         print(f"A folder has no frame rate: {source.fps:g} frames/s, as the model's footage (--fps sets it).")
     if source.is_live:
         end = f"after {options.seconds:g} s" if options.seconds is not None else "with Ctrl-C"
@@ -243,3 +261,5 @@ def _print(
     print(f"\n{len(prediction.numbers)} frames: ", end="")
     print(report.speed_text(speed, options.every, source.fps, dropped=dropped))
     print(f"{one_line(folder)}: {', '.join(sorted(path.name for path in folder.iterdir()))}")
+    for path in options.exports.values():
+        print(one_line(path))

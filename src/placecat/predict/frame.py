@@ -30,6 +30,11 @@ class Frame:
     image: NDArray[np.uint8]
 
 
+def nanoseconds(seconds: float) -> int:
+    """Round seconds to nanoseconds: exact for times that were measured in them, up to a hundred days."""
+    return round(seconds * 1e9)
+
+
 @dataclass(frozen=True)
 class Damage:
     """Lost and damaged frames of footage.
@@ -64,6 +69,8 @@ class Source(ABC):
         (width, height) in pixels of its first frame; others may differ, where a phone was turned.
     reached
         Number of the last frame that was looked at, from 1; 0 before the first.
+    start
+        Nanoseconds since 1970 of the first frame; 0 where the footage does not say.
     """
 
     name: str
@@ -71,6 +78,7 @@ class Source(ABC):
     size: tuple[int, int]
     is_live = False
     reached = 0
+    start = 0
 
     @abstractmethod
     def frames(self, every: int) -> Iterator[Frame]:

@@ -132,7 +132,7 @@ def run(
                 seen = frame.seconds
                 speed.categorizing += time.perf_counter() - before
                 if film is not None:
-                    label = _label(wish.truth, frame.number, system.classes)
+                    label = true_label(wish.truth, frame.number, system.classes)
                     film.add(annotator(frame, decision, label), frame.seconds / wish.pace)
                 # One step, so that Ctrl-C leaves no half of a row.
                 rows.append((frame.number, frame.seconds, frame.file, decision.proba, decision.integrated))
@@ -163,7 +163,8 @@ def run(
     return prediction, speed, was_stopped
 
 
-def _label(truth: NDArray[np.int16] | None, number: int, classes: tuple[str, ...]) -> str | None:
+def true_label(truth: NDArray[np.int16] | None, number: int, classes: tuple[str, ...]) -> str | None:
+    """Name the true place of a frame by its number: "" where it is not scored, None without labels."""
     if truth is None:
         return None
     place = int(truth[number - 1])

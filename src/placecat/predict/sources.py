@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError, reading
+from placecat.footage.bag_recording import BagRecording
+from placecat.footage.bags import is_bag
 from placecat.footage.pictures import SUFFIXES, list_frames, read_image
 from placecat.footage.recording import Recording
 from placecat.predict.camera import Camera
@@ -25,13 +27,15 @@ def without_password(text: str) -> str:
     return re.sub(r"(?<=://)[^/@]*@", "", text) if _STREAM.fullmatch(text) else text
 
 
-def open_source(text: str, *, fps: float | None, usual_fps: float, size: tuple[int, int]) -> Source:
+def open_source(
+    text: str, *, fps: float | None, usual_fps: float, size: tuple[int, int], topic: str | None = None
+) -> Source:
     """Open footage.
 
     Parameters
     ----------
     text
-        A video file, a folder of images, ``camera`` or ``camera:NUMBER``, or the address of a stream
+        A video file, a folder of images, a bag, ``camera`` or ``camera:NUMBER``, or the address of a stream
         (rtsp, http). A file or folder is taken before a camera of its name.
     fps
         Frames a second; None takes what the footage says.
@@ -39,6 +43,8 @@ def open_source(text: str, *, fps: float | None, usual_fps: float, size: tuple[i
         Taken for a folder, which does not say.
     size
         (width, height) that a camera is asked for.
+    topic
+        Of a bag's pictures; None takes the only one.
 
     Raises
     ------
@@ -48,6 +54,11 @@ def open_source(text: str, *, fps: float | None, usual_fps: float, size: tuple[i
     if fps is not None and not SLOWEST <= fps <= FASTEST:
         raise PlacecatError(f"--fps is {fps:g}: give {SLOWEST:g} to {FASTEST:g}")
     path = Path(text)
+    with reading(path):
+        if is_bag(path):
+            return BagSource(path, fps, topic)
+    if topic is not None:
+        raise PlacecatError(f"--topic is for bags, but there is no bag {without_password(text)}")
     if _STREAM.fullmatch(text):
         name = re.sub(r"[^A-Za-z0-9]+", "_", without_password(text).split("://")[1]).strip("_")
         return Camera(text, name or "stream", fps, size, title=without_password(text))
@@ -63,8 +74,8 @@ def open_source(text: str, *, fps: float | None, usual_fps: float, size: tuple[i
     if path.exists():
         raise PlacecatError(f"{text} is not an ordinary file: give a video or a folder of images")
     raise PlacecatError(
-        f"{text}: no such file or folder: give a video, a folder of images, camera, camera:NUMBER, or the "
-        "address of a stream (rtsp://..., http://...)"
+        f"{text}: no such file or folder: give a video, a folder of images, a bag, camera, camera:NUMBER, or "
+        "the address of a stream (rtsp://..., http://...)"
     )
 
 
@@ -106,6 +117,44 @@ class Video(Source):
     def damage(self) -> Damage:
         """Which of the frames so far are lost or damaged."""
         return Damage(self._recording.lost, self._recording.damaged, self._recording.note())
+
+
+class BagSource(Source):
+    """A bag, by the times of its pictures."""
+
+    def __init__(self, path: Path, fps: float | None, topic: str | None) -> None:
+        self.name = path.resolve().name if path.is_dir() else path.stem
+        self._recording = BagRecording(path, topic, fps)
+        self.topic = self._recording.topic
+        self.start = self._recording.start
+        self.fps = self._recording.timing.fps
+        self.size = self._recording.size()
+
+    def frames(self, every: int) -> Iterator[Frame]:
+        """Decode the first of each `every` frames; where that is lost, the next."""
+        self.reached, last = 0, -1
+        for number, picture in self._recording.pictures():
+            self.reached = number
+            if (number - 1) // every > last:
+                image = self._recording.image(number, picture)
+                if image is not None:
+                    last = (number - 1) // every
+                    yield Frame(number, float(self._recording.timing.seconds[number - 1]), "", image)
+
+    def count(self) -> int:
+        """Number of frames, lost ones included."""
+        return self._recording.count
+
+    exact_count = count
+
+    def starts(self) -> NDArray[np.float64] | None:
+        """Seconds at which each frame starts and the last one ends; None if they come evenly."""
+        times = self._recording.timing
+        return None if times.is_even else np.append(times.seconds, times.end)
+
+    def damage(self) -> Damage:
+        """Which of the frames so far are lost."""
+        return Damage(self._recording.lost, note=self._recording.note())
 
 
 class Folder(Source):

@@ -33,9 +33,9 @@ class Home:
     frames
         One row a frame, in order, indexed 0, 1, ...: ``sequence`` (str: the floor of a VPC home, the sequence
         folder of COLD, "1" for a video or a folder), ``number`` (int32, from 1 in each sequence), ``source``
-        (str, POSIX path relative to `root`: an image or the video file), ``position`` (int32, frame position
-        in the video from 0, those that are lost counted; -1 for an image file), ``seconds`` (float64, since
-        the start of the sequence) and
+        (str, POSIX path relative to `root`: an image, the video file or the bag), ``position`` (int32, frame
+        position in the video from 0, those that are lost counted; in a bag that of the message among those
+        with pictures; -1 for an image file), ``seconds`` (float64, since the start of the sequence) and
         ``label`` (str as in the label file; "" when there is none). Where pictures have to be turned, also
         ``turn`` (int32, degrees clockwise: 0, 90, 180 or 270).
     label_files

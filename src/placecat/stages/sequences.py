@@ -84,9 +84,10 @@ def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:
 
 
 def _checksums(home: Home) -> pd.DataFrame:
-    """SHA-256 of every source file of a home, in the order of frames."""
-    sources = dict.fromkeys(home.frames["source"])
-    rows = [(source, files.checksum(home.root / source)) for source in sources]
+    """SHA-256 of every source file of a home, in the order of frames; a bag may be a folder of files."""
+    sources = [home.root / source for source in dict.fromkeys(home.frames["source"])]
+    listed = [file for path in sources for file in (sorted(path.iterdir()) if path.is_dir() else [path])]
+    rows = [(path.relative_to(home.root).as_posix(), files.checksum(path)) for path in listed]
     return pd.DataFrame(rows, columns=["source", "sha256"])
 
 

@@ -1,0 +1,152 @@
+"""The pictures of one topic of a bag, with their numbers and times, and what of them is lost."""
+
+from collections.abc import Generator
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.footage import timing
+from placecat.footage.bags import Bag, Picture
+from placecat.footage.image_messages import Damaged
+from placecat.footage.recording import Size, are, named
+
+MOST_LATE = 1.0
+"""Seconds by which a frame may be earlier than one before it, and is left out; more is a clock that was set.
+Our choice."""
+_NANOSECOND = Fraction(1, 10**9)
+
+
+class BagRecording:
+    """Frames of a bag: the pictures of a topic, in the order of their stamps.
+
+    Opening it passes over the topic once. A frame whose stamp is not later than that of one before it came
+    late or twice: it is left out and has no number.
+
+    Parameters
+    ----------
+    path
+        The bag.
+    topic
+        The topic; None takes the only one with pictures.
+    fps
+        Frames a second, where stamps are wrong: all frames count, and come evenly. None takes the stamps, or,
+        where these are zero, the times at which the bag received the messages.
+    settings
+        How messages call the settings: what goes before ``topic`` and ``fps``.
+
+    Attributes
+    ----------
+    topic
+        The topic.
+    count
+        Number of frames, those included that turn out to be lost.
+    timing
+        Their times.
+    positions
+        (count,) int64, `placecat.footage.bags.Picture.number` less 1.
+    received
+        (count,) int64, nanoseconds at which the bag received them.
+    start
+        Nanoseconds since 1970, by the clock of the stamps, of the first frame.
+    lost
+        Numbers, from 1, of the frames that :meth:`image` could not decode.
+
+    Raises
+    ------
+    PlacecatError
+        If the bag cannot be read, the topic is not one of pictures, or its times cannot be right.
+    """
+
+    def __init__(
+        self, path: Path, topic: str | None = None, fps: float | None = None, *, settings: str = "--"
+    ) -> None:
+        self.path = path
+        self._bag = Bag(path)
+        self.topic = self._bag.topic_of_pictures(topic, f"{settings}topic")
+        self._remarks: list[str] = []
+        self.lost: list[int] = []
+        self._why = ""
+        found = [(one.number - 1, one.received, one.stamp) for one in self._bag.pictures(self.topic)]
+        if not found:
+            raise PlacecatError(f"{path}: the topic {self.topic!r} has no message; correct {settings}topic.")
+        self.positions, self.received, stamps = np.array(found, np.int64).T
+        if (stamps == 0).any():
+            stamps = self.received
+            self._remarks.append(
+                "stamps are zero: times are those at which the bag received the messages of this topic"
+            )
+        if fps is None:
+            stamps = self._without_late(stamps, f"{settings}fps")
+        self.count, self.start = len(self.positions), int(stamps[0])
+        self.timing = self._timing(stamps, fps, f"{settings}fps")
+
+    def pictures(self) -> Generator[tuple[int, Picture], None, None]:
+        """Pass over the frames without decoding pixels: each with its number, from 1."""
+        self.lost, self._why = [], ""
+        number = 0
+        for picture in self._bag.pictures(self.topic):
+            if number < self.count and picture.number - 1 == self.positions[number]:
+                number += 1
+                yield number, picture
+
+    def image(self, number: int, picture: Picture) -> NDArray[np.uint8] | None:
+        """Decode a frame of :meth:`pictures`: (H, W, 3) uint8, BGR; None if it is lost."""
+        try:
+            return picture.image()
+        except Damaged as error:
+            self.lost.append(number)
+            self._why = self._why or str(error)
+            return None
+
+    def size(self) -> Size:
+        """(width, height) of the first frame that can be decoded, in pixels; PlacecatError if none can."""
+        for number, picture in self.pictures():
+            image = self.image(number, picture)
+            if image is not None:
+                return image.shape[1], image.shape[0]
+        raise PlacecatError(f"{self.path}: no picture on {self.topic} can be decoded: {self._why}")
+
+    def note(self) -> str:
+        """Say what the last pass found missing or odd; "" if nothing."""
+        parts = list(self._remarks)
+        if self.lost:
+            parts.insert(
+                0,
+                f"{named(self.lost)} of {self.count} cannot be decoded and {are(self.lost)} lost "
+                f"({self._why.rstrip('.')})",
+            )
+        return f"{self.path}: {'; '.join(parts)}." if parts else ""
+
+    def _without_late(self, stamps: NDArray[np.int64], setting: str) -> NDArray[np.int64]:
+        before = np.maximum.accumulate(stamps)
+        behind = (before - stamps) / 1e9
+        if behind.max() > MOST_LATE:
+            number = int(behind.argmax()) + 1
+            raise PlacecatError(
+                f"{self.path}: frame {number} of {self.topic} is {behind.max():.3g} s earlier than one "
+                "before it: the clock was set, or stamps are damaged; cut the bag there, or give the frame "
+                f"rate with {setting}."
+            )
+        is_late = np.append(False, stamps[1:] <= before[:-1])
+        if is_late.any():
+            self._remarks.append(
+                f"{is_late.sum()} of {len(stamps)} frames are not later than one before them and are left out"
+            )
+        self.positions, self.received = self.positions[~is_late], self.received[~is_late]
+        return stamps[~is_late]
+
+    def _timing(self, stamps: NDArray[np.int64], fps: float | None, setting: str) -> timing.Timing:
+        if fps is not None:
+            return timing.even(self.count, fps)
+        found = timing.measure(stamps, _NANOSECOND, 0, [])
+        if found is None:
+            raise PlacecatError(
+                f"{self.path}: the stamps of {self.topic} give no frame rate ({self.count} "
+                f"frame{'s' if self.count > 1 else ''} in {(stamps[-1] - stamps[0]) / 1e9:.3g} s); give it "
+                f"with {setting}."
+            )
+        timing.check_gaps(found, str(self.path), setting)
+        return found

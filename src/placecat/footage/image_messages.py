@@ -1,0 +1,141 @@
+"""Pixels of ROS image messages: sensor_msgs/Image and sensor_msgs/CompressedImage."""
+
+from typing import Any, NamedTuple, Protocol
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.errors import PlacecatError
+from placecat.footage.pictures import MOST_BYTES, MOST_PIXELS, decode_image
+
+
+class Damaged(PlacecatError):
+    """A picture that cannot be decoded, in a recording whose other pictures may be whole."""
+
+
+class Image(Protocol):
+    """A sensor_msgs/Image, of whatever library; ``data`` is a buffer of bytes."""
+
+    width: int
+    height: int
+    step: int
+    encoding: str
+    data: Any
+
+
+class CompressedImage(Protocol):
+    """A sensor_msgs/CompressedImage, of whatever library."""
+
+    format: str
+    data: Any
+
+
+class _Encoding(NamedTuple):
+    """Bytes of a pixel in a row, OpenCV's conversion to BGR, and rows of data for two rows of pixels."""
+
+    width: int
+    conversion: int | None
+    rows: int = 2
+
+
+# Of sensor_msgs/image_encodings, with 8 bits a channel. OpenCV calls UYVY by its bytes, ROS yuv422.
+_ENCODINGS = {
+    "bgr8": _Encoding(3, None),
+    "8UC3": _Encoding(3, None),
+    "rgb8": _Encoding(3, cv2.COLOR_RGB2BGR),
+    "bgra8": _Encoding(4, cv2.COLOR_BGRA2BGR),
+    "8UC4": _Encoding(4, cv2.COLOR_BGRA2BGR),
+    "rgba8": _Encoding(4, cv2.COLOR_RGBA2BGR),
+    "mono8": _Encoding(1, cv2.COLOR_GRAY2BGR),
+    "8UC1": _Encoding(1, cv2.COLOR_GRAY2BGR),
+    "bayer_rggb8": _Encoding(1, cv2.COLOR_BayerRGGB2BGR),
+    "bayer_bggr8": _Encoding(1, cv2.COLOR_BayerBGGR2BGR),
+    "bayer_gbrg8": _Encoding(1, cv2.COLOR_BayerGBRG2BGR),
+    "bayer_grbg8": _Encoding(1, cv2.COLOR_BayerGRBG2BGR),
+    "yuv422": _Encoding(2, cv2.COLOR_YUV2BGR_UYVY),
+    "uyvy": _Encoding(2, cv2.COLOR_YUV2BGR_UYVY),
+    "yuv422_yuy2": _Encoding(2, cv2.COLOR_YUV2BGR_YUYV),
+    "yuyv": _Encoding(2, cv2.COLOR_YUV2BGR_YUYV),
+    "nv21": _Encoding(1, cv2.COLOR_YUV2BGR_NV21, 3),
+}
+ENCODINGS = tuple(_ENCODINGS)
+"""Encodings of sensor_msgs/Image that are read."""
+
+
+def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
+    """Decode a sensor_msgs/Image.
+
+    Parameters
+    ----------
+    message
+        Its encoding is one of `ENCODINGS`; its sizes are not trusted.
+    name
+        What errors call it.
+
+    Returns
+    -------
+    (height, width, 3) uint8, BGR.
+
+    Raises
+    ------
+    Damaged
+        If the sizes do not fit each other or the data.
+    PlacecatError
+        If the encoding is not read, or the picture is larger than
+        `placecat.footage.pictures.MOST_PIXELS`.
+    """
+    width, height, step, encoding = message.width, message.height, message.step, message.encoding
+    data = np.frombuffer(message.data, np.uint8)
+    if encoding not in _ENCODINGS:
+        raise PlacecatError(
+            f"{name}: pictures of the encoding {encoding!r} are not read; give another topic, or convert "
+            f"them to one of {', '.join(ENCODINGS)}."
+        )
+    if width * height > MOST_PIXELS:
+        raise PlacecatError(
+            f"{name}: {width}x{height} pixels are more than {MOST_PIXELS // 10**6} million; scale it down."
+        )
+    kind = _ENCODINGS[encoding]
+    rows, row = height * kind.rows // 2, width * kind.width
+    if not (width and height and row <= step and rows * step <= len(data)):
+        raise Damaged(
+            f"{name}: {width}x{height} pixels in {encoding} with rows of {step} bytes do not fit "
+            f"{len(data)} bytes of data; record it again."
+        )
+    pixels = data[: rows * step].reshape(rows, step)[:, :row].copy()
+    pixels = pixels.reshape((rows, width) if kind.width == 1 else (rows, width, kind.width))
+    if kind.conversion is None:
+        return pixels
+    try:
+        return cv2.cvtColor(pixels, kind.conversion)  # type: ignore[return-value]
+    except cv2.error:
+        raise Damaged(
+            f"{name}: no picture of {encoding} has {width}x{height} pixels; record it again."
+        ) from None
+
+
+def compressed_image(message: CompressedImage, name: str) -> NDArray[np.uint8]:
+    """Decode a sensor_msgs/CompressedImage, whatever it calls itself, if it is a JPEG or PNG.
+
+    Parameters
+    ----------
+    name
+        What errors call it.
+
+    Returns
+    -------
+    (H, W, 3) uint8, BGR.
+
+    Raises
+    ------
+    Damaged
+        If it is cut off, damaged, or no JPEG or PNG of a kind that is read.
+    """
+    content = memoryview(message.data)
+    if content.nbytes > MOST_BYTES:
+        raise Damaged(f"{name}: {content.nbytes / 1e6:.0f} MB are no picture; record it again.")
+    try:
+        return decode_image(content.tobytes(), f"{name} (format {message.format!r})")
+    except PlacecatError as error:
+        raise Damaged(str(error)) from None

@@ -1,0 +1,169 @@
+"""A prediction as messages of ROS 2 in an MCAP file, for Foxglove and ``ros2 bag play``."""
+
+import shutil
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.categorizer import Decision
+from placecat.errors import PlacecatError
+from placecat.predict.annotate import Annotator
+from placecat.predict.frame import Frame, nanoseconds
+
+PICTURE, PROBABILITIES, PLACE = "/placecat/image/compressed", "/placecat/classification", "/placecat/place"
+"""Topics: the annotated picture and all probabilities of each frame; the place when it changes, latched."""
+JPEG_QUALITY = 90
+"""Of pictures, from 0 to 100. Our choice."""
+
+_IMAGE, _STRING = "sensor_msgs/msg/CompressedImage", "std_msgs/msg/String"
+_HYPOTHESIS, _CLASSIFICATION = "vision_msgs/msg/ObjectHypothesis", "vision_msgs/msg/Classification"
+# Of vision_msgs 4, which rosbags does not bring.
+_DEFINITIONS = {
+    _HYPOTHESIS: "string class_id\nfloat64 score\n",
+    _CLASSIFICATION: "std_msgs/Header header\nvision_msgs/ObjectHypothesis[] results\n",
+}
+# Of the bag's format: the newest that ROS 2 Humble reads as well.
+_VERSION = 8
+# Bytes of the file's name are in the file.
+_WORK = ".folder"
+
+
+class McapFile:
+    """An MCAP file that is being written, with a summary and indices; for a ``with`` block.
+
+    Parameters
+    ----------
+    path
+        The file.
+    name
+        What the file will be called, without its ending.
+    classes
+        Places.
+    size
+        (width, height) of the frames that are added.
+    start
+        Nanoseconds since 1970 of the first frame.
+
+    Raises
+    ------
+    PlacecatError
+        If rosbags is not installed.
+    """
+
+    def __init__(
+        self, path: Path, name: str, classes: tuple[str, ...], size: tuple[int, int], start: int
+    ) -> None:
+        store, writer = _rosbags()
+        self._path, self._classes, self._start = path, classes, start
+        self._annotator = Annotator(classes, size)
+        self._place: str | None = None
+        self._store, self._folder = store, path.with_suffix(_WORK)
+        self._inner = self._folder / name / f"{name}.mcap"
+        self._writer = writer.Writer(
+            self._inner.parent, version=_VERSION, storage_plugin=writer.StoragePlugin.MCAP
+        )
+
+    def __enter__(self) -> "McapFile":
+        self._writer.open()
+        kinds = {PICTURE: _IMAGE, PROBABILITIES: _CLASSIFICATION, PLACE: _STRING}
+        self._connections = {
+            topic: self._writer.add_connection(
+                topic, kind, typestore=self._store, offered_qos_profiles=[_quality(is_latched=topic == PLACE)]
+            )
+            for topic, kind in kinds.items()
+        }
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
+        try:
+            if kind is None:
+                self._writer.close()
+                self._inner.replace(self._path)
+            else:
+                self._writer.abort()
+        finally:
+            shutil.rmtree(self._folder, ignore_errors=True)
+
+    def add(self, frame: Frame, decision: Decision, label: str | None = None) -> None:
+        """Add a frame of the size that was given, with the true place if it is known."""
+        types = self._store.types
+        now = self._start + nanoseconds(frame.seconds)
+        stamp = types["builtin_interfaces/msg/Time"](now // 10**9, now % 10**9)
+        header = types["std_msgs/msg/Header"](stamp, "")
+        coded = jpeg(self._annotator(frame, decision, label), JPEG_QUALITY)
+        self._write(PICTURE, now, types[_IMAGE](header, "jpeg", coded))
+        results = [
+            types[_HYPOTHESIS](name, float(score))
+            for name, score in zip(self._classes, decision.proba, strict=True)
+        ]
+        self._write(PROBABILITIES, now, types[_CLASSIFICATION](header, results))
+        if decision.place != self._place:
+            self._place = decision.place
+            self._write(PLACE, now, types[_STRING](decision.place))
+
+    def _write(self, topic: str, now: int, message: Any) -> None:
+        self._writer.write(
+            self._connections[topic], now, self._store.serialize_cdr(message, message.__msgtype__)
+        )
+
+
+def jpeg(picture: NDArray[np.uint8], quality: int) -> NDArray[np.uint8]:
+    """Code a picture.
+
+    Parameters
+    ----------
+    picture
+        (H, W, 3) uint8, BGR.
+    quality
+        From 0 to 100.
+
+    Returns
+    -------
+    (n,) uint8.
+    """
+    done, coded = cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, quality])
+    if not done:
+        raise RuntimeError("OpenCV cannot write JPEG")
+    return coded.ravel().astype(np.uint8, copy=False)
+
+
+def require() -> None:
+    """Refuse to write MCAP without rosbags."""
+    _rosbags()
+
+
+def _rosbags() -> tuple[Any, Any]:
+    """Definitions of the messages, and the module of the writer."""
+    try:
+        from rosbags import rosbag2
+        from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+    except ModuleNotFoundError as error:
+        raise PlacecatError(
+            f"--mcap needs the optional extra ({error.name} is missing): pip install -e '.[robot]'"
+        ) from None
+    store = get_typestore(Stores.ROS2_HUMBLE)
+    for name, text in _DEFINITIONS.items():
+        store.register(get_types_from_msg(text, name))
+    return store, rosbag2
+
+
+def _quality(*, is_latched: bool) -> Any:
+    """Quality of service: a latched topic gives its last message to who comes later."""
+    from rosbags.interfaces import Qos, QosDurability, QosHistory, QosLiveliness, QosReliability, QosTime
+
+    # What ROS 2 has where nothing is asked for.
+    forever = QosTime(2147483647, 4294967295)
+    return Qos(
+        history=QosHistory.KEEP_LAST,
+        depth=1 if is_latched else 10,
+        reliability=QosReliability.RELIABLE,
+        durability=QosDurability.TRANSIENT_LOCAL if is_latched else QosDurability.VOLATILE,
+        deadline=forever,
+        lifespan=forever,
+        liveliness=QosLiveliness.AUTOMATIC,
+        liveliness_lease_duration=forever,
+        avoid_ros_namespace_conventions=False,
+    )

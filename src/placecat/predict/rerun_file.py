@@ -1,0 +1,104 @@
+"""A prediction as a recording of Rerun: frames, salient regions, probabilities and places over time."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.colors import to_rgb
+
+from placecat.categorizer import Decision
+from placecat.drawing import palette
+from placecat.errors import PlacecatError
+from placecat.predict.frame import Frame, nanoseconds
+from placecat.predict.mcap_file import JPEG_QUALITY, jpeg
+from placecat.vision.regions import radius
+
+IMAGE, REGIONS, PROBABILITIES, PLACE = "camera/image", "camera/image/regions", "probabilities", "place"
+"""Entities; each class has one of its own below `PROBABILITIES`."""
+FRAME, TIME = "frame", "time"
+"""Timelines: the number of the frame, and its time: since 1970, or, where that is not known, the start."""
+_REGION = (255, 235, 120)
+
+
+class RerunFile:
+    """A recording that is being written; for a ``with`` block.
+
+    Its bytes differ from run to run: Rerun writes when each message was logged.
+
+    Parameters
+    ----------
+    path
+        The file.
+    name
+        What the recording is called.
+    classes
+        Places.
+    start
+        Nanoseconds since 1970 of the first frame; 0 where it is not known.
+
+    Raises
+    ------
+    PlacecatError
+        If Rerun is not installed.
+    """
+
+    def __init__(self, path: Path, name: str, classes: tuple[str, ...], start: int) -> None:
+        self._rerun = _rerun()
+        self._path, self._name, self._start = path, name, start
+        self._entities = {one: self._rerun.new_entity_path([PROBABILITIES, one]) for one in classes}
+        self._place: str | None = None
+
+    def __enter__(self) -> "RerunFile":
+        import rerun.blueprint as views
+
+        right = views.Vertical(views.TimeSeriesView(origin=PROBABILITIES), views.TextLogView(origin=PLACE))
+        layout = views.Blueprint(views.Horizontal(views.Spatial2DView(origin=IMAGE), right))
+        self._stream = self._rerun.RecordingStream("placecat", recording_id=self._name)
+        self._stream.save(str(self._path), default_blueprint=layout)
+        colors = palette.place_colors(list(self._entities))
+        for name, entity in self._entities.items():
+            color = [round(255 * part) for part in to_rgb(colors[name])]
+            line = self._rerun.SeriesLines(colors=[color], names=[palette.place_title(name)])
+            self._stream.log(entity, line, static=True)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._stream.flush()
+        self._stream.disconnect()
+
+    def add(self, frame: Frame, decision: Decision, label: str | None = None) -> None:
+        """Add a frame, with the true place if it is known."""
+        rerun, log = self._rerun, self._stream.log
+        self._stream.set_time(FRAME, sequence=frame.number)
+        if self._start:
+            now = np.datetime64(self._start + nanoseconds(frame.seconds), "ns")
+            self._stream.set_time(TIME, timestamp=now)
+        else:
+            self._stream.set_time(TIME, duration=frame.seconds)
+        coded = jpeg(frame.image, JPEG_QUALITY).tobytes()
+        log(IMAGE, rerun.EncodedImage(contents=coded, media_type="image/jpeg"))
+        regions = decision.regions
+        # Rerun counts from the edge of a pixel.
+        centres, sizes = regions[:, :2] + 0.5, np.atleast_1d(radius(regions[:, 2], frame.image.shape[1]))
+        log(REGIONS, rerun.Points2D(centres, radii=sizes, colors=[_REGION]))
+        for entity, score in zip(self._entities.values(), decision.proba, strict=True):
+            log(entity, rerun.Scalars(float(score)))
+        if decision.place != self._place:
+            self._place = decision.place
+            text = palette.place_title(decision.place)
+            log(PLACE, rerun.TextLog(text if not label else f"{text} (label: {palette.place_title(label)})"))
+
+
+def require() -> None:
+    """Refuse to write a recording without Rerun."""
+    _rerun()
+
+
+def _rerun() -> Any:
+    try:
+        import rerun
+    except ModuleNotFoundError as error:
+        raise PlacecatError(
+            f"--rerun needs the optional extra ({error.name} is missing): pip install -e '.[rerun]'"
+        ) from None
+    return rerun

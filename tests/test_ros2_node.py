@@ -1,0 +1,89 @@
+"""The node of docs/, with modules in place of those of ROS."""
+
+import array
+import runpy
+import sys
+from types import ModuleType, SimpleNamespace
+
+import numpy as np
+import pytest
+from made_system import CLASSES, frames, make_system
+
+from placecat.categorizer import Categorizer
+from project import ROOT
+
+FILE = ROOT / "docs/ros2_node.py"
+
+
+class Node:
+    def __init__(self, name):
+        self.sent, self.said = [], []
+
+    def declare_parameter(self, name, value):
+        return SimpleNamespace(value=value)
+
+    def create_publisher(self, kind, topic, quality):
+        return SimpleNamespace(publish=lambda message: self.sent.append((topic, message)))
+
+    def create_subscription(self, kind, topic, callback, quality):
+        self.subscribed = (topic, callback)
+
+    def get_logger(self):
+        return SimpleNamespace(error=self.said.append)
+
+
+@pytest.fixture
+def node(monkeypatch):
+    named = SimpleNamespace(TRANSIENT_LOCAL=1, BEST_EFFORT=2)
+    made = {
+        "rclpy": {},
+        "rclpy.node": {"Node": Node},
+        "rclpy.qos": {"DurabilityPolicy": named, "ReliabilityPolicy": named, "QoSProfile": SimpleNamespace},
+        "sensor_msgs.msg": {"Image": SimpleNamespace},
+        "std_msgs.msg": {"String": SimpleNamespace},
+        "vision_msgs.msg": dict.fromkeys(("Classification", "ObjectHypothesis"), SimpleNamespace),
+    }
+    for name, content in made.items():
+        module = ModuleType(name)
+        vars(module).update(content)
+        monkeypatch.setitem(sys.modules, name.partition(".")[0], ModuleType(name))
+        monkeypatch.setitem(sys.modules, name, module)
+    monkeypatch.setattr(Categorizer, "load", lambda path: Categorizer(make_system()))
+    return runpy.run_path(str(FILE))["PlaceNode"]()
+
+
+def message(image, seconds, encoding="bgr8"):
+    height, width = image.shape[:2]
+    stamp = SimpleNamespace(sec=int(seconds), nanosec=round(seconds % 1 * 1e9))
+    return SimpleNamespace(
+        header=SimpleNamespace(stamp=stamp),
+        width=width,
+        height=height,
+        step=3 * width,
+        encoding=encoding,
+        data=array.array("B", image.tobytes()),
+    )
+
+
+def test_the_node_says_what_the_categorizer_says(node):
+    images = list(frames(3))
+    topic, see = node.subscribed
+    assert topic == "image"
+    see(message(images[0], 100.0))
+    # Late, and of an encoding that is not read.
+    see(message(images[1], 99.5))
+    see(message(images[1], 100.2, "mono16"))
+    see(message(images[1], 100.5))
+    assert len(node.said) == 1 and "encoding 'mono16'" in node.said[0]
+    plain = Categorizer(make_system())
+    expected = [plain.update(images[0]), plain.update(images[1], 0.5)]
+    sent = [one for name, one in node.sent if name == "classification"]
+    for one, decision in zip(sent, expected, strict=True):
+        assert [result.class_id for result in one.results] == list(CLASSES)
+        assert np.array_equal([result.score for result in one.results], decision.proba)
+    places = [one.data for name, one in node.sent if name == "place"]
+    assert places == list(dict.fromkeys(decision.place for decision in expected))
+
+
+def test_the_node_is_short():
+    assert len(FILE.read_text().splitlines()) <= 50
