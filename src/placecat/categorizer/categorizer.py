@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,8 +16,10 @@ from placecat import cue_input
 from placecat.categorizer import model_file
 from placecat.categorizer.checks import check_distribution
 from placecat.categorizer.system import TrainedSystem
+from placecat.categorizer.visits import UNKNOWN, Visit, VisitLog
 from placecat.errors import PlacecatError
-from placecat.fusion.smoothing import Smoother
+from placecat.fusion.delay import Delay
+from placecat.fusion.smoothing import Smoother, check_elapsed
 from placecat.vision.frame import check, describe_frame
 from placecat.vision.tracking import RegionTracker
 
@@ -45,6 +48,13 @@ class Decision:
     regions
         (n, 4) float32, the salient regions: x, y (pixels of the frame), scale, strength; strongest first. The
         tracked ones if any cue follows regions.
+    is_known
+        Whether `confidence` is at least the system's threshold, see :attr:`Categorizer.threshold`.
+    seconds
+        When the frame was taken, see :meth:`Categorizer.update`.
+    about
+        The time that `proba` is about, at or before `seconds`: the mean of the times of the frames whose
+        distributions the delay has mixed, with their weights in it.
     """
 
     place: str
@@ -54,6 +64,14 @@ class Decision:
     integrated: NDArray[np.float64]
     cues: dict[str, NDArray[np.float64]]
     regions: NDArray[np.float32]
+    is_known: bool
+    seconds: float
+    about: float
+
+    @property
+    def name(self) -> str:
+        """The place, or ``unknown``."""
+        return self.place if self.is_known else UNKNOWN
 
 
 class Categorizer:
@@ -75,15 +93,20 @@ class Categorizer:
         (width, height) of the frames it was trained on; others are refused.
     card
         What is known of the system: data, accuracy, settings, versions.
+    threshold
+        Least confidence of a decision that is known: chosen on training homes so that at most a share
+        ``model.risk`` of such decisions is wrong. 0 if that was not measured, infinite if no confidence is
+        enough.
 
     Examples
     --------
     With the model that ``make repro`` leaves, and frames of a camera::
 
         categorizer = Categorizer.load("data/model.placecat")
-        for frame, seconds in camera:
-            decision = categorizer.update(frame, seconds)
-            print(decision.place, decision.confidence)
+        for frame, time in camera:
+            decision = categorizer.update(frame, time=time)
+            print(decision.name, decision.place, decision.confidence)
+        print(categorizer.visits())
     """
 
     def __init__(self, system: TrainedSystem) -> None:
@@ -92,6 +115,8 @@ class Categorizer:
         self.frame_sizes: tuple[tuple[int, int], ...] = tuple(
             (int(width), int(height)) for width, height in system.card["frame_sizes"]
         )
+        unknown = system.card.get("unknown") or {"threshold": 0.0}
+        self.threshold: float = math.inf if unknown["threshold"] is None else float(unknown["threshold"])
         self._system = system
         self._tracked = [cue.name for cue in system.cues if cue.descriptor.get("tracked", False)]
         own = [cue.descriptor for cue in system.cues if cue.name not in self._tracked]
@@ -151,37 +176,80 @@ class Categorizer:
     def reset(self) -> None:
         """Forget what was seen: call it at a cut, before the first frame of another sequence."""
         self._smoother = Smoother(self._system.smoothing)
+        self._mixed_times = Delay(self._system.smoothing.delay_seconds)
+        self._last: float | None = None
+        self._visits = VisitLog()
         tracking = self._system.tracking
         self._tracker = RegionTracker(**tracking) if tracking is not None and self._tracked else None
 
-    def update(self, frame: NDArray[np.uint8], seconds: float | None = None) -> Decision:
+    def update(
+        self, frame: NDArray[np.uint8], seconds: float | None = None, *, time: float | None = None
+    ) -> Decision:
         """Take the next frame.
+
+        Without `seconds` and `time` it comes one frame at `frame_rate` after the last. A frame that comes
+        twice, at the same time, is no further evidence.
 
         Parameters
         ----------
         frame
             (height, width, 3) uint8 BGR, as OpenCV gives it, of one of `frame_sizes`.
         seconds
-            Time since the last frame, at or above 0; of the first frame, the time that it stands for. None is
-            one frame at `frame_rate`.
+            Time since the last frame, at or above 0; of the first frame, the time that it stands for, and the
+            decision's time is 0.
+        time
+            When it was taken, in seconds of any clock that does not go back; the first frame stands for one
+            at `frame_rate`.
 
         Raises
         ------
         PlacecatError
-            If the frame is of another size or type, or the time negative or not finite.
+            If the frame is of another size or type, the time is not finite or before that of the last frame,
+            or both times are given. The frame is left out then: the next one may come.
         """
         self._check(frame)
-        return self._decide(frame, seconds)
+        now, elapsed = self._moment(seconds, time)
+        decision = self._decide(frame, elapsed, now)
+        self._last = now
+        self._visits.add(decision.name, decision.confidence, now)
+        return decision
+
+    def visits(self) -> list[Visit]:
+        """List the stays so far: runs of frames of one name, ``unknown`` among them, in order.
+
+        A stay ends when the next begins; the last ends with the last frame. Times are those of the frames,
+        after which the place was decided: late by the delay.
+        """
+        return self._visits.until(self._last)
+
+    def _moment(self, seconds: float | None, time: float | None) -> tuple[float, float | None]:
+        """When the frame was taken, and the seconds that it stands for."""
+        if seconds is not None and time is not None:
+            raise PlacecatError("give the seconds since the last frame or the time of this one, not both")
+        if time is None:
+            check_elapsed(seconds)
+            step = 1.0 / self.frame_rate if seconds is None else seconds
+            return 0.0 if self._last is None else self._last + step, seconds
+        if not math.isfinite(time):
+            raise PlacecatError(f"the time of a frame is {time:g}: give finite seconds")
+        if self._last is None:
+            return time, None
+        if time < self._last:
+            raise PlacecatError(
+                f"a frame is {self._last - time:g} s older than the last one: give frames in the order of "
+                "their times, leave out those that come late, and call reset() where the clock starts anew"
+            )
+        return time, time - self._last
 
     def _try(self) -> None:
         """Name the place of noise, and forget it: all parts fit one another, and the frames."""
         frame = np.random.default_rng(0).integers(0, 256, _TRIAL, np.uint8)
-        decision = self._decide(frame, None)
+        decision = self._decide(frame, None, 0.0)
         for proba in (*decision.cues.values(), decision.integrated, decision.hmm, decision.proba):
             check_distribution(proba, len(self.classes))
         self.reset()
 
-    def _decide(self, frame: NDArray[np.uint8], seconds: float | None) -> Decision:
+    def _decide(self, frame: NDArray[np.uint8], elapsed: float | None, now: float) -> Decision:
         with self._blas.limit(limits=1, user_api="blas"):
             arrays, followed = self._describe(frame)
             cues = {}
@@ -194,9 +262,10 @@ class Categorizer:
                 )
                 cues[cue.name] = cue.model.predict_proba(seen)[0]
             integrated = self._system.integrator.predict_proba(np.stack(list(cues.values()))[None])[0]
-            hmm, proba = self._smoother.step(integrated, seconds)
+            hmm, proba = self._smoother.step(integrated, elapsed)
         best = int(proba.argmax())
         shown = followed if self._tracker is not None else arrays
+        lasted = 1.0 / self.frame_rate if elapsed is None else elapsed
         return Decision(
             place=self.classes[best],
             confidence=float(proba[best]),
@@ -205,6 +274,9 @@ class Categorizer:
             integrated=integrated,
             cues=cues,
             regions=shown["regions"][0, : int(shown["count"][0])],
+            is_known=bool(proba[best] >= self.threshold),
+            seconds=now,
+            about=float(self._mixed_times.step(np.array([now]), lasted)[0]),
         )
 
     def _check(self, frame: NDArray[np.uint8]) -> None:
