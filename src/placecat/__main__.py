@@ -153,12 +153,19 @@ def _add_train(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "train",
         help="train a system and write it as one file",
         description="Train a system, from features to smoothing, on the homes that `placecat repro` has "
-        "described, and write it as one file for `placecat predict`.",
+        "described, and write it as one file for `placecat predict`. It is trained again without each of "
+        "these homes in turn, to measure for its model card how it does in homes that it has not seen.",
     )
     train.add_argument(
         "system", nargs="?", metavar="SYSTEM", help="one of conf/system; by default model.system"
     )
-    train.add_argument("--without", metavar="HOME", help="leave a home out of all training, to judge on it")
+    train.add_argument(
+        "--without",
+        action="append",
+        default=[],
+        metavar="HOME",
+        help="leave a home out of all training, to judge on it; may be repeated",
+    )
     train.add_argument("--seed", type=int, help="one of protocol.seeds; by default model.seed")
     train.add_argument(
         "--output", type=Path, metavar="FILE", help=f"by default {paths.MODEL}, or a name in {paths.MODELS}"

@@ -284,6 +284,6 @@ def test_training_refuses_where_it_may_not_write_before_it_begins(tmp_path, monk
     monkeypatch.setattr(train, "train", lambda *_, **__: pytest.fail("it trains"))
     (tmp_path / "README.md").write_text("text")
     with pytest.raises(PlacecatError, match=r"README\.md is not a model, and is not replaced"):
-        train.train_command("das_551_best", None, None, tmp_path / "README.md")
+        train.train_command("das_551_best", [], None, tmp_path / "README.md")
     with pytest.raises(PlacecatError, match="a file stands where a folder is needed"):
-        train.train_command("das_551_best", None, None, tmp_path / "README.md/x")
+        train.train_command("das_551_best", [], None, tmp_path / "README.md/x")

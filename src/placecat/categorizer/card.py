@@ -44,8 +44,8 @@ def unknown_text(card: Mapping[str, Any]) -> str:
     wished = f"at most {unknown['risk']:.0%} of what it names in homes that it has not seen is wrong"
     if unknown["threshold"] is None:
         return (
-            f"It always says `unknown`, since no confidence makes sure that {wished}: it tells the most probable "
-            "place beside. A higher model.risk may help."
+            f"It always says `unknown`, since no confidence makes sure that {wished}; it tells the most "
+            "probable place beside. A higher model.risk may help."
         )
     (own,) = (row for row in unknown["measured"] if row["risk"] == unknown["risk"])
     wrong = "" if own["wrong"] is None else f", of which {own['wrong']:.1%} are wrong"

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from placecat import files
 from placecat.categorizer import Categorizer, Decision
+from placecat.categorizer.card import unknown_text
 from placecat.drawing.style import house_style, save
 from placecat.errors import PlacecatError, one_line
 from placecat.predict import destination, report, tables, timeline, truth
@@ -119,13 +120,14 @@ def _write(
         agreement = None if shown is None else truth.agreement(prediction, shown)
         tables.write_frames(temporary / tables.FRAMES, prediction)
         tables.write_segments(temporary / tables.SEGMENTS, prediction)
+        tables.write_visits(temporary / tables.VISITS, prediction)
         with house_style():
             title = f"{source.name}: {categorizer.card.get('title', 'places')}"
             save(timeline.draw(prediction, title, shown), temporary / TIMELINE)
         files.write_json(temporary / SPEED, _speed(speed, source))
         content = _summary(options, source, chosen, categorizer, prediction, agreement)
         content["files"] = sorted([*(path.name for path in temporary.iterdir()), destination.SUMMARY])
-        content |= destination.checksums(temporary, [tables.FRAMES, tables.SEGMENTS])
+        content |= destination.checksums(temporary, tables.TABLES)
         files.write_json(temporary / destination.SUMMARY, content)
     _print(folder, options, source, prediction, speed, agreement)
 
@@ -151,6 +153,9 @@ def _quiet() -> None:
 
 def _announce(options: Options, source: Source, chosen: Fit, categorizer: Categorizer) -> None:
     print(f"{categorizer.card.get('title', options.model)}: {', '.join(categorizer.classes)}")
+    if note := categorizer.card["data"].get("note"):
+        print(note)
+    print(unknown_text(categorizer.card))
     if chosen.source != chosen.target:
         print(f"Frames: {chosen}.")
     if Path(options.source).is_dir() and options.fps is None:

@@ -159,6 +159,7 @@ def run(
         integrated=np.stack(integrated),
         end=end,
         turned=turned,
+        threshold=system.threshold,
     )
     return prediction, speed, was_stopped
 

@@ -82,6 +82,8 @@ def _confidence(axes: Axes, prediction: Prediction, end: float) -> None:
     axes.fill_between(times, 0.0, values, step="post", color="#e3e3e3", linewidth=0)
     axes.step(times, values, where="post", color=palette.INK, linewidth=0.8)
     axes.axhline(chance, color=palette.MUTED, linewidth=0.6, linestyle=(0, (3, 2)))
+    if 0.0 < prediction.threshold <= 1.0:
+        axes.axhline(prediction.threshold, color=palette.INK, linewidth=0.6, linestyle=(0, (1, 2)))
     axes.set_ylim(0.0, 1.02)
     axes.set_yticks([0.0, 0.5, 1.0], ["0", "0.5", "1"])
     axes.set_ylabel("confidence")
@@ -90,7 +92,8 @@ def _confidence(axes: Axes, prediction: Prediction, end: float) -> None:
     axes.xaxis.set_major_formatter(
         FuncFormatter(lambda value, _: clock(value) if end > 8 else f"{value:g} s")
     )
-    axes.set_xlabel("time (dashed: confidence of a guess)" if end <= 60 else "time, min:s (dashed: a guess)")
+    what = "dashed: confidence of a guess; dotted: unknown below"
+    axes.set_xlabel(f"time ({what})" if end <= 60 else f"time, min:s ({what})")
 
 
 def _steps(end: float) -> list[float]:
