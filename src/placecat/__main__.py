@@ -287,9 +287,14 @@ def _repro(options: argparse.Namespace) -> int:
 def _repro_alone(options: argparse.Namespace) -> int:
     from placecat import repro, times
 
-    write_params(options.overrides)
-    call, start = times.new_call(), time.perf_counter()
-    status = repro.run(force=options.force, **{times.CALL: call})
+    before = repro.Before()
+    call, start, status = times.new_call(), time.perf_counter(), 1
+    try:
+        write_params(options.overrides)
+        status = repro.run(force=options.force, **{times.CALL: call})
+    finally:
+        if status:
+            before.restore()
     if status:
         return status
     seconds = time.perf_counter() - start
