@@ -183,7 +183,8 @@ def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
     predict.add_argument(
         "source",
         metavar="SOURCE",
-        help="a video, a folder of images, camera, camera:NUMBER, or the address of a stream",
+        help="a video, a folder of images, camera, camera:NUMBER, the address of a stream, or home:NAME: a "
+        "home of the data set, with its floors and labels",
     )
     predict.add_argument(
         "--model", type=Path, default=paths.MODEL, metavar="FILE", help=f"by default {paths.MODEL}"
@@ -213,6 +214,14 @@ def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
     )
     predict.add_argument(
         "--labels", type=Path, metavar="CSV", help="the true places (start,end,label), to compare with"
+    )
+    predict.add_argument(
+        "--set",
+        dest="overrides",
+        action="append",
+        default=[],
+        metavar="OVERRIDE",
+        help="for home:NAME, choose another data set, e.g. dataset=my_homes; may be repeated",
     )
     predict.add_argument(
         "--ignore",

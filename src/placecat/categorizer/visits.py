@@ -35,9 +35,9 @@ class VisitLog:
     def __init__(self) -> None:
         self._visits: list[Visit] = []
 
-    def add(self, place: str, confidence: float, seconds: float) -> None:
-        """Take the next frame: the name of its place, its confidence and its time."""
-        if not self._visits or self._visits[-1].place != place:
+    def add(self, place: str, confidence: float, seconds: float, *, begins: bool = False) -> None:
+        """Take the next frame: its place's name, its confidence, its time, and whether a cut is before it."""
+        if begins or not self._visits or self._visits[-1].place != place:
             self._visits = [*self.until(seconds), Visit(place, seconds, seconds, confidence, 1)]
             return
         last = self._visits[-1]

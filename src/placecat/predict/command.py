@@ -21,6 +21,7 @@ from placecat.predict import destination, report, tables, timeline, truth
 from placecat.predict.camera import Camera
 from placecat.predict.fitting import Fit, fit
 from placecat.predict.frame import Frame, Source
+from placecat.predict.home import PREFIX
 from placecat.predict.prediction import Prediction
 from placecat.predict.run import Speed, Wish, run
 from placecat.predict.sources import open_source, without_password
@@ -45,6 +46,7 @@ class Options:
     resize: bool = False
     labels: Path | None = None
     ignore: Sequence[str] = ()
+    overrides: Sequence[str] = ()
     every: int = 1
     seconds: float | None = None
     fps: float | None = None
@@ -67,14 +69,16 @@ def predict_command(options: Options) -> int:
         fps=options.fps,
         usual_fps=categorizer.frame_rate,
         size=categorizer.frame_size,
+        overrides=options.overrides,
     )
     if source.is_live and options.every != 1:
         raise PlacecatError(
             "--every is for files: of a camera the newest frame is taken whenever one is done"
         )
     chosen = fit(source.size, categorizer.frame_sizes, resize=options.resize)
-    labels = None
-    if options.labels is not None:
+    if options.labels is None:
+        labels = source.truth(categorizer.classes, options.ignore)
+    else:
         count = source.exact_count()
         labels = truth.read(
             options.labels, count, source.fps, categorizer.classes, options.ignore, source.starts()
@@ -137,8 +141,13 @@ def _check(options: Options) -> None:
         raise PlacecatError("SOURCE is empty: give a video, a folder of images or a camera")
     if not 1 <= options.every <= MOST_EVERY:
         raise PlacecatError(f"--every is {options.every}: give 1 to {MOST_EVERY}")
-    if options.ignore and options.labels is None:
+    is_home = options.source.startswith(PREFIX)
+    if options.ignore and options.labels is None and not is_home:
         raise PlacecatError("--ignore is for labels: give --labels, too")
+    if options.overrides and not is_home:
+        raise PlacecatError("--set chooses the data set of home:NAME: give such a SOURCE")
+    if options.labels is not None and is_home:
+        raise PlacecatError("--labels is for other footage: the data set has the labels of its homes")
     if options.seconds is not None and not (np.isfinite(options.seconds) and options.seconds > 0):
         raise PlacecatError(f"--seconds is {options.seconds:g}: give more than 0")
 

@@ -38,6 +38,8 @@ class Prediction:
         Numbers of the frames of another size than the first.
     threshold
         Least confidence of a decision that is known.
+    cuts
+        Indices of the frames that a cut is before: the next floor.
     """
 
     classes: tuple[str, ...]
@@ -51,6 +53,7 @@ class Prediction:
     end: float | None = None
     turned: Sequence[int] = ()
     threshold: float = 0.0
+    cuts: Sequence[int] = ()
 
     @property
     def decision(self) -> NDArray[np.int64]:
@@ -81,10 +84,9 @@ class Prediction:
     def visits(self) -> list[Visit]:
         """Stays, as :meth:`placecat.categorizer.Categorizer.visits` lists them; the last lasts to the end."""
         log = VisitLog()
-        for name, confidence, seconds in zip(
-            self.place_names, self.confidence.tolist(), self.seconds.tolist(), strict=True
-        ):
-            log.add(name, confidence, seconds)
+        frames = zip(self.place_names, self.confidence.tolist(), self.seconds.tolist(), strict=True)
+        for number, frame in enumerate(frames):
+            log.add(*frame, begins=number in self.cuts)
         return log.until(float(self.ends[-1]))
 
     @property

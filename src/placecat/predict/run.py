@@ -119,14 +119,18 @@ def run(
         start = time.perf_counter()
         # The first frame stands for its time in the footage.
         seen = -1.0 / speed.wanted
-        turned = []
+        turned, cuts = [], []
         try:
             for raw in frames:
                 if wish.seconds is not None and raw.seconds >= wish.seconds:
                     break
                 if raw.image.shape[1::-1] != tuple(source.size):
                     turned.append(raw.number)
-                frame = Frame(raw.number, raw.seconds, raw.file, fit(raw.image))
+                frame = Frame(raw.number, raw.seconds, raw.file, fit(raw.image), raw.begins)
+                if frame.begins:
+                    system.reset()
+                    seen = frame.seconds - 1.0 / speed.wanted
+                    cuts.append(len(rows))
                 before = time.perf_counter()
                 decision = system.update(frame.image, frame.seconds - seen)
                 seen = frame.seconds
@@ -160,6 +164,7 @@ def run(
         end=end,
         turned=turned,
         threshold=system.threshold,
+        cuts=cuts,
     )
     return prediction, speed, was_stopped
 
