@@ -188,6 +188,20 @@ def test_frames_that_do_not_fit_are_refused_and_change_nothing(categorizer, fram
     np.testing.assert_array_equal(categorizer.update(second).proba, expected)
 
 
+def test_frames_of_other_sizes_are_scaled_if_asked():
+    system = make_system()
+    plain, scaling = Categorizer(system), Categorizer(system, resize=True)
+    seen = frames(3)
+    # Twice the size in twice the shape's height: the middle is left, and each pixel is there four times.
+    large = [
+        np.pad(np.kron(frame, np.ones((2, 2, 1), np.uint8)), ((100, 100), (0, 0), (0, 0))) for frame in seen
+    ]
+    for frame, other in zip(seen, (large[0], seen[1], large[2]), strict=True):
+        np.testing.assert_array_equal(plain.update(frame).proba, scaling.update(other).proba)
+    with pytest.raises(PlacecatError, match="only 32% of it would be left"):
+        scaling.update(np.zeros((320, 180, 3), np.uint8))
+
+
 def test_the_frame_is_left_as_it_was(categorizer):
     frame = frames(1)[0]
     before = frame.copy()

@@ -144,5 +144,5 @@ def test_another_data_set_is_chosen_as_repro_does(monkeypatch):
     assert data_set([])["name"] == "homes"
     chosen = data_set(["dataset=my_homes", "dataset.root=far", "dataset.homes=[Villa]"])
     assert (chosen["layout"], chosen["root"], chosen["homes"]) == ("vpc2009", "far", ["Villa"])
-    with pytest.raises(PlacecatError, match="no setting 'rooot'"):
+    with pytest.raises(PlacecatError, match="rooot"):
         data_set(["dataset.rooot=far"])

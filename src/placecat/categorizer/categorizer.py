@@ -15,6 +15,7 @@ from threadpoolctl import ThreadpoolController
 from placecat import cue_input
 from placecat.categorizer import model_file
 from placecat.categorizer.checks import check_distribution
+from placecat.categorizer.fitting import Fit, fit
 from placecat.categorizer.system import TrainedSystem
 from placecat.categorizer.visits import UNKNOWN, Visit, VisitLog
 from placecat.errors import PlacecatError
@@ -46,8 +47,8 @@ class Decision:
     cues
         Of this frame alone, cue by cue.
     regions
-        (n, 4) float32, the salient regions: x, y (pixels of the frame), scale, strength; strongest first. The
-        tracked ones if any cue follows regions.
+        (n, 4) float32, the salient regions: x, y (pixels of the frame, as it was resized), scale, strength;
+        strongest first. The tracked ones if any cue follows regions.
     is_known
         Whether `confidence` is at least the system's threshold, see :attr:`Categorizer.threshold`.
     seconds
@@ -84,13 +85,16 @@ class Categorizer:
     ----------
     system
         From `placecat.categorizer.train`, or see :meth:`load`.
+    resize
+        Whether frames of other sizes are scaled, and cut to the shape that it knows, as
+        :func:`placecat.categorizer.fitting.fit` says.
 
     Attributes
     ----------
     classes
         Names of the places, in the order of the distributions.
     frame_sizes
-        (width, height) of the frames it was trained on; others are refused.
+        (width, height) of the frames it was trained on; others are refused unless `resize`.
     card
         What is known of the system: data, accuracy, settings, versions.
     threshold
@@ -109,7 +113,9 @@ class Categorizer:
         print(categorizer.visits())
     """
 
-    def __init__(self, system: TrainedSystem) -> None:
+    def __init__(self, system: TrainedSystem, *, resize: bool = False) -> None:
+        self._resize = resize
+        self._fits: dict[tuple[int, int], Fit] = {}
         self.card: dict[str, Any] = system.card
         self.classes: tuple[str, ...] = tuple(system.card["classes"])
         self.frame_sizes: tuple[tuple[int, int], ...] = tuple(
@@ -131,7 +137,9 @@ class Categorizer:
         self.reset()
 
     @classmethod
-    def load(cls, path: str | Path, *, classes: Sequence[str] | None = None) -> Categorizer:
+    def load(
+        cls, path: str | Path, *, classes: Sequence[str] | None = None, resize: bool = False
+    ) -> Categorizer:
         """Read a trained system from its file.
 
         Parameters
@@ -140,6 +148,8 @@ class Categorizer:
             Written by `placecat train`, or by the stage `model`.
         classes
             The places that the caller expects, in this order; None takes what the model has.
+        resize
+            See :class:`Categorizer`.
 
         Raises
         ------
@@ -154,7 +164,7 @@ class Categorizer:
                 "order, or train a model for yours"
             )
         try:
-            categorizer = cls(system)
+            categorizer = cls(system, resize=resize)
             with np.errstate(all="ignore"):
                 categorizer._try()
         # Whatever goes wrong with a file that someone may have made by hand.
@@ -193,7 +203,7 @@ class Categorizer:
         Parameters
         ----------
         frame
-            (height, width, 3) uint8 BGR, as OpenCV gives it, of one of `frame_sizes`.
+            (height, width, 3) uint8 BGR, as OpenCV gives it, upright, of one of `frame_sizes`.
         seconds
             Time since the last frame, at or above 0; of the first frame, the time that it stands for, and the
             decision's time is 0.
@@ -204,10 +214,11 @@ class Categorizer:
         Raises
         ------
         PlacecatError
-            If the frame is of another size or type, the time is not finite or before that of the last frame,
-            or both times are given. The frame is left out then: the next one may come.
+            If the frame is of another size or type (with `resize`, if less than half of it would be left),
+            the time is not finite or before that of the last frame, or both times are given. The frame is left
+            out then: the next one may come.
         """
-        self._check(frame)
+        frame = self._fitted(frame)
         now, elapsed = self._moment(seconds, time)
         decision = self._decide(frame, elapsed, now)
         self._last = now
@@ -279,18 +290,23 @@ class Categorizer:
             about=float(self._mixed_times.step(np.array([now]), lasted)[0]),
         )
 
-    def _check(self, frame: NDArray[np.uint8]) -> None:
+    def _fitted(self, frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
         if frame.dtype != np.uint8 or frame.ndim != 3 or frame.shape[2] != 3:
             raise PlacecatError(
                 f"a frame has shape {frame.shape} and type {frame.dtype}: give (height, width, 3) uint8, BGR"
             )
         size = (frame.shape[1], frame.shape[0])
-        if size not in self.frame_sizes:
+        if size in self.frame_sizes:
+            return frame
+        if not self._resize:
             known = " or ".join(f"{width}x{height}" for width, height in self.frame_sizes)
             raise PlacecatError(
                 f"a frame has {size[0]}x{size[1]} pixels, but the model was trained on {known}: scale frames "
-                "to that, or train on footage of this size"
+                "to that, load the model with resize=True, or train on footage of this size"
             )
+        if size not in self._fits:
+            self._fits[size] = fit(size, self.frame_sizes, resize=True)
+        return self._fits[size](frame)
 
     def _describe(self, frame: NDArray[np.uint8]) -> tuple[dict[str, NDArray[Any]], dict[str, NDArray[Any]]]:
         """Features of the frame's own regions and of the followed ones, with one frame as the first axis."""

@@ -15,13 +15,13 @@ from numpy.typing import NDArray
 from placecat import files
 from placecat.categorizer import Categorizer, Decision
 from placecat.categorizer.card import unknown_text
+from placecat.categorizer.fitting import Fit, fit
 from placecat.drawing.style import house_style, save
 from placecat.errors import PlacecatError, one_line
 from placecat.predict import destination, report, tables, timeline, truth
 from placecat.predict.camera import Camera
-from placecat.predict.fitting import Fit, fit
 from placecat.predict.frame import Frame, Source
-from placecat.predict.home import PREFIX
+from placecat.predict.home import PREFIX, DataSetHome, data_set
 from placecat.predict.prediction import Prediction
 from placecat.predict.run import Speed, Wish, run
 from placecat.predict.sources import open_source, without_password
@@ -64,13 +64,7 @@ def predict_command(options: Options) -> int:
     _check(options)
     _quiet()
     categorizer = Categorizer.load(options.model)
-    source = open_source(
-        options.source,
-        fps=options.fps,
-        usual_fps=categorizer.frame_rate,
-        size=categorizer.frame_size,
-        overrides=options.overrides,
-    )
+    source = _open(options, categorizer)
     if source.is_live and options.every != 1:
         raise PlacecatError(
             "--every is for files: of a camera the newest frame is taken whenever one is done"
@@ -95,6 +89,17 @@ def predict_command(options: Options) -> int:
     ) as folder:
         _write(folder, options, source, chosen, categorizer, labels)
     return 0
+
+
+def _open(options: Options, categorizer: Categorizer) -> Source:
+    if options.source.startswith(PREFIX):
+        return DataSetHome(options.source.removeprefix(PREFIX), data_set(options.overrides), options.fps)
+    return open_source(
+        options.source,
+        fps=options.fps,
+        usual_fps=categorizer.frame_rate,
+        size=categorizer.frame_size,
+    )
 
 
 def _write(

@@ -118,6 +118,6 @@ def data_set(overrides: Sequence[str]) -> Mapping[str, Any]:
     from placecat.compose import compose
 
     params = yaml.safe_load(compose(overrides)) if overrides else settings.load()
-    check(params)
     dataset: Mapping[str, Any] = settings.get(params, "dataset")
+    check({"dataset": dataset})
     return dataset

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.categorizer import Categorizer, Decision
+from placecat.categorizer.fitting import Fit
 from placecat.errors import PlacecatError
 from placecat.predict.annotate import Annotator
 from placecat.predict.film import Film
-from placecat.predict.fitting import Fit
 from placecat.predict.frame import Frame, Source
 from placecat.predict.prediction import Prediction
 

@@ -1,7 +1,7 @@
 """Footage to predict: a video file, a folder of images, or a camera, frame by frame."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +12,6 @@ from placecat.footage.pictures import SUFFIXES, list_frames, read_image
 from placecat.footage.recording import Recording
 from placecat.predict.camera import Camera
 from placecat.predict.frame import Damage, Frame, Source
-from placecat.predict.home import PREFIX, DataSetHome, data_set
 from placecat.sequences import video
 
 # Frames a second that are possible: our choice, of which the upper one is that of dataset.fps.
@@ -26,30 +25,20 @@ def without_password(text: str) -> str:
     return re.sub(r"(?<=://)[^/@]*@", "", text) if _STREAM.fullmatch(text) else text
 
 
-def open_source(
-    text: str,
-    *,
-    fps: float | None,
-    usual_fps: float,
-    size: tuple[int, int],
-    overrides: Sequence[str] = (),
-) -> Source:
+def open_source(text: str, *, fps: float | None, usual_fps: float, size: tuple[int, int]) -> Source:
     """Open footage.
 
     Parameters
     ----------
     text
-        A video file, a folder of images, ``camera`` or ``camera:NUMBER``, the address of a stream (rtsp,
-        http), or ``home:NAME``, a home of the data set. A file or folder is taken before a camera of its
-        name.
+        A video file, a folder of images, ``camera`` or ``camera:NUMBER``, or the address of a stream
+        (rtsp, http). A file or folder is taken before a camera of its name.
     fps
         Frames a second; None takes what the footage says.
     usual_fps
         Taken for a folder, which does not say.
     size
         (width, height) that a camera is asked for.
-    overrides
-        Hydra overrides that choose the data set; none for that of params.yaml.
 
     Raises
     ------
@@ -58,8 +47,6 @@ def open_source(
     """
     if fps is not None and not SLOWEST <= fps <= FASTEST:
         raise PlacecatError(f"--fps is {fps:g}: give {SLOWEST:g} to {FASTEST:g}")
-    if text.startswith(PREFIX):
-        return DataSetHome(text.removeprefix(PREFIX), data_set(overrides), fps)
     path = Path(text)
     if _STREAM.fullmatch(text):
         name = re.sub(r"[^A-Za-z0-9]+", "_", without_password(text).split("://")[1]).strip("_")
@@ -76,8 +63,8 @@ def open_source(
     if path.exists():
         raise PlacecatError(f"{text} is not an ordinary file: give a video or a folder of images")
     raise PlacecatError(
-        f"{text}: no such file or folder: give a video, a folder of images, camera, camera:NUMBER, the "
-        "address of a stream (rtsp://..., http://...), or home:NAME"
+        f"{text}: no such file or folder: give a video, a folder of images, camera, camera:NUMBER, or the "
+        "address of a stream (rtsp://..., http://...)"
     )
 
 
