@@ -60,7 +60,7 @@ def test_the_card_says_what_a_person_should_know(file):
         "320x180",
         "noise",
         "It hums.",
-        "`unknown` where its confidence is below 0.400",
+        "`unknown` below a confidence of 0.400, above which at most 10% of",
         "| 10 % | 0.400 | 62.5 % | 12.5 % | 25.0 % |",
         "| 1 % | none | 0.0 % | - | - |",
         "| 50.00 | 25.00 | 37.50 |",

@@ -41,16 +41,15 @@ def unknown_text(card: Mapping[str, Any]) -> str:
     unknown = card.get("unknown")
     if unknown is None:
         return "It never says `unknown`: how often it is wrong in homes that it has not seen is not measured."
-    wished = f"at most {unknown['risk']:.0%} of what it names in homes that it has not seen is wrong"
+    risk = f"at most {100 * unknown['risk']:g}% of its decisions in left-out training homes were wrong"
     if unknown["threshold"] is None:
         return (
-            f"It always says `unknown`, since no confidence makes sure that {wished}; it tells the most "
-            "probable place beside. A higher model.risk may help."
+            f"It always says `unknown`, since there is no confidence above which {risk}. The most probable "
+            "place is told beside it; a higher model.risk may help."
         )
     (own,) = (row for row in unknown["measured"] if row["risk"] == unknown["risk"])
-    wrong = "" if own["wrong"] is None else f", of which {own['wrong']:.1%} are wrong"
+    wrong = "" if own["wrong"] is None else f", {own['wrong']:.1%} of these wrongly"
     return (
-        f"It says `unknown` where its confidence is below {unknown['threshold']:.3f}, so that {wished}. "
-        "Measured in each home with the confidence that the others choose, it names a place in "
-        f"{own['coverage']:.1%} of the frames{wrong}."
+        f"It says `unknown` below a confidence of {unknown['threshold']:.3f}, above which {risk}. In homes "
+        f"that had no say in this confidence it names {own['coverage']:.1%} of the frames{wrong}."
     )

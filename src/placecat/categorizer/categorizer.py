@@ -215,8 +215,8 @@ class Categorizer:
         ------
         PlacecatError
             If the frame is of another size or type (with `resize`, if less than half of it would be left),
-            the time is not finite or before that of the last frame, or both times are given. The frame is left
-            out then: the next one may come.
+            the time is not finite or before that of the last frame, or both times are given. The frame is
+            left out then: the next one may come.
         """
         frame = self._fitted(frame)
         now, elapsed = self._moment(seconds, time)
