@@ -10,7 +10,7 @@ from placecat.categorizer import held_out, model_file
 from placecat.categorizer.card import make_card, unknown_text
 from placecat.categorizer.system import TrainedCue, TrainedSystem
 from placecat.errors import PlacecatError
-from placecat.lockfile import data_version
+from placecat.lockfile import check_data, data_version
 from placecat.training import plan as plans
 from placecat.training import system as systems
 from placecat.training.integration import fused_parts
@@ -46,6 +46,7 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
     files.check_writable(output)
     if output.exists() and not model_file.is_model(output):
         raise PlacecatError(f"{output} is not a model, and is not replaced: give another --output")
+    check_data(params)
     trained = train(params, name, without=without, seed=seed)
     print("Trained. Now the same without one home at a time, to measure it there.", flush=True)
     trained = measured(
