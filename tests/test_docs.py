@@ -198,13 +198,16 @@ def test_a_robot_feeds_frames_as_the_page_says(monkeypatch, capsys):
             return frame is not None, frame
 
     categorizer = Categorizer(make_system())
-    monkeypatch.setattr(Categorizer, "load", lambda path: categorizer)
+    monkeypatch.setattr(Categorizer, "load", lambda path, resize: categorizer)
     monkeypatch.setattr(cv2, "VideoCapture", Camera)
     (code,) = blocks("docs/robots.md")
     exec(compile(code, "docs/robots.md", "exec"), {})
     lines = capsys.readouterr().out.splitlines()
-    assert len(lines) == 3
-    assert all(line.split()[0] in CLASSES for line in lines)
+    assert len(lines) == 3 + len(categorizer.visits())
+    assert all(line.split()[0] in (*CLASSES, "unknown") for line in lines)
+    # The first frame, as if it had been fed here.
+    categorizer.reset()
+    assert lines[0].split()[2] == categorizer.update(frames(1)[0]).place
 
 
 # No results: versions, sections of the thesis, shares that are asked for, settings.

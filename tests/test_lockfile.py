@@ -10,7 +10,7 @@ import yaml
 
 from placecat import repro, settings
 from placecat.errors import PlacecatError
-from placecat.lockfile import data_version
+from placecat.lockfile import check_data, data_version
 
 ROOT = Path(__file__).resolve().parents[1]
 KEPT = yaml.safe_load((ROOT / "dvc.lock").read_text())["stages"]
@@ -47,6 +47,36 @@ def test_a_stage_that_did_not_run_is_named(tmp_path, monkeypatch):
     (tmp_path / "dvc.lock").write_text(LOCK)
     with pytest.raises(PlacecatError, match="no stage features@home_1"):
         data_version("features@home_1")
+
+
+def test_features_of_another_data_set_are_refused(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    dataset = {"name": "homes", "root": "here"}
+    lock = yaml.safe_load(LOCK)
+    lock["stages"]["sequences"]["params"] = {"params.yaml": {"dataset": dataset}}
+    lock["stages"]["features"] = {"deps": [{"path": "data/sequences", "md5": "0123.dir"}]}
+    (tmp_path / "dvc.lock").write_text(yaml.safe_dump(lock))
+    check_data({"dataset": dataset})
+    with pytest.raises(PlacecatError, match="the features are those of another data set"):
+        check_data({"dataset": dataset | {"root": "there"}})
+    # The stage `sequences` has run, and `features` has not.
+    lock["stages"]["features"]["deps"][0]["md5"] = "89ab.dir"
+    (tmp_path / "dvc.lock").write_text(yaml.safe_dump(lock))
+    with pytest.raises(PlacecatError, match="another data set"):
+        check_data({"dataset": dataset})
+    del lock["stages"]["features"]
+    (tmp_path / "dvc.lock").write_text(yaml.safe_dump(lock))
+    with pytest.raises(PlacecatError, match="another data set"):
+        check_data({"dataset": dataset})
+
+
+def test_the_record_of_the_kept_run_has_what_is_checked():
+    """DVC writes it so; the settings of the data set may have changed since."""
+    assert KEPT["sequences"]["params"]["params.yaml"]["dataset"]["name"] == "homes"
+    (listed,) = KEPT["sequences"]["outs"]
+    assert {"path": "data/sequences", "md5": listed["md5"]}.items() <= next(
+        dep for dep in KEPT["features"]["deps"] if dep["path"] == "data/sequences"
+    ).items()
 
 
 def filled(reference):

@@ -182,7 +182,7 @@ def test_frame_by_frame_gives_the_bits_of_the_pipeline(reproduced, tmp_path, mon
     monkeypatch.chdir(folder)
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
     params = settings.load()
-    model_file.write(tmp_path / "model.placecat", train(params, system, without="Home4", seed=1))
+    model_file.write(tmp_path / "model.placecat", train(params, system, without=["Home4"], seed=1))
     categorizer = Categorizer.load(tmp_path / "model.placecat", classes=params["dataset"]["classes"])
     frames = listing.read_frames("Home4")
     decisions = []

@@ -154,12 +154,19 @@ def _add_train(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "train",
         help="train a system and write it as one file",
         description="Train a system, from features to smoothing, on the homes that `placecat repro` has "
-        "described, and write it as one file for `placecat predict`.",
+        "described, and write it as one file for `placecat predict`. It is trained again without each of "
+        "these homes in turn, to measure for its model card how it does in homes that it has not seen.",
     )
     train.add_argument(
         "system", nargs="?", metavar="SYSTEM", help="one of conf/system; by default model.system"
     )
-    train.add_argument("--without", metavar="HOME", help="leave a home out of all training, to judge on it")
+    train.add_argument(
+        "--without",
+        action="append",
+        default=[],
+        metavar="HOME",
+        help="leave a home out of all training, to judge on it; may be repeated",
+    )
     train.add_argument("--seed", type=int, help="one of protocol.seeds; by default model.seed")
     train.add_argument(
         "--output", type=Path, metavar="FILE", help=f"by default {paths.MODEL}, or a name in {paths.MODELS}"
@@ -177,7 +184,8 @@ def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
     predict.add_argument(
         "source",
         metavar="SOURCE",
-        help="a video, a folder of images, a bag of ROS, camera, camera:NUMBER, or the address of a stream",
+        help="a video, a folder of images, a bag of ROS, camera, camera:NUMBER, the address of a stream, or "
+        "home:NAME: a home of the data set, with its floors and labels",
     )
     predict.add_argument(
         "--model", type=Path, default=paths.MODEL, metavar="FILE", help=f"by default {paths.MODEL}"
@@ -207,6 +215,14 @@ def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
     )
     predict.add_argument(
         "--labels", type=Path, metavar="CSV", help="the true places (start,end,label), to compare with"
+    )
+    predict.add_argument(
+        "--set",
+        dest="overrides",
+        action="append",
+        default=[],
+        metavar="OVERRIDE",
+        help="for home:NAME, choose another data set, e.g. dataset=my_homes; may be repeated",
     )
     predict.add_argument(
         "--ignore",
@@ -314,9 +330,14 @@ def _repro(options: argparse.Namespace) -> int:
 def _repro_alone(options: argparse.Namespace) -> int:
     from placecat import repro, times
 
-    write_params(options.overrides)
-    call, start = times.new_call(), time.perf_counter()
-    status = repro.run(force=options.force, **{times.CALL: call})
+    before = repro.Before()
+    call, start, status = times.new_call(), time.perf_counter(), 1
+    try:
+        write_params(options.overrides)
+        status = repro.run(force=options.force, **{times.CALL: call})
+    finally:
+        if status:
+            before.restore()
     if status:
         return status
     seconds = time.perf_counter() - start

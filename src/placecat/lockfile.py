@@ -2,11 +2,13 @@
 
 import re
 import subprocess
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import yaml
 
-from placecat import settings
+from placecat import paths, settings
 from placecat.errors import PlacecatError
 
 LOCK = Path("dvc.lock")
@@ -23,6 +25,30 @@ def data_version(stage: str = "sequences") -> str:
         return str(lock["stages"][stage]["outs"][0]["md5"])
     except (FileNotFoundError, KeyError, TypeError):
         raise PlacecatError(f"{LOCK} has no stage {stage}: run `dvc repro` to make it") from None
+
+
+def check_data(params: Mapping[str, Any]) -> None:
+    """Refuse features of other data than the settings ask for: no run has listed and described these yet.
+
+    Parameters
+    ----------
+    params
+        All settings.
+
+    Raises
+    ------
+    PlacecatError
+        If ``dataset`` has changed since the stages `sequences` and `features` ran through DVC.
+    """
+    version = data_version()
+    stages = yaml.load(LOCK.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
+    listed = stages["sequences"].get("params", {}).get("params.yaml", {}).get("dataset")
+    described = {dep["path"]: dep.get("md5") for dep in stages.get("features", {}).get("deps", [])}
+    if listed != params["dataset"] or described.get(paths.SEQUENCES.as_posix()) != version:
+        raise PlacecatError(
+            "the features are those of another data set than params.yaml has: run `placecat repro` with this "
+            "data set first, or `dvc repro features tracks`"
+        )
 
 
 def git_commit() -> str:

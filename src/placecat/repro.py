@@ -10,7 +10,9 @@ from types import FrameType
 import psutil
 import yaml
 
+from placecat import files, paths
 from placecat.errors import PlacecatError
+from placecat.lockfile import LOCK
 from placecat.runs import lifeline, lock, mend
 from placecat.runs.unchanged import DEFINITION
 
@@ -60,6 +62,31 @@ def run(*, force: bool = False, **environment: str) -> int:
             mend.keep()
             for each, handler in before.items():
                 signal.signal(each, handler)
+
+
+class Before:
+    """params.yaml before it is written for a run, which may be refused."""
+
+    def __init__(self) -> None:
+        self._params, self._lock = _content(paths.PARAMS), _content(LOCK)
+
+    def restore(self) -> None:
+        """Put it back if no stage has ended since, as none has where the settings or the data were refused.
+
+        Once one has, the run goes on with the new settings.
+        """
+        if _content(LOCK) != self._lock or _content(paths.PARAMS) == self._params:
+            return
+        if self._params is None:
+            paths.PARAMS.unlink()
+        else:
+            with files.replacing(paths.PARAMS) as temporary:
+                temporary.write_bytes(self._params)
+        print(f"Nothing was computed, and {paths.PARAMS} is as it was before.", file=sys.stderr)
+
+
+def _content(path: Path) -> bytes | None:
+    return path.read_bytes() if path.is_file() else None
 
 
 def _check_git() -> None:

@@ -35,6 +35,14 @@ SMOOTHING = {
     "transition_counts": 1.0,
     "emission_counts": 1.0,
 }
+UNKNOWN = {
+    "risk": 0.1,
+    "threshold": 0.4,
+    "measured": [
+        {"risk": 0.1, "threshold": 0.4, "coverage": 0.625, "wrong": 0.125, "worst": 0.25},
+        {"risk": 0.01, "threshold": None, "coverage": 0, "wrong": None, "worst": None},
+    ],
+}
 
 
 def make_system(tracked=False):
@@ -72,15 +80,17 @@ def make_system(tracked=False):
         title="small system",
         data={
             "title": "noise",
+            "note": "It hums.",
             "version": "v",
             "homes": ["a"],
-            "left_out": "",
+            "left_out": [],
             "frames": {"cues": 1, "integration": 1},
         },
         classes=CLASSES,
         frame_sizes=[SIZE],
         fps=[5.0],
         accuracy={"a": 50.0, "b": 25.0},
+        unknown=UNKNOWN,
         settings={},
     )
     tracking = {"max_regions": 10} if tracked else None

@@ -1,5 +1,7 @@
 """The streaming object by itself; tests/test_pipeline.py compares it with the batch pipeline."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from made_system import CLASSES, frames, make_system
@@ -74,6 +76,99 @@ def test_impossible_times_are_refused(categorizer, seconds):
         categorizer.update(frames(1)[0], seconds)
 
 
+def test_times_of_a_clock_are_the_same_as_seconds_between_frames(categorizer):
+    seen, steps = frames(5), [0.2, 0.05, 0.5, 0.0, 1.25]
+    between = [categorizer.update(frame, step) for frame, step in zip(seen, steps, strict=True)]
+    categorizer.reset()
+    start = 2.0**30
+    clock = [
+        categorizer.update(frame, time=float(start + time))
+        for frame, time in zip(seen, np.cumsum([0.0, *steps[1:]]), strict=True)
+    ]
+    for one, two in zip(between, clock, strict=True):
+        np.testing.assert_allclose(one.proba, two.proba, rtol=1e-6)
+        assert two.seconds - start == pytest.approx(one.seconds)
+    assert between[-1].seconds == pytest.approx(sum(steps[1:]))
+
+
+def test_a_frame_that_comes_twice_says_no_more(categorizer):
+    first, second = frames(2)
+    categorizer.update(first, time=1.0)
+    once = categorizer.update(second, time=1.5)
+    twice = categorizer.update(second, time=1.5)
+    np.testing.assert_allclose(once.proba, twice.proba, atol=1e-12)
+    np.testing.assert_allclose(once.hmm, twice.hmm, atol=1e-12)
+    assert twice.seconds == once.seconds
+
+
+@pytest.mark.parametrize(
+    ("times", "message"),
+    [
+        ({"time": 0.5}, "a frame is 1.5 s older than the last one"),
+        ({"time": float("inf")}, "time of a frame is inf"),
+        ({"seconds": -0.1}, "s between two frames"),
+        ({"seconds": 0.1, "time": 3.0}, "not both"),
+    ],
+)
+def test_a_frame_of_an_impossible_time_is_left_out(categorizer, times, message):
+    first, late, second = frames(3)
+    categorizer.update(first, time=2.0)
+    expected = categorizer.update(second, time=2.5)
+    visits = categorizer.visits()
+    categorizer.reset()
+    categorizer.update(first, time=2.0)
+    with pytest.raises(PlacecatError, match=message):
+        categorizer.update(late, **times)
+    np.testing.assert_array_equal(categorizer.update(second, time=2.5).proba, expected.proba)
+    assert categorizer.visits() == visits
+
+
+def test_a_decision_is_about_the_times_that_the_delay_mixes(categorizer):
+    """Equation (16) by hand: weights of the filter's outputs, and the mean of their times."""
+    steps = [0.2, 0.4, 0.1, 2.0]
+    weights, times = np.zeros(0), np.zeros(0)
+    for frame, step in zip(frames(4), steps, strict=True):
+        decision = categorizer.update(frame, step)
+        share = 1 - np.exp(-step / 2.0) if len(weights) else 1.0
+        weights = np.append(weights * (1 - share), share)
+        times = np.append(times, decision.seconds)
+        assert decision.about == pytest.approx(weights @ times)
+    assert 0 < decision.seconds - decision.about < 2.0
+
+
+def test_below_the_threshold_of_the_card_a_place_is_unknown():
+    system = make_system()
+    assert Categorizer(system).threshold == 0.4
+    seen = [Categorizer(system).update(frame, 0.2) for frame in frames(3)]
+    confidence = seen[0].confidence
+    for threshold, name in (
+        (confidence, seen[0].place),
+        (confidence + 1e-9, "unknown"),
+        (None, "unknown"),
+        (0.0, seen[0].place),
+    ):
+        card = system.card | {"unknown": system.card["unknown"] | {"threshold": threshold}}
+        categorizer = Categorizer(replace(system, card=card))
+        decision = categorizer.update(frames(1)[0], 0.2)
+        assert (decision.name, decision.is_known) == (name, name != "unknown")
+        assert (decision.place, decision.confidence) == (seen[0].place, confidence)
+        assert [visit.place for visit in categorizer.visits()] == [name]
+    assert Categorizer(replace(system, card=system.card | {"unknown": None})).update(frames(1)[0]).is_known
+
+
+def test_visits_are_the_names_of_the_decisions(categorizer):
+    assert categorizer.visits() == []
+    seen = frames(3) + frames(3, seed=9)
+    decisions = [categorizer.update(frame, time=time) for time, frame in enumerate(seen)]
+    visits = categorizer.visits()
+    assert [name for visit in visits for name in [visit.place] * visit.frames] == [
+        one.name for one in decisions
+    ]
+    assert (visits[0].start, visits[-1].end) == (0, 5)
+    categorizer.reset()
+    assert categorizer.visits() == []
+
+
 @pytest.mark.parametrize(
     ("frame", "message"),
     [
@@ -91,6 +186,20 @@ def test_frames_that_do_not_fit_are_refused_and_change_nothing(categorizer, fram
     with pytest.raises(PlacecatError, match=message):
         categorizer.update(frame)
     np.testing.assert_array_equal(categorizer.update(second).proba, expected)
+
+
+def test_frames_of_other_sizes_are_scaled_if_asked():
+    system = make_system()
+    plain, scaling = Categorizer(system), Categorizer(system, resize=True)
+    seen = frames(3)
+    # Twice the size in twice the shape's height: the middle is left, and each pixel is there four times.
+    large = [
+        np.pad(np.kron(frame, np.ones((2, 2, 1), np.uint8)), ((100, 100), (0, 0), (0, 0))) for frame in seen
+    ]
+    for frame, other in zip(seen, (large[0], seen[1], large[2]), strict=True):
+        np.testing.assert_array_equal(plain.update(frame).proba, scaling.update(other).proba)
+    with pytest.raises(PlacecatError, match="only 32% of it would be left"):
+        scaling.update(np.zeros((320, 180, 3), np.uint8))
 
 
 def test_the_frame_is_left_as_it_was(categorizer):

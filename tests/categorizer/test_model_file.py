@@ -10,7 +10,7 @@ from pathlib import Path
 import mutants
 import numpy as np
 import pytest
-from made_system import frames, make_system
+from made_system import UNKNOWN, frames, make_system
 
 from placecat import __version__
 from placecat.categorizer import Categorizer, archive, model_file, train
@@ -59,6 +59,10 @@ def test_the_card_says_what_a_person_should_know(file):
         "bedroom, kitchen, bathroom",
         "320x180",
         "noise",
+        "It hums.",
+        "`unknown` below a confidence of 0.400, above which at most 10% of",
+        "| 10 % | 0.400 | 62.5 % | 12.5 % | 25.0 % |",
+        "| 1 % | none | 0.0 % | - | - |",
         "| 50.00 | 25.00 | 37.50 |",
         __version__,
         "numpy",
@@ -155,6 +159,11 @@ MODEL = ("cues", 0, "model", "state")
         (lambda file: rewrite(file, "card.json", change_json(classes=["a", "b"])), "not for 2 places"),
         (lambda file: rewrite(file, "card.json", change_json(frame_sizes=[[320, 10**9]])), "frame_sizes"),
         (lambda file: rewrite(file, "card.json", change_json(fps=[float("nan")])), "NaN is no number"),
+        (
+            lambda file: rewrite(file, "card.json", change_json(unknown=UNKNOWN | {"threshold": -1})),
+            "threshold",
+        ),
+        (lambda file: rewrite(file, "card.json", change_json(unknown={"risk": 0.1})), "unknown"),
         (lambda file: rewrite(file, "card.json", lambda _: None), "card.json"),
         (lambda file: rewrite(file, "system.json", lambda _: b"{}"), "damaged"),
         (lambda file: rewrite(file, "system.json", lambda _: b"[1"), "damaged"),
@@ -275,6 +284,6 @@ def test_training_refuses_where_it_may_not_write_before_it_begins(tmp_path, monk
     monkeypatch.setattr(train, "train", lambda *_, **__: pytest.fail("it trains"))
     (tmp_path / "README.md").write_text("text")
     with pytest.raises(PlacecatError, match=r"README\.md is not a model, and is not replaced"):
-        train.train_command("das_551_best", None, None, tmp_path / "README.md")
+        train.train_command("das_551_best", [], None, tmp_path / "README.md")
     with pytest.raises(PlacecatError, match="a file stands where a folder is needed"):
-        train.train_command("das_551_best", None, None, tmp_path / "README.md/x")
+        train.train_command("das_551_best", [], None, tmp_path / "README.md/x")

@@ -14,7 +14,7 @@ from placecat.predict import command
 from placecat.sequences.labels import read_label_csv
 
 COUNT = 30
-TABLES = ("frames.csv", "segments.csv", "summary.json", "timeline.png")
+TABLES = ("frames.csv", "segments.csv", "summary.json", "timeline.png", "visits.csv")
 
 
 @pytest.fixture
@@ -64,13 +64,22 @@ def test_the_tables_have_what_the_system_said_to_the_bit(folder, source, capsys)
     assert table["seconds"].tolist() == [number / 25 for number in range(COUNT)]
     assert table["place"].tolist() == [CLASSES[number // STAY % 3] for number in range(COUNT)]
     assert table["frame_place"][1] == CLASSES[1]
+    assert table["name"].tolist() == [*table["place"][:11], *["unknown"] * 19]
+    visits = (results / "visits.csv").read_text()
+    assert visits == (
+        "place,start_seconds,end_seconds,confidence,frames\nbedroom,0.000,0.320,0.5930,8\n"
+        "living_room,0.320,0.440,0.5820,3\nunknown,0.440,1.200,0.5600,19\n"
+    )
     if source == "images":
         assert table["file"].tolist() == [f"frame{number}.png" for number in range(COUNT)]
     segments = (results / "segments.csv").read_text()
     assert segments == "start,end,label\n1,8,bedroom\n9,16,living_room\n17,24,kitchen\n25,30,bedroom\n"
     shown = capsys.readouterr().out
     assert "frames/s (the categorizer alone " in shown and " times the footage's 25" in shown
+    assert "In 63.3% of the time it is not sure enough: unknown." in shown
+    assert "\nOf a fake.\nIt never says `unknown`" in shown
     summary = json.loads((results / "summary.json").read_text())
+    assert (summary["share_unknown"], summary["visits"]) == (0.6333, 3)
     assert summary["share_of_time"] == {"bedroom": 0.4667, "living_room": 0.2667, "kitchen": 0.2667}
     assert sorted(path.name for path in results.iterdir()) == summary["files"]
     assert set(summary["files"]) == {*TABLES, "speed.json"}

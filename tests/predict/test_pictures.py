@@ -86,7 +86,7 @@ def test_pictures_have_even_sides_and_fit_many_places(size):
     classes = [f"a_place_with_a_long_name_{number}" for number in range(20)]
     proba = np.full(20, 0.05)
     regions = np.zeros((0, 4), np.float32)
-    decision = type("D", (), {"place": classes[3], "confidence": 0.05, "proba": proba})()
+    decision = type("D", (), {"place": classes[3], "is_known": True, "confidence": 0.05, "proba": proba})()
     decision.integrated, decision.regions = proba, regions
     shown = Annotator(classes, size)
     picture = shown(Frame(1, 0.0, "", np.zeros((size[1], size[0], 3), np.uint8)), decision, "")

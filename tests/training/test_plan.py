@@ -34,7 +34,7 @@ def test_further_sequences_have_the_places_of_the_homes_by_name():
 def test_a_released_system_trains_on_every_home_or_on_all_but_one():
     everything = plans.of_release(PARAMS, "5-5-1")
     assert (names(everything.cues), everything.tested, everything.training_set) == (HOMES, (), "all")
-    assert plans.of_release(PARAMS, "4-5-1", "H3") == plans.of_homes(PARAMS, "4-5-1")[2]
+    assert plans.of_release(PARAMS, "4-5-1", ["H3"]) == plans.of_homes(PARAMS, "4-5-1")[2]
 
 
 def test_a_training_home_is_judged_without_the_test_home():

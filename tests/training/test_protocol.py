@@ -75,6 +75,24 @@ def test_impossible_protocols_are_refused(homes, scheme, message):
         folds(homes, scheme)
 
 
+@pytest.mark.parametrize("scheme", ["5-5-1", "4-5-1"])
+def test_homes_that_are_left_out_train_nothing(scheme):
+    fold = protocol.fold_without(HOMES, scheme, ["F", "A"])
+    kept = ("B",) if scheme == "4-5-1" else ()
+    assert fold.integration_homes == ("B", "C", "D", "E")
+    assert set(fold.integration_homes) - set(fold.cue_homes) == set(kept)
+    assert (fold.test, fold.left_out) == ("F", ("F", "A", *kept))
+    assert protocol.fold_without(HOMES, scheme).integration_homes == tuple(HOMES)
+    assert protocol.fold_without(HOMES, scheme, ["C"]) == folds(HOMES, scheme)[2]
+
+
+def test_too_few_homes_are_left():
+    with pytest.raises(PlacecatError, match="at least 7 homes to leave 5 out"):
+        protocol.fold_without(HOMES, "5-5-1", HOMES[:5])
+    with pytest.raises(PlacecatError, match="no home 'G' to leave out: use one of A, B, C, D, E, F"):
+        protocol.fold_without(HOMES, "5-5-1", ["G"])
+
+
 def test_every_third_frame_counts_all_frames_and_takes_labelled_ones():
     labels = np.array([0, 1, 1, -1, 1, 1, 2, 2], dtype=np.int16)
     assert select_frames(labels, offset=0, step=3).tolist() == [0, 6]

@@ -1,5 +1,6 @@
 """Places of new footage, frame by frame, by a trained system."""
 
 from placecat.categorizer.categorizer import Categorizer, Decision
+from placecat.categorizer.visits import Visit
 
-__all__ = ["Categorizer", "Decision"]
+__all__ = ["Categorizer", "Decision", "Visit"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,9 +15,12 @@ from threadpoolctl import ThreadpoolController
 from placecat import cue_input
 from placecat.categorizer import model_file
 from placecat.categorizer.checks import check_distribution
+from placecat.categorizer.fitting import Fit, fit
 from placecat.categorizer.system import TrainedSystem
+from placecat.categorizer.visits import UNKNOWN, Visit, VisitLog
 from placecat.errors import PlacecatError
-from placecat.fusion.smoothing import Smoother
+from placecat.fusion.delay import Delay
+from placecat.fusion.smoothing import Smoother, check_elapsed
 from placecat.vision.frame import check, describe_frame
 from placecat.vision.tracking import RegionTracker
 
@@ -43,8 +47,15 @@ class Decision:
     cues
         Of this frame alone, cue by cue.
     regions
-        (n, 4) float32, the salient regions: x, y (pixels of the frame), scale, strength; strongest first. The
-        tracked ones if any cue follows regions.
+        (n, 4) float32, the salient regions: x, y (pixels of the frame, as it was resized), scale, strength;
+        strongest first. The tracked ones if any cue follows regions.
+    is_known
+        Whether `confidence` is at least the system's threshold, see :attr:`Categorizer.threshold`.
+    seconds
+        When the frame was taken, see :meth:`Categorizer.update`.
+    about
+        The time that `proba` is about, at or before `seconds`: the mean of the times of the frames whose
+        distributions the delay has mixed, with their weights in it.
     """
 
     place: str
@@ -54,6 +65,14 @@ class Decision:
     integrated: NDArray[np.float64]
     cues: dict[str, NDArray[np.float64]]
     regions: NDArray[np.float32]
+    is_known: bool
+    seconds: float
+    about: float
+
+    @property
+    def name(self) -> str:
+        """The place, or ``unknown``."""
+        return self.place if self.is_known else UNKNOWN
 
 
 class Categorizer:
@@ -66,32 +85,44 @@ class Categorizer:
     ----------
     system
         From `placecat.categorizer.train`, or see :meth:`load`.
+    resize
+        Whether frames of other sizes are scaled, and cut to the shape that it knows, as
+        :func:`placecat.categorizer.fitting.fit` says.
 
     Attributes
     ----------
     classes
         Names of the places, in the order of the distributions.
     frame_sizes
-        (width, height) of the frames it was trained on; others are refused.
+        (width, height) of the frames it was trained on; others are refused unless `resize`.
     card
         What is known of the system: data, accuracy, settings, versions.
+    threshold
+        Least confidence of a decision that is known: chosen on training homes so that at most a share
+        ``model.risk`` of such decisions is wrong. 0 if that was not measured, infinite if no confidence is
+        enough.
 
     Examples
     --------
     With the model that ``make repro`` leaves, and frames of a camera::
 
         categorizer = Categorizer.load("data/model.placecat")
-        for frame, seconds in camera:
-            decision = categorizer.update(frame, seconds)
-            print(decision.place, decision.confidence)
+        for frame, time in camera:
+            decision = categorizer.update(frame, time=time)
+            print(decision.name, decision.place, decision.confidence)
+        print(categorizer.visits())
     """
 
-    def __init__(self, system: TrainedSystem) -> None:
+    def __init__(self, system: TrainedSystem, *, resize: bool = False) -> None:
+        self._resize = resize
+        self._fits: dict[tuple[int, int], Fit] = {}
         self.card: dict[str, Any] = system.card
         self.classes: tuple[str, ...] = tuple(system.card["classes"])
         self.frame_sizes: tuple[tuple[int, int], ...] = tuple(
             (int(width), int(height)) for width, height in system.card["frame_sizes"]
         )
+        unknown = system.card.get("unknown") or {"threshold": 0.0}
+        self.threshold: float = math.inf if unknown["threshold"] is None else float(unknown["threshold"])
         self._system = system
         self._tracked = [cue.name for cue in system.cues if cue.descriptor.get("tracked", False)]
         own = [cue.descriptor for cue in system.cues if cue.name not in self._tracked]
@@ -106,7 +137,9 @@ class Categorizer:
         self.reset()
 
     @classmethod
-    def load(cls, path: str | Path, *, classes: Sequence[str] | None = None) -> Categorizer:
+    def load(
+        cls, path: str | Path, *, classes: Sequence[str] | None = None, resize: bool = False
+    ) -> Categorizer:
         """Read a trained system from its file.
 
         Parameters
@@ -115,6 +148,8 @@ class Categorizer:
             Written by `placecat train`, or by the stage `model`.
         classes
             The places that the caller expects, in this order; None takes what the model has.
+        resize
+            See :class:`Categorizer`.
 
         Raises
         ------
@@ -129,7 +164,7 @@ class Categorizer:
                 "order, or train a model for yours"
             )
         try:
-            categorizer = cls(system)
+            categorizer = cls(system, resize=resize)
             with np.errstate(all="ignore"):
                 categorizer._try()
         # Whatever goes wrong with a file that someone may have made by hand.
@@ -151,37 +186,81 @@ class Categorizer:
     def reset(self) -> None:
         """Forget what was seen: call it at a cut, before the first frame of another sequence."""
         self._smoother = Smoother(self._system.smoothing)
+        self._mixed_times = Delay(self._system.smoothing.delay_seconds)
+        self._last: float | None = None
+        self._visits = VisitLog()
         tracking = self._system.tracking
         self._tracker = RegionTracker(**tracking) if tracking is not None and self._tracked else None
 
-    def update(self, frame: NDArray[np.uint8], seconds: float | None = None) -> Decision:
+    def update(
+        self, frame: NDArray[np.uint8], seconds: float | None = None, *, time: float | None = None
+    ) -> Decision:
         """Take the next frame.
+
+        Without `seconds` and `time` it comes one frame at `frame_rate` after the last. A frame that comes
+        twice, at the same time, is no further evidence.
 
         Parameters
         ----------
         frame
-            (height, width, 3) uint8 BGR, as OpenCV gives it, of one of `frame_sizes`.
+            (height, width, 3) uint8 BGR, as OpenCV gives it, upright, of one of `frame_sizes`.
         seconds
-            Time since the last frame, at or above 0; of the first frame, the time that it stands for. None is
-            one frame at `frame_rate`.
+            Time since the last frame, at or above 0; of the first frame, the time that it stands for, and the
+            decision's time is 0.
+        time
+            When it was taken, in seconds of any clock that does not go back; the first frame stands for one
+            at `frame_rate`.
 
         Raises
         ------
         PlacecatError
-            If the frame is of another size or type, or the time negative or not finite.
+            If the frame is of another size or type (with `resize`, if less than half of it would be left),
+            the time is not finite or before that of the last frame, or both times are given. The frame is
+            left out then: the next one may come.
         """
-        self._check(frame)
-        return self._decide(frame, seconds)
+        frame = self._fitted(frame)
+        now, elapsed = self._moment(seconds, time)
+        decision = self._decide(frame, elapsed, now)
+        self._last = now
+        self._visits.add(decision.name, decision.confidence, now)
+        return decision
+
+    def visits(self) -> list[Visit]:
+        """List the stays so far: runs of frames of one name, ``unknown`` among them, in order.
+
+        A stay ends when the next begins; the last ends with the last frame. Times are those of the frames,
+        after which the place was decided: late by the delay.
+        """
+        return self._visits.until(self._last)
+
+    def _moment(self, seconds: float | None, time: float | None) -> tuple[float, float | None]:
+        """When the frame was taken, and the seconds that it stands for."""
+        if seconds is not None and time is not None:
+            raise PlacecatError("give the seconds since the last frame or the time of this one, not both")
+        if time is None:
+            check_elapsed(seconds)
+            step = 1.0 / self.frame_rate if seconds is None else seconds
+            return 0.0 if self._last is None else self._last + step, seconds
+        if not math.isfinite(time):
+            raise PlacecatError(f"the time of a frame is {time:g}: give finite seconds")
+        if self._last is None:
+            return time, None
+        if time < self._last:
+            raise PlacecatError(
+                f"a frame is {self._last - time:g} s older than the last one: give frames in the order of "
+                "their times, leave out those that come late, and call reset() where the clock starts anew"
+            )
+        return time, time - self._last
 
     def _try(self) -> None:
         """Name the place of noise, and forget it: all parts fit one another, and the frames."""
         frame = np.random.default_rng(0).integers(0, 256, _TRIAL, np.uint8)
-        decision = self._decide(frame, None)
+        decision = self._decide(frame, None, 0.0)
         for proba in (*decision.cues.values(), decision.integrated, decision.hmm, decision.proba):
             check_distribution(proba, len(self.classes))
         self.reset()
 
-    def _decide(self, frame: NDArray[np.uint8], seconds: float | None) -> Decision:
+    def _decide(self, frame: NDArray[np.uint8], elapsed: float | None, now: float) -> Decision:
         with self._blas.limit(limits=1, user_api="blas"):
             arrays, followed = self._describe(frame)
             cues = {}
@@ -194,9 +273,10 @@ class Categorizer:
                 )
                 cues[cue.name] = cue.model.predict_proba(seen)[0]
             integrated = self._system.integrator.predict_proba(np.stack(list(cues.values()))[None])[0]
-            hmm, proba = self._smoother.step(integrated, seconds)
+            hmm, proba = self._smoother.step(integrated, elapsed)
         best = int(proba.argmax())
         shown = followed if self._tracker is not None else arrays
+        lasted = 1.0 / self.frame_rate if elapsed is None else elapsed
         return Decision(
             place=self.classes[best],
             confidence=float(proba[best]),
@@ -205,20 +285,28 @@ class Categorizer:
             integrated=integrated,
             cues=cues,
             regions=shown["regions"][0, : int(shown["count"][0])],
+            is_known=bool(proba[best] >= self.threshold),
+            seconds=now,
+            about=float(self._mixed_times.step(np.array([now]), lasted)[0]),
         )
 
-    def _check(self, frame: NDArray[np.uint8]) -> None:
+    def _fitted(self, frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
         if frame.dtype != np.uint8 or frame.ndim != 3 or frame.shape[2] != 3:
             raise PlacecatError(
                 f"a frame has shape {frame.shape} and type {frame.dtype}: give (height, width, 3) uint8, BGR"
             )
         size = (frame.shape[1], frame.shape[0])
-        if size not in self.frame_sizes:
+        if size in self.frame_sizes:
+            return frame
+        if not self._resize:
             known = " or ".join(f"{width}x{height}" for width, height in self.frame_sizes)
             raise PlacecatError(
                 f"a frame has {size[0]}x{size[1]} pixels, but the model was trained on {known}: scale frames "
-                "to that, or train on footage of this size"
+                "to that, load the model with resize=True, or train on footage of this size"
             )
+        if size not in self._fits:
+            self._fits[size] = fit(size, self.frame_sizes, resize=True)
+        return self._fits[size](frame)
 
     def _describe(self, frame: NDArray[np.uint8]) -> tuple[dict[str, NDArray[Any]], dict[str, NDArray[Any]]]:
         """Features of the frame's own regions and of the followed ones, with one frame as the first axis."""

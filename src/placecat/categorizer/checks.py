@@ -18,6 +18,8 @@ _SIDE = Annotated[int, Field(ge=1, le=2**14)]
 _Name = Annotated[str, StringConstraints(min_length=1, max_length=1000)]
 _Count = Annotated[int, Field(ge=0)]
 _Rate = Annotated[float, Field(gt=0, allow_inf_nan=False)]
+# Rounding may lift a probability above 1.
+_Share = Annotated[float, Field(ge=0, le=1.000001)]
 Settings = dict[str, Any]
 
 
@@ -32,10 +34,29 @@ class Data(Section):
     """What the system was trained on."""
 
     title: str | int
+    note: str | None
     version: str
     homes: list[str | int]
-    left_out: str | int
+    left_out: list[str | int]
     frames: TrainingFrames
+
+
+class Risk(Section):
+    """What was measured for a share of decisions that may be wrong."""
+
+    risk: _Share
+    threshold: _Share | None
+    coverage: _Share
+    wrong: _Share | None
+    worst: _Share | None
+
+
+class Unknown(Section):
+    """When a decision is unknown, see :func:`placecat.categorizer.held_out.unknown`."""
+
+    risk: _Share
+    threshold: _Share | None
+    measured: list[Risk]
 
 
 class Card(Section):
@@ -51,6 +72,7 @@ class Card(Section):
     ]
     fps: list[_Rate]
     accuracy: dict[str, float]
+    unknown: Unknown | None
     settings: Settings
     versions: dict[str, str]
 

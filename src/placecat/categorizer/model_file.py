@@ -9,6 +9,7 @@ import numpy as np
 
 from placecat import __version__
 from placecat.categorizer import archive, checks
+from placecat.categorizer.card import FORMAT, unknown_text
 from placecat.categorizer.plain import from_plain, to_plain
 from placecat.categorizer.system import TrainedCue, TrainedSystem
 from placecat.errors import PlacecatError
@@ -16,8 +17,6 @@ from placecat.fusion.integrate import Integrator
 from placecat.fusion.smoothing import SmoothingModel
 from placecat.templates import environment
 
-# Raise it when what is stored changes its meaning.
-FORMAT = 3
 _CARD, _TEXT, _SYSTEM = "card.json", "card.md", "system.json"
 
 
@@ -36,7 +35,9 @@ def write(path: Path, system: TrainedSystem) -> None:
     }
     members = {
         _CARD: json.dumps(system.card, indent=1),
-        _TEXT: environment("placecat.categorizer").get_template("model_card.md.j2").render(card=system.card),
+        _TEXT: environment("placecat.categorizer")
+        .get_template("model_card.md.j2")
+        .render(card=system.card, unknown=unknown_text(system.card)),
         _SYSTEM: json.dumps(content | {"arrays": len(arrays)}),
     }
     archive.write(

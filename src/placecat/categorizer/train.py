@@ -1,31 +1,30 @@
 """Train a system on homes whose features the stages have computed, to be applied to other footage."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import pandas as pd
-
 from placecat import files, paths, settings
-from placecat.categorizer import model_file
-from placecat.categorizer.card import make_card
+from placecat.categorizer import held_out, model_file
+from placecat.categorizer.card import make_card, unknown_text
 from placecat.categorizer.system import TrainedCue, TrainedSystem
 from placecat.errors import PlacecatError
-from placecat.lockfile import data_version
+from placecat.lockfile import check_data, data_version
 from placecat.training import plan as plans
 from placecat.training import system as systems
 from placecat.training.integration import fused_parts
 
 
-def train_command(system: str | None, without: str | None, seed: int | None, output: Path | None) -> int:
-    """Train a system and write it: `placecat train`.
+def train_command(system: str | None, without: Sequence[str], seed: int | None, output: Path | None) -> int:
+    """Train a system, measure it in homes that it has not seen, and write it: `placecat train`.
 
     Parameters
     ----------
     system
         One of conf/system; None for ``model.system``.
     without
-        A home that is left out of all training; None to train on all.
+        Homes that are left out of all training; none to train on all.
     seed
         One of ``protocol.seeds``; None for ``model.seed``.
     output
@@ -38,27 +37,35 @@ def train_command(system: str | None, without: str | None, seed: int | None, out
     """
     params = settings.load()
     name = system if system is not None else str(settings.get(params, "model.system"))
+    without = list(dict.fromkeys(without))
     if output is None:
-        is_default = system is None and without is None and seed is None
-        left_out = f"-without-{without}" if without else ""
+        is_default = system is None and not without and seed is None
+        left_out = "".join(f"-without-{home}" for home in without)
         seeded = f"-seed-{seed}" if seed is not None else ""
         output = paths.MODEL if is_default else paths.MODELS / f"{name}{left_out}{seeded}.placecat"
     files.check_writable(output)
     if output.exists() and not model_file.is_model(output):
         raise PlacecatError(f"{output} is not a model, and is not replaced: give another --output")
+    check_data(params)
     trained = train(params, name, without=without, seed=seed)
+    print("Trained. Now the same without one home at a time, to measure it there.", flush=True)
+    trained = measured(
+        trained, params, held_out.by_training(params, name, without, trained.card["settings"]["seed"])
+    )
     model_file.write(output, trained)
     print(f"{trained.card['title']}: {output}, {output.stat().st_size / 1e6:.1f} MB")
+    print(unknown_text(trained.card))
     print(f"`placecat predict SOURCE --model {output}` applies it to new footage.")
     return 0
 
 
 def train(
-    params: Mapping[str, Any], name: str, *, without: str | None = None, seed: int | None = None
+    params: Mapping[str, Any], name: str, *, without: Sequence[str] = (), seed: int | None = None
 ) -> TrainedSystem:
-    """Train a system on all homes, or on all but one.
+    """Train a system on all homes, or on all but some.
 
-    Without one home it is what the stages apply to that home, to the bit.
+    Without one home it is what the stages apply to that home, to the bit. Its card has nothing measured, see
+    :func:`measured`.
 
     Parameters
     ----------
@@ -67,22 +74,19 @@ def train(
     name
         Of the system.
     without
-        The home that is left out.
+        The homes that are left out.
     seed
         As for :func:`train_command`.
 
     Raises
     ------
     PlacecatError
-        An unknown system, home or seed; features that were not computed.
+        An unknown system, home or seed; too few homes; features that were not computed.
     """
-    homes = list(settings.get(params, "dataset.homes"))
     seed = int(settings.get(params, "model.seed")) if seed is None else seed
     seeds = settings.get(params, "protocol.seeds")
     if seed not in seeds:
         raise PlacecatError(f"seed {seed} is none of protocol.seeds: use one of {', '.join(map(str, seeds))}")
-    if without is not None and without not in homes:
-        raise PlacecatError(f"there is no home {without!r} to leave out: use one of {', '.join(homes)}")
     system, scheme = systems.System.of(params, name), settings.get(params, f"systems.{name}.scheme")
     plan = plans.of_release(params, scheme, without, extra=system.extra)
     trained = systems.train(plan, system, seed)
@@ -97,6 +101,22 @@ def train(
         integrator=trained.integrator,
         smoothing=trained.smoothing,
     )
+
+
+def measured(system: TrainedSystem, params: Mapping[str, Any], decisions: held_out.HeldOut) -> TrainedSystem:
+    """Give a system with what was measured in homes that it had not seen in its card.
+
+    Parameters
+    ----------
+    decisions
+        In its training homes, by systems of the same settings.
+    """
+    risk, shown = (settings.get(params, f"model.{setting}") for setting in ("risk", "risks_shown"))
+    facts = {
+        "accuracy": held_out.accuracies(decisions),
+        "unknown": held_out.unknown(decisions, risk, shown),
+    }
+    return replace(system, card=system.card | facts)
 
 
 def _tracking(params: Mapping[str, Any], cues: Sequence[TrainedCue]) -> dict[str, Any] | None:
@@ -119,15 +139,17 @@ def _card(params: Mapping[str, Any], name: str, plan: plans.Plan, seed: int) -> 
         title=f"{system['title']}, with smoothing; {dataset['title']}",
         data={
             "title": dataset["title"],
+            "note": dataset.get("note"),
             "version": data_version(),
             "homes": homes,
-            "left_out": plan.test if plan.tested else "",
+            "left_out": [part.home for part in plan.tested],
             "frames": frames,
         },
         classes=dataset["classes"],
         frame_sizes=sorted({(home["width"], home["height"]) for home in facts}),
         fps=sorted({home["fps"] for home in facts}),
-        accuracy=_accuracy(name),
+        accuracy={},
+        unknown=None,
         settings={
             "system": {name: system},
             "seed": seed,
@@ -137,12 +159,3 @@ def _card(params: Mapping[str, Any], name: str, plan: plans.Plan, seed: int) -> 
             "smoothing": settings.get(params, "smoothing"),
         },
     )
-
-
-def _accuracy(system: str) -> dict[str, float]:
-    """Percent in each home by the systems of the same settings that left it out, if that was measured."""
-    if not paths.ACCURACIES.is_file():
-        return {}
-    table = pd.read_csv(paths.ACCURACIES)
-    rows = table[(table["result"] == f"smoothing/{system}") & (table["place"] == "all")]
-    return {str(home): float(value) for home, value in zip(rows["home"], rows["accuracy"], strict=True)}

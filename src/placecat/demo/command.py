@@ -14,13 +14,13 @@ from numpy.typing import NDArray
 
 from placecat import files, paths
 from placecat.categorizer import Categorizer, Decision
+from placecat.categorizer.fitting import fit
 from placecat.compose import compose
 from placecat.demo import page, training
 from placecat.drawing.style import house_style, save
 from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.predict import tables, timeline, truth
-from placecat.predict.fitting import fit
 from placecat.predict.frame import Frame
 from placecat.predict.prediction import Prediction
 from placecat.predict.run import Speed, Wish, run

@@ -77,9 +77,8 @@ class Smoother:
             duration. None is one frame at the model's rate; an equal time gives the same bits.
         """
         steps = 1.0
+        check_elapsed(seconds)
         if seconds is not None:
-            if not (math.isfinite(seconds) and seconds >= 0):
-                raise PlacecatError(f"{seconds:g} s between two frames: give a finite number, 0 or more")
             steps = seconds * self.model.frame_rate
             if abs(steps - 1.0) < _ROUNDING:
                 steps = 1.0
@@ -87,6 +86,12 @@ class Smoother:
         most = max(1.0, self.model.evidence_seconds * self.model.frame_rate)
         filtered = self._filter.step(likelihood, steps=steps, weight=min(steps, most))
         return filtered, self._delay.step(filtered, steps / self.model.frame_rate)
+
+
+def check_elapsed(seconds: float | None) -> None:
+    """Refuse a time between two frames that is negative or not finite."""
+    if seconds is not None and not (math.isfinite(seconds) and seconds >= 0):
+        raise PlacecatError(f"{seconds:g} s between two frames: give a finite number, 0 or more")
 
 
 def fit(

@@ -99,7 +99,9 @@ class Annotator:
             self._colors[decision.place],
             -1,
         )
-        name, x = palette.place_title(decision.place), left + round(1.6 * unit)
+        # A question mark where it is unknown.
+        name = palette.place_title(decision.place) + ("" if decision.is_known else "?")
+        x = left + round(1.6 * unit)
         write(picture, name, (x, top), _fitting(name, round(1.3 * unit), right - x), _INK, bold=True)
         top += round(2.2 * unit)
         write(picture, "confidence", (left, top), unit, _GREY)

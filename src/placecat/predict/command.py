@@ -14,12 +14,14 @@ from numpy.typing import NDArray
 
 from placecat import files
 from placecat.categorizer import Categorizer, Decision
+from placecat.categorizer.card import unknown_text
+from placecat.categorizer.fitting import Fit, fit
 from placecat.drawing.style import house_style, save
 from placecat.errors import PlacecatError, one_line
 from placecat.predict import destination, exports, report, tables, timeline, truth
 from placecat.predict.camera import Camera
-from placecat.predict.fitting import Fit, fit
 from placecat.predict.frame import Frame, Source
+from placecat.predict.home import PREFIX, DataSetHome, data_set
 from placecat.predict.prediction import Prediction
 from placecat.predict.run import Speed, Wish, run, true_label
 from placecat.predict.sources import BagSource, Folder, open_source, without_password
@@ -44,6 +46,7 @@ class Options:
     resize: bool = False
     labels: Path | None = None
     ignore: Sequence[str] = ()
+    overrides: Sequence[str] = ()
     every: int = 1
     seconds: float | None = None
     fps: float | None = None
@@ -70,20 +73,15 @@ def predict_command(options: Options) -> int:
     _check(options)
     _quiet()
     categorizer = Categorizer.load(options.model)
-    source = open_source(
-        options.source,
-        fps=options.fps,
-        usual_fps=categorizer.frame_rate,
-        size=categorizer.frame_size,
-        topic=options.topic,
-    )
+    source = _open(options, categorizer)
     if source.is_live and options.every != 1:
         raise PlacecatError(
             "--every is for files: of a camera the newest frame is taken whenever one is done"
         )
     chosen = fit(source.size, categorizer.frame_sizes, resize=options.resize)
-    labels = None
-    if options.labels is not None:
+    if options.labels is None:
+        labels = source.truth(categorizer.classes, options.ignore)
+    else:
         count = source.exact_count()
         labels = truth.read(
             options.labels, count, source.fps, categorizer.classes, options.ignore, source.starts()
@@ -101,6 +99,18 @@ def predict_command(options: Options) -> int:
         exports.check(options.exports, folder, read, force=options.force)
         _write(folder, options, source, chosen, categorizer, labels)
     return 0
+
+
+def _open(options: Options, categorizer: Categorizer) -> Source:
+    if options.source.startswith(PREFIX):
+        return DataSetHome(options.source.removeprefix(PREFIX), data_set(options.overrides), options.fps)
+    return open_source(
+        options.source,
+        fps=options.fps,
+        usual_fps=categorizer.frame_rate,
+        size=categorizer.frame_size,
+        topic=options.topic,
+    )
 
 
 def _write(
@@ -135,13 +145,14 @@ def _write(
         agreement = None if shown is None else truth.agreement(prediction, shown)
         tables.write_frames(temporary / tables.FRAMES, prediction)
         tables.write_segments(temporary / tables.SEGMENTS, prediction)
+        tables.write_visits(temporary / tables.VISITS, prediction)
         with house_style():
             title = f"{source.name}: {categorizer.card.get('title', 'places')}"
             save(timeline.draw(prediction, title, shown), temporary / TIMELINE)
         files.write_json(temporary / SPEED, _speed(speed, source))
         content = _summary(options, source, chosen, categorizer, prediction, agreement)
         content["files"] = sorted([*(path.name for path in temporary.iterdir()), destination.SUMMARY])
-        content |= destination.checksums(temporary, [tables.FRAMES, tables.SEGMENTS])
+        content |= destination.checksums(temporary, tables.TABLES)
         files.write_json(temporary / destination.SUMMARY, content)
     _print(folder, options, source, prediction, speed, agreement)
 
@@ -151,8 +162,13 @@ def _check(options: Options) -> None:
         raise PlacecatError("SOURCE is empty: give a video, a folder of images or a camera")
     if not 1 <= options.every <= MOST_EVERY:
         raise PlacecatError(f"--every is {options.every}: give 1 to {MOST_EVERY}")
-    if options.ignore and options.labels is None:
+    is_home = options.source.startswith(PREFIX)
+    if options.ignore and options.labels is None and not is_home:
         raise PlacecatError("--ignore is for labels: give --labels, too")
+    if options.overrides and not is_home:
+        raise PlacecatError("--set chooses the data set of home:NAME: give such a SOURCE")
+    if options.labels is not None and is_home:
+        raise PlacecatError("--labels is for other footage: the data set has the labels of its homes")
     if options.seconds is not None and not (np.isfinite(options.seconds) and options.seconds > 0):
         raise PlacecatError(f"--seconds is {options.seconds:g}: give more than 0")
 
@@ -167,6 +183,9 @@ def _quiet() -> None:
 
 def _announce(options: Options, source: Source, chosen: Fit, categorizer: Categorizer) -> None:
     print(f"{categorizer.card.get('title', options.model)}: {', '.join(categorizer.classes)}")
+    if note := categorizer.card["data"].get("note"):
+        print(note)
+    print(unknown_text(categorizer.card))
     if chosen.source != chosen.target:
         print(f"Frames: {chosen}.")
     if isinstance(source, BagSource):

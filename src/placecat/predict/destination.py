@@ -1,7 +1,7 @@
 """The folder of results, and what in it may be replaced."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from itertools import count
 from pathlib import Path
@@ -11,7 +11,7 @@ from filelock import FileLock, Timeout
 
 from placecat import files
 from placecat.errors import PlacecatError, refusal
-from placecat.predict.tables import FRAMES, SEGMENTS
+from placecat.predict.tables import TABLES
 
 SUMMARY = "summary.json"
 _CHECKED = "sha256"
@@ -125,7 +125,7 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
         )
 
 
-def checksums(folder: Path, names: list[str]) -> dict[str, Any]:
+def checksums(folder: Path, names: Sequence[str]) -> dict[str, Any]:
     """Checksums for the summary, by which edited tables are noticed later."""
     return {_CHECKED: {name: files.checksum(folder / name) for name in names}}
 
@@ -138,7 +138,7 @@ def _summary(folder: Path) -> dict[str, Any] | None:
     if not isinstance(found, dict) or not isinstance(found.get("files"), list):
         return None
     checked = found.get(_CHECKED)
-    return found if isinstance(checked, dict) and set(checked) == {FRAMES, SEGMENTS} else None
+    return found if isinstance(checked, dict) and set(checked) == set(TABLES) else None
 
 
 def _changed(folder: Path, summary: dict[str, Any]) -> str | None:

@@ -1,7 +1,7 @@
 """Footage, and one frame."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,12 +22,15 @@ class Frame:
         Name of the image in a folder; "" otherwise.
     image
         (H, W, 3) uint8, BGR.
+    begins
+        Whether there is a cut before it, after which the system begins anew.
     """
 
     number: int
     seconds: float
     file: str
     image: NDArray[np.uint8]
+    begins: bool = False
 
 
 def nanoseconds(seconds: float) -> int:
@@ -100,6 +103,18 @@ class Source(ABC):
 
     def starts(self) -> NDArray[np.float64] | None:
         """Seconds at which each frame starts and the last one ends; None if they come evenly or live."""
+        return None
+
+    def truth(self, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16] | None:
+        """(frames,) indices in `classes`, -1 for frames that are not scored; None if it has no labels.
+
+        Parameters
+        ----------
+        classes
+            What the model tells apart.
+        ignored
+            Labels of frames that are not scored.
+        """
         return None
 
     def damage(self) -> Damage:

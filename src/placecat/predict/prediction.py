@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from placecat.categorizer.visits import UNKNOWN, Visit, VisitLog
 from placecat.sequences.labels import Segment
 
 
@@ -35,6 +36,10 @@ class Prediction:
         Seconds at which the last frame ends; None if it lasts as long as frames do.
     turned
         Numbers of the frames of another size than the first.
+    threshold
+        Least confidence of a decision that is known.
+    cuts
+        Indices of the frames that a cut is before: the next floor.
     """
 
     classes: tuple[str, ...]
@@ -47,6 +52,8 @@ class Prediction:
     integrated: NDArray[np.float64]
     end: float | None = None
     turned: Sequence[int] = ()
+    threshold: float = 0.0
+    cuts: Sequence[int] = ()
 
     @property
     def decision(self) -> NDArray[np.int64]:
@@ -62,6 +69,25 @@ class Prediction:
     def confidence(self) -> NDArray[np.float64]:
         """(n,) probability of the decision."""
         return self.proba.max(axis=1)
+
+    @property
+    def is_known(self) -> NDArray[np.bool_]:
+        """(n,) whether the decision is sure enough."""
+        return self.confidence >= self.threshold
+
+    @property
+    def place_names(self) -> list[str]:
+        """Name of each frame's place; ``unknown`` where it is not known."""
+        pairs = zip(self.decision.tolist(), self.is_known.tolist(), strict=True)
+        return [self.classes[place] if known else UNKNOWN for place, known in pairs]
+
+    def visits(self) -> list[Visit]:
+        """Stays, as :meth:`placecat.categorizer.Categorizer.visits` lists them; the last lasts to the end."""
+        log = VisitLog()
+        frames = zip(self.place_names, self.confidence.tolist(), self.seconds.tolist(), strict=True)
+        for number, frame in enumerate(frames):
+            log.add(*frame, begins=number in self.cuts)
+        return log.until(float(self.ends[-1]))
 
     @property
     def ends(self) -> NDArray[np.float64]:

@@ -25,6 +25,8 @@ def facts(prediction: Prediction, agreement: Mapping[str, Any] | None) -> dict[s
         "seconds": round(float(prediction.ends[-1]), 3),
         "share_of_time": {name: round(value, 4) for name, value in _share_of_time(prediction).items()},
         "segments": len(prediction.segments()),
+        "share_unknown": round(_share_unknown(prediction), 4),
+        "visits": len(prediction.visits()),
         "mean_confidence": round(float(prediction.confidence.mean()), 4),
         "changes": _changes(prediction.decision),
         "changes_of_frame_alone": _changes(prediction.frame_decision),
@@ -36,7 +38,9 @@ def shares(prediction: Prediction) -> list[str]:
     """Lines: the share of time of each place that was seen, the longest first."""
     longest_first = sorted(_share_of_time(prediction).items(), key=lambda one: -one[1])
     width = max(map(len, prediction.classes))
-    return [f"  {name:{width}}  {value:6.1%}" for name, value in longest_first if value > 0]
+    lines = [f"  {name:{width}}  {value:6.1%}" for name, value in longest_first if value > 0]
+    unknown = _share_unknown(prediction)
+    return [*lines, f"  In {unknown:.1%} of the time it is not sure enough: unknown."] if unknown else lines
 
 
 def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str]:
@@ -105,6 +109,12 @@ def _share_of_time(prediction: Prediction) -> dict[str, float]:
     lengths = prediction.ends - prediction.seconds
     total = np.bincount(prediction.decision, weights=lengths, minlength=len(prediction.classes))
     return dict(zip(prediction.classes, (total / total.sum()).tolist(), strict=True))
+
+
+def _share_unknown(prediction: Prediction) -> float:
+    """Share of the time in which the place is unknown."""
+    lengths = prediction.ends - prediction.seconds
+    return float(lengths[~prediction.is_known].sum() / lengths.sum())
 
 
 def _changes(decision: np.ndarray) -> int:

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.categorizer import Categorizer, Decision
+from placecat.categorizer.fitting import Fit
 from placecat.errors import PlacecatError
 from placecat.predict.annotate import Annotator
 from placecat.predict.film import Film
-from placecat.predict.fitting import Fit
 from placecat.predict.frame import Frame, Source
 from placecat.predict.prediction import Prediction
 
@@ -119,14 +119,18 @@ def run(
         start = time.perf_counter()
         # The first frame stands for its time in the footage.
         seen = -1.0 / speed.wanted
-        turned = []
+        turned, cuts = [], []
         try:
             for raw in frames:
                 if wish.seconds is not None and raw.seconds >= wish.seconds:
                     break
                 if raw.image.shape[1::-1] != tuple(source.size):
                     turned.append(raw.number)
-                frame = Frame(raw.number, raw.seconds, raw.file, fit(raw.image))
+                frame = Frame(raw.number, raw.seconds, raw.file, fit(raw.image), raw.begins)
+                if frame.begins:
+                    system.reset()
+                    seen = frame.seconds - 1.0 / speed.wanted
+                    cuts.append(len(rows))
                 before = time.perf_counter()
                 decision = system.update(frame.image, frame.seconds - seen)
                 seen = frame.seconds
@@ -159,6 +163,8 @@ def run(
         integrated=np.stack(integrated),
         end=end,
         turned=turned,
+        threshold=system.threshold,
+        cuts=cuts,
     )
     return prediction, speed, was_stopped
 

@@ -9,11 +9,14 @@ from placecat.sequences.labels import FRAME_HEADER
 
 FRAMES = "frames.csv"
 SEGMENTS = "segments.csv"
+VISITS = "visits.csv"
+TABLES = (FRAMES, SEGMENTS, VISITS)
 
 
 def write_frames(path: Path, prediction: Prediction) -> None:
     """Write one row per frame: the decision and its confidence, all probabilities, those of the frame alone.
 
+    ``name`` is the place, or ``unknown`` where the confidence is too low.
     Probabilities have as many digits as it takes to read back the same number, to the bit.
     """
     classes = prediction.classes
@@ -24,6 +27,7 @@ def write_frames(path: Path, prediction: Prediction) -> None:
         **({"file": pd.Series(prediction.names, dtype=object)} if prediction.names else {}),
         "place": [classes[place] for place in prediction.decision],
         "confidence": prediction.confidence,
+        "name": prediction.place_names,
         **{f"p_{name}": column for name, column in zip(classes, prediction.proba.T, strict=True)},
         "frame_place": [classes[place] for place in prediction.frame_decision],
         **{f"frame_p_{name}": column for name, column in zip(classes, prediction.integrated.T, strict=True)},
@@ -35,6 +39,17 @@ def write_segments(path: Path, prediction: Prediction) -> None:
     """Write one row per stretch of one place, in the format of a label file."""
     rows = [(part.start, part.end, part.label) for part in prediction.segments()]
     _write(path, pd.DataFrame(rows, columns=FRAME_HEADER))
+
+
+def write_visits(path: Path, prediction: Prediction) -> None:
+    """Write one row per stay: its name, seconds of its start and end, mean confidence, number of frames."""
+    rows = [
+        (visit.place, f"{visit.start:.3f}", f"{visit.end:.3f}", f"{visit.confidence:.4f}", visit.frames)
+        for visit in prediction.visits()
+    ]
+    _write(
+        path, pd.DataFrame(rows, columns=["place", "start_seconds", "end_seconds", "confidence", "frames"])
+    )
 
 
 def _write(path: Path, table: pd.DataFrame) -> None:

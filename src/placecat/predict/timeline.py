@@ -82,6 +82,10 @@ def _confidence(axes: Axes, prediction: Prediction, end: float) -> None:
     axes.fill_between(times, 0.0, values, step="post", color="#e3e3e3", linewidth=0)
     axes.step(times, values, where="post", color=palette.INK, linewidth=0.8)
     axes.axhline(chance, color=palette.MUTED, linewidth=0.6, linestyle=(0, (3, 2)))
+    lines = "dashed: a guess"
+    if 0.0 < prediction.threshold <= 1.0:
+        axes.axhline(prediction.threshold, color=palette.INK, linewidth=0.6, linestyle=(0, (1, 2)))
+        lines += "; dotted: unknown below"
     axes.set_ylim(0.0, 1.02)
     axes.set_yticks([0.0, 0.5, 1.0], ["0", "0.5", "1"])
     axes.set_ylabel("confidence")
@@ -90,7 +94,7 @@ def _confidence(axes: Axes, prediction: Prediction, end: float) -> None:
     axes.xaxis.set_major_formatter(
         FuncFormatter(lambda value, _: clock(value) if end > 8 else f"{value:g} s")
     )
-    axes.set_xlabel("time (dashed: confidence of a guess)" if end <= 60 else "time, min:s (dashed: a guess)")
+    axes.set_xlabel(f"time ({lines})" if end <= 60 else f"time, min:s ({lines})")
 
 
 def _steps(end: float) -> list[float]:

@@ -54,6 +54,7 @@ class Dataset(Section):
     ignored: Distinct[Label]
     aliases: dict[Label, Label]
     require_all_classes: bool
+    note: Label | None = None
 
     @model_validator(mode="after")
     def _check_names(self) -> Self:
@@ -191,6 +192,8 @@ class Model(Section):
 
     system: Key
     seed: Seed
+    risk: PartShare
+    risks_shown: Distinct[PartShare]
 
 
 class Points(Section):

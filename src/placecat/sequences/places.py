@@ -85,7 +85,8 @@ def require_classes(labels: NDArray[np.int16], classes: Sequence[str], home: str
     if absent:
         raise PlacecatError(
             f"{home}: no frame is labelled {' or '.join(absent)}; label some, take the home out of "
-            "dataset.homes, or the class out of dataset.classes."
+            "dataset.homes, or the class out of dataset.classes; dataset.require_all_classes=false scores it "
+            "over the classes that it has."
         )
 
 

@@ -1,15 +1,17 @@
 """Stage `model`: a system trained on every home, for `placecat predict`."""
 
 from placecat import paths, settings
-from placecat.categorizer import model_file
-from placecat.categorizer.train import train
+from placecat.categorizer import held_out, model_file
+from placecat.categorizer.train import measured, train
 from placecat.stages import run
 
 
 def main() -> None:
     """Train the system of conf/model on every home; write data/model.placecat."""
     params = settings.load()
-    model_file.write(paths.MODEL, train(params, settings.get(params, "model.system")))
+    name, seed = (settings.get(params, f"model.{setting}") for setting in ("system", "seed"))
+    trained = measured(train(params, name), params, held_out.of_stages(params, name, seed))
+    model_file.write(paths.MODEL, trained)
 
 
 if __name__ == "__main__":

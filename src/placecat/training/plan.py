@@ -114,18 +114,18 @@ def of_homes(
 
 
 def of_release(
-    params: Mapping[str, Any], scheme: str, without: str | None = None, *, extra: bool = False
+    params: Mapping[str, Any], scheme: str, without: Sequence[str] = (), *, extra: bool = False
 ) -> Plan:
-    """Plan a system for other footage: every home trains, or every one but `without`, which is tested.
+    """Plan a system for other footage: every home trains but those of `without`, which are tested.
 
     Parameters
     ----------
     params, scheme, extra
         As for :func:`of_homes`.
+    without
+        As for :func:`placecat.training.protocol.fold_without`.
     """
-    if without is not None:
-        return of_homes(params, scheme, without, extra=extra)[0]
-    fold = protocol.fold_of_all(settings.get(params, "dataset.homes"), scheme)
+    fold = protocol.fold_without(settings.get(params, "dataset.homes"), scheme, without)
     return _of_fold(params, fold, extra=extra)
 
 
@@ -177,8 +177,7 @@ def on_training_homes(plan: Plan) -> list[Plan]:
 
 
 def _of_fold(params: Mapping[str, Any], fold: protocol.Fold, *, extra: bool) -> Plan:
-    tested = [fold.test] if fold.test else []
-    plan = _of_main(params, fold.cue_homes, fold.integration_homes, tested, fold.left_out)
+    plan = _of_main(params, fold.cue_homes, fold.integration_homes, fold.without, fold.left_out)
     return replace(plan, extra=_extra(params)) if extra else plan
 
 

@@ -24,8 +24,8 @@ class Fold:
     scheme
         "5-5-1": cues and integration train on all other homes, on different frames. "4-5-1": one of the
         other homes is kept from the cues and seen by the integration only.
-    test
-        The home that nothing fitted has seen; "" if all homes train.
+    without
+        Homes that nothing fitted has seen, the tested one first; none if all homes train.
     cue_homes
         Homes that codebooks, scalings and cue classifiers train on.
     integration_homes
@@ -33,15 +33,20 @@ class Fold:
     """
 
     scheme: str
-    test: str
+    without: tuple[str, ...]
     cue_homes: tuple[str, ...]
     integration_homes: tuple[str, ...]
+
+    @property
+    def test(self) -> str:
+        """The home that is tested; "" if all homes train."""
+        return self.without[0] if self.without else ""
 
     @property
     def left_out(self) -> tuple[str, ...]:
         """Homes that the training of the cues leaves out, the test home first."""
         kept = [home for home in self.integration_homes if home not in self.cue_homes]
-        return (self.test, *kept) if self.test else tuple(kept)
+        return (*self.without, *kept)
 
     @property
     def training_set(self) -> str:
@@ -95,39 +100,59 @@ def folds(homes: Sequence[str], scheme: str, tested: str | Sequence[str] = ALL) 
     PlacecatError
         An unknown scheme, too few homes for it, or an unknown tested home.
     """
-    if scheme not in SCHEMES:
-        raise PlacecatError(f"scheme {scheme!r} is unknown: use one of {', '.join(SCHEMES)}")
-    # Statistics come from cross-validation by home, so that what trains the cues must be two homes at least.
-    needed = 3 if scheme == "5-5-1" else 4
-    if len(homes) < needed:
-        raise PlacecatError(
-            f"scheme {scheme} needs at least {needed} homes, but dataset.homes has {len(homes)}: "
-            "add homes or drop the scheme"
-        )
-    if len(set(homes)) != len(homes):
-        raise PlacecatError("dataset.homes names a home twice: every name must be unique")
+    _check(homes, scheme, 1)
     wanted = tested_homes(homes, tested)
-    result = []
-    for number, test in enumerate(homes):
-        if test not in wanted:
-            continue
-        others = tuple(home for home in homes if home != test)
-        kept = homes[(number + 1) % len(homes)] if scheme == "4-5-1" else None
-        cue_homes = tuple(home for home in others if home != kept)
-        result.append(Fold(scheme, test, cue_homes, others))
-    return result
+    return [fold_without(homes, scheme, [home]) for home in homes if home in wanted]
 
 
-def fold_of_all(homes: Sequence[str], scheme: str) -> Fold:
-    """Let every home train, for use on other footage; in 4-5-1 the first home is kept from the cues.
+def fold_without(homes: Sequence[str], scheme: str, without: Sequence[str] = ()) -> Fold:
+    """Let all homes train but some, for these or for other footage.
+
+    In 4-5-1 the home kept from the cues is the next after the first of `without`, cyclically; the first of
+    all if every home trains.
 
     Parameters
     ----------
     homes, scheme
-        As for :func:`folds`, which has to accept them.
+        As for :func:`folds`.
+    without
+        Names of homes, the tested one first; may be empty.
+
+    Raises
+    ------
+    PlacecatError
+        An unknown scheme, too few homes for it, or one that is not there.
     """
-    folds(homes, scheme)
-    return Fold(scheme, "", tuple(homes[1:] if scheme == "4-5-1" else homes), tuple(homes))
+    for home in without:
+        if home not in homes:
+            raise PlacecatError(f"there is no home {home!r} to leave out: use one of {', '.join(homes)}")
+    _check(homes, scheme, len(without))
+    start = homes.index(without[0]) if without else 0
+    in_turn = [home for home in (*homes[start:], *homes[:start]) if home not in without]
+    others = tuple(home for home in homes if home not in without)
+    kept = in_turn[0] if scheme == "4-5-1" else None
+    return Fold(scheme, tuple(without), tuple(home for home in others if home != kept), others)
+
+
+def least_homes(scheme: str) -> int:
+    """Number of homes that a scheme needs, the tested one included."""
+    # Statistics come from cross-validation by home, so that what trains the cues must be two homes at least.
+    return 3 if scheme == "5-5-1" else 4
+
+
+def _check(homes: Sequence[str], scheme: str, left_out: int) -> None:
+    """Refuse an unknown scheme, and homes that do not suffice for it."""
+    if scheme not in SCHEMES:
+        raise PlacecatError(f"scheme {scheme!r} is unknown: use one of {', '.join(SCHEMES)}")
+    needed = least_homes(scheme) - 1 + max(1, left_out)
+    if len(homes) < needed:
+        leaving = f" to leave {left_out} out" if left_out > 1 else ""
+        raise PlacecatError(
+            f"scheme {scheme} needs at least {needed} homes{leaving}, but dataset.homes has {len(homes)}: "
+            "add homes or drop the scheme"
+        )
+    if len(set(homes)) != len(homes):
+        raise PlacecatError("dataset.homes names a home twice: every name must be unique")
 
 
 def select_frames(labels: NDArray[np.int16], *, offset: int, step: int) -> NDArray[np.int64]:

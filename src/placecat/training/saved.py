@@ -64,7 +64,9 @@ class CueResults:
             for proba in self.arrays("cross_validated")
         ]
 
-    def training(self, plan: Plan, parts: Sequence[Part], method: str) -> list[dict[str, NDArray[np.float64]]]:
+    def training(
+        self, plan: Plan, parts: Sequence[Part], method: str
+    ) -> list[dict[str, NDArray[np.float64]]]:
         """Of each cue the distributions that an integration by some method trains on, see `fused_parts`."""
         if integrate.learns_from_held_out(method):
             return self.held_out(plan)

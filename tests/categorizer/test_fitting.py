@@ -3,8 +3,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from placecat.categorizer.fitting import LEAST, fit
 from placecat.errors import PlacecatError
-from placecat.predict.fitting import LEAST, fit
 
 SIDES = st.integers(16, 2000)
 

@@ -1,0 +1,105 @@
+"""Decisions in homes that a system has not seen, by systems of the same settings that left each out."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import fold_file, paths, settings
+from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
+from placecat.evaluation.selection import choose_threshold, decided, select_unseen
+from placecat.listing import read_labels
+from placecat.training import plan as plans
+from placecat.training import protocol
+from placecat.training import system as systems
+
+# Of each home the (frames, n_classes) distributions after the delay.
+HeldOut = Mapping[str, NDArray[np.float64]]
+
+
+def of_stages(params: Mapping[str, Any], name: str, seed: int) -> HeldOut:
+    """Read what the stage `smoothing` left of a system in each home that is tested."""
+    homes = protocol.tested_homes(
+        settings.get(params, "dataset.homes"), settings.get(params, "protocol.test_homes")
+    )
+    folder = paths.SMOOTHING / name
+    return {home: fold_file.read(fold_file.seeded(folder, home, seed), "delayed") for home in homes}
+
+
+def by_training(params: Mapping[str, Any], name: str, without: Sequence[str], seed: int) -> HeldOut:
+    """Train a system for each training home that leaves it out, too, and apply it there.
+
+    With no home in `without` it gives what the stages leave, to the bit.
+
+    Parameters
+    ----------
+    name
+        Of the system.
+    without
+        Homes that have no part in it.
+
+    Returns
+    -------
+    Nothing if too few homes train for that.
+    """
+    homes = [home for home in settings.get(params, "dataset.homes") if home not in without]
+    scheme = settings.get(params, f"systems.{name}.scheme")
+    if len(homes) < protocol.least_homes(scheme):
+        return {}
+    system = systems.System.of(params, name)
+    outputs = {}
+    for home in homes:
+        plan = plans.of_release(params, scheme, [home, *without], extra=system.extra)
+        outputs[home] = systems.train(plan, system, seed).test(home)["delayed"]
+    return outputs
+
+
+def accuracies(held_out: HeldOut) -> dict[str, float]:
+    """Percent in each home, the mean over its places (thesis 4.2)."""
+    return {
+        home: round(
+            home_accuracy(confusion_matrix(read_labels(home), proba.argmax(axis=1), proba.shape[1])), 2
+        )
+        for home, proba in held_out.items()
+    }
+
+
+def unknown(held_out: HeldOut, chosen: float, shown: Sequence[float]) -> dict[str, Any] | None:
+    """Choose below which confidence a decision is unknown.
+
+    Parameters
+    ----------
+    chosen
+        The share of decisions that may be wrong.
+    shown
+        Further shares to measure.
+
+    Returns
+    -------
+    dict
+        For the card: ``risk``, `chosen`; ``threshold``, None if no confidence is enough; ``measured``, for
+        each share its ``threshold``, and ``coverage``, ``wrong`` and ``worst`` of homes whose threshold the
+        others chose (:class:`placecat.evaluation.selection.Selection`). None without two homes to measure.
+    """
+    homes = {home: decided(read_labels(home), proba) for home, proba in held_out.items()}
+    if len(homes) < 2:
+        return None
+    rows = []
+    for risk in sorted({*shown, chosen}):
+        unseen = select_unseen(homes, risk)
+        measured = {"coverage": unseen.coverage, "wrong": unseen.risk, "worst": unseen.worst}
+        threshold = _finite(choose_threshold(list(homes.values()), risk))
+        rows.append(
+            {"risk": risk, "threshold": threshold} | {key: _rounded(value) for key, value in measured.items()}
+        )
+    (threshold,) = (row["threshold"] for row in rows if row["risk"] == chosen)
+    return {"risk": chosen, "threshold": threshold, "measured": rows}
+
+
+def _finite(value: float) -> float | None:
+    return value if np.isfinite(value) else None
+
+
+def _rounded(value: float) -> float | None:
+    return round(value, 4) if np.isfinite(value) else None

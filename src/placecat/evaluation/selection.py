@@ -1,0 +1,121 @@
+"""Decisions that are withheld below a confidence: how many are left, and how many of these are wrong."""
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from placecat.evaluation.probabilities import balanced_weights
+
+# Sums of weights are rounded.
+_ROUNDING = 1e-9
+
+
+class Decided(NamedTuple):
+    """The decisions on the labelled frames of one home.
+
+    Attributes
+    ----------
+    confidence
+        (n,) float64, the probability of each decision.
+    wrong
+        (n,) bool.
+    weight
+        (n,) float64, sum to 1: homes weigh the same, and in a home its places, as in the accuracy.
+    """
+
+    confidence: NDArray[np.float64]
+    wrong: NDArray[np.bool_]
+    weight: NDArray[np.float64]
+
+
+class Selection(NamedTuple):
+    """What a threshold leaves of the decisions in some homes.
+
+    Attributes
+    ----------
+    coverage
+        Share of the decisions at or above it, 0 to 1.
+    risk
+        Share of these that are wrong, 0 to 1; NaN if there are none.
+    worst
+        The highest risk in a home that has any; NaN likewise.
+    """
+
+    coverage: float
+    risk: float
+    worst: float
+
+
+def decided(truth: ArrayLike, proba: ArrayLike) -> Decided:
+    """Judge the decisions in one home.
+
+    Parameters
+    ----------
+    truth
+        (n,) integers, -1 for frames that are not scored.
+    proba
+        (n, n_classes) distributions; of equal largest ones the first is the decision.
+    """
+    truth, proba = np.asarray(truth, np.int64), np.asarray(proba, np.float64)
+    scored = truth >= 0
+    wrong = proba.argmax(axis=1) != truth
+    return Decided(proba.max(axis=1)[scored], wrong[scored], balanced_weights(truth)[scored])
+
+
+def choose_threshold(homes: Sequence[Decided], risk: float) -> float:
+    """Choose the lowest confidence at or above which no larger share of the decisions is wrong than `risk`.
+
+    Parameters
+    ----------
+    homes
+        Decisions of systems that have not seen them.
+    risk
+        0 to 1.
+
+    Returns
+    -------
+    One of the confidences; infinite if none will do.
+
+    References
+    ----------
+    Y. Geifman and R. El-Yaniv, Selective Classification for Deep Neural Networks, NeurIPS 2017. They add a
+    bound for frames that are independent, which those of a walk are not.
+    """
+    confidence, wrong, weight = (np.concatenate(parts) for parts in zip(*homes, strict=True))
+    order = np.argsort(-confidence, kind="stable")
+    confidence, weight = confidence[order], weight[order]
+    risks = np.cumsum(weight * wrong[order]) / np.cumsum(weight)
+    # Equal confidences are taken together.
+    is_last = np.append(confidence[1:] != confidence[:-1], True)
+    good = np.flatnonzero(is_last & (risks <= risk + _ROUNDING))
+    return float(confidence[good[-1]]) if len(good) else math.inf
+
+
+def select(homes: Sequence[Decided], thresholds: Sequence[float]) -> Selection:
+    """Measure what one threshold a home leaves of its decisions."""
+    left = np.array([_left(home, threshold) for home, threshold in zip(homes, thresholds, strict=True)])
+    some = left[left[:, 0] > 0]
+    if not len(some):
+        return Selection(0.0, math.nan, math.nan)
+    return Selection(
+        float(left[:, 0].mean()),
+        float(some[:, 1].sum() / some[:, 0].sum()),
+        float((some[:, 1] / some[:, 0]).max()),
+    )
+
+
+def select_unseen(homes: Mapping[str, Decided], risk: float) -> Selection:
+    """Measure each home with the threshold that the others choose; there must be two at least."""
+    thresholds = [
+        choose_threshold([other for name, other in homes.items() if name != home], risk) for home in homes
+    ]
+    return select(list(homes.values()), thresholds)
+
+
+def _left(home: Decided, threshold: float) -> tuple[float, float]:
+    """Weights of the decisions that are left, and of the wrong ones among them."""
+    is_left = home.confidence >= threshold
+    return float(home.weight[is_left].sum()), float(home.weight[is_left & home.wrong].sum())

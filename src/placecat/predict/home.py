@@ -1,0 +1,123 @@
+"""A home of a data set as footage: all its floors, with the labels that the data set has."""
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import yaml
+from numpy.typing import NDArray
+
+from placecat import settings
+from placecat.errors import PlacecatError
+from placecat.footage.frames import read_frames
+from placecat.predict.frame import Damage, Frame, Source
+from placecat.sequences import open_home, place_labels
+
+PREFIX = "home:"
+"""What a source of this kind begins with; the name of the home follows."""
+
+
+class DataSetHome(Source):
+    """Frames of a home, one floor after the other.
+
+    Each floor, or other stretch without a cut, begins anew; its time goes on where the last one ended.
+
+    Parameters
+    ----------
+    name
+        One of the data set's homes.
+    dataset
+        As in conf/dataset.
+    fps
+        Frames a second; None takes those of the data set.
+
+    Raises
+    ------
+    PlacecatError
+        If there is no such home, or it cannot be read.
+    """
+
+    def __init__(self, name: str, dataset: Mapping[str, Any], fps: float | None) -> None:
+        if name not in dataset["homes"]:
+            raise PlacecatError(
+                f"{PREFIX}{name}: {dataset['title']} has no such home, but {', '.join(dataset['homes'])}; "
+                "--set dataset=... --set dataset.root=PATH chooses other data"
+            )
+        rate = dataset["fps"] if fps is None else fps
+        self._home = home = open_home(dataset["layout"], Path(dataset["root"]), name, fps=rate, camera="")
+        self._dataset = dataset
+        self.name = name
+        self.fps = home.fps
+        self.size = (home.width, home.height)
+        floors = home.frames["sequence"].to_numpy()
+        self._begins = np.append(True, floors[1:] != floors[:-1])
+        seconds = home.frames["seconds"].to_numpy(np.float64).copy()
+        for first in np.flatnonzero(self._begins)[1:]:
+            seconds[first:] += seconds[first - 1] + 1 / home.fps - seconds[first]
+        self._seconds = seconds
+
+    def frames(self, every: int) -> Iterator[Frame]:
+        """Decode the first of each `every` frames of a floor."""
+        self.reached = 0
+        place = np.arange(len(self._begins))
+        rows = np.flatnonzero((place - np.maximum.accumulate(np.where(self._begins, place, 0))) % every == 0)
+        table = self._home.frames.iloc[rows]
+        images = read_frames(self._home.root, table, size=self.size)
+        for row, source, position, image in zip(
+            rows.tolist(), table["source"], table["position"], images, strict=True
+        ):
+            self.reached = row + 1
+            file = source if position < 0 else ""
+            yield Frame(row + 1, float(self._seconds[row]), file, image, begins=bool(self._begins[row]))
+        self.reached = len(self._begins)
+
+    def count(self) -> int:
+        """Number of frames on all floors."""
+        return len(self._begins)
+
+    exact_count = count
+
+    def starts(self) -> NDArray[np.float64] | None:
+        """Seconds at which each frame starts and the last one ends; None if they come evenly."""
+        return None if self._home.is_even else np.append(self._seconds, self._seconds[-1] + 1 / self.fps)
+
+    def damage(self) -> Damage:
+        """Which of its frames are lost or damaged."""
+        return Damage(self._home.lost, self._home.damaged, self._home.note)
+
+    def truth(self, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16]:
+        """(frames,) class indices of the model, -1 for frames that are not scored.
+
+        Raises
+        ------
+        PlacecatError
+            If the data set has a class that the model does not know and that is not among `ignored`.
+        """
+        own = [name for name in self._dataset["classes"] if name not in ignored]
+        labels = place_labels(
+            self._home.frames["label"],
+            own,
+            list({*self._dataset["ignored"], *ignored}),
+            self._dataset["aliases"],
+            home=self._home,
+        )
+        for number in np.unique(labels[labels >= 0]):
+            if own[number] not in classes:
+                raise PlacecatError(
+                    f"{self.name}: the model knows no {own[number]!r}, only {', '.join(classes)}: leave such "
+                    f"frames unscored with --ignore {own[number]}"
+                )
+        numbers = [classes.index(name) if name in classes else -1 for name in own]
+        return np.array([*numbers, -1], np.int16)[labels]
+
+
+def data_set(overrides: Sequence[str]) -> Mapping[str, Any]:
+    """The data set of params.yaml, or of conf/ with some overrides."""
+    from placecat.check import check
+    from placecat.compose import compose
+
+    params = yaml.safe_load(compose(overrides)) if overrides else settings.load()
+    dataset: Mapping[str, Any] = settings.get(params, "dataset")
+    check({"dataset": dataset})
+    return dataset

@@ -1,0 +1,109 @@
+"""Decisions in unseen homes, of made data after the stage `features`."""
+
+import copy
+
+import numpy as np
+import pytest
+from made_features import CLASSES, HOMES, PARAMS, make
+
+from placecat import listing
+from placecat.categorizer import held_out
+from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
+
+SYSTEM = "das"
+OUT = "H2"
+
+
+def small():
+    """One system of two cues, with one seed."""
+    params = copy.deepcopy(PARAMS)
+    params["protocol"]["seeds"] = [0]
+    params["systems"] = {SYSTEM: params["systems"][SYSTEM]}
+    names = params["systems"][SYSTEM]["cues"]
+    params["cues"] = {name: params["cues"][name] | {"schemes": ["5-5-1"], "extra": False} for name in names}
+    params["codebooks"] = {"hog_y": params["codebooks"]["hog_y"] | {"schemes": ["5-5-1"]}}
+    params["smoothing"] |= {"cues": [], "filtered": []}
+    return params
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory):
+    from placecat.stages import codebooks, cues, integration, smoothing
+
+    folder = tmp_path_factory.mktemp("project")
+    make(folder, params=small())
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        patch.setenv("PLACECAT_WORKERS", "1")
+        for stage in (codebooks, cues, integration, smoothing):
+            stage.main()
+    return folder
+
+
+@pytest.fixture(autouse=True)
+def inside(project, monkeypatch):
+    monkeypatch.chdir(project)
+    monkeypatch.setenv("PLACECAT_WORKERS", "1")
+
+
+def test_training_without_each_home_gives_the_bits_of_the_stages():
+    trained = held_out.by_training(small(), SYSTEM, [], 0)
+    left = held_out.of_stages(small(), SYSTEM, 0)
+    assert list(trained) == list(left) == HOMES
+    for home in HOMES:
+        np.testing.assert_array_equal(trained[home], left[home])
+
+
+def test_homes_that_are_left_out_have_no_part_in_it(project, tmp_path, monkeypatch):
+    plain = held_out.by_training(small(), SYSTEM, [OUT], 0)
+    make(tmp_path, marked=OUT, params=small())
+    monkeypatch.chdir(tmp_path)
+    marked = held_out.by_training(small(), SYSTEM, [OUT], 0)
+    assert list(plain) == list(marked) == [home for home in HOMES if home != OUT]
+    for home in plain:
+        np.testing.assert_array_equal(plain[home], marked[home])
+    own = listing.read_labels(OUT)
+    monkeypatch.chdir(project)
+    assert not np.array_equal(own, listing.read_labels(OUT))
+
+
+def test_too_few_training_homes_measure_nothing():
+    nothing = held_out.by_training(small(), SYSTEM, HOMES[:2], 0)
+    assert (nothing, held_out.accuracies(nothing)) == ({}, {})
+    assert held_out.unknown(nothing, 0.1, []) is None
+
+
+def test_only_homes_that_are_tested_are_measured():
+    params = small()
+    params["protocol"]["test_homes"] = ["H3"]
+    left = held_out.of_stages(params, SYSTEM, 0)
+    assert list(left) == ["H3"]
+    # A threshold needs another home to be measured in.
+    assert held_out.unknown(left, 0.1, []) is None
+
+
+def test_the_card_has_the_accuracy_and_the_risks():
+    left = held_out.of_stages(small(), SYSTEM, 0)
+    for home, percent in held_out.accuracies(left).items():
+        truth, places = listing.read_labels(home), left[home].argmax(axis=1)
+        assert percent == round(home_accuracy(confusion_matrix(truth, places, len(CLASSES))), 2)
+    found = held_out.unknown(left, 0.05, [0.3, 0.05, 0.9])
+    assert [row["risk"] for row in found["measured"]] == [0.05, 0.3, 0.9]
+    assert found["threshold"] == found["measured"][0]["threshold"]
+    # More may be wrong, so that more is named; with 90 % everything is.
+    thresholds = [row["threshold"] for row in found["measured"]]
+    assert thresholds == sorted(thresholds, reverse=True)
+    lowest = min(left[home].max(axis=1)[listing.read_labels(home) >= 0].min() for home in HOMES)
+    assert thresholds[-1] == lowest
+    assert found["measured"][0]["coverage"] < found["measured"][-1]["coverage"] <= 1
+
+
+def test_a_risk_that_no_confidence_reaches():
+    # Never right.
+    wrong = {home: np.eye(len(CLASSES))[(listing.read_labels(home) + 1) % len(CLASSES)] for home in HOMES}
+    found = held_out.unknown(wrong, 0.1, [])
+    assert found == {
+        "risk": 0.1,
+        "threshold": None,
+        "measured": [{"risk": 0.1, "threshold": None, "coverage": 0.0, "wrong": None, "worst": None}],
+    }

@@ -1,0 +1,148 @@
+"""A home of a data set as footage, with its floors and labels."""
+
+import json
+
+import numpy as np
+import pandas as pd
+import pytest
+import yaml
+from fake_categorizer import CLASSES, FakeCategorizer, expected
+from helpers_sequences import write_image
+
+from placecat.__main__ import main
+from placecat.errors import PlacecatError
+from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
+from placecat.predict import command
+from placecat.predict.home import data_set
+from project import ROOT
+
+FLOORS = (12, 18)
+# In another order than the model's, and with a class and an ignored label that it does not know.
+DATASET = {
+    "name": "mine",
+    "title": "my homes",
+    "thesis_data": None,
+    "layout": "vpc2009",
+    "root": "homes",
+    "homes": ["Villa", "Hut"],
+    "fps": 4.0,
+    "camera": "mine",
+    "classes": ["kitchen", "office", "bedroom", "living_room"],
+    "ignored": ["corridor"],
+    "aliases": {"lounge": "living_room"},
+    "require_all_classes": True,
+}
+LABELS = (
+    "1/\n12\n1 8 bedroom\n9 10 corridor\n11 12 lounge\n-1 -1 end\n"
+    "2/\n18\n1 6 kitchen\n7 18 bedroom\n-1 -1 end\n-1 -1 end\n"
+)
+TRUTH = [*["bedroom"] * 8, *[""] * 2, *["living_room"] * 2, *["kitchen"] * 6, *["bedroom"] * 12]
+
+
+class Reset(FakeCategorizer):
+    """Counts how often it begins anew, and before which frame."""
+
+    def __init__(self):
+        super().__init__()
+        self.resets = []
+
+    def reset(self):
+        self.resets.append(len(self.times))
+
+
+@pytest.fixture
+def system(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    made = Reset()
+    monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: made)
+    for floor, first in ((1, 0), (2, FLOORS[0])):
+        for number in range(FLOORS[floor - 1]):
+            write_image(tmp_path / f"homes/Villa/{floor}/{number + 1:08d}.jpg", first + number)
+    (tmp_path / "homes/Villa/label.txt").write_text(LABELS)
+    (tmp_path / "params.yaml").write_text(yaml.safe_dump({"dataset": DATASET}))
+    return made
+
+
+def predict(*arguments):
+    main(["predict", *arguments])
+
+
+def refused(*arguments):
+    with pytest.raises(SystemExit) as caught:
+        predict(*arguments)
+    return str(caught.value)
+
+
+def test_all_floors_have_one_score(system, tmp_path, capsys):
+    predict("home:Villa")
+    results = tmp_path / "predictions/Villa"
+    table = pd.read_csv(results / "frames.csv")
+    smoothed = np.stack([expected(number)[0] for number in range(sum(FLOORS))])
+    assert np.array_equal(table[[f"p_{name}" for name in CLASSES]].to_numpy(), smoothed)
+    assert table["file"][12] == "Villa/2/00000001.jpg"
+    assert table["seconds"].tolist() == [number / 4 for number in range(30)]
+    truth = [CLASSES.index(name) if name else -1 for name in TRUTH]
+    percent = home_accuracy(confusion_matrix(truth, smoothed.argmax(axis=1), 3))
+    assert json.loads((results / "summary.json").read_text())["agreement"]["accuracy"] == round(percent, 2)
+    assert f"Accuracy (mean over the places labelled): {percent:.2f} %" in capsys.readouterr().out
+    # Every floor begins anew, and nothing carries over.
+    assert system.resets == [0, 12]
+    assert system.times == [0.25] * 30
+
+
+def test_a_floor_ends_a_stay(system, tmp_path):
+    system.threshold = 0.0
+    predict("home:Villa")
+    visits = pd.read_csv(tmp_path / "predictions/Villa/visits.csv")
+    # The second stay would go on to frame 16.
+    assert visits["frames"].tolist() == [8, 4, 4, 8, 6]
+    assert visits["place"].tolist() == ["bedroom", "living_room", "living_room", "kitchen", "bedroom"]
+    assert visits["end_seconds"].tolist() == [2.0, 3.0, 4.0, 6.0, 7.5]
+
+
+def test_every_nth_frame_is_counted_on_each_floor(system, tmp_path):
+    predict("home:Villa", "--every", "5")
+    assert pd.read_csv(tmp_path / "predictions/Villa/frames.csv")["frame"].tolist() == [
+        1,
+        6,
+        11,
+        13,
+        18,
+        23,
+        28,
+    ]
+    assert system.resets == [0, 3]
+
+
+def test_classes_that_the_model_does_not_know_are_refused_or_left_out(system, tmp_path, capsys):
+    labels = tmp_path / "homes/Villa/label.txt"
+    labels.write_text(LABELS.replace("7 18 bedroom", "7 18 office"))
+    text = refused("home:Villa")
+    assert "Villa: the model knows no 'office', only bedroom, living_room, kitchen" in text
+    assert "--ignore office" in text
+    predict("home:Villa", "--ignore", "office")
+    assert "correct" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["home:Palace"], "home:Palace: my homes has no such home, but Villa, Hut"),
+        (["home:Hut"], "Hut"),
+        (["home:Villa", "--labels", "x.csv"], "--labels is for other footage"),
+        (["homes/Villa/1", "--set", "dataset=homes"], "--set chooses the data set of home:NAME"),
+    ],
+)
+def test_mistakes_give_one_message(system, tmp_path, arguments, message):
+    text = refused(*arguments)
+    assert message in text and len(text.splitlines()) == 1
+    assert not (tmp_path / "predictions").exists()
+
+
+def test_another_data_set_is_chosen_as_repro_does(monkeypatch):
+    monkeypatch.chdir(ROOT)
+    assert data_set([])["name"] == "homes"
+    chosen = data_set(["dataset=my_homes", "dataset.root=far", "dataset.homes=[Villa]"])
+    assert (chosen["layout"], chosen["root"], chosen["homes"]) == ("vpc2009", "far", ["Villa"])
+    with pytest.raises(PlacecatError, match="rooot"):
+        data_set(["dataset.rooot=far"])
