@@ -17,6 +17,7 @@ NEVER = {
     "evaluation": WRITERS | {"results", "drawing"},
     "categorizer": WRITERS | {"results", "drawing"},
     "predict": WRITERS | {"results"},
+    "panoramas": WRITERS | {"results", "drawing", "stages"},
     "drawing": WRITERS | {"results"},
     "results": WRITERS | {"drawing"},
     "thesis": {"explain", "report", "mlflow_log", "drawing"},

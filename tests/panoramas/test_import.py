@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shlex
 import shutil
 import signal
 import subprocess
@@ -17,6 +18,7 @@ import yaml
 from worlds import colour, faces, sphere, write
 
 from placecat.__main__ import main
+from placecat.compose import compose
 from placecat.panoramas.command import read_settings
 from placecat.panoramas.plan import plan
 from placecat.panoramas.rays import view_rays
@@ -69,11 +71,9 @@ def test_every_frame_has_the_label_of_its_panorama(folder, capsys):
     said = capsys.readouterr().out
     assert re.search(r"Home1: \d+ frames, \d+ stays, 2 floors", said)
     command = re.search(r'make repro SET="(.*)"', said)[1]
-    settings = yaml.safe_load((ROOT / "conf/dataset/my_homes.yaml").read_text())
-    settings |= {"root": "homes", "homes": ["Home1", "Home2", "Home3"], "fps": 0.5}
-    assert (
-        command == "dataset=my_homes dataset.root=homes 'dataset.homes=[Home1,Home2,Home3]' dataset.fps=0.5"
-    )
+    settings = yaml.safe_load(compose(shlex.split(command), ROOT / "conf"))["dataset"]
+    assert settings["homes"] == ["Home1", "Home2", "Home3"]
+    assert settings["fps"] == 0.5
     # What the stage sequences does.
     list_homes(settings, folder / "data/sequences", "dataset")
     wanted = ["kitchen", "bedroom", "bedroom", "living_room", "dining_room", "bathroom", "corridor"]
@@ -214,7 +214,7 @@ def test_a_home_without_a_class_and_too_few_homes_are_told(folder, capsys):
             line for line in table.splitlines(keepends=True) if "bathroom" not in line or "Home3" not in line
         )
     )
-    run()
+    run("homes=[Home2,Home3]")
     said = capsys.readouterr().out
     assert "Home3 lacks bathroom.\n" in said
     assert "At least four homes are needed" in said

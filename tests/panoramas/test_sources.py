@@ -6,11 +6,10 @@ import shutil
 
 import numpy as np
 import pytest
-from worlds import write
+from worlds import settings, write
 
 from placecat.errors import PlacecatError
 from placecat.panoramas import sources
-from placecat.panoramas.command import read_settings
 
 PICTURE = np.zeros((4, 8, 3), dtype=np.uint8)
 TABLE = "home,floor,file,room\nflat,1,a.jpg,Living Room\nflat,2,b/c.jpg,bedroom 2\n,,,\nvilla,1,d.jpg,hall\n"
@@ -24,18 +23,9 @@ def table(tmp_path):
 
     def read(text=TABLE, *changes):
         (tmp_path / "rooms.csv").write_text(text)
-        return sources.read(tmp_path, read_settings(changes))
+        return sources.read(tmp_path, settings(*changes))
 
     return read
-
-
-@pytest.fixture(autouse=True)
-def conf(monkeypatch, request):
-    """Settings are those of the project."""
-    monkeypatch.setattr(
-        "placecat.panoramas.command.read_settings.__defaults__",
-        ((), request.config.rootpath / "conf/panoramas.yaml"),
-    )
 
 
 def test_a_table_names_home_floor_room_and_label(table, tmp_path):
@@ -86,11 +76,10 @@ def test_a_mistake_in_the_table_is_named_with_its_line(table, old, new, message)
 
 
 def test_a_source_without_its_folder_or_table_is_refused(table, tmp_path):
-    settings = read_settings()
     with pytest.raises(PlacecatError, match="nowhere: no such folder; give the folder of the panoramas"):
-        sources.read(tmp_path / "nowhere", settings)
+        sources.read(tmp_path / "nowhere", settings())
     with pytest.raises(PlacecatError, match=r"rooms\.csv: the table of rooms is missing"):
-        sources.read(tmp_path, settings)
+        sources.read(tmp_path, settings())
     with pytest.raises(PlacecatError, match="no panorama here"):
         table("home,file,room\n")
     with pytest.raises(PlacecatError, match="homes: there is no home 'vila'; did you mean 'villa'"):
@@ -110,14 +99,14 @@ def test_a_cube_has_six_pictures_named_by_settings(tmp_path):
     (tmp_path / "rooms.csv").write_text("home,file,room\nflat,FACE,kitchen\n")
     for letter in "frblud":
         write(tmp_path / f"FACE_{letter}.jpg", PICTURE)
-    (only,) = sources.read(tmp_path, read_settings(["source=cubes"]))
+    (only,) = sources.read(tmp_path, settings("source=cubes"))
     assert only.files == tuple(f"FACE_{letter}.jpg" for letter in "frblud")
     changes = ["source=cubes", "cubes.file=tiles/FACE/FILE.jpg", "cubes.faces.up=top"]
     with pytest.raises(PlacecatError, match=r"tiles/f/FACE\.jpg: the picture is missing"):
-        sources.read(tmp_path, read_settings(changes))
+        sources.read(tmp_path, settings(*changes))
     for folder in ("f", "r", "b", "l", "top", "d"):
         write(tmp_path / f"tiles/{folder}/FACE.jpg", PICTURE)
-    (only,) = sources.read(tmp_path, read_settings(changes))
+    (only,) = sources.read(tmp_path, settings(*changes))
     assert only.files[4] == "tiles/top/FACE.jpg"
 
 
@@ -158,7 +147,7 @@ def zind(tmp_path):
     def read(content=ZIND, *changes):
         text = content if isinstance(content, str) else json.dumps(content)
         (tmp_path / "007/zind_data.json").write_text(text)
-        return sources.read(tmp_path, read_settings(["source=zind", *changes]))
+        return sources.read(tmp_path, settings("source=zind", *changes))
 
     return read
 
@@ -207,4 +196,4 @@ def test_odd_zind_is_refused(zind, tmp_path):
         zind("[" * 100_000)
     shutil.rmtree(tmp_path / "007")
     with pytest.raises(PlacecatError, match=r"no home here; expected HOME/zind_data\.json"):
-        sources.read(tmp_path, read_settings(["source=zind"]))
+        sources.read(tmp_path, settings("source=zind"))

@@ -4,8 +4,8 @@ from itertools import groupby, pairwise
 
 import numpy as np
 import pytest
+from worlds import settings
 
-from placecat.panoramas.command import read_settings
 from placecat.panoramas.gaze import gaze
 from placecat.panoramas.panorama import Panorama
 from placecat.panoramas.plan import plan, seed
@@ -114,14 +114,13 @@ def test_a_path_does_not_depend_on_the_frame_rate():
     np.testing.assert_allclose(fast[::2], slow, rtol=0, atol=1e-9)
 
 
-def test_a_plan_is_seeded_by_names_and_the_number_of_the_walk(monkeypatch):
+def test_a_plan_is_seeded_by_names_and_the_number_of_the_walk():
     panoramas = [
         Panorama("flat", floor, room, room, (f"{floor}{room}.jpg",), "")
         for floor in ("10", "2")
         for room in ("kitchen", "bedroom", "bathroom")
     ]
-    settings = read_settings()
-    first, again = plan(panoramas, settings), plan(panoramas, settings)
+    first, again = plan(panoramas, settings()), plan(panoramas, settings())
     assert list(first) == ["2", "10"]
     for floor in first:
         assert first[floor][0].first == 1
@@ -129,6 +128,6 @@ def test_a_plan_is_seeded_by_names_and_the_number_of_the_walk(monkeypatch):
         assert [len(look.path) for look in first[floor]] == [len(look.path) for look in again[floor]]
         np.testing.assert_array_equal(first[floor][-1].path, again[floor][-1].path)
     assert not np.array_equal(first["2"][0].path[0], first["10"][0].path[0])
-    assert not np.array_equal(plan(panoramas, settings | {"walk": 1})["2"][0].path[0], first["2"][0].path[0])
+    assert not np.array_equal(plan(panoramas, settings("walk=1"))["2"][0].path[0], first["2"][0].path[0])
     # Kept: other frames would come of the same pictures.
     assert seed("flat", "2", 0) == 3870571430

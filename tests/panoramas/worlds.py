@@ -3,6 +3,9 @@
 import cv2
 import numpy as np
 
+from placecat.panoramas.command import read_settings
+from project import ROOT
+
 
 def colour(x, y, z):
     """Smooth on the whole sphere, alike in no two directions; of any shape, three channels from 0 to 255."""
@@ -30,3 +33,8 @@ def faces(side):
 def write(path, picture):
     path.parent.mkdir(parents=True, exist_ok=True)
     assert cv2.imwrite(str(path), picture, [cv2.IMWRITE_JPEG_QUALITY, 98])
+
+
+def settings(*changes):
+    """Those of the project, with changes."""
+    return read_settings(changes, ROOT / "conf/panoramas.yaml")
