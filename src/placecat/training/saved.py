@@ -57,7 +57,7 @@ class CueResults:
         return found
 
     def held_out(self, plan: Plan) -> list[dict[str, NDArray[np.float64]]]:
-        """Of each cue the distributions for its training frames by cues that have not seen the home, by name."""
+        """Of each cue the distributions for its training frames by cues that have not seen their home."""
         ends = np.cumsum([len(part.chosen()[0]) for part in plan.cues])
         return [
             dict(zip((part.home for part in plan.cues), np.split(proba, ends[:-1]), strict=True))

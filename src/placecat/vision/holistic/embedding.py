@@ -27,7 +27,7 @@ def describe(
     frame: NDArray[np.uint8],
     maps: FrameMaps,
     *,
-    network: str = "efficientnet_lite0",
+    network: str = "efficientnet_lite1",
     width: Side | None = None,
     height: Side | None = None,
     mean: Annotated[Sequence[NonNegative], Len(3, 3)] | None = None,
@@ -45,7 +45,7 @@ def describe(
     maps
         Not used.
     network
-        ``efficientnet_lite0``, ``1`` or ``2``, or the path of an ONNX file, relative to the folder of the project.
+        ``efficientnet_lite0``, ``1`` or ``2``, or the path of an ONNX file, relative to the project.
     width, height
         What the whole frame is scaled to, in pixels, whatever its shape. None for both takes the size that
         the network was trained with (224x224 for an ONNX file), None for one keeps the frame's shape.
