@@ -82,7 +82,7 @@ class Before:
         else:
             with files.replacing(paths.PARAMS) as temporary:
                 temporary.write_bytes(self._params)
-        print(f"Nothing was computed, and {paths.PARAMS} is as it was before.", file=sys.stderr)
+        print(f"No stage has ended: {paths.PARAMS} is as it was before.", file=sys.stderr)
 
 
 def _content(path: Path) -> bytes | None:

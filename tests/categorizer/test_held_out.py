@@ -1,13 +1,17 @@
 """Decisions in unseen homes, of made data after the stage `features`."""
 
 import copy
+import json
 
 import numpy as np
 import pytest
 from made_features import CLASSES, HOMES, PARAMS, make
+from made_system import make_system
 
 from placecat import listing
-from placecat.categorizer import held_out
+from placecat.categorizer import Categorizer, checks, held_out
+from placecat.categorizer.card import unknown_text
+from placecat.categorizer.train import measured
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 
 SYSTEM = "das"
@@ -107,3 +111,17 @@ def test_a_risk_that_no_confidence_reaches():
         "threshold": None,
         "measured": [{"risk": 0.1, "threshold": None, "coverage": 0.0, "wrong": None, "worst": None}],
     }
+
+
+def test_what_was_measured_stands_in_the_card_and_decides():
+    params = small() | {"model": {"risk": 0.4, "risks_shown": [0.1]}}
+    left = held_out.of_stages(params, SYSTEM, 0)
+    system = measured(make_system(), params, left)
+    checks.check_card(json.loads(json.dumps(system.card)))
+    assert system.card["accuracy"] == held_out.accuracies(left)
+    assert [row["risk"] for row in system.card["unknown"]["measured"]] == [0.1, 0.4]
+    assert Categorizer(system).threshold == system.card["unknown"]["threshold"]
+    nothing = measured(make_system(), params, {})
+    checks.check_card(json.loads(json.dumps(nothing.card)))
+    assert (nothing.card["accuracy"], Categorizer(nothing).threshold) == ({}, 0.0)
+    assert unknown_text(nothing.card).startswith("It never says `unknown`")

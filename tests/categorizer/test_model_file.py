@@ -5,16 +5,20 @@ import re
 import struct
 import zipfile
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 
 import mutants
 import numpy as np
 import pytest
+import yaml
 from made_system import UNKNOWN, frames, make_system
 
 from placecat import __version__
+from placecat.__main__ import main
 from placecat.categorizer import Categorizer, archive, model_file, train
 from placecat.errors import PlacecatError
+from project import ROOT
 
 
 @pytest.fixture(scope="module")
@@ -287,3 +291,24 @@ def test_training_refuses_where_it_may_not_write_before_it_begins(tmp_path, monk
         train.train_command("das_551_best", [], None, tmp_path / "README.md")
     with pytest.raises(PlacecatError, match="a file stands where a folder is needed"):
         train.train_command("das_551_best", [], None, tmp_path / "README.md/x")
+
+
+def test_what_train_writes_is_measured_without_the_same_homes(tmp_path, monkeypatch, capsys, system):
+    calls = []
+    params = yaml.safe_load((ROOT / "params.yaml").read_text())
+    (tmp_path / "params.yaml").write_text(yaml.safe_dump(params))
+    monkeypatch.chdir(tmp_path)
+    plain = replace(system, card=system.card | {"settings": {"seed": 1}, "unknown": None})
+    monkeypatch.setattr(train, "train", lambda *_, **options: calls.append(options) or plain)
+    monkeypatch.setattr(train.held_out, "by_training", lambda *options: calls.append(options) or {})
+    monkeypatch.setattr(train, "check_data", lambda own: calls.append(own))
+    homes = ["--without", "home_6", "--without", "home_1", "--without", "home_6"]
+    main(["train", "das_551_all", *homes])
+    assert calls == [
+        params,
+        {"without": ["home_6", "home_1"], "seed": None},
+        (params, "das_551_all", ["home_6", "home_1"], 1),
+    ]
+    output = "data/models/das_551_all-without-home_6-without-home_1.placecat"
+    assert model_file.read(tmp_path / output).card["accuracy"] == {}
+    assert f"`placecat predict SOURCE --model {output}`" in capsys.readouterr().out

@@ -85,6 +85,13 @@ def test_all_floors_have_one_score(system, tmp_path, capsys):
     percent = home_accuracy(confusion_matrix(truth, smoothed.argmax(axis=1), 3))
     assert json.loads((results / "summary.json").read_text())["agreement"]["accuracy"] == round(percent, 2)
     assert f"Accuracy (mean over the places labelled): {percent:.2f} %" in capsys.readouterr().out
+    # The threshold keeps the first eleven decisions.
+    kept = confusion_matrix(truth[:11], smoothed[:11].argmax(axis=1), 3)
+    scored = np.bincount([place for place in truth if place >= 0])
+    shares = kept / scored[:, None] / 3
+    agreement = json.loads((results / "summary.json").read_text())["agreement"]
+    assert agreement["named"] == round(100 * shares.sum(), 2)
+    assert agreement["named_wrongly"] == round(100 * (1 - np.trace(shares) / shares.sum()), 2)
     # Every floor begins anew, and nothing carries over.
     assert system.resets == [0, 12]
     assert system.times == [0.25] * 30

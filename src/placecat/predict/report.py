@@ -44,7 +44,7 @@ def shares(prediction: Prediction) -> list[str]:
 
 
 def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str]:
-    """Lines: accuracy, and a table of labelled places (rows) and decisions (columns)."""
+    """Lines: accuracy, and a table of labelled places (rows) and decisions (columns); what is named."""
     if agreement["accuracy"] is None:
         return ["No categorized frame has a label of the model's places: nothing is scored."]
     rows = [list(map(str, row)) for row in agreement["confusion"]]
@@ -59,6 +59,12 @@ def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str
         percent = agreement["by_place"][name]
         correct = "-" if percent is None else f"{percent:.1f} %"
         lines.append("  " + "  ".join([f"{name:{first}}", *_cells(row, widths), f"{correct:>7}"]))
+    if agreement["named"] < 100:
+        wrong = agreement["named_wrongly"]
+        wrongly = "" if wrong is None else f", of which {wrong:.2f} % wrongly"
+        lines.append(
+            f"Named (mean over the places labelled): {agreement['named']:.2f} %{wrongly}; the rest is unknown"
+        )
     return lines
 
 

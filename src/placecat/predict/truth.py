@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError, reading
 from placecat.evaluation.accuracy import class_accuracies, confusion_matrix, home_accuracy
+from placecat.evaluation.selection import decided, select
 from placecat.predict.prediction import Prediction
 from placecat.sequences.labels import read_label_csv
 
@@ -73,17 +74,22 @@ def agreement(prediction: Prediction, truth: NDArray[np.int16]) -> dict[str, obj
     -------
     dict
         ``accuracy`` and ``frame_accuracy`` (of each frame alone): mean over the places present, in percent,
-        or None if nothing is scored; ``by_place``; ``confusion``, the counts, a row a labelled place.
+        or None if nothing is scored; ``by_place``; ``confusion``, the counts, a row a labelled place;
+        ``named``, percent of the frames whose place is not unknown, and ``named_wrongly``, percent of these,
+        places weighing the same.
     """
     n_classes = len(prediction.classes)
     confusion = confusion_matrix(truth, prediction.decision, n_classes)
     alone = confusion_matrix(truth, prediction.frame_decision, n_classes)
+    named = select([decided(truth, prediction.proba)], [prediction.threshold])
     places = zip(prediction.classes, class_accuracies(confusion).tolist(), strict=True)
     return {
         "accuracy": _rounded(home_accuracy(confusion)),
         "frame_accuracy": _rounded(home_accuracy(alone)),
         "by_place": {name: _rounded(value) for name, value in places},
         "confusion": confusion.tolist(),
+        "named": _rounded(100 * named.coverage),
+        "named_wrongly": _rounded(100 * named.risk),
     }
 
 
