@@ -9,7 +9,7 @@ from pydantic import Field, StringConstraints
 from placecat import cue_input, schema
 from placecat.categorizer.system import TrainedSystem
 from placecat.errors import PlacecatError
-from placecat.schema.sections import Section
+from placecat.schema.base import Section
 from placecat.vision.frame import check as check_vision
 
 # More would need more memory than a frame should: no setting of the vision is near it.

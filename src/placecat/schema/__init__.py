@@ -6,8 +6,9 @@ from typing import Any
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
 from placecat.errors import SettingError, did_you_mean, printable
+from placecat.schema.base import Section
 from placecat.schema.experiment import Experiment
-from placecat.schema.sections import Params, Section
+from placecat.schema.sections import Params
 
 __all__ = ["Experiment", "Params", "check", "check_value", "of_type"]
 

@@ -3,8 +3,9 @@
 from typing import Literal
 
 from placecat.ranges import Count, Index, Seed
+from placecat.schema.base import Own, Section, Seeds
 from placecat.schema.names import Key
-from placecat.schema.sections import Descriptor, Own, Section, Seeds
+from placecat.schema.sections import Descriptor
 
 
 class ExperimentFrames(Section):

@@ -6,8 +6,8 @@ from annotated_types import Interval, Len
 from pydantic import AfterValidator, field_validator
 
 from placecat.ranges import Index, Side
+from placecat.schema.base import Section
 from placecat.schema.names import Distinct, FileName, Label, Text
-from placecat.schema.sections import Section
 
 
 def _ordered(numbers: list[float]) -> list[float]:

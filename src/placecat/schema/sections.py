@@ -22,21 +22,10 @@ from placecat.ranges import (
     Share,
     Two,
 )
+from placecat.schema.base import Keys, Own, Schemes, Section, Seeds
 from placecat.schema.names import Distinct, FileName, Folder, Key, Label, Text
 from placecat.schema.numbers import Level, Levels, Odd, Window
-
-# Settings of a function.
-Own = dict[str, Any]
-Seeds = Annotated[Distinct[Seed], MinLen(1)]
-Schemes = Annotated[Distinct[Literal["5-5-1", "4-5-1"]], MinLen(1)]
-# Names of cues, descriptors and so on; :mod:`placecat.references` checks that they exist.
-Keys = Distinct[Key]
-
-
-class Section(BaseModel):
-    """A mapping with exactly these settings and types."""
-
-    model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
+from placecat.schema.toy import Toy
 
 
 class Dataset(Section):
@@ -194,32 +183,6 @@ class Model(Section):
     seed: Seed
     risk: PartShare
     risks_shown: Distinct[PartShare]
-
-
-class Points(Section):
-    """Points of the circles."""
-
-    radius: Positive
-    inside: Annotated[float, Interval(gt=0, lt=0.785)]
-
-
-class Sensitivity(Section):
-    """Variants of the circles."""
-
-    seeds: Seeds
-    radii: Annotated[Distinct[Positive], MinLen(1)]
-    decisions: Annotated[Distinct[Literal["sign", "probability", "product"]], MinLen(1)]
-
-
-class Toy(Section):
-    """conf/toy."""
-
-    schemes: dict[Key, Own]
-    training: Count
-    testing: Count
-    seeds: Seeds
-    points: Points
-    sensitivity: Sensitivity
 
 
 class Verdict(Section):

@@ -1,0 +1,165 @@
+"""Command line of what takes footage: ``placecat train``, ``predict`` and ``import``."""
+
+import argparse
+from pathlib import Path
+
+from placecat import compute, paths
+
+
+def add(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the subcommands to those of `placecat`."""
+    _add_train(commands)
+    _add_predict(commands)
+    _add_import(commands)
+
+
+def _add_train(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    train = commands.add_parser(
+        "train",
+        help="train a system and write it as one file",
+        description="Train a system, from features to smoothing, on the homes that `placecat repro` has "
+        "described, and write it as one file for `placecat predict`. It is trained again without each of "
+        "these homes in turn, to measure for its model card how it does in homes that it has not seen.",
+    )
+    train.add_argument(
+        "system", nargs="?", metavar="SYSTEM", help="one of conf/system; by default model.system"
+    )
+    train.add_argument(
+        "--without",
+        action="append",
+        default=[],
+        metavar="HOME",
+        help="leave a home out of all training, to judge on it; may be repeated",
+    )
+    train.add_argument("--seed", type=int, help="one of protocol.seeds; by default model.seed")
+    train.add_argument(
+        "--output", type=Path, metavar="FILE", help=f"by default {paths.MODEL}, or a name in {paths.MODELS}"
+    )
+    train.set_defaults(run=_train)
+
+
+def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    predict = commands.add_parser(
+        "predict",
+        help="apply a trained system to a video, a folder of images, a bag or a camera",
+        description="Name the place of every frame of new footage. Writes a table of frames, a table of "
+        "segments (which, corrected, is a label file), a timeline and a summary.",
+    )
+    predict.add_argument(
+        "source",
+        metavar="SOURCE",
+        help="a video, a folder of images, a bag of ROS, camera, camera:NUMBER, the address of a stream, or "
+        "home:NAME: a home of the data set, with its floors and labels",
+    )
+    predict.add_argument(
+        "--model", type=Path, default=paths.MODEL, metavar="FILE", help=f"by default {paths.MODEL}"
+    )
+    predict.add_argument(
+        "--output", type=Path, metavar="FOLDER", help="by default predictions/ and the name of the source"
+    )
+    film = predict.add_mutually_exclusive_group()
+    film.add_argument(
+        "--video",
+        dest="film",
+        action="store_const",
+        const=".mp4",
+        help="also an annotated video: place, confidence, probabilities, salient regions",
+    )
+    film.add_argument(
+        "--webm",
+        dest="film",
+        action="store_const",
+        const=".webm",
+        help="the same as WebM, which browsers show, too; slower",
+    )
+    predict.add_argument(
+        "--resize",
+        action="store_true",
+        help="scale frames to a size that the model knows; of another shape the middle is taken",
+    )
+    predict.add_argument(
+        "--labels", type=Path, metavar="CSV", help="the true places (start,end,label), to compare with"
+    )
+    predict.add_argument(
+        "--set",
+        dest="overrides",
+        action="append",
+        default=[],
+        metavar="OVERRIDE",
+        help="for home:NAME, choose another data set, e.g. dataset=my_homes; may be repeated",
+    )
+    predict.add_argument(
+        "--ignore",
+        action="append",
+        default=[],
+        metavar="LABEL",
+        help="a label in CSV whose frames are not scored, as those of transition are; may be repeated",
+    )
+    predict.add_argument(
+        "--every", type=int, default=1, metavar="N", help="take one frame of N, to be faster; 1 by default"
+    )
+    predict.add_argument(
+        "--seconds", type=float, metavar="S", help="take the first S seconds; a camera is stopped then"
+    )
+    predict.add_argument(
+        "--fps", type=float, help="frames/s of the footage, where it does not say or is wrong"
+    )
+    predict.add_argument("--topic", help="the topic of a bag's pictures, where it has several")
+    predict.add_argument(
+        "--mcap",
+        type=Path,
+        metavar="FILE",
+        help="also annotated pictures and probabilities as ROS 2 messages",
+    )
+    predict.add_argument(
+        "--rerun", type=Path, metavar="FILE", help="also frames, regions and probabilities for Rerun (.rrd)"
+    )
+    predict.add_argument(
+        "--force", action="store_true", help="replace a prediction of another source, or one that was edited"
+    )
+    predict.set_defaults(run=_predict)
+
+
+def _add_import(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    kinds = commands.add_parser(
+        "import",
+        help="make homes from other pictures",
+        description="Make homes that `placecat repro` reads from other pictures.",
+    ).add_subparsers(required=True, metavar="KIND", title="kinds")
+    panoramas = kinds.add_parser(
+        "panoramas",
+        help="360-degree pictures",
+        description="Make homes from 360-degree pictures: seeded walks of a view that turns in them. "
+        "Writes frames, labels and a data card. The settings are those of conf/panoramas.yaml.",
+    )
+    panoramas.add_argument("source", type=Path, metavar="SOURCE", help="the folder of the panoramas")
+    panoramas.add_argument("destination", type=Path, metavar="DESTINATION", help="a new folder for the homes")
+    panoramas.add_argument(
+        "changes",
+        nargs="*",
+        metavar="SETTING=VALUE",
+        help="another value of a setting, e.g. source=zind, fps=10.0",
+    )
+    panoramas.set_defaults(run=_import_panoramas)
+
+
+def _train(options: argparse.Namespace) -> int:
+    from placecat import settings
+    from placecat.categorizer.train import train_command
+    from placecat.check import check
+
+    check(settings.load())
+    with compute.as_set():
+        return train_command(options.system, options.without, options.seed, options.output)
+
+
+def _import_panoramas(options: argparse.Namespace) -> int:
+    from placecat.panoramas.command import import_command
+
+    return import_command(options.source, options.destination, options.changes)
+
+
+def _predict(options: argparse.Namespace) -> int:
+    from placecat.predict.command import Options, predict_command
+
+    return predict_command(Options(**{name: value for name, value in vars(options).items() if name != "run"}))
