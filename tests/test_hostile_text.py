@@ -13,7 +13,7 @@ from placecat.drawing.palette import place_title, written
 from placecat.drawing.style import house_style, save
 from placecat.errors import PlacecatError, printable
 from placecat.mlflow_log.store import key
-from placecat.predict.lettering import mask
+from placecat.drawing.lettering import mask
 from placecat.report.formats import latex, markdown
 from placecat.templates import environment
 from placecat.terminal import Terminal

@@ -6,12 +6,15 @@ import hashlib
 import logging
 import os
 import re
+import shutil
 import sqlite3
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager, nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack
+from urllib.parse import urlparse
+from urllib.request import url2pathname
 
 from placecat.errors import PlacecatError
 
@@ -78,7 +81,7 @@ def connect(uri: str) -> MlflowClient:
     for talkative in ("mlflow.store.db.utils", "alembic"):
         logging.getLogger(talkative).setLevel(logging.WARNING)
     try:
-        with _told_plainly(uri), _lock(uri):
+        with _told_plainly(uri), _lock(uri), _quick_if_new(uri):
             client = MlflowClient(uri)
             client.search_experiments(max_results=1)
     except PlacecatError:
@@ -163,7 +166,7 @@ def _follow(uri: str, before: str, artifacts: Path) -> None:
 
 
 class Content(TypedDict, total=False):
-    """What a run holds; all of it may be left out.
+    """What a run holds beside its files; all of it may be left out.
 
     Attributes
     ----------
@@ -173,14 +176,11 @@ class Content(TypedDict, total=False):
         One value each.
     tags
         Name to value.
-    files
-        Paths, or a folder within the run to the paths that go there.
     """
 
     params: Mapping[str, str]
     metrics: Mapping[str, float]
     tags: Mapping[str, str]
-    files: Mapping[str, Sequence[Path]] | Sequence[Path]
 
 
 def start_run(
@@ -190,6 +190,7 @@ def start_run(
     *,
     parent: str | None = None,
     description: str = "",
+    files: Sequence[Path] = (),
     **content: Unpack[Content],
 ) -> str:
     """Start a run with some :class:`Content`; its status is RUNNING until `finish_run`. Gives its id.
@@ -200,6 +201,8 @@ def start_run(
         Id of the run to nest this one in.
     description
         Markdown, for people.
+    files
+        They are copied, by their names.
     """
     tags = dict(content.pop("tags", {}))
     if parent is not None:
@@ -207,9 +210,10 @@ def start_run(
     if description:
         tags[DESCRIPTION] = description
     with writing(client):
-        run_id = str(client.create_run(experiment_id, run_name=name, tags=tags).info.run_id)
-    log(client, run_id, **content)
-    return run_id
+        info = client.create_run(experiment_id, run_name=name, tags=tags).info
+        log(client, str(info.run_id), **content)
+    _store(client, str(info.run_id), str(info.artifact_uri), files)
+    return str(info.run_id)
 
 
 def finish_run(
@@ -270,28 +274,67 @@ def log(client: MlflowClient, run_id: str, **content: Unpack[Content]) -> None:
         while metrics or params or tags:
             client.log_batch(run_id, metrics[:_MOST_METRICS], params[:_MOST_PARAMS], tags[:_MOST_TAGS])
             del metrics[:_MOST_METRICS], params[:_MOST_PARAMS], tags[:_MOST_TAGS]
-    files = content.get("files", ())
-    folders = files if isinstance(files, Mapping) else {"": files}
-    with _told_plainly(client.tracking_uri):
-        for folder, paths in folders.items():
+
+
+def _store(client: MlflowClient, run_id: str, place: str, paths: Sequence[Path]) -> None:
+    """Copy files to a run: into its folder, if that is on this machine, where the client reads the run first."""
+    parts = urlparse(place)
+    if parts.scheme != "file":
+        with _told_plainly(client.tracking_uri):
             for path in paths:
-                client.log_artifact(run_id, str(path), folder or None)
+                client.log_artifact(run_id, str(path))
+        return
+    folder = Path(url2pathname(parts.path))
+    folder.mkdir(parents=True, exist_ok=True)
+    for path in paths:
+        shutil.copyfile(path, folder / path.name)
+
+
+@contextmanager
+def _quick_if_new(uri: str) -> Iterator[None]:
+    """Let connections that are opened meanwhile to a new SQLite database not wait for the disk.
+
+    A new one has nothing to lose: if the power fails, it is removed and written again.
+    """
+    path = _database(uri)
+    if path is None or path.exists():
+        yield
+        return
+    from sqlalchemy import event
+    from sqlalchemy.engine import Engine
+
+    def opened(connection: Any, _: object) -> None:
+        connection.execute("PRAGMA synchronous = OFF")
+
+    event.listen(Engine, "connect", opened)
+    try:
+        yield
+    finally:
+        event.remove(Engine, "connect", opened)
 
 
 def _lock(uri: str) -> AbstractContextManager[object]:
     """A lock that all processes with this SQLite database share; nothing for other URIs."""
-    if not uri.startswith("sqlite"):
+    path = _database(uri)
+    if path is None:
         return nullcontext()
     from filelock import FileLock
+
+    path.parent.mkdir(parents=True, exist_ok=True)
+    # The same object for the same path, so that a thread may take it twice.
+    return FileLock(path.with_name(f"{path.name}.lock"), is_singleton=True)
+
+
+def _database(uri: str) -> Path | None:
+    """The file of a SQLite database; None for other URIs."""
+    if not uri.startswith("sqlite"):
+        return None
     from sqlalchemy.engine import make_url
 
     database = make_url(uri).database
     if not database or database == ":memory:":
         raise PlacecatError(f"the MLflow tracking URI {uri!r} names no file: write e.g. sqlite:///mlflow.db")
-    path = Path(database).resolve()
-    path.parent.mkdir(parents=True, exist_ok=True)
-    # The same object for the same path, so that a thread may take it twice.
-    return FileLock(path.with_name(f"{path.name}.lock"), is_singleton=True)
+    return Path(database).resolve()
 
 
 @contextmanager

@@ -3,11 +3,10 @@
 Tags: ``placecat.kind`` is table, row, figures or findings; ``placecat.table`` the name of the table;
 ``placecat.digest`` the checksum of all that a table shows; ``placecat.current`` is "true" for what holds
 now. A run counts only if it is current and FINISHED. The order of writing: the run of the table and every
-row, their end; then what they supersede is no longer current; then the rows are, and last the run of the
-table. So whenever this is killed, nothing is current that is not complete, and nothing twice; the next time
-finishes what is left to do and deletes the torso. Processes of one machine do it one after the other. Those
-of several may do it at once: each looks at the end whether a table is current more than once, and leaves
-the latest.
+row; then what they supersede is no longer current; then the rows are finished, and last the run of the table.
+So whenever this is killed, nothing counts that is not complete, and nothing twice; the next time deletes the
+torso and writes the table again. Processes of one machine do it one after the other. Those of several may do
+it at once: each looks at the end whether a table is current more than once, and leaves the latest.
 """
 
 from __future__ import annotations
@@ -37,7 +36,7 @@ MACHINE = "placecat.machine"
 # Milliseconds after which it does not.
 _TORSO = 24 * 3600 * 1000
 # Change it when the runs get other content for the same numbers, so that they are logged anew.
-_FORM = "3"
+_FORM = "4"
 # Where a description shows its run's id.
 RUN_ID = "{run_id}"
 ARTIFACTS = Path("mlartifacts")
@@ -174,7 +173,7 @@ def _log_new(
 ) -> None:
     known: dict[str, list[Run]] = {}
     scope = common.get(DVC_EXPERIMENT, "")
-    # Not superseded: current ones, complete ones that did not become current yet, and torsos.
+    # Not superseded: complete ones, and torsos.
     for one in search(client, experiment_id, f"tags.`{DIGEST}` LIKE '%'"):
         if SUPERSEDED_BY not in one.data.tags and one.data.tags.get(DVC_EXPERIMENT, "") == scope:
             known.setdefault(one.data.tags.get(TABLE, ""), []).append(one)
@@ -183,16 +182,13 @@ def _log_new(
         earlier = known.get(run.name, [])
         complete = [one for one in earlier if one.info.status == "FINISHED"]
         same = [one for one in complete if one.data.tags.get(DIGEST) == digest]
-        chosen = same[0].info.run_id if same else None
         for torso in earlier:
             if torso not in complete and _is_torso(torso):
                 delete(client, experiment_id, torso.info.run_id)
-        if chosen is None:
-            chosen = _log(client, experiment_id, run, digest, common)
-        elif same[0].data.tags.get(CURRENT) == (scope or "true") and len(complete) == 1:
-            continue
+        new = [] if same else _log(client, experiment_id, run, digest, common)
+        chosen = same[0].info.run_id if same else new[-1]
         old = [one.info.run_id for one in complete if one.info.run_id != chosen]
-        _make_current(client, experiment_id, chosen, old, scope)
+        _make_current(client, experiment_id, new, old, chosen)
     for name in known.keys() - digests.keys():
         # A table that there is no more.
         for one in known[name]:
@@ -208,9 +204,8 @@ def _is_torso(run: Run) -> bool:
 def _settle(client: MlflowClient, experiment_id: str, scope: str) -> None:
     """Leave the latest run of each table current, where other machines logged meanwhile."""
     current: dict[str, list[Run]] = {}
-    for one in search(
-        client, experiment_id, f"tags.`{DIGEST}` LIKE '%' and tags.`{CURRENT}` = '{scope or 'true'}'"
-    ):
+    condition = f"tags.`{DIGEST}` LIKE '%' and tags.`{CURRENT}` = '{scope or 'true'}'"
+    for one in search(client, experiment_id, f"{condition} and attributes.status = 'FINISHED'"):
         current.setdefault(one.data.tags.get(TABLE, ""), []).append(one)
     for of_table in current.values():
         *others, latest = sorted(of_table, key=lambda one: (one.info.start_time, one.info.run_id))
@@ -222,39 +217,48 @@ def _settle(client: MlflowClient, experiment_id: str, scope: str) -> None:
 
 def _log(
     client: MlflowClient, experiment_id: str, run: TableRun, digest: str, common: Mapping[str, str]
-) -> str:
-    """Log a table and its rows, not current yet; gives the run's id."""
-    tags = {**common, TABLE: run.name, CURRENT: "false", MACHINE: platform.node()}
+) -> list[str]:
+    """Log a table and its rows without ending them; gives the ids of the runs, the table's last."""
+    tags = {**common, TABLE: run.name, CURRENT: common.get(DVC_EXPERIMENT, "true"), MACHINE: platform.node()}
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
-        files = run.files(folder)
-        of_rows = []
-        for number, row in enumerate(run.rows):
-            (of_row := folder / f"row_{number}").mkdir()
-            of_rows.append(row.files(of_row))
-        shown = store.Content(params=run.params, metrics=run.metrics, files=files)
-        shown["tags"] = {**tags, KIND: run.kind, DIGEST: digest}
-        run_id = store.start_run(client, experiment_id, run.title, **shown)
+        run_id = store.start_run(
+            client,
+            experiment_id,
+            run.title,
+            params=run.params,
+            metrics=run.metrics,
+            tags={**tags, KIND: run.kind, DIGEST: digest},
+            files=run.files(folder),
+        )
         store.log(client, run_id, tags={store.DESCRIPTION: run.description.replace(RUN_ID, run_id)})
+        rows = []
         # The last is on top.
-        for row, paths in reversed(list(zip(run.rows, of_rows, strict=True))):
-            shown = store.Content(params=row.params, metrics=row.metrics, files=paths)
-            shown["tags"] = {**tags, KIND: "row"}
-            nested = store.start_run(client, experiment_id, row.name, parent=run_id, **shown)
-            store.finish_run(client, nested)
-        store.finish_run(client, run_id)
-    return run_id
+        for number, row in reversed(list(enumerate(run.rows))):
+            (own := folder / str(number)).mkdir()
+            nested = store.start_run(
+                client,
+                experiment_id,
+                row.name,
+                parent=run_id,
+                params=row.params,
+                metrics=row.metrics,
+                tags={**tags, KIND: "row"},
+                files=row.files(own),
+            )
+            rows.append(nested)
+    return [*rows, run_id]
 
 
 def _make_current(
-    client: MlflowClient, experiment_id: str, run_id: str, old: Sequence[str], scope: str
+    client: MlflowClient, experiment_id: str, new: Sequence[str], old: Sequence[str], chosen: str
 ) -> None:
     # Another process sees all of it or nothing.
     with store.writing(client):
         for one in old:
-            _supersede(client, experiment_id, one, run_id)
-        for each in [*_nested(client, experiment_id, run_id), run_id]:
-            store.log(client, each, tags={CURRENT: scope or "true"})
+            _supersede(client, experiment_id, one, chosen)
+        for one in new:
+            store.finish_run(client, one)
 
 
 def _supersede(client: MlflowClient, experiment_id: str, run_id: str, by: str) -> None:

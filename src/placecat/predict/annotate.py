@@ -11,7 +11,7 @@ from placecat.categorizer import Decision
 from placecat.drawing import palette
 from placecat.predict.clock import clock
 from placecat.predict.frame import Frame
-from placecat.predict.lettering import line_height, mask, write
+from placecat.drawing.lettering import line_height, mask, write
 from placecat.vision.regions import radius
 
 Color = tuple[int, int, int]

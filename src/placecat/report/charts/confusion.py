@@ -1,6 +1,6 @@
-"""Charts of confusion matrices: one with its numbers, or all those of a table."""
+"""Chart of all confusion matrices of a table."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -13,46 +13,6 @@ from placecat.results.measured import Measured
 _MAP = "Blues"
 # Inches.
 _CELL = 0.11
-
-
-class Matrices:
-    """Confusion matrices side by side; used again for the next ones, since drawing axes takes longest."""
-
-    def __init__(self, classes: Sequence[str], count: int) -> None:
-        size = len(classes)
-        cell, left = 0.42, 0.95
-        width, height = left + count * (cell * size + 0.25), 0.55 + cell * size + 0.8
-        self.figure = Figure(figsize=(width, height), dpi=100)
-        self._images, self._texts, self._titles = [], [], []
-        names = [place_title(place) for place in classes]
-        for number in range(count):
-            axes = _panel(self.figure, left + number * (cell * size + 0.25), 0.8, cell * size, cell * size)
-            image = axes.imshow(np.zeros((size, size)), cmap=_MAP, vmin=0, vmax=100, interpolation="nearest")
-            axes.set_xticks(range(size), names, rotation=45, ha="right", rotation_mode="anchor")
-            axes.set_yticks(range(size), names if number == 0 else [""] * size)
-            axes.tick_params(length=0)
-            axes.spines[:].set_visible(False)
-            self._images.append(image)
-            places = np.ndindex(size, size)
-            self._texts.append([axes.text(k, i, "", ha="center", va="center", fontsize=7) for i, k in places])
-            self._titles.append(axes.set_title(""))
-        self._title = self.figure.text(0.01, 1 - 0.06 / height, "", va="top", fontsize=8, fontweight="bold")
-
-    def fill(self, title: str, matrices: Mapping[str, Measured]) -> Figure:
-        """Show percentages of each true place (row) decided as each place (column), over all homes and seeds.
-
-        `matrices` are captions to what was measured.
-        """
-        self._title.set_text(title)
-        parts = zip(matrices.items(), self._images, self._texts, self._titles, strict=True)
-        for (caption, one), image, texts, heading in parts:
-            values = shares(pooled_counts(one))
-            image.set_data(values)
-            heading.set_text(caption)
-            for text, value in zip(texts, values.ravel(), strict=True):
-                text.set_text("" if np.isnan(value) else f"{value:.0f}")
-                text.set_color("white" if value > 55 else "#222222")
-        return self.figure
 
 
 def confusion_sheet(title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> Figure | None:

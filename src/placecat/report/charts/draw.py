@@ -1,13 +1,13 @@
 """The pictures of a table's runs in MLflow, as files."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 
 import pandas as pd
 
 from placecat.drawing.style import house_style, save
 from placecat.report.charts.accuracy import accuracy_chart
-from placecat.report.charts.confusion import Matrices, confusion_sheet
+from placecat.report.charts.confusion import confusion_sheet
 from placecat.results.measured import Measured
 
 _BY_HAND = {"figure.constrained_layout.use": False, "figure.dpi": 120, "savefig.dpi": "figure"}
@@ -37,19 +37,3 @@ def draw_table(
             save(sheet, folder / "confusion.png")
             written.append(folder / "confusion.png")
     return written
-
-
-class MatrixDrawer:
-    """Writes the confusion matrices of one row after the other."""
-
-    def __init__(self) -> None:
-        self._sheets: dict[tuple[tuple[str, ...], int], Matrices] = {}
-
-    def draw(self, target: Path, title: str, matrices: Mapping[str, Measured]) -> None:
-        """Write one PNG of matrices of the same places, by their captions."""
-        with house_style(_BY_HAND):
-            classes: Sequence[str] = next(iter(matrices.values())).classes
-            kind = (tuple(classes), len(matrices))
-            if kind not in self._sheets:
-                self._sheets[kind] = Matrices(*kind)
-            save(self._sheets[kind].fill(title, matrices), target)

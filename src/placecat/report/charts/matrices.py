@@ -1,0 +1,90 @@
+"""Confusion matrices with their numbers as a picture; painted, since Matplotlib takes 100 times as long."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import cv2
+import numpy as np
+from matplotlib import colormaps
+from numpy.typing import NDArray
+
+from placecat import files
+from placecat.drawing.lettering import line_height, mask, write
+from placecat.drawing.palette import place_title
+from placecat.results.confusion import pooled_counts, shares
+from placecat.results.measured import Measured
+
+_MAP = "Blues"
+# Pixels: a cell, the gap between matrices, the margin, and the sizes of text.
+_CELL, _GAP, _MARGIN, _TEXT, _TITLE = 46, 28, 12, 12, 15
+_INK, _PAPER = (0x22, 0x22, 0x22), (255, 255, 255)
+# Percent from which a cell is so dark that its number is white.
+_DARK = 55
+_CAPTION = "Rows are true places, columns decisions; numbers are percent of the true place."
+
+
+def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) -> None:
+    """Write matrices of the same places side by side as PNG, by their captions.
+
+    A number is the percentage of a true place (row) decided as a place (column), over all homes and seeds.
+    The same matrices give the same bytes.
+    """
+    names = [place_title(place) for place in next(iter(matrices.values())).classes]
+    side = _CELL * len(names)
+    left = _MARGIN + max(_width(name) for name in names) + 8
+    top = _MARGIN + line_height(_TITLE) + line_height(_TEXT) + 10 + line_height(_TEXT)
+    under = [_slanted(name) for name in names]
+    below = max(label.shape[0] for label in under) + 8
+    widths = [max(side, _width(caption)) + _GAP for caption in matrices]
+    width = left + sum(widths)
+    width = max(width, _MARGIN + _width(title, _TITLE, bold=True), _MARGIN + _width(_CAPTION)) + _MARGIN
+    picture = np.full((top + side + below + _MARGIN, width, 3), _PAPER, np.uint8)
+    write(picture, title, (_MARGIN, _MARGIN), _TITLE, _INK, bold=True)
+    write(picture, _CAPTION, (_MARGIN, _MARGIN + line_height(_TITLE)), _TEXT, _INK)
+    for number, name in enumerate(names):
+        y = top + number * _CELL + (_CELL - line_height(_TEXT)) // 2
+        write(picture, name, (left - 8, y), _TEXT, _INK, align="right")
+    x = left
+    for (caption, one), taken in zip(matrices.items(), widths, strict=True):
+        write(picture, caption, (x, top - line_height(_TEXT) - 4), _TEXT, _INK)
+        _paint(picture[top : top + side, x : x + side], shares(pooled_counts(one)))
+        for number, label in enumerate(under):
+            _stamp(picture, label, x + number * _CELL + _CELL // 2 - label.shape[1] + 8, top + side + 4)
+        x += taken
+    with files.replacing(target) as temporary:
+        temporary.write_bytes(cv2.imencode(".png", picture)[1].tobytes())
+
+
+def _paint(picture: NDArray[np.uint8], percent: NDArray[np.float64]) -> None:
+    """Fill (side, side, 3) with one matrix; what has no frame stays white."""
+    colors = colormaps[_MAP](percent / 100.0, bytes=True)[:, :, 2::-1]
+    for (i, k), value in np.ndenumerate(percent):
+        if np.isnan(value):
+            continue
+        cell = picture[i * _CELL : (i + 1) * _CELL, k * _CELL : (k + 1) * _CELL]
+        cell[:] = colors[i, k]
+        text = f"{value:.0f}"
+        where = ((_CELL - _width(text)) // 2, (_CELL - line_height(_TEXT)) // 2)
+        write(cell, text, where, _TEXT, _PAPER if value > _DARK else _INK)
+
+
+def _width(text: str, size: int = _TEXT, *, bold: bool = False) -> int:
+    return mask(text, size, bold=bold).shape[1]
+
+
+def _slanted(text: str) -> NDArray[np.float32]:
+    """How much of each pixel a line covers that rises at 45 degrees, to end where it stands for."""
+    cover = mask(text, _TEXT)
+    height, width = cover.shape
+    size = int(np.ceil((height + width) / np.sqrt(2)))
+    turn = cv2.getRotationMatrix2D((width / 2, height / 2), 45, 1.0)
+    turn[:, 2] += (size - width) / 2, (size - height) / 2
+    return cv2.warpAffine(cover, turn, (size, size)).astype(np.float32)
+
+
+def _stamp(picture: NDArray[np.uint8], cover: NDArray[np.float32], x: int, y: int) -> None:
+    """Ink a picture where text covers it; what does not fit is cut."""
+    cover = cover[:, max(-x, 0) :]
+    part = picture[y : y + cover.shape[0], max(x, 0) : max(x, 0) + cover.shape[1]]
+    own = cover[: part.shape[0], : part.shape[1], None]
+    part[:] = np.rint(part * (1 - own) + np.array(_INK, np.float32) * own).astype(np.uint8)
