@@ -9,11 +9,11 @@ import pandas as pd
 import pytest
 from matplotlib.figure import Figure
 
+from placecat.drawing.lettering import mask
 from placecat.drawing.palette import place_title, written
 from placecat.drawing.style import house_style, save
 from placecat.errors import PlacecatError, printable
 from placecat.mlflow_log.store import key
-from placecat.drawing.lettering import mask
 from placecat.report.formats import latex, markdown
 from placecat.templates import environment
 from placecat.terminal import Terminal

@@ -91,7 +91,8 @@ def test_a_sweep_is_one_run_of_mlflow_with_a_run_below_for_each_experiment(sweep
         assert one.data.metrics["accuracy"] == own["accuracy"]
         assert one.data.params["classifier.clusters"] == "13"
         assert {path.path for path in client.list_artifacts(one.info.run_id)} == {
-            "confusion.csv",
+            "confusion.png",
+            "counts.csv",
             "result.json",
         }
 

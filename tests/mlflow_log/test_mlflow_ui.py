@@ -14,10 +14,10 @@ from PIL import Image
 import made_results
 from browser import needs_chromium, open_page
 from placecat import files
+from placecat.explain.made import made
 from placecat.mlflow_log import store
 from placecat.mlflow_log.content import table_run
 from placecat.mlflow_log.tables import log_tables
-from placecat.report.charts.draw import MatrixDrawer
 from placecat.results.measured import MEASURES
 from placecat.thesis.tables import dataset_of, fill_table, tables_of
 
@@ -69,11 +69,15 @@ def logged(server, tmp_path_factory):
     dataset = dataset_of(table, made_results.PARAMS)
     cells = fill_table(table, results, made_results.published(), dataset, {})
     files.write_csv(folder / "table_26.csv", cells)
+
+    def how(result):
+        return made(result, made_results.PARAMS, {})
+
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("MLFLOW_TRACKING_URI", server)
         digests = [
             log_tables(
-                [table_run(table, cells, results, dataset, {}, [folder / "table_26.csv"], MatrixDrawer())],
+                [table_run(table, cells, results, dataset, {}, [folder / "table_26.csv"], how)],
                 uri=store.tracking_uri(),
                 experiment="placecat/test",
                 description="Tables",
@@ -106,14 +110,14 @@ def test_a_server_holds_a_table_once_with_its_rows_and_files(server, logged, tmp
     assert {run.info.status for run in [table, *rows]} == {"FINISHED"}
     assert {run.data.tags["placecat.current"] for run in [table, *rows]} == {"true"}
     names = {one.path for one in client.list_artifacts(table.info.run_id)}
-    assert names == {"chart.png", "confusion.png", "confusion.csv", "table_26.csv"}
+    assert names == {"chart.png", "confusion.png", "counts.csv", "table_26.csv"}
     path = client.download_artifacts(table.info.run_id, "chart.png", str(tmp_path))
     with Image.open(path) as chart:
         assert chart.format == "PNG"
         assert chart.width > 1000
     assert {one.path for one in client.list_artifacts(rows[0].info.run_id)} == {
-        "confusion.csv",
         "confusion.png",
+        "counts.csv",
     }
 
 

@@ -42,7 +42,7 @@ def test_a_run_with_more_than_one_batch(folder):
         params=params,
         metrics=metrics,
         tags={"a": "b"},
-        files={"inner": [folder / "one.txt"]},
+        files=[folder / "one.txt"],
         parent=parent,
         description="Read *me*.",
     )
@@ -54,7 +54,7 @@ def test_a_run_with_more_than_one_batch(folder):
     assert run.data.metrics == metrics
     assert run.data.tags["mlflow.parentRunId"] == parent
     assert run.data.tags["mlflow.note.content"] == "Read *me*."
-    assert [path.parent.name for path in (folder / "files").rglob("one.txt")] == ["inner"]
+    assert [one.path for one in client.list_artifacts(child)] == ["one.txt"]
     assert client.get_run(parent).info.status == "FAILED"
     assert client.get_run(parent).data.metrics == {"last": 2.0}
 

@@ -1,6 +1,8 @@
 import multiprocessing
+from collections import Counter
 from contextlib import suppress
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pandas as pd
@@ -9,11 +11,11 @@ import pytest
 import made_results
 from placecat import files
 from placecat.errors import PlacecatError
+from placecat.explain.made import made, trials_of
 from placecat.mlflow_log import store, tables
 from placecat.mlflow_log.content import figures_run, table_run
 from placecat.mlflow_log.tables import RowRun, TableRun, log_tables
 from placecat.report.charts.bars import bars_of
-from placecat.report.charts.draw import MatrixDrawer
 from placecat.results.confusion import shares
 from placecat.thesis.decisions import decisions_of
 from placecat.thesis.tables import dataset_of, fill_table, tables_of
@@ -36,8 +38,8 @@ def log(database, request):
         return [folder / "table_05.csv"]
 
     rows = [
-        RowRun("SVM", {"row": "SVM"}, {"average": 30.5}),
-        RowRun("KNN", {"row": "KNN"}, {"average": 29.0}),
+        RowRun("SVM", {"row": "SVM"}, {"accuracy": 30.5}),
+        RowRun("KNN", {"row": "KNN"}, {"accuracy": 29.0}),
     ]
 
     def log(content="30.5, 29.0", data_version="v1", commit="", both=True):
@@ -104,8 +106,27 @@ def test_a_table_is_a_run_and_is_never_logged_twice(log, runs, database):
     assert table.data.tags["mlflow.source.git.commit"] == "a" * 40
     assert table.data.tags["mlflow.note.content"] == f"As *measured*: {table.info.run_id}"
     assert {run.data.tags["mlflow.parentRunId"] for run in rows} == {table.info.run_id}
-    assert {run.data.metrics["average"] for run in rows} == {30.5, 29.0}
+    assert {run.data.metrics["accuracy"] for run in rows} == {30.5, 29.0}
     assert len(list((database / "artifacts" / table.info.run_id).rglob("table_05.csv"))) == 1
+
+
+def test_a_row_costs_one_call_to_make_to_fill_and_to_end_it(log, monkeypatch):
+    """Each call is several transactions; that of a table's description comes on top."""
+    from mlflow import MlflowClient
+
+    log()
+    calls = Counter()
+    for name in ("create_run", "log_batch", "set_terminated", "set_tag", "get_run", "log_artifact"):
+        original = getattr(MlflowClient, name)
+
+        def counted(*arguments, name=name, original=original, **options):
+            calls[name] += 1
+            return original(*arguments, **options)
+
+        monkeypatch.setattr(MlflowClient, name, counted)
+    log("31.0, 29.0")
+    # A table and two rows; the three runs that it supersedes have their tags changed.
+    assert calls == {"create_run": 3, "log_batch": 3 + 1 + 3, "set_terminated": 3}
 
 
 def test_a_changed_result_supersedes_and_leaves_others_alone(log, runs):
@@ -158,7 +179,7 @@ def test_killed_anywhere_it_leaves_nothing_half_done_and_ends_well_the_next_time
         old, content, killed = set(runs(current=True)), f"31.0, {last}", []
         calls = iter(range(1, 1000))
         with monkeypatch.context() as patch:
-            for name in ("create_run", "log_batch", "log_artifact", "set_terminated"):
+            for name in ("create_run", "log_batch", "set_terminated"):
                 patch.setattr(MlflowClient, name, _dying(getattr(MlflowClient, name), calls, last, killed))
             with suppress(PlacecatError):
                 log(content)
@@ -178,7 +199,7 @@ def test_killed_anywhere_it_leaves_nothing_half_done_and_ends_well_the_next_time
         assert {run.info.status for run in found.values()} == {"FINISHED"}
         assert len(found) == 3 * (last + 1)
     # The table's run and rows are made, filled and ended; then the tags of old and new ones change.
-    assert last > 15
+    assert last > 8
 
 
 @pytest.fixture(scope="module")
@@ -191,29 +212,43 @@ def filled(name, results, params=made_results.PARAMS):
     return table, fill_table(table, results, made_results.published(), dataset_of(table, params), {})
 
 
+@cache
+def how(result):
+    return made(result, made_results.PARAMS, _trials())
+
+
+@cache
+def _trials():
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(made_results.ROOT)
+        return trials_of(made_results.PARAMS)
+
+
 def gathered(name, results):
     table, cells = filled(name, results)
-    run = table_run(table, cells, results, dataset_of(table, made_results.PARAMS), {}, [], MatrixDrawer())
+    run = table_run(table, cells, results, dataset_of(table, made_results.PARAMS), {}, [], how)
     return run, cells
 
 
 def test_a_row_has_its_numbers_by_home_and_its_confusion_matrix(results, tmp_path):
     run, cells = gathered("table_26", results)
     by_name = {row.name: row for row in run.rows}
-    row = by_name["5-5-1, all cues, Gist"]
+    row = by_name["Table 26: 5-5-1, all cues, Gist"]
     good = results.quality["cues/gist/5-5-1"].averages()
     own = cells[(cells["group"] == "5-5-1, all cues") & (cells["row"] == "Gist")].set_index("column")[
         "measured"
     ]
-    assert row.metrics == {name.lower().replace(" ", "_"): value for name, value in own.items()} | good
+    shown = {f"accuracy/home_{number}": own[f"Home {number}"] for number in range(1, 7)}
+    assert row.metrics == shown | {"accuracy": own["Average"]} | good
     assert good.keys() == {"log_loss", "calibration_error", "stay_accuracy"}
     for measure, value in good.items():
         assert run.metrics[f"{measure}/5-5-1 all cues/Gist"] == value
-    assert run.metrics["average/5-5-1 all cues/Gist"] == own["Average"]
+    assert run.metrics["accuracy/5-5-1 all cues/Gist"] == own["Average"]
     assert row.params["result"] == "cues/gist/5-5-1"
     paths = {path.name: path for path in row.files(tmp_path)}
-    assert set(paths) == {"confusion.csv", "confusion.png"}
-    table = pd.read_csv(paths["confusion.csv"])
+    # Pictures first, as MLflow sorts them.
+    assert sorted(paths) == ["confusion.png", "counts.csv"]
+    table = pd.read_csv(paths["counts.csv"])
     measured = results.of("cues/gist/5-5-1")
     for (home, truth), counts in table.groupby(["home", "truth"])[list(measured.classes)].sum().iterrows():
         h, i = measured.homes.index(home), measured.classes.index(truth)
@@ -249,6 +284,7 @@ def test_the_figures_are_one_run_with_added_ones_among_them(tmp_path):
         (tmp_path / f"{name}.png").write_bytes(name.encode())
     run = figures_run(tmp_path)
     assert [path.name for path in run.files(tmp_path)] == ["figure_02.png", "figure_reliability.png"]
+    assert run.metrics == {"drawn": 2, "left_out": 1}
     lines = run.description.splitlines()[-3:]
     assert lines == [
         "- **Figure 2.** Two.",
@@ -281,7 +317,7 @@ def test_the_digest_covers_every_decision_and_how_sure_they_are(results):
     surer = replace(good, values=good.values | {"log_loss": good.values["log_loss"] + 0.01})
     better = replace(results, quality=dict(results.quality) | {"cues/gist/5-5-1": surer})
     digests = {
-        table_run(table, cells, each, dataset, {}, [], MatrixDrawer()).digest("v1")
+        table_run(table, cells, each, dataset, {}, [], how).digest("v1")
         for each in (results, changed, better)
     }
     assert len(digests) == 3
@@ -316,6 +352,30 @@ def test_pictures_are_the_same_bytes_each_time(results, tmp_path):
     for path in (tmp_path / "1").rglob("*.png"):
         assert path.read_bytes() == (tmp_path / "2" / path.relative_to(tmp_path / "1")).read_bytes()
     assert len(list((tmp_path / "1").rglob("*.png"))) == 3
+
+
+def test_rows_differ_in_what_was_chosen(results):
+    """Two runs that MLflow compares: a cue and another one, a cue and a system, a trial and its neighbour."""
+    rows = {row.name: row.params for row in gathered("table_26", results)[0].rows}
+    gist, hog, hmm = (rows[f"Table 26: 5-5-1, all cues, {name}"] for name in ("Gist", "HOG + y-Pos", "HMM"))
+    assert (gist["decides"], gist["descriptor"], gist["classifier"]) == ("cue", "holistic gist", "nu_svm")
+    assert (hog["descriptor"], hog["classifier"], hog["clusters"]) == ("local hog", "naive_bayes", "196")
+    assert gist["scheme"] == "parallel" and gist["nu"] == "0.2"
+    assert hmm["decides"] == "delayed HMM" and "gist" in hmm["cues"].split(", ")
+    assert gist["protocol"] == "5-5-1" != rows["Table 26: 4-5-1, all cues, Gist"]["protocol"]
+    # Trials of several columns name the values of all.
+    (first, *_) = gathered("table_12", results)[0].rows
+    assert first.params["clusters"] == "46, 196, 496"
+    assert first.params["classifier"] == "knn"
+
+
+def test_every_row_of_every_table_is_told_apart_by_its_parameters(results):
+    for name in tables_of(made_results.PARAMS, made_results.ROOT):
+        rows = gathered(name, results)[0].rows
+        assert len({row.name for row in rows}) == len(rows)
+        shown = [{key: row.params[key] for key in row.params if key not in ("group", "row")} for row in rows]
+        # A home is no parameter: rows of homes share their result.
+        assert all("decides" in params for params in shown if "result" in params), name
 
 
 def test_a_place_without_frames_has_no_shares():

@@ -6,11 +6,11 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_rgb
 
 from placecat.drawing import palette
+from placecat.drawing.lettering import mask, write
 from placecat.predict import report, timeline
 from placecat.predict.annotate import Annotator
 from placecat.predict.clock import clock
 from placecat.predict.frame import Frame
-from placecat.drawing.lettering import mask, write
 from placecat.predict.prediction import Prediction
 
 

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pandas as pd
 
 from placecat import files, settings
@@ -19,7 +20,11 @@ from placecat.experiment.made_from import made_from_of
 from placecat.experiment.summary import Ran
 from placecat.lockfile import data_version, git_commit
 from placecat.mlflow_log import store
+from placecat.mlflow_log.params import params_of_cue
 from placecat.mlflow_log.tables import ARTIFACTS, DESCRIPTION, delete, search
+from placecat.paths import NO_SEED
+from placecat.report.charts.matrices import draw_matrices
+from placecat.results.measured import Measured
 from placecat.search import report
 
 _KIND = "placecat.kind"
@@ -131,7 +136,7 @@ def _log_one(client: Any, experiment: str, name: str, one: Ran, parent: str | No
     artifacts = [one.folder / name for name in (output.RESULT, output.TRACEBACK)]
     artifacts = [path for path in artifacts if path.is_file()]
     if "settings" in result:
-        params |= {store.key(key): value for key, value in settings.flatten(result["settings"]).items()}
+        params |= _params(result["settings"])
     if result["accuracy"] is not None:
         metrics["accuracy"] = result["accuracy"]
         for home, of_home in result["homes"].items():
@@ -140,11 +145,7 @@ def _log_one(client: Any, experiment: str, name: str, one: Ran, parent: str | No
     note = result.get(output.FAILED) or result["reason"] or ""
     with tempfile.TemporaryDirectory() as temporary:
         if result["accuracy"] is not None:
-            path = Path(temporary) / "confusion.csv"
-            counts = pd.DataFrame(summary.confusion(result), columns=result["classes"])
-            counts.insert(0, "true_place", result["classes"])
-            files.write_csv(path, counts)
-            artifacts.append(path)
+            artifacts += _write_confusion(Path(temporary), name, result)
         run = store.start_run(
             client,
             experiment,
@@ -157,3 +158,23 @@ def _log_one(client: Any, experiment: str, name: str, one: Ran, parent: str | No
             description=note,
         )
     store.finish_run(client, run, status="FAILED" if one.has_failed else "FINISHED")
+
+
+def _params(used: dict[str, Any]) -> dict[str, str]:
+    """Parameters of an experiment, by the names that rows of tables have."""
+    cue = [used.get(part) for part in ("descriptor", "classifier", "codebook")]
+    rest = {
+        name: value for name, value in used.items() if name not in ("descriptor", "classifier", "codebook")
+    }
+    own = {store.key(name): value for name, value in settings.flatten(rest).items()}
+    return {"decides": "cue"} | own | params_of_cue(*cue)
+
+
+def _write_confusion(folder: Path, name: str, result: dict[str, Any]) -> list[Path]:
+    classes, counts = result["classes"], np.array(summary.confusion(result), np.int64)
+    pooled = Measured(("all",), (NO_SEED,), tuple(classes), counts[None, None])
+    draw_matrices(folder / "confusion.png", name, {"": pooled})
+    table = pd.DataFrame(counts, columns=classes)
+    table.insert(0, "truth", classes)
+    files.write_csv(folder / "counts.csv", table)
+    return [folder / "confusion.png", folder / "counts.csv"]

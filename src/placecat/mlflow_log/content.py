@@ -1,7 +1,7 @@
 """What MLflow shows of a table: parameters, metrics, a description, files, and the same of its rows."""
 
 import hashlib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -9,9 +9,13 @@ import numpy as np
 import pandas as pd
 
 from placecat import files
+from placecat.evaluation.trials import AXES, HOMES, trial_name
+from placecat.explain.made import Made
+from placecat.mlflow_log.params import params_of_results
 from placecat.mlflow_log.store import key
 from placecat.mlflow_log.tables import RUN_ID, RowRun, TableRun
-from placecat.report.charts.draw import MatrixDrawer, draw_table
+from placecat.report.charts.draw import draw_table
+from placecat.report.charts.matrices import draw_matrices
 from placecat.report.formats import table_markdown
 from placecat.report.summary import VERDICTS, readings_of
 from placecat.results.confusion import confusion_rows, pooled_rows
@@ -29,9 +33,9 @@ _READING = (
     "has the table as CSV, Markdown and LaTeX, {chart}and the confusion matrices.\n"
 )
 _ACCURACIES = (
-    "A metric is an accuracy in percent, the mean over the places and over the seeds; `average` is the one "
-    "over the homes. `log_loss` (nats), `calibration_error` and `stay_accuracy` (percent) say how good the "
-    "probabilities are, on average over the homes."
+    "`accuracy` is in percent, the mean over the places, the seeds and the homes; `accuracy/home_1` of a row "
+    "and `home_1` here are of one home. `log_loss` (nats), `calibration_error` and `stay_accuracy` (percent) "
+    "say how good the probabilities are, on average over the homes."
 )
 _CHART = "`chart.png` with the averages (a mark is one {point}), "
 _FIGURES = (
@@ -47,7 +51,7 @@ def table_run(
     dataset: Mapping[str, Any],
     settings: Mapping[str, str],
     written: Sequence[Path],
-    drawer: MatrixDrawer,
+    made: Callable[[str], Made],
 ) -> TableRun:
     """Gather all of one table, from its configuration and its filled `cells`.
 
@@ -59,6 +63,8 @@ def table_run(
         Flat settings that the numbers depend on.
     written
         The table's own files, e.g. its CSV.
+    made
+        Says how a result was made, by its name.
     """
     # The title of an addition says that it is one.
     title = f"{label(table)}: {table['title'].removeprefix(f'{label(table)}: ')}"
@@ -68,8 +74,8 @@ def table_run(
     rows = []
     for (group, row), part in cells.groupby(["group", "row"], sort=False):
         labels = (str(group), str(row))
-        measured = (part, decisions.get(labels, {}), quality.get(labels, {}))
-        rows.append(_row_run(table, labels, *measured, None if "trial" in table else drawer))
+        how = {name: made(name) for name in _results(table, labels, part["column"], results)}
+        rows.append(_row_run(table, labels, part, decisions.get(labels, {}), quality.get(labels, {}), how))
     by_cell = {
         (*labels, column): one for labels, of_row in decisions.items() for column, one in of_row.items()
     }
@@ -88,7 +94,7 @@ def table_run(
         title=title,
         content="\n".join([cells[COLUMNS].to_csv(index=False), *counts, repr(sorted(quality.items()))]),
         params=settings,
-        metrics=_metrics(cells)
+        metrics=_metrics(cells, in_percent(table))
         | {key(measure, *labels): value for labels, row in quality.items() for measure, value in row.items()},
         description=_description(table, cells, dataset, beside),
         rows=rows,
@@ -110,8 +116,8 @@ def figures_run(folder: Path) -> TableRun:
         name="figures",
         title="Figures of the thesis",
         content="\n".join([*lines, *sums]),
-        params={"figures": str(len(drawn))},
-        metrics={},
+        params={"figures": ", ".join(entry["name"] for entry in entries if entry["file"])},
+        metrics={"drawn": len(drawn), "left_out": len(entries) - len(drawn)},
         description=_cut(_FIGURES + "\n".join(lines)),
         files=lambda temporary: drawn,
         kind="figures",
@@ -149,37 +155,31 @@ def _row_run(
     cells: pd.DataFrame,
     decisions: Mapping[str, Measured],
     quality: Mapping[str, float],
-    drawer: MatrixDrawer | None,
+    how: Mapping[str, Made],
 ) -> RowRun:
-    name = ", ".join(filter(None, labels)) or table["title"]
-    result = table.get("result") or _results(table).get(labels, "")
-    params = {"table": label(table), "group": labels[0], "row": labels[1], "result": result}
+    # In a list of runs of many tables.
+    of_table = table["name"].replace("_0", "_").replace("_", " ").capitalize()
+    name = ": ".join(filter(None, (of_table, ", ".join(filter(None, labels)))))
+    shown = {"table": label(table), "group": labels[0], "row": labels[1], "result": ", ".join(how)}
     measured = cells[np.isfinite(cells["measured"])]
+    columns = [_measure(column, in_percent(table)) for column in measured["column"]]
     return RowRun(
         name=name,
-        params={key: text for key, text in params.items() if text},
-        metrics=dict(zip(map(_slug, measured["column"]), measured["measured"], strict=True)) | dict(quality),
-        files=_writer(name, decisions, drawer),
+        params={key: text for key, text in shown.items() if text} | params_of_results(how),
+        metrics=dict(zip(columns, measured["measured"], strict=True)) | dict(quality),
+        files=lambda folder: _write_row(folder, name, decisions),
     )
 
 
-def _writer(
-    name: str, decisions: Mapping[str, Measured], drawer: MatrixDrawer | None
-) -> Callable[[Path], list[Path]]:
-    def write(folder: Path) -> list[Path]:
-        if not decisions:
-            return []
-        labels = ["column", "home", "seed", "truth"]
-        parts = [confusion_rows(one).assign(column=column) for column, one in decisions.items()]
-        if list(decisions) == [""]:
-            labels, parts = labels[1:], [one.drop(columns="column") for one in parts]
-        written = _write_counts(folder, parts, labels)
-        if drawer is not None:
-            drawer.draw(folder / "confusion.png", name, decisions)
-            written.append(folder / "confusion.png")
-        return written
-
-    return write
+def _write_row(folder: Path, name: str, decisions: Mapping[str, Measured]) -> list[Path]:
+    if not decisions:
+        return []
+    draw_matrices(folder / "confusion.png", name, decisions)
+    labels = ["column", "home", "seed", "truth"]
+    parts = [confusion_rows(one).assign(column=column) for column, one in decisions.items()]
+    if list(decisions) == [""]:
+        labels, parts = labels[1:], [one.drop(columns="column") for one in parts]
+    return [folder / "confusion.png", *_write_counts(folder, parts, labels)]
 
 
 def _write_counts(folder: Path, parts: Sequence[pd.DataFrame], labels: list[str]) -> list[Path]:
@@ -187,14 +187,26 @@ def _write_counts(folder: Path, parts: Sequence[pd.DataFrame], labels: list[str]
     if not parts:
         return []
     whole = pd.concat(parts)
-    path = folder / "confusion.csv"
+    path = folder / "counts.csv"
     files.write_csv(path, whole[[*labels, *whole.columns.difference(labels, sort=False)]])
     return [path]
 
 
-def _results(table: Mapping[str, Any]) -> dict[tuple[str, str], str]:
-    """Group and row to the name of the row's result."""
-    return {(row["group"], row["row"]): row["result"] for row in table.get("rows", [])}
+def _results(
+    table: Mapping[str, Any], labels: tuple[str, str], columns: Iterable[str], results: Results
+) -> list[str]:
+    """Names of the results that a row shows."""
+    if "result" in table:
+        return [table["result"]]
+    if "rows" in table:
+        return [row["result"] for row in table["rows"] if (row["group"], row["row"]) == labels]
+    names = []
+    for cell in ((*labels, column) for column in columns):
+        own = (
+            "" if table["axes"].get(axis) == HOMES else part for axis, part in zip(AXES, cell, strict=True)
+        )
+        names.append(trial_name(table["name"], *own))
+    return [name for name in dict.fromkeys(names) if name in results.measured]
 
 
 def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, float]]:
@@ -204,13 +216,14 @@ def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str]
     """
     if not in_percent(table):
         return {}
-    named = _results(table) | ({("", ""): table["result"]} if "result" in table else {})
+    named = {(row["group"], row["row"]): row["result"] for row in table.get("rows", [])}
+    named |= {("", ""): table["result"]} if "result" in table else {}
     return {
         labels: results.quality[name].averages() for labels, name in named.items() if name in results.quality
     }
 
 
-def _metrics(cells: pd.DataFrame) -> dict[str, float]:
+def _metrics(cells: pd.DataFrame, percent: bool) -> dict[str, float]:
     """By column first, so that the user interface has a section of charts for the averages of all rows.
 
     It lists them in this order: the averages on top.
@@ -218,12 +231,23 @@ def _metrics(cells: pd.DataFrame) -> dict[str, float]:
     measured = cells[np.isfinite(cells["measured"])]
     measured = measured.sort_values("column", key=lambda column: column != AVERAGE, kind="stable")
     rows = measured[["group", "row", "column", "measured"]].itertuples(index=False, name=None)
-    return {key(_slug(column), group, row): float(value) for group, row, column, value in rows}
+    return {key(_section(column, percent), group, row): float(value) for group, row, column, value in rows}
+
+
+def _measure(column: str, percent: bool) -> str:
+    """E.g. "Home 1" as ``accuracy/home_1``, "Average" as ``accuracy``; of no percentages ``log_loss``."""
+    if not percent:
+        return _slug(column)
+    return "accuracy" if column in (AVERAGE, "") else key("accuracy", _slug(column))
+
+
+def _section(column: str, percent: bool) -> str:
+    return "accuracy" if percent and column in (AVERAGE, "") else _slug(column)
 
 
 def _slug(column: str) -> str:
-    """E.g. "Home 1" as ``home_1``; a table of one column may have no name for it."""
-    return key(column).lower().replace(" ", "_") or "accuracy"
+    """E.g. "Home 1" as ``home_1``."""
+    return key(column).lower().replace(" ", "_")
 
 
 def _description(

@@ -277,7 +277,7 @@ def log(client: MlflowClient, run_id: str, **content: Unpack[Content]) -> None:
 
 
 def _store(client: MlflowClient, run_id: str, place: str, paths: Sequence[Path]) -> None:
-    """Copy files to a run: into its folder, if that is on this machine, where the client reads the run first."""
+    """Copy files to a run: into its folder, if that is on this machine, since the client takes longer."""
     parts = urlparse(place)
     if parts.scheme != "file":
         with _told_plainly(client.tracking_uri):

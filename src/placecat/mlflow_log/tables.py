@@ -56,8 +56,8 @@ class RowRun:
     Attributes
     ----------
     params, metrics
-        What identifies it, and its numbers: ``average``, ``home_1``, ... in percent, and how good its
-        probabilities are (:meth:`placecat.results.quality.Quality.averages`).
+        What tells it apart, and its numbers: ``accuracy``, ``accuracy/home_1``, ... in percent, and how good
+        its probabilities are (:meth:`placecat.results.quality.Quality.averages`).
     files
         Writes the row's files into the folder that it is given, and gives their paths.
     """

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from placecat.categorizer import Decision
 from placecat.drawing import palette
+from placecat.drawing.lettering import line_height, mask, write
 from placecat.predict.clock import clock
 from placecat.predict.frame import Frame
-from placecat.drawing.lettering import line_height, mask, write
 from placecat.vision.regions import radius
 
 Color = tuple[int, int, int]

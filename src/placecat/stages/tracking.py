@@ -2,15 +2,16 @@
 
 import json
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 from placecat import files, paths, settings
+from placecat.explain.made import Made, made, trials_of
 from placecat.lockfile import data_version, git_commit
 from placecat.mlflow_log.content import figures_run, findings_run, table_run
 from placecat.mlflow_log.store import queued_experiment, queued_in, tracking_uri
 from placecat.mlflow_log.tables import ARTIFACTS, DESCRIPTION, TableRun, log_tables
-from placecat.report.charts.draw import MatrixDrawer
 from placecat.results.collect import read_results
 from placecat.stages import run
 from placecat.thesis import notes
@@ -22,20 +23,25 @@ _TEXT = ["group", "row", "column", "note"]
 def main() -> None:
     """Log the tables to MLFLOW_TRACKING_URI, or to mlflow.db in the project's folder."""
     params = settings.load()
-    results, drawer = read_results(params), MatrixDrawer()
+    results, trials = read_results(params), trials_of(params)
+
+    @cache
+    def how(result: str) -> Made:
+        return made(result, params, trials)
+
     noted = files.read_table(paths.NOTES, notes.COLUMNS)
     by_split: dict[str, list[TableRun]] = {"": []}
     for name, table in tables_of(params).items():
-        made = table_run(
+        one = table_run(
             table,
             notes.with_notes(name, files.read_table(folder_of(table) / f"{name}.csv", _TEXT), noted),
             results,
             dataset_of(table, params),
             settings.flatten(_settings(table, params)),
             [folder_of(table) / f"{name}.{ending}" for ending in ("csv", "md", "tex")],
-            drawer,
+            how,
         )
-        by_split.setdefault(table.get("split", ""), []).append(made)
+        by_split.setdefault(table.get("split", ""), []).append(one)
     by_split[""] += [figures_run(paths.FIGURES), findings_run(paths.FINDINGS, paths.COMPARISONS)]
     digests: dict[str, str] = {}
     for split, runs in by_split.items():

@@ -1,4 +1,7 @@
-"""Confusion matrices with their numbers as a picture; painted, since Matplotlib takes 100 times as long."""
+"""Pictures of confusion matrices: those of a row with their numbers, or all those of a table.
+
+They are painted, since Matplotlib takes ten times as long.
+"""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -11,16 +14,19 @@ from numpy.typing import NDArray
 from placecat import files
 from placecat.drawing.lettering import line_height, mask, write
 from placecat.drawing.palette import place_title
-from placecat.results.confusion import pooled_counts, shares
+from placecat.results.confusion import ALL_HOMES, in_home, pooled_counts, shares
 from placecat.results.measured import Measured
 
 _MAP = "Blues"
 # Pixels: a cell, the gap between matrices, the margin, and the sizes of text.
 _CELL, _GAP, _MARGIN, _TEXT, _TITLE = 46, 28, 12, 12, 15
+# In the picture of a table, which has no numbers.
+_PIXEL = 13
 _INK, _PAPER = (0x22, 0x22, 0x22), (255, 255, 255)
 # Percent from which a cell is so dark that its number is white.
 _DARK = 55
 _CAPTION = "Rows are true places, columns decisions; numbers are percent of the true place."
+_SHEET = "Rows are true places, columns decisions; dark blue is all of the true place, white none."
 
 
 def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) -> None:
@@ -51,18 +57,74 @@ def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) ->
         for number, label in enumerate(under):
             _stamp(picture, label, x + number * _CELL + _CELL // 2 - label.shape[1] + 8, top + side + 4)
         x += taken
+    _save(picture, target)
+
+
+def draw_sheet(target: Path, title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> bool:
+    """Write all matrices of a table as PNG: a line a row, with each column or each home.
+
+    `rows` are from :func:`placecat.thesis.decisions.decisions_of`; without any there is no picture, and this
+    is False.
+    """
+    lines = {" / ".join(filter(None, labels)): _blocks(of_row) for labels, of_row in rows.items() if of_row}
+    if not lines:
+        return False
+    columns = list(dict.fromkeys(name for blocks in lines.values() for name in blocks))
+    side = _PIXEL * max(len(values) for blocks in lines.values() for values in blocks.values())
+    step = max(side, *map(_width, columns)) + _MARGIN
+    left = 2 * _MARGIN + max(map(_width, lines))
+    top = _MARGIN + line_height(_TITLE) + 2 * line_height(_TEXT) + 14
+    width = max(
+        left + step * len(columns), 2 * _MARGIN + max(_width(title, _TITLE, bold=True), _width(_SHEET))
+    )
+    picture = np.full((top + (side + _MARGIN) * len(lines), width, 3), _PAPER, np.uint8)
+    write(picture, title, (_MARGIN, _MARGIN), _TITLE, _INK, bold=True)
+    write(picture, _SHEET, (_MARGIN, _MARGIN + line_height(_TITLE)), _TEXT, _INK)
+    for number, name in enumerate(columns):
+        write(picture, name, (left + number * step, top - line_height(_TEXT) - 4), _TEXT, _INK)
+    for line, (label, blocks) in enumerate(lines.items()):
+        y = top + line * (side + _MARGIN)
+        write(
+            picture, label, (left - _MARGIN, y + (side - line_height(_TEXT)) // 2), _TEXT, _INK, align="right"
+        )
+        for name, percent in blocks.items():
+            x = left + columns.index(name) * step
+            block = _colors(percent).repeat(_PIXEL, axis=0).repeat(_PIXEL, axis=1)
+            picture[y : y + len(block), x : x + len(block)] = block
+    _save(picture, target)
+    return True
+
+
+def _blocks(of_row: Mapping[str, Measured]) -> dict[str, NDArray[np.float64]]:
+    parts: dict[str, Measured] = {}
+    for column, one in of_row.items():
+        if column == "" and len(of_row) == 1 and len(one.homes) > 1:
+            parts |= {place_title(home): in_home(one, home) for home in one.homes}
+            parts[ALL_HOMES] = one
+        else:
+            parts[column] = one
+    return {name: shares(pooled_counts(one)) for name, one in parts.items()}
+
+
+def _save(picture: NDArray[np.uint8], target: Path) -> None:
     with files.replacing(target) as temporary:
         temporary.write_bytes(cv2.imencode(".png", picture)[1].tobytes())
 
 
+def _colors(percent: NDArray[np.float64]) -> NDArray[np.uint8]:
+    """(n, n, 3) uint8, BGR; what has no frame is white."""
+    colors = colormaps[_MAP](percent / 100.0, bytes=True)[:, :, 2::-1].copy()
+    colors[np.isnan(percent)] = _PAPER
+    return colors
+
+
 def _paint(picture: NDArray[np.uint8], percent: NDArray[np.float64]) -> None:
     """Fill (side, side, 3) with one matrix; what has no frame stays white."""
-    colors = colormaps[_MAP](percent / 100.0, bytes=True)[:, :, 2::-1]
+    picture[:] = _colors(percent).repeat(_CELL, axis=0).repeat(_CELL, axis=1)
     for (i, k), value in np.ndenumerate(percent):
         if np.isnan(value):
             continue
         cell = picture[i * _CELL : (i + 1) * _CELL, k * _CELL : (k + 1) * _CELL]
-        cell[:] = colors[i, k]
         text = f"{value:.0f}"
         where = ((_CELL - _width(text)) // 2, (_CELL - line_height(_TEXT)) // 2)
         write(cell, text, where, _TEXT, _PAPER if value > _DARK else _INK)

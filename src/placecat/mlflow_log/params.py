@@ -1,0 +1,106 @@
+"""Parameters that tell runs apart: how a result was made, under the same names for tables and experiments."""
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from placecat.explain.made import Made
+from placecat.mlflow_log.store import key
+from placecat.settings import flatten
+
+# What decides, by the part of a result's name that says it.
+_DECIDES = {
+    "cues": "cue",
+    "tempered": "tempered cue",
+    "trials": "cue",
+    "integration": "integration",
+    "hmm": "HMM before its delay",
+    "smoothing": "delayed HMM",
+    "toy": "toy problem",
+}
+
+
+def params_of_results(results: Mapping[str, Made]) -> dict[str, str]:
+    """Parameters of some results, by their names; where they differ, each value once.
+
+    ``decides`` (a cue, an integration, an HMM), ``protocol``, ``cues``, ``system``, ``filter`` and
+    ``descriptor``; then the settings of a cue by itself (`params_of_cue`), of the integration and of the
+    smoothing.
+    """
+    return joined(_of_one(name, made) for name, made in results.items())
+
+
+def params_of_cue(
+    descriptor: Mapping[str, Any], classifier: Mapping[str, Any], codebook: Mapping[str, Any] | None
+) -> dict[str, str]:
+    """Parameters of one cue, from its settings.
+
+    ``descriptor``, ``classifier`` and ``scheme`` are what is chosen by these names; the others are the
+    settings' own names, e.g. ``y_pos``, ``clusters``, ``nu``, ``scheme.calibration``, ``codebook.cells``.
+    """
+    kind, name = (str(descriptor.get(one, "")) for one in ("kind", "name"))
+    params = {"descriptor": f"{kind} {name}"} | _flat(descriptor, "kind", "name") | _of_classifier(classifier)
+    return params | ({} if codebook is None else _under("codebook", codebook))
+
+
+def joined(several: Iterable[Mapping[str, str]]) -> dict[str, str]:
+    """Join the parameters of some runs: the different values of each, in order."""
+    values: dict[str, dict[str, None]] = {}
+    for params in several:
+        for name, value in params.items():
+            values.setdefault(name, {})[value] = None
+    return {name: ", ".join(of_name) for name, of_name in values.items()}
+
+
+def _of_one(result: str, made: Made) -> dict[str, str]:
+    parts = result.split("/")
+    kind = parts[2] if parts[0] == "splits" else parts[0]
+    if kind == "filtered":
+        kind = "integration" if made.system else "cues"
+    shown = {
+        "decides": _DECIDES.get(kind, kind),
+        "protocol": made.plan,
+        "cues": ", ".join(made.cues),
+        "system": made.system,
+        "filter": made.filter,
+        "descriptor": ", ".join(dict.fromkeys(made.descriptors)),
+    }
+    params = {name: text for name, text in shown.items() if text}
+    own: dict[str, Any] = {}
+    for part, settings in made.settings.items():
+        title, _, _ = part.partition(" of ")
+        if title in ("descriptor", "classifier", "codebook"):
+            own[title] = settings
+        elif part == "integration":
+            params |= _of_classifier(settings)
+        elif part == "toy":
+            rest = {name: value for name, value in settings.items() if name != "scheme"}
+            params |= _of_classifier(settings["scheme"]) | _under(part, rest)
+        else:
+            # "filter informative" has its name already.
+            params |= _under(part.split()[0], settings)
+    if "classifier" in own and not made.system:
+        params |= params_of_cue(own["descriptor"], own["classifier"], own.get("codebook"))
+    return params
+
+
+def _of_classifier(settings: Mapping[str, Any]) -> dict[str, str]:
+    """Settings of a classifier or an integration; those of its base by their own names."""
+    base, scheme = (settings.get(one) or {} for one in ("base", "scheme"))
+    params = {"classifier": str(base.get("name") or settings.get("model") or settings.get("method", ""))}
+    if "combination" in scheme:
+        params["scheme"] = str(scheme["combination"])
+    return (
+        params
+        | _flat(base, "name")
+        | _under("scheme", {name: value for name, value in scheme.items() if name != "combination"})
+        | _flat(settings, "base", "scheme")
+    )
+
+
+def _flat(settings: Mapping[str, Any], *without: str) -> dict[str, str]:
+    rest = {name: value for name, value in settings.items() if name not in without}
+    return {key(name): value for name, value in flatten(rest).items()}
+
+
+def _under(prefix: str, settings: Mapping[str, Any]) -> dict[str, str]:
+    return {key(f"{prefix}.{name}"): value for name, value in flatten(settings).items()}
