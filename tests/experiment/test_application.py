@@ -89,7 +89,7 @@ def test_a_sweep_is_one_run_of_mlflow_with_a_run_below_for_each_experiment(sweep
     for one in done:
         own = json.loads((folder / f"swept/{0 if 'H1' in one.info.run_name else 1}/result.json").read_text())
         assert one.data.metrics["accuracy"] == own["accuracy"]
-        assert one.data.params["classifier.clusters"] == "13"
+        assert one.data.params["clusters"] == "13"
         assert {path.path for path in client.list_artifacts(one.info.run_id)} == {
             "confusion.png",
             "counts.csv",

@@ -38,7 +38,7 @@ def log(database, request):
         return [folder / "table_05.csv"]
 
     rows = [
-        RowRun("SVM", {"row": "SVM"}, {"accuracy": 30.5}),
+        RowRun("SVM", {"row": "SVM", "protocol": "5-5-1"}, {"accuracy": 30.5}),
         RowRun("KNN", {"row": "KNN"}, {"accuracy": 29.0}),
     ]
 
@@ -106,6 +106,8 @@ def test_a_table_is_a_run_and_is_never_logged_twice(log, runs, database):
     assert table.data.tags["mlflow.source.git.commit"] == "a" * 40
     assert table.data.tags["mlflow.note.content"] == f"As *measured*: {table.info.run_id}"
     assert {run.data.tags["mlflow.parentRunId"] for run in rows} == {table.info.run_id}
+    assert {run.info.run_name: run.data.tags.get("protocol") for run in rows} == {"SVM": "5-5-1", "KNN": None}
+    assert table.data.tags["protocol"] == "5-5-1"
     assert {run.data.metrics["accuracy"] for run in rows} == {30.5, 29.0}
     assert len(list((database / "artifacts" / table.info.run_id).rglob("table_05.csv"))) == 1
 
@@ -245,6 +247,7 @@ def test_a_row_has_its_numbers_by_home_and_its_confusion_matrix(results, tmp_pat
         assert run.metrics[f"{measure}/5-5-1 all cues/Gist"] == value
     assert run.metrics["accuracy/5-5-1 all cues/Gist"] == own["Average"]
     assert row.params["result"] == "cues/gist/5-5-1"
+    assert row.description == "- `cues/gist/5-5-1`: the cue gist (Gist) trained alone, 5-5-1"
     paths = {path.name: path for path in row.files(tmp_path)}
     # Pictures first, as MLflow sorts them.
     assert sorted(paths) == ["confusion.png", "counts.csv"]
@@ -369,13 +372,13 @@ def test_rows_differ_in_what_was_chosen(results):
     assert first.params["classifier"] == "knn"
 
 
-def test_every_row_of_every_table_is_told_apart_by_its_parameters(results):
-    for name in tables_of(made_results.PARAMS, made_results.ROOT):
-        rows = gathered(name, results)[0].rows
-        assert len({row.name for row in rows}) == len(rows)
-        shown = [{key: row.params[key] for key in row.params if key not in ("group", "row")} for row in rows]
-        # A home is no parameter: rows of homes share their result.
-        assert all("decides" in params for params in shown if "result" in params), name
+@pytest.mark.parametrize("name", ["table_14", "table_30", "addition_filter", "addition_toy"])
+def test_rows_of_every_kind_of_table_differ_in_name_and_parameters(results, name):
+    rows = gathered(name, results)[0].rows
+    labels = ("group", "row", "result")
+    shown = [{key: row.params[key] for key in row.params if key not in labels} for row in rows]
+    assert len({row.name for row in rows}) == len({repr(one) for one in shown}) == len(rows)
+    assert all(one["decides"] for one in shown)
 
 
 def test_a_place_without_frames_has_no_shares():

@@ -167,6 +167,7 @@ def _row_run(
         name=name,
         params={key: text for key, text in shown.items() if text} | params_of_results(how),
         metrics=dict(zip(columns, measured["measured"], strict=True)) | dict(quality),
+        description="\n".join(f"- `{result}`: {one.title}" for result, one in how.items()),
         files=lambda folder: _write_row(folder, name, decisions),
     )
 

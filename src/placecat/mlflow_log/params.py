@@ -73,13 +73,21 @@ def _of_one(result: str, made: Made) -> dict[str, str]:
         elif part == "integration":
             params |= _of_classifier(settings)
         elif part == "toy":
-            rest = {name: value for name, value in settings.items() if name != "scheme"}
-            params |= _of_classifier(settings["scheme"]) | _under(part, rest)
+            params |= _of_toy(parts, settings)
         else:
             # "filter informative" has its name already.
             params |= _under(part.split()[0], settings)
     if "classifier" in own and not made.system:
         params |= params_of_cue(own["descriptor"], own["classifier"], own.get("codebook"))
+    return params
+
+
+def _of_toy(parts: list[str], settings: Mapping[str, Any]) -> dict[str, str]:
+    """Parameters of the toy problem; a result's name has the radius and the rule of decision that it varies."""
+    rest = {name: value for name, value in settings.items() if name not in ("scheme", "sensitivity")}
+    params = _of_classifier(settings["scheme"]) | _under("toy", rest)
+    if "sensitivity" in settings:
+        params |= dict(zip(("toy.points.radius", "scheme", "toy.decision"), parts[1:], strict=False))
     return params
 
 

@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
 KIND, TABLE, DIGEST = "placecat.kind", "placecat.table", "placecat.digest"
 CURRENT, SUPERSEDED_BY = "placecat.current", "placecat.superseded_by"
+# Who trains what and who is tested, e.g. "5-5-1"; of a table those of all its rows.
+PROTOCOL = "protocol"
 # Name of the queued DVC experiment that logged a run. It is current beside the project's own, by this name.
 DVC_EXPERIMENT = "placecat.dvc_experiment"
 # The machine that logs a run: until it is finished, another one cannot know whether it goes on.
@@ -58,6 +60,8 @@ class RowRun:
     params, metrics
         What tells it apart, and its numbers: ``accuracy``, ``accuracy/home_1``, ... in percent, and how good
         its probabilities are (:meth:`placecat.results.quality.Quality.averages`).
+    description
+        Markdown for people.
     files
         Writes the row's files into the folder that it is given, and gives their paths.
     """
@@ -65,6 +69,7 @@ class RowRun:
     name: str
     params: Mapping[str, str]
     metrics: Mapping[str, float]
+    description: str = ""
     files: Callable[[Path], Sequence[Path]] = lambda folder: ()
 
 
@@ -228,7 +233,7 @@ def _log(
             run.title,
             params=run.params,
             metrics=run.metrics,
-            tags={**tags, KIND: run.kind, DIGEST: digest},
+            tags={**tags, **_protocols(run.rows), KIND: run.kind, DIGEST: digest},
             files=run.files(folder),
         )
         store.log(client, run_id, tags={store.DESCRIPTION: run.description.replace(RUN_ID, run_id)})
@@ -243,11 +248,18 @@ def _log(
                 parent=run_id,
                 params=row.params,
                 metrics=row.metrics,
-                tags={**tags, KIND: "row"},
+                tags={**tags, **_protocols([row]), KIND: "row"},
+                description=row.description,
                 files=row.files(own),
             )
             rows.append(nested)
     return [*rows, run_id]
+
+
+def _protocols(rows: Sequence[RowRun]) -> dict[str, str]:
+    """The tag to filter by, from the rows' parameters."""
+    names = dict.fromkeys(row.params["protocol"] for row in rows if "protocol" in row.params)
+    return {PROTOCOL: ", ".join(names)} if names else {}
 
 
 def _make_current(
