@@ -83,7 +83,7 @@ def _of_one(result: str, made: Made) -> dict[str, str]:
 
 
 def _of_toy(parts: list[str], settings: Mapping[str, Any]) -> dict[str, str]:
-    """Parameters of the toy problem; a result's name has the radius and the rule of decision that it varies."""
+    """Parameters of the toy problem; a result's name has what it varies."""
     rest = {name: value for name, value in settings.items() if name not in ("scheme", "sensitivity")}
     params = _of_classifier(settings["scheme"]) | _under("toy", rest)
     if "sensitivity" in settings:
