@@ -162,12 +162,10 @@ def _log_one(client: Any, experiment: str, name: str, one: Ran, parent: str | No
 
 def _params(used: dict[str, Any]) -> dict[str, str]:
     """Parameters of an experiment, by the names that rows of tables have."""
-    of_cue = ("descriptor", "classifier", "codebook")
-    rest = {name: value for name, value in used.items() if name not in of_cue}
-    own = {store.key(name): value for name, value in settings.flatten(rest).items()}
-    return (
-        {"decides": "cue"} | own | params_of_cue(used["descriptor"], used["classifier"], used.get("codebook"))
-    )
+    parts = ("descriptor", "classifier", "codebook")
+    rest = settings.flatten({name: value for name, value in used.items() if name not in parts})
+    cue = params_of_cue(used["descriptor"], used["classifier"], used.get("codebook"))
+    return {"decides": "cue"} | {store.key(name): value for name, value in rest.items()} | cue
 
 
 def _write_confusion(folder: Path, name: str, result: dict[str, Any]) -> list[Path]:
