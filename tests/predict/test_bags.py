@@ -188,6 +188,15 @@ def test_what_is_interrupted_leaves_nothing(system, tmp_path, monkeypatch, endin
     assert [path.name for path in tmp_path.iterdir()] == ["walk.bag"]
 
 
+def test_a_full_disk_ends_a_recording_of_rerun(system, tmp_path, monkeypatch):
+    pytest.importorskip("rerun", reason="rerun is not installed: pip install -e '.[rerun]'")
+    write_image(tmp_path / "images/1.png", 1)
+    before = sorted(tmp_path.rglob("*"))
+    monkeypatch.setattr(rerun_file, "LEAST_FREE", 10**18)
+    assert "MB of the disk are free; make room" in refused("images", "--rerun", "a.rrd")
+    assert sorted(tmp_path.rglob("*")) == before
+
+
 @pytest.mark.parametrize(("option", "package"), [("--mcap", "rosbags"), ("--rerun", "rerun")])
 def test_without_a_package_the_extra_is_named(system, tmp_path, monkeypatch, option, package):
     write_image(tmp_path / "images/1.png", 1)

@@ -44,13 +44,13 @@ def make_home(labels: list[str]) -> Home:
 
 class TestOpenHome:
     def test_layouts_are_the_reader_modules(self) -> None:
-        assert layouts() == ["cold", "folder", "robot_at_home", "video", "vpc2009"]
+        assert layouts() == ["bags", "cold", "folder", "robot_at_home", "video", "vpc2009"]
 
     @pytest.mark.parametrize("layout", ["tum", "labels", "base", "../folder", "", "os"])
     def test_unknown_layout(self, layout: str, tmp_path: Path) -> None:
         with pytest.raises(
             PlacecatError,
-            match=r"dataset.layout .* does not exist.*: use one of cold, .*, robot_at_home, video, vpc2009$",
+            match=r"dataset.layout .* does not exist.*: use one of bags, .*, robot_at_home, video, vpc2009$",
         ):
             open_home(layout, tmp_path, "Home1")
 

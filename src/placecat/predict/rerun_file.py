@@ -1,5 +1,6 @@
 """A prediction as a recording of Rerun: frames, salient regions, probabilities and places over time."""
 
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,8 @@ IMAGE, REGIONS, PROBABILITIES, PLACE = "camera/image", "camera/image/regions", "
 """Entities; each class has one of its own below `PROBABILITIES`."""
 FRAME, TIME = "frame", "time"
 """Timelines: the number of the frame, and its time: since 1970, or, where that is not known, the start."""
+LEAST_FREE = 64_000_000
+"""Bytes that must be free on the disk: Rerun waits for ever on a full one. Our choice."""
 _REGION = (255, 235, 120)
 
 
@@ -67,7 +70,11 @@ class RerunFile:
         self._stream.disconnect()
 
     def add(self, frame: Frame, decision: Decision, label: str | None = None) -> None:
-        """Add a frame, with the true place if it is known."""
+        """Add a frame, with the true place if it is known; PlacecatError if the disk is nearly full."""
+        if shutil.disk_usage(self._path.parent).free < LEAST_FREE:
+            raise PlacecatError(
+                f"--rerun: less than {LEAST_FREE // 10**6} MB of the disk are free; make room"
+            )
         rerun, log = self._rerun, self._stream.log
         self._stream.set_time(FRAME, sequence=frame.number)
         if self._start:
