@@ -27,7 +27,7 @@ def describe(
     frame: NDArray[np.uint8],
     maps: FrameMaps,
     *,
-    network: str = "efficientnet_lite0",
+    network: str = "efficientnet_lite1",
     width: Side | None = None,
     height: Side | None = None,
     mean: Annotated[Sequence[NonNegative], Len(3, 3)] | None = None,
