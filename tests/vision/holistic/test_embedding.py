@@ -99,7 +99,7 @@ def test_what_cannot_be_gives_one_message(network, gives, settings, message):
             {"network": "resnet"},
             r"embedding': there is no network 'resnet': choose efficientnet_lite0, .*, or name",
         ),
-        ({"output": "features"}, "output is a setting of ONNX files: with network efficientnet_lite0"),
+        ({"output": "features"}, "output is a setting of ONNX files: with network efficientnet_lite1"),
         ({"network": "no/such.onnx"}, r"no/such\.onnx, the network of the settings, is missing"),
     ],
 )
