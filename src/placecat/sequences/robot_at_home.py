@@ -25,6 +25,7 @@ from placecat.footage.pictures import read_image, turned
 from placecat.ranges import OneOf, Positive
 from placecat.sequences.base import Home, frame_table
 from placecat.sequences.folders import data_folder, frame_rate, inside, some_homes
+from placecat.sequences.labels import shown
 from placecat.sequences.sqlite_file import Columns, SqliteFile, opened
 
 DATABASE, PICTURES = "rh.db", "files/rgbd"
@@ -37,7 +38,14 @@ TICKS = 10_000_000
 """Of the database's clock, a second."""
 
 _NAMED: Columns = {"id": int, "name": str}
-_OBSERVED: Columns = {"id": int, "home_session_id": int, "room_id": int | None, "time_stamp": int}
+_OBSERVED: Columns = {
+    "id": int,
+    "home_session_id": int,
+    "room_id": int | None,
+    "time_stamp": int,
+    "home_id": int,
+    "sensor_id": int,
+}
 _FILE_NAMES = dict.fromkeys(("new_file_1", "new_file_2", "new_file_3"), str | None)
 _TABLES: dict[str, Columns] = {
     **dict.fromkeys(("rh_homes", "rh_home_sessions", "rh_room_types", "rh_sensors"), _NAMED),
@@ -100,9 +108,7 @@ def read_home(
     file = data_folder(root) / relative(database, "dataset.database")
     folder = root / relative(pictures, "dataset.pictures")
     tables = OBSERVATIONS[observations]
-    with opened(
-        file, _TABLES | dict.fromkeys(tables, _OBSERVED | {"home_id": int, "sensor_id": int})
-    ) as data:
+    with opened(file, _TABLES | dict.fromkeys(tables, _OBSERVED)) as data:
         home = _number(data.rows("rh_homes"), name, f"{file}: there is no home", "dataset.homes")
         sensor = _number(data.rows("rh_sensors"), camera, f"{file}: there is no camera", "dataset.camera")
         frames = sorted(
@@ -144,10 +150,8 @@ def _number(rows: Iterable[tuple[int, str]], name: str, missing: str, setting: s
     """The number that a table gives a name."""
     numbers = {named: number for number, named in rows}
     if name not in numbers:
-        raise PlacecatError(
-            f"{missing} {name!r}{did_you_mean(name, numbers)} (there are: {', '.join(numbers)}); correct "
-            f"{setting}."
-        )
+        question, there = did_you_mean(name, numbers), shown(", ".join(numbers))
+        raise PlacecatError(f"{missing} {name!r}{question} (there are {there}); correct {setting}.")
     return numbers[name]
 
 
