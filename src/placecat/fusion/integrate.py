@@ -1,4 +1,4 @@
-"""Integration of cues: SVM-DAS or a plain vote (thesis 3.3.3), or a logarithmic opinion pool (an addition)."""
+"""Integration of cues: SVM-DAS, a plain vote (thesis 3.3.3) or, an addition, a logarithmic opinion pool."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ METHODS = ("das", "vote_distribution", "vote_decision", "log_pool")
 
 
 def learns_from_held_out(method: str) -> bool:
-    """Whether a method learns from frames of homes that the cues have not seen, and not from other frames of theirs."""
+    """Tell whether a method learns from outputs for homes that the cues have not seen."""
     return method == "log_pool"
 
 

@@ -63,14 +63,16 @@ class CueResults:
         return found
 
     def held_out(self, plan: Plan) -> list[dict[str, NDArray[np.float64]]]:
-        """Of each cue the distributions for its training frames by cues that have not seen the home, by name."""
+        """Of each cue the distributions for its training frames by cues that have not seen the home."""
         ends = np.cumsum([len(part.chosen()[0]) for part in plan.cues])
         return [
             dict(zip((part.home for part in plan.cues), np.split(proba, ends[:-1]), strict=True))
             for proba in self.arrays("cross_validated")
         ]
 
-    def training(self, plan: Plan, parts: Sequence[Part], method: str) -> list[dict[str, NDArray[np.float64]]]:
+    def training(
+        self, plan: Plan, parts: Sequence[Part], method: str
+    ) -> list[dict[str, NDArray[np.float64]]]:
         """Of each cue the distributions that an integration by some method trains on, see `fused_parts`."""
         if integrate.learns_from_held_out(method):
             return self.held_out(plan)

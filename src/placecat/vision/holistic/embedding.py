@@ -45,7 +45,8 @@ def describe(
     maps
         Not used.
     network
-        ``efficientnet_lite0``, ``1`` or ``2``, or the path of an ONNX file, relative to the folder of the project.
+        ``efficientnet_lite0``, ``1`` or ``2``, or the path of an ONNX file, relative to the folder of the
+        project.
     width, height
         What the whole frame is scaled to, in pixels, whatever its shape. None for both takes the size that
         the network was trained with (224x224 for an ONNX file), None for one keeps the frame's shape.
