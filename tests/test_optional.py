@@ -76,7 +76,7 @@ def test_the_embedding_is_one_more_cue_and_system():
     system = extended["systems"]["das_551_best_embedding"]
     assert system == best | {"title": system["title"], "cues": [*best["cues"], "embedding"]}
     pool = extended["systems"]["pool_551_best_embedding"]
-    assert pool == system | {"title": pool["title"], "integrator": {"method": "log_pool", "shrinkage": 0.01}}
+    assert pool == system | {"title": pool["title"], "integrator": {"method": "log_pool", "shrinkage": 0.03}}
     assert extended["model"]["system"] == "pool_551_best_embedding"
     assert extended["smoothing"]["cues"] == [*PARAMS["smoothing"]["cues"], "embedding"]
 
