@@ -208,6 +208,7 @@ GIVEN = {
     "README.md": "3.11 3.13 4.0",
     "data/README.md": "4.0 4.1 4.8 4.9 4.10 4.5 6 2 20 35 128 300 8,500",
     "docs/adding.md": "1.0",
+    "docs/embedding.md": "2.0",
     "docs/own-data.md": "4.9",
     "docs/results.md": "2 3.3 0.7 1.4",
 }
