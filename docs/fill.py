@@ -27,6 +27,13 @@ REAL = "docs/real_homes"
 ALL = "5-5-1, all cues"
 BEST = "5-5-1, HOG+SIFT+Centrist+Gist+holistic Centrist"
 
+ALONE, CHOSEN = "embedding alone", "what each fold's training homes choose of these 13 by smoothed frames"
+REGRESSION, BOTH = (
+    "logistic regression on the features (outside the project)",
+    "pool of both and the embedding",
+)
+OWN_SHAPE = "Lite2 462x260"
+
 _NUMBER = re.compile(r"(-?\d[\d,]*(?:\.(\d+))?)<!-- = (.+?) -->")
 _BLOCK = re.compile(r"<!-- block: (.+?) -->\n(.*?)<!-- end -->", re.DOTALL)
 
@@ -130,6 +137,44 @@ def averages(name: str) -> str:
     cells = cells[cells["column"] == "Average"]
     rows = ([line.group, line.row, f"{line.measured:.2f}"] for line in cells.itertuples(index=False))
     return _markdown(["", "", "average"], rows, 2)
+
+
+def embedding() -> str:
+    """What a network's cue and its integrations have on six real homes: means over homes."""
+    lines = _read(f"{REAL}/embedding.csv")
+    means = lines.groupby("system", sort=False).mean(numeric_only=True)
+    digits = {"frames": 1, "stays": 1, "log_loss": 2, "covered": 1, "wrong": 0}
+    rows = (
+        [str(name), *("" if np.isnan(mean[key]) else f"{mean[key]:.{n}f}" for key, n in digits.items())]
+        for name, mean in means.iterrows()
+    )
+    return _markdown(["", "frames", "stays", "log-loss", "covered", "of these wrong"], rows)
+
+
+def embedding_by_home() -> str:
+    """The same, frames of each home, smoothed."""
+    lines = _read(f"{REAL}/embedding.csv")
+    lines = lines[lines["system"].str.endswith("smoothed")]
+    homes = list(lines["home"].unique())
+    rows = (
+        [name.removesuffix(", smoothed"), *(f"{value:.1f}" for value in part["frames"])]
+        for name, part in lines.groupby("system", sort=False)
+    )
+    return _markdown(["", *homes], rows)
+
+
+def tried(candidate: str, column: str, networks: str = "Lite1") -> float:
+    """What a candidate beside the embedding has on six real homes."""
+    lines = _read(f"{REAL}/embedding_tried.csv")
+    chosen = lines[(lines["candidate"] == candidate) & (lines["networks"] == networks)]
+    return float(chosen[column].item())
+
+
+def several(column: str, largest: bool) -> float:
+    """The least or the most that pools and votes of several networks have."""
+    lines = _read(f"{REAL}/embedding_tried.csv")
+    values = lines.loc[lines["networks"].str.contains(",") & (lines["candidate"] != BOTH), column]
+    return float(values.max() if largest else values.min())
 
 
 def bench(piece: str, input_part: str, quantity_part: str) -> float:

@@ -180,6 +180,15 @@ def test_a_name_of_nothing_is_refused_before_any_stage_runs(setting, value, mess
     assert "\n" not in str(caught.value)
 
 
+def test_an_opinion_pool_needs_cues_that_are_cross_validated():
+    params = copy.deepcopy(PARAMS)
+    _set(params, "systems.das_551_best.integrator", {"method": "log_pool", "shrinkage": 0.1})
+    references.check(params)
+    _set(params, "cues.sift_y.cross_validate", False)
+    with pytest.raises(PlacecatError, match=r"has method: log_pool: there is no cue with cross.* 'sift_y'"):
+        references.check(params)
+
+
 @pytest.mark.parametrize("section", ["protocol", "smoothing", "tracking", "descriptors", "dataset"])
 def test_a_section_without_settings_names_nothing(section):
     references.check({section: None})

@@ -102,6 +102,27 @@ def test_names_of_a_data_set_that_contradict_each_other_are_refused(name, value,
         schema.check(params)
 
 
+POOL = {"method": "log_pool", "shrinkage": 0.1}
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "message"),
+    [
+        ("systems.das_551_best.integrator", {"method": "log_pool"}, "shrinkage is a setting of .*log_pool"),
+        ("systems.das_551_best.integrator", POOL | {"classifier": {}}, "classifier is a setting of .*das"),
+        ("systems.das_551_best.integrator", POOL | {"shrinkage": -1.0}, "shrinkage"),
+        ("systems.das_551_extra.integrator", POOL, "extra: true does not go with log_pool"),
+        ("splits.university.integrator", POOL, "log_pool does not go with a fixed split"),
+    ],
+)
+def test_an_opinion_pool_goes_where_its_cues_are_judged(name, value, message):
+    params = copy.deepcopy(PARAMS)
+    parent, _, key = name.rpartition(".")
+    at(params, parent)[key] = value
+    with pytest.raises(PlacecatError, match=message):
+        schema.check(params)
+
+
 def test_a_cluster_has_settings_of_its_own():
     own = {"kind": "dask", "scheduler": "tcp://10.0.0.1:8786", "wait": 30, "may_differ": []}
     schema.check(PARAMS | {"compute": own})
