@@ -127,7 +127,8 @@ def real(file):
 def test_a_real_file_describes_a_frame(real):
     picture = frame(64, 48)
     found = embedding.describe(picture, None, network=real, width=64, height=48)
-    expected = (picture[:, :, ::-1].mean(axis=(0, 1)) / 255 - embedding.MEAN) / embedding.STD
+    own = networks.preparation(real)
+    expected = (picture[:, :, ::-1].mean(axis=(0, 1)) / 255 - np.array(own.mean)) / own.std
     np.testing.assert_allclose(found, expected, atol=1e-5)
     pooled = embedding.describe(
         picture, None, network=real, width=64, height=48, output="places", pool="mean"
