@@ -177,6 +177,15 @@ def several(column: str, largest: bool) -> float:
     return float(values.max() if largest else values.min())
 
 
+def rendered_model() -> str:
+    """What the model that comes with the project has in real homes."""
+    lines = _read(f"{REAL}/rendered_model.csv").set_index("home").T
+    lines["average"] = lines.mean(axis=1)
+    titles = {"accuracy": "Smoothed", "frame_alone": "Each frame alone", "named": "Named, not unknown"}
+    rows = ([title, *(f"{value:.1f}" for value in lines.loc[key])] for key, title in titles.items())
+    return _markdown(["", *(home.replace("Home", "Home ") for home in lines)], rows)
+
+
 def bench(piece: str, input_part: str, quantity_part: str) -> float:
     """A measured value of `make bench`."""
     lines = _read("reports/benchmarks.csv")
