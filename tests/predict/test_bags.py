@@ -211,7 +211,8 @@ def recorded(path, entity, field):
 
     if hasattr(rerun, "dataframe"):
         view = rerun.dataframe.load_recording(path).view(index="frame", contents=entity)
-        tables = [(view.select().read_all(), f"{entity}:{field}")]
+        # A timeline has no entity.
+        tables = [(view.select().read_all(), f"{entity}:{field}" if ":" in field else field)]
     else:
         from rerun.chunk import RrdReader
 
