@@ -52,7 +52,7 @@ def test_a_write_that_fails_names_the_file_and_leaves_what_stood_there(tmp_path,
     [
         (errno.ENOSPC, "make room"),
         (errno.EACCES, "permission"),
-        (errno.EROFS, "another place"),
+        (errno.EROFS, "choose a writable place"),
         (errno.ENAMETOOLONG, "shorter name"),
     ],
 )
