@@ -68,7 +68,7 @@ def _parser() -> argparse.ArgumentParser:
         "mend",
         help="mend what a killed run left",
         description="Restore the records of dvc.lock that were cut when a run was killed, and remove its "
-        "temporary files. `placecat repro` begins with it; call it before `dvc repro` goes on.",
+        "temporary files. `placecat repro` begins with it; call it before the next `dvc repro`.",
     )
     mend.set_defaults(run=_mend)
 
@@ -130,8 +130,8 @@ def _add_explain(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
     explain = commands.add_parser(
         "explain",
         help="say where a number comes from",
-        description="Print what a number of a table or of the text is, and what it was made from: settings, "
-        "frames, seeds, data, code and stages.",
+        description="Explain a number of a table or of the text: what it measures, and the settings, frames, "
+        "seeds, data, code and stages behind it.",
     )
     explain.add_argument(
         "cell",
@@ -151,8 +151,8 @@ def _add_worker(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
     worker = commands.add_parser(
         "worker",
         help="start worker processes of a Dask cluster (compute=dask)",
-        description="Start `dask worker` so that it gives the bits that any other gives: one thread a "
-        "process, common kernels. By default there are as many processes as cores. Ctrl-C ends them.",
+        description="Start `dask worker` with settings that give the same bits on every machine: one thread "
+        "per process, common kernels. By default there are as many processes as cores. Ctrl-C ends them.",
     )
     worker.add_argument(
         "scheduler", metavar="ADDRESS", help="of the scheduler (`dask scheduler`), e.g. tcp://10.0.0.1:8786"

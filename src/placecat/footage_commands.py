@@ -43,7 +43,7 @@ def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
         "predict",
         help="apply a trained system to a video, a folder of images, a bag or a camera",
         description="Name the place of every frame of new footage. Writes a table of frames, a table of "
-        "segments (which, corrected, is a label file), a timeline and a summary.",
+        "segments (a label file, once corrected), a timeline and a summary.",
     )
     predict.add_argument(
         "source",
@@ -63,19 +63,19 @@ def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
         dest="film",
         action="store_const",
         const=".mp4",
-        help="also an annotated video: place, confidence, probabilities, salient regions",
+        help="also write an annotated video: place, confidence, probabilities, salient regions",
     )
     film.add_argument(
         "--webm",
         dest="film",
         action="store_const",
         const=".webm",
-        help="the same as WebM, which browsers show, too; slower",
+        help="the same as WebM, which browsers can play; slower",
     )
     predict.add_argument(
         "--resize",
         action="store_true",
-        help="scale frames to a size that the model knows; of another shape the middle is taken",
+        help="scale frames to a size that the model knows; frames of another shape are cut to their middle",
     )
     predict.add_argument(
         "--labels", type=Path, metavar="CSV", help="the true places (start,end,label), to compare with"
@@ -93,26 +93,33 @@ def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
         action="append",
         default=[],
         metavar="LABEL",
-        help="a label in CSV whose frames are not scored, as those of transition are; may be repeated",
+        help="a label in CSV whose frames are not scored, like those of transition; may be repeated",
     )
     predict.add_argument(
-        "--every", type=int, default=1, metavar="N", help="take one frame of N, to be faster; 1 by default"
+        "--every",
+        type=int,
+        default=1,
+        metavar="N",
+        help="take every Nth frame, which is faster; 1 by default",
     )
     predict.add_argument(
-        "--seconds", type=float, metavar="S", help="take the first S seconds; a camera is stopped then"
+        "--seconds", type=float, metavar="S", help="take only the first S seconds; a camera stops then"
     )
+    predict.add_argument("--fps", type=float, help="frames/s of the footage, if it gives none or a wrong one")
     predict.add_argument(
-        "--fps", type=float, help="frames/s of the footage, where it does not say or is wrong"
+        "--topic", help="the topic of the pictures in a bag, if several topics have pictures"
     )
-    predict.add_argument("--topic", help="the topic of a bag's pictures, where it has several")
     predict.add_argument(
         "--mcap",
         type=Path,
         metavar="FILE",
-        help="also annotated pictures and probabilities as ROS 2 messages",
+        help="also write annotated pictures and probabilities as ROS 2 messages",
     )
     predict.add_argument(
-        "--rerun", type=Path, metavar="FILE", help="also frames, regions and probabilities for Rerun (.rrd)"
+        "--rerun",
+        type=Path,
+        metavar="FILE",
+        help="also write frames, regions and probabilities for Rerun (.rrd)",
     )
     predict.add_argument(
         "--force", action="store_true", help="replace a prediction of another source, or one that was edited"

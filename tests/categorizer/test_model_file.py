@@ -152,8 +152,8 @@ MODEL = ("cues", 0, "model", "state")
     ("damage", "message"),
     [
         (lambda file: file.unlink(), "placecat train"),
-        (lambda file: file.write_bytes(b"no zip"), "no model"),
-        (lambda file: file.write_bytes(file.read_bytes()[:5000]), "no model.* cut off"),
+        (lambda file: file.write_bytes(b"no zip"), "not a placecat model"),
+        (lambda file: file.write_bytes(file.read_bytes()[:5000]), "not a placecat model.* cut off"),
         (lambda file: file.write_bytes(file.read_bytes().replace(b"\x93NUMPY", b"\x93NUMPX", 1)), "damaged"),
         (lambda file: reseal(file, comment=b""), "made by an earlier placecat: train it again"),
         (lambda file: rewrite(file, "card.json", change_json(format=99)), "format 99"),
@@ -162,7 +162,7 @@ MODEL = ("cues", 0, "model", "state")
         (lambda file: rewrite(file, "card.json", change_json(classes=["a", "a", "b"])), "named twice"),
         (lambda file: rewrite(file, "card.json", change_json(classes=["a", "b"])), "not for 2 places"),
         (lambda file: rewrite(file, "card.json", change_json(frame_sizes=[[320, 10**9]])), "frame_sizes"),
-        (lambda file: rewrite(file, "card.json", change_json(fps=[float("nan")])), "NaN is no number"),
+        (lambda file: rewrite(file, "card.json", change_json(fps=[float("nan")])), "NaN is not a number"),
         (
             lambda file: rewrite(file, "card.json", change_json(unknown=UNKNOWN | {"threshold": -1})),
             "threshold",

@@ -166,7 +166,7 @@ def test_what_exists_is_never_replaced(folder):
     [
         (
             np.zeros((32, 60, 3), np.uint8),
-            "100.jpg: 60x32 is no whole sphere, which is twice as wide as high",
+            "100.jpg: 60x32 is not a whole sphere, which is twice as wide as high",
         ),
         (None, "100.jpg: not a readable image"),
     ],
@@ -184,7 +184,7 @@ def test_a_face_that_is_no_square_is_named(folder):
     (folder / "source/rooms.csv").write_text("home,file,room\nflat,a,kitchen\n")
     for letter, face in zip("frblud", faces(16), strict=True):
         write(folder / f"source/a_{letter}.jpg", face[:8] if letter == "u" else face)
-    assert "a_u.jpg: 16x8 is no face of a cube of 16x16" in refused("source=cubes")
+    assert "a_u.jpg: 16x8 is not a face of a cube of 16x16" in refused("source=cubes")
 
 
 @pytest.mark.parametrize(

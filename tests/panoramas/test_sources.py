@@ -52,7 +52,7 @@ def test_a_table_names_home_floor_room_and_label(table, tmp_path):
         ("file,room", "file,file", "rooms.csv line 1: the header is"),
         ("2,b/c.jpg", "b/c.jpg", "rooms.csv line 3: 3 columns; write home,floor,file,room"),
         ("2,b/c.jpg", "2,", "rooms.csv line 3: file is empty"),
-        ("flat,2", "flat,up/..", "rooms.csv line 3: 'up/..' is no floor"),
+        ("flat,2", "flat,up/..", "rooms.csv line 3: 'up/..' is not a floor"),
         ("flat,2", "../flat,2", "rooms.csv line 3: home=../flat: it is the name of a file or folder"),
         ("flat,2", "FLAT,2", "line 3: the homes 'flat' and 'FLAT' differ only in capital letters"),
         (
@@ -175,12 +175,12 @@ def test_zind_gives_floors_rooms_and_labels(zind):
             '7, "x": {"pano_4"',
             "merger.floor_01.complete_room_02.partial_room_03 holds no panorama",
         ),
-        ('"pano_4": {', '"pano_7": [], "pano_4": {', "partial_room_03.pano_7 is no panorama"),
+        ('"pano_4": {', '"pano_7": [], "pano_4": {', "partial_room_03.pano_7 is not a panorama"),
         ('"label": "garage"', '"label": 7', "partial_room_03.pano_4 needs label and image_path"),
         ("panos/4.jpg", "panos/9.jpg", "007/panos/9.jpg: the picture is missing"),
         ("panos/4.jpg", "../../secret.jpg", "'../../secret.jpg' is no path below"),
-        ('"floor_02"', '"../floor"', "'../floor' is no name of a floor"),
-        ("}, ", "}, \n,", "zind_data.json line 2: no JSON"),
+        ('"floor_02"', '"../floor"', "'../floor' is not a valid name of a floor"),
+        ("}, ", "}, \n,", "zind_data.json line 2: not valid JSON"),
     ],
 )
 def test_a_mistake_in_zind_is_named(zind, old, new, message):
@@ -192,7 +192,7 @@ def test_a_mistake_in_zind_is_named(zind, old, new, message):
 
 
 def test_odd_zind_is_refused(zind, tmp_path):
-    with pytest.raises(PlacecatError, match=r"zind_data\.json: no JSON \(RecursionError\)"):
+    with pytest.raises(PlacecatError, match=r"zind_data\.json: not valid JSON \(RecursionError\)"):
         zind("[" * 100_000)
     shutil.rmtree(tmp_path / "007")
     with pytest.raises(PlacecatError, match=r"no home here; expected HOME/zind_data\.json"):

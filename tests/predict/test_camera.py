@@ -170,7 +170,7 @@ def test_ctrl_c_writes_what_was_seen(capture, system, tmp_path, monkeypatch, cap
 
     monkeypatch.setattr(FakeCategorizer, "update", update)
     main(["predict", "camera"])
-    assert "Stopped; what was seen until then is written." in capsys.readouterr().out
+    assert "Stopped; the results so far are written." in capsys.readouterr().out
     assert len(pd.read_csv(tmp_path / "predictions/camera_0/frames.csv")) == 5
 
 

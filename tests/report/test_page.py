@@ -258,7 +258,7 @@ def test_the_summary_says_the_numbers(page):
     assert (
         f"Of the thesis’s 34 findings, {holds} hold, {fails} do not hold, and {undecided} are undecided"
     ) in summary
-    assert "Centrist 41.87 %, filtered over time 46.78 %, and SIFT 39.8 %. Those are other data" in text_of(
+    assert "Centrist 41.87 %, filtered over time 46.78 %, and SIFT 39.8 %. Those data differ" in text_of(
         page.read_text(encoding="utf-8")
     )
 
@@ -399,7 +399,7 @@ def test_the_ledger_draws_intervals_on_one_axis():
     ranges = re.findall(r'<line class="range" x1="([\d.]+)" x2="([\d.]+)"', html)
     assert ranges == [("4.0", "4.0"), ("50.0", "73.0")]
     assert re.findall(r'<circle cx="([\d.]+)"', html) == ["4.0", "59.2"]
-    assert "from 25 points below 0 to as many above" in text_of(html)
+    assert "on an axis of 25 points on either side of 0" in text_of(html)
 
 
 @pytest.mark.parametrize(

@@ -48,7 +48,7 @@ def opened(path: Path) -> Iterator["Archive"]:
     Raises
     ------
     PlacecatError
-        If it cannot be opened, is no such archive, or has changed since it was written.
+        If it cannot be opened, is not such an archive, or has changed since it was written.
     """
     try:
         if not path.is_file():
@@ -59,7 +59,7 @@ def opened(path: Path) -> Iterator["Archive"]:
                 archive = zipfile.ZipFile(file)
             # What the module raises for bad numbers in headers.
             except (zipfile.BadZipFile, NotImplementedError, OSError, ValueError) as error:
-                raise PlacecatError(f"{path} is no model of placecat, or damaged: {error}") from None
+                raise PlacecatError(f"{path} is not a placecat model, or is damaged: {error}") from None
             with archive:
                 yield Archive(path, archive)
     except OSError as error:
@@ -72,7 +72,7 @@ class Archive:
     Raises
     ------
     PlacecatError
-        If members are compressed, encrypted, named twice, or claim more bytes together than the file has.
+        If members are compressed, encrypted, named twice, or claim more bytes in total than the file has.
     """
 
     def __init__(self, path: Path, archive: zipfile.ZipFile) -> None:
@@ -92,7 +92,7 @@ class Archive:
     def damaged(self, why: object) -> PlacecatError:
         """The error that says what is wrong with the file."""
         said = " ".join(str(why).split())
-        return PlacecatError(f"{self._path} is damaged, or no model of placecat: {said[:300]}")
+        return PlacecatError(f"{self._path} is damaged, or is not a placecat model: {said[:300]}")
 
     def content(self, name: str) -> bytes:
         """Read a member; PlacecatError if it is missing or its own checksum is wrong."""
@@ -116,7 +116,7 @@ class Archive:
         Raises
         ------
         PlacecatError
-            If it is no such array, or its header does not fit its bytes.
+            If it is not such an array, or its header does not fit its bytes.
         """
         content = self.content(name)
         header = _HEADER.match(content)
@@ -153,7 +153,7 @@ def _check_seal(path: Path, file: BinaryIO) -> None:
                 f"{path} does not end with its checksum: it was changed, or made by an earlier placecat: "
                 f"{TRAIN_AGAIN}"
             )
-        raise PlacecatError(f"{path} is no model of placecat, or cut off: {TRAIN_AGAIN}")
+        raise PlacecatError(f"{path} is not a placecat model, or is cut off: {TRAIN_AGAIN}")
     file.seek(0)
     digest, left = hashlib.sha256(), size - _DIGITS
     while left and (part := file.read(min(left, 1 << 20))):

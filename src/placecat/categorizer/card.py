@@ -45,11 +45,11 @@ def unknown_text(card: Mapping[str, Any]) -> str:
     if unknown["threshold"] is None:
         return (
             f"It always says `unknown`, since there is no confidence above which {risk}. The most probable "
-            "place is told beside it; a higher model.risk may help."
+            "place is reported beside it; a higher model.risk may help."
         )
     (own,) = (row for row in unknown["measured"] if row["risk"] == unknown["risk"])
     wrong = "" if own["wrong"] is None else f", {own['wrong']:.1%} of these wrongly"
     return (
         f"It says `unknown` below a confidence of {unknown['threshold']:.3f}, above which {risk}. In homes "
-        f"that had no say in this confidence it names {own['coverage']:.1%} of the frames{wrong}."
+        f"that did not influence this confidence it names {own['coverage']:.1%} of the frames{wrong}."
     )

@@ -30,7 +30,7 @@ _TRIAL = (256, 256, 3)
 
 @dataclass(frozen=True)
 class Decision:
-    """What is known of a place after a frame. Distributions are (n_classes,) float64 and sum to 1.
+    """The decision after a frame. Distributions are (n_classes,) float64 and sum to 1.
 
     Attributes
     ----------
@@ -160,8 +160,8 @@ class Categorizer:
         known = list(system.card["classes"])
         if classes is not None and list(classes) != known:
             raise PlacecatError(
-                f"{path} tells {', '.join(known)} apart, not {', '.join(classes)}: use these classes in this "
-                "order, or train a model for yours"
+                f"{path} has the classes {', '.join(known)}, not {', '.join(classes)}: use these classes in "
+                "this order, or train a model for yours"
             )
         try:
             categorizer = cls(system, resize=resize)
@@ -170,7 +170,7 @@ class Categorizer:
         # Whatever goes wrong with a file that someone may have made by hand.
         except Exception as error:
             said = " ".join(str(error).split())[:300]
-            raise PlacecatError(f"{path} is damaged, or no model of placecat: {said}") from None
+            raise PlacecatError(f"{path} is damaged, or is not a placecat model: {said}") from None
         return categorizer
 
     @property
@@ -198,7 +198,7 @@ class Categorizer:
         """Take the next frame.
 
         Without `seconds` and `time` it comes one frame at `frame_rate` after the last. A frame that comes
-        twice, at the same time, is no further evidence.
+        twice, at the same time, adds no evidence.
 
         Parameters
         ----------
@@ -226,7 +226,7 @@ class Categorizer:
         return decision
 
     def visits(self) -> list[Visit]:
-        """List the stays so far: runs of frames of one name, ``unknown`` among them, in order.
+        """List the stays so far: runs of frames with one name, including ``unknown``, in order.
 
         A stay ends when the next begins; the last ends with the last frame. Times are those of the frames,
         after which the place was decided: late by the delay.
@@ -248,7 +248,7 @@ class Categorizer:
         if time < self._last:
             raise PlacecatError(
                 f"a frame is {self._last - time:g} s older than the last one: give frames in the order of "
-                "their times, leave out those that come late, and call reset() where the clock starts anew"
+                "their times, leave out those that come late, and call reset() where the clock restarts"
             )
         return time, time - self._last
 

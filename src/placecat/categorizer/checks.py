@@ -1,4 +1,4 @@
-"""What a model file holds beside its objects: the card, the settings, and how the parts fit together."""
+"""Checks of a model file beyond its objects: the card, the settings, and how the parts fit together."""
 
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
@@ -31,7 +31,7 @@ class TrainingFrames(Section):
 
 
 class Data(Section):
-    """What the system was trained on."""
+    """The training data of the system."""
 
     title: str | int
     note: str | None
@@ -42,7 +42,7 @@ class Data(Section):
 
 
 class Risk(Section):
-    """What was measured for a share of decisions that may be wrong."""
+    """Measurements for one share of decisions that may be wrong."""
 
     risk: _Share
     threshold: _Share | None
@@ -107,7 +107,7 @@ class Content(Section):
 
 
 class LocalDescriptor(Section):
-    """What a cue sees of regions."""
+    """The descriptor of a cue that reads regions."""
 
     kind: Literal["local"]
     name: _Name
@@ -119,7 +119,7 @@ class LocalDescriptor(Section):
 
 
 class HolisticDescriptor(Section):
-    """What a cue sees of whole frames."""
+    """The descriptor of a cue that reads whole frames."""
 
     kind: Literal["holistic"]
     name: _Name
@@ -135,7 +135,7 @@ def check_card(card: Mapping[str, Any]) -> None:
 def check_content(content: Any) -> None:
     """Refuse what :func:`placecat.categorizer.model_file.write` does not write."""
     if not isinstance(content, dict):
-        raise PlacecatError("its content is no mapping")
+        raise PlacecatError("its content is not a mapping")
     schema.check(content, Content)
     check_vision(content["vision"])
     _check_sizes(content["vision"], "vision")

@@ -18,7 +18,7 @@ def number(low: float = -_LARGE, high: float = _LARGE, *, above: float = -math.i
 
     def field(value: Any, sizes: Sizes) -> None:
         if isinstance(value, bool) or not isinstance(value, int | float):
-            raise ValueError(f"is no number, but {_short(value)}")
+            raise ValueError(f"is not a number, but {_short(value)}")
         if not (low <= value <= high and value > above):
             raise ValueError(f"is {_short(value)}, which is out of range")
 
@@ -30,7 +30,7 @@ def whole(low: int = 0, high: int = _LARGE, *, side: str = "") -> Field:
 
     def field(value: Any, sizes: Sizes) -> None:
         if type(value) is not int or not low <= value <= high:
-            raise ValueError(f"is {_short(value)}, and no whole number from {low} to {high}")
+            raise ValueError(f"is {_short(value)}, not a whole number from {low} to {high}")
         if side:
             _same(value, side, sizes)
 
@@ -89,7 +89,7 @@ def array(
 
     def field(value: Any, sizes: Sizes) -> None:
         if not isinstance(value, np.ndarray) or value.dtype.kind not in kind or value.ndim != len(sides):
-            raise ValueError(f"is no array of the type {kind} with {len(sides)} sides")
+            raise ValueError(f"is not an array of type {kind} with {len(sides)} dimensions")
         for length, side in zip(value.shape, sides, strict=True):
             if isinstance(side, str):
                 _same(length, side, sizes)
@@ -114,7 +114,7 @@ def several(item: Field, *, least: int = 0, side: str = "") -> Field:
 
     def field(value: Any, sizes: Sizes) -> None:
         if not isinstance(value, list | tuple) or len(value) < least:
-            raise ValueError(f"is no list of {least} or more")
+            raise ValueError(f"is not a list of {least} or more")
         if side:
             _same(len(value), side, sizes)
         for one in value:
@@ -128,7 +128,7 @@ def by_number(item: Field) -> Field:
 
     def field(value: Any, sizes: Sizes) -> None:
         if not isinstance(value, dict) or not all(type(key) is int for key in value):
-            raise ValueError("is no mapping of numbers")
+            raise ValueError("is not a mapping of numbers")
         for one in value.values():
             item(one, sizes)
 
@@ -136,17 +136,17 @@ def by_number(item: Field) -> Field:
 
 
 def anything(value: Any, sizes: Sizes) -> None:
-    """What no prediction reads."""
+    """A field that no prediction reads."""
 
 
 def mapping(value: Any, sizes: Sizes) -> None:
     """Any mapping."""
     if not isinstance(value, dict):
-        raise ValueError("is no mapping")
+        raise ValueError("is not a mapping")
 
 
 def having(*methods: str) -> Field:
-    """An object of a model, checked by itself, with these methods."""
+    """An object of a model that has these methods; it is checked separately."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if not all(callable(getattr(value, name, None)) for name in methods):

@@ -1,6 +1,6 @@
-"""What the objects of a trained model hold: the fields of each class, their types, ranges and shapes.
+"""Fields of the objects of a trained model, by class: their types, ranges and shapes.
 
-A class that is not listed, such as a classifier that was added, is taken as it is: `Categorizer.load` tries
+A class that is not listed, such as an added classifier, is accepted unchecked: `Categorizer.load` tries
 every model before use.
 """
 

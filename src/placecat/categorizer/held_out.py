@@ -28,7 +28,7 @@ def of_stages(params: Mapping[str, Any], name: str, seed: int) -> HeldOut:
 
 
 def by_training(params: Mapping[str, Any], name: str, without: Sequence[str], seed: int) -> HeldOut:
-    """Train a system for each training home that leaves it out, too, and apply it there.
+    """For each training home, train a system that also leaves it out, and apply it there.
 
     With no home in `without` it gives what the stages leave, to the bit.
 

@@ -104,7 +104,7 @@ def _json(members: archive.Archive, name: str) -> Any:
 
 
 def _refuse(constant: str) -> None:
-    raise ValueError(f"{constant} is no number")
+    raise ValueError(f"{constant} is not a number")
 
 
 def _check_version(path: Path, members: archive.Archive, card: Any) -> None:

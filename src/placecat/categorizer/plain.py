@@ -53,7 +53,7 @@ def to_plain(value: Any, arrays: list[NDArray[Any]]) -> Any:
         return {_KIND: "dict", "items": items}
     kind = type(value)
     if f"{kind.__module__}:{kind.__qualname__}" not in _classes(kind.__module__):
-        raise TypeError(f"{kind.__module__}.{kind.__qualname__} is no class of a trained model")
+        raise TypeError(f"{kind.__module__}.{kind.__qualname__} is not a class of a trained model")
     skipped = getattr(kind, "TRAINING_ONLY", ())
     state = {name: to_plain(item, arrays) for name, item in vars(value).items() if name not in skipped}
     return {_KIND: "object", "class": f"{kind.__module__}:{kind.__qualname__}", "state": state}

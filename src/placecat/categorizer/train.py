@@ -48,7 +48,7 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
         raise PlacecatError(f"{output} is not a model, and is not replaced: give another --output")
     check_data(params)
     trained = train(params, name, without=without, seed=seed)
-    print("Trained. Now the same without one home at a time, to measure it there.", flush=True)
+    print("Trained. Now training without each home in turn, to measure the system there.", flush=True)
     trained = measured(
         trained, params, held_out.by_training(params, name, without, trained.card["settings"]["seed"])
     )
@@ -86,7 +86,9 @@ def train(
     seed = int(settings.get(params, "model.seed")) if seed is None else seed
     seeds = settings.get(params, "protocol.seeds")
     if seed not in seeds:
-        raise PlacecatError(f"seed {seed} is none of protocol.seeds: use one of {', '.join(map(str, seeds))}")
+        raise PlacecatError(
+            f"seed {seed} is not one of protocol.seeds: use one of {', '.join(map(str, seeds))}"
+        )
     system, scheme = systems.System.of(params, name), settings.get(params, f"systems.{name}.scheme")
     plan = plans.of_release(params, scheme, without, extra=system.extra)
     trained = systems.train(plan, system, seed)

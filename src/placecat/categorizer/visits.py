@@ -13,7 +13,7 @@ class Visit:
     Attributes
     ----------
     place
-        Its name; `UNKNOWN` where no decision was sure enough.
+        Its name; `UNKNOWN` if no decision was sure enough.
     start, end
         Seconds at which its first frame came, and the first one after it.
     confidence

@@ -82,7 +82,7 @@ def _say(text: str) -> None:
 
 
 def _check(folder: Path) -> None:
-    """Refuse to replace what the demo did not write."""
+    """Refuse to replace files that the demo did not write."""
     files.check_target(folder)
     if folder.exists() and not folder.is_dir():
         raise PlacecatError(f"{folder} is a file, where the demo writes a folder: move it away")
@@ -143,7 +143,7 @@ def _titles(params: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _complete_run(params: Mapping[str, Any], home: str) -> pd.DataFrame:
-    """What the kept results of `make repro` say of the same home; no row without them."""
+    """Rows for the same home from the kept results of `make repro`; none without them."""
     column = f"all frames ({page.COMPLETE})"
     if not paths.ACCURACIES.is_file():
         return pd.DataFrame({column: []}, dtype=float)

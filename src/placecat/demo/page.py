@@ -21,7 +21,7 @@ def write(
     Parameters
     ----------
     table
-        Percent, a row a result.
+        Percent, one row per result.
     home
         Name of the tested home.
     training_homes

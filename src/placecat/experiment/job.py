@@ -26,7 +26,7 @@ _log = logging.getLogger(__name__)
 def job(config: DictConfig) -> float:
     """Compute one experiment and write result.json to Hydra's output folder.
 
-    In a sweep nothing is raised, so that a failure does not cost the other experiments: result.json has it,
+    In a sweep nothing is raised, so a failure does not end the other experiments: result.json has the reason,
     and the sweep ends with status 1. A single experiment is printed and logged here. result.json has the
     result of :func:`placecat.experiment.running.compute` and its origin.
 

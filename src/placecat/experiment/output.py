@@ -21,7 +21,7 @@ def failure(message: str) -> dict[str, Any]:
 
 
 def read(folder: Path) -> dict[str, Any]:
-    """Read result.json of a job's folder; raises PlacecatError if it is missing or no JSON file."""
+    """Read result.json of a job's folder; raises PlacecatError if it is missing or not JSON."""
     path = folder / RESULT
     try:
         result: dict[str, Any] = files.read_json(path)

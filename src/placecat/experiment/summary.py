@@ -43,7 +43,7 @@ class Ran:
 
     @property
     def has_failed(self) -> bool:
-        """Whether it ended with an error, or did not end."""
+        """Whether it failed or did not finish."""
         return output.FAILED in self.result
 
     @property

@@ -61,9 +61,7 @@ def compute(number: str) -> tuple[bool, str]:
     params = settings.load()
     table = number.partition(".")[0]
     if not paths.ORIGINS.is_file():
-        raise PlacecatError(
-            f"{paths.ORIGINS} is missing, so that nothing can be computed again: run `dvc repro`"
-        )
+        raise PlacecatError(f"{paths.ORIGINS} is missing, so nothing can be computed again: run `dvc repro`")
     kept = from_json(files.read_json(paths.ORIGINS)[table])
     results = read_results(params)
     before = _numbers(table, params, results)
@@ -198,7 +196,7 @@ def _integration(
 
 
 def _saved(name: str, params: Mapping[str, Any]) -> tuple[Source, str]:
-    """What a filter or the smoothing starts from, and its protocol."""
+    """The input of a filter or of the smoothing, and its protocol."""
     known = sources(params)
     result = name.rpartition("/")[2]
     systems = settings.get(params, "systems")

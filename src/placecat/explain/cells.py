@@ -49,7 +49,7 @@ class Explained:
     measured, published, spread, seeds
         As in the table.
     unit
-        "percent", "points", "nats", "times", or "" where the quantity says it.
+        "percent", "points", "nats", "times", or "" if the quantity names it.
     measurement
         Its values and origins.
     notes
@@ -90,7 +90,7 @@ class Explained:
 
     @property
     def origins(self) -> tuple[Origin, ...]:
-        """What it was read off."""
+        """The results that it was read off."""
         return self.measurement.origins
 
     @property

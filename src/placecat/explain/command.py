@@ -1,4 +1,4 @@
-"""``placecat explain``: where a number comes from, in a second, so that this imports no NumPy."""
+"""``placecat explain``: where a number comes from; imports no NumPy, so it takes a second."""
 
 import json
 import shutil

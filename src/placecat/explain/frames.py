@@ -24,7 +24,7 @@ class Trained:
     training_set
         Name from which seeds of codebooks derive.
     cues, integration
-        What cues and integration train on; `integration` is () where nothing is fused.
+        What cues and integration train on; `integration` is () if nothing is fused.
     tested
         Labelled frames that are tested.
     places

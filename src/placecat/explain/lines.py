@@ -21,7 +21,7 @@ def lines_of(content: Mapping[str, Any], number: str) -> list[Line]:
 
 
 def to_text(content: Mapping[str, Any]) -> str:
-    """All explanations as JSON with a line a cell, so that git shows which cells changed."""
+    """All explanations as JSON with one line per cell, so that git shows which cells changed."""
     parts = []
     for name, values in content.items():
         items = values.items() if isinstance(values, Mapping) else [(None, value) for value in values]

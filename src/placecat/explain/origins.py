@@ -1,4 +1,4 @@
-"""What every cell of the tables was read off, kept from the stage `tables` for those that explain it."""
+"""Origins of every cell of the tables, which the stage `tables` writes for the explanations."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ class Measurement:
     Attributes
     ----------
     values
-        As in :class:`placecat.thesis.number.Number`, not rounded; () where there is no number.
+        As in :class:`placecat.thesis.number.Number`, not rounded; () if there is no number.
     seeds
         A name for each of them, e.g. "seed-0", or "no-seed".
     origins

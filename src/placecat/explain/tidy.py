@@ -13,7 +13,7 @@ from placecat.thesis.notes import joined
 
 
 def tidy(cells: Iterable[Explained]) -> pd.DataFrame:
-    """A row a cell; see :func:`placecat.results.load` for the columns."""
+    """One row per cell; see :func:`placecat.results.load` for the columns."""
     table = pd.DataFrame([_row(cell) for cell in cells])
     return table.astype({"seeds": "int64", "training_frames": "int64", "tested_frames": "int64"})
 

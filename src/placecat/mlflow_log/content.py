@@ -1,4 +1,4 @@
-"""What MLflow shows of a table: parameters, metrics, a description, files, and the same of its rows."""
+"""Content of a table in MLflow: parameters, metrics, a description, files, and the same for its rows."""
 
 import hashlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -125,7 +125,7 @@ def figures_run(folder: Path) -> TableRun:
 
 
 def findings_run(findings: Path, comparisons: Path) -> TableRun:
-    """The files of the stage `findings` as one run: a metric a verdict, and the verdicts of each reading."""
+    """The files of the stage `findings` as one run: one metric per verdict, also for each reading."""
     table = files.read_table(findings, ["claim"])
     readings = readings_of(table)
     names = [name.replace("_", " ") for name in readings.values()]
@@ -225,7 +225,7 @@ def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str]
 
 
 def _metrics(cells: pd.DataFrame, percent: bool) -> dict[str, float]:
-    """By column first, so that the user interface has a section of charts for the averages of all rows.
+    """Metrics by column first: the user interface then has a section of charts for the averages of all rows.
 
     It lists them in this order: the averages on top.
     """

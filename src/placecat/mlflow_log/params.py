@@ -20,7 +20,7 @@ _DECIDES = {
 
 
 def params_of_results(results: Mapping[str, Made]) -> dict[str, str]:
-    """Parameters of some results, by their names; where they differ, each value once.
+    """Parameters of some results, by their names; if they differ, each value once.
 
     ``decides`` (a cue, an integration, an HMM), ``protocol``, ``cues``, ``system``, ``filter`` and
     ``descriptor``; then the settings of a cue by itself (`params_of_cue`), of the integration and of the

@@ -67,7 +67,7 @@ def connect(uri: str) -> MlflowClient:
     Raises
     ------
     PlacecatError
-        If that is no address, nothing answers there, what does is no MLflow of a fitting version, or the
+        If that is not an address, nothing answers there, what answers is not a compatible MLflow, or the
         driver of the database is missing.
     """
     os.environ.setdefault("MLFLOW_DISABLE_TELEMETRY", "true")
@@ -107,7 +107,7 @@ def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path,
     ----------
     artifacts
         Folder for the files of a new experiment, unless a server keeps them. Where a project was moved or
-        copied with its database, the files of what is there are looked for in its new place, too.
+        copied with its database, the files of earlier runs are also looked for in its new place.
     description
         Markdown, for people; replaces another one.
 
@@ -146,7 +146,7 @@ def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path,
 
 
 def _follow(uri: str, before: str, artifacts: Path) -> None:
-    """Let a database in the project's folder name the files in this folder, not where it was once.
+    """Let a database in the project's folder name the files in this folder, not in its former place.
 
     MLflow keeps absolute places and has no command to change them. A database elsewhere may be several
     projects', each with its own files.
@@ -166,12 +166,12 @@ def _follow(uri: str, before: str, artifacts: Path) -> None:
 
 
 class Content(TypedDict, total=False):
-    """What a run holds beside its files; all of it may be left out.
+    """Content of a run beside its files; every part is optional.
 
     Attributes
     ----------
     params
-        Values of more than 6000 characters are cut, as MLflow takes no longer ones.
+        Values of more than 6000 characters are cut, since MLflow refuses longer ones.
     metrics
         One value each.
     tags
@@ -333,7 +333,9 @@ def _database(uri: str) -> Path | None:
 
     database = make_url(uri).database
     if not database or database == ":memory:":
-        raise PlacecatError(f"the MLflow tracking URI {uri!r} names no file: write e.g. sqlite:///mlflow.db")
+        raise PlacecatError(
+            f"the MLflow tracking URI {uri!r} does not name a file: write e.g. sqlite:///mlflow.db"
+        )
     return Path(database).resolve()
 
 

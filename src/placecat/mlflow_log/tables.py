@@ -1,4 +1,4 @@
-"""MLflow: a run a table with nested runs for its rows; running again never duplicates one.
+"""MLflow: one run per table with nested runs for its rows; logging again never duplicates a run.
 
 Tags: ``placecat.kind`` is table, row, figures or findings; ``placecat.table`` the name of the table;
 ``placecat.digest`` the checksum of all that a table shows; ``placecat.current`` is "true" for what holds
@@ -53,7 +53,7 @@ DESCRIPTION = (
 
 @dataclass(frozen=True)
 class RowRun:
-    """What MLflow is to know of one row, by a name for people, e.g. "5-5-1, all cues, Gist".
+    """Content of one row for MLflow, by a name for people, e.g. "5-5-1, all cues, Gist".
 
     Attributes
     ----------
@@ -75,7 +75,7 @@ class RowRun:
 
 @dataclass(frozen=True)
 class TableRun:
-    """What MLflow is to know of one table, e.g. "table_26", which has a title for people.
+    """Content of one table for MLflow, e.g. "table_26", which has a title for people.
 
     Attributes
     ----------
@@ -201,7 +201,7 @@ def _log_new(
 
 
 def _is_torso(run: Run) -> bool:
-    """Whether nobody goes on with a run that is not finished: here another process would have the lock."""
+    """Whether an unfinished run is abandoned: on this machine another process would hold the lock."""
     is_own = run.data.tags.get(MACHINE, platform.node()) == platform.node()
     return is_own or run.info.start_time < time.time() * 1000 - _TORSO
 

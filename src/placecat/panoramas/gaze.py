@@ -32,7 +32,7 @@ def gaze(
     fps
         Frames a second.
     fov, tilt
-        Least and largest horizontal field of view, which stays as it is, and tilt, in degrees.
+        Least and largest horizontal field of view, which stays constant, and tilt, in degrees.
     turn
         Least and largest turn to the left or to the right, in degrees.
     speed

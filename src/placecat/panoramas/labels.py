@@ -1,4 +1,4 @@
-"""What is written beside the frames of a home: its label file, and which panorama each frame looks into."""
+"""Files beside the frames of a home: its label file, and the panorama that each frame looks into."""
 
 from collections.abc import Mapping, Sequence
 from itertools import groupby
@@ -26,7 +26,7 @@ def label_file(floors: Mapping[str, Sequence[Look]]) -> str:
 
 
 def looks_table(floors: Mapping[str, Sequence[Look]]) -> pd.DataFrame:
-    """Give a row a look: floor, stay (from 1), frames, field of view in degrees, room, label, picture."""
+    """Give one row per look: floor, stay (from 1), frames, field of view in degrees, room, label, picture."""
     columns = ["floor", "stay", "start", "end", "fov", "room", "label", "panorama"]
     rows = [
         (

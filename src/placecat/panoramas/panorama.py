@@ -23,7 +23,7 @@ class Panorama:
         One equirectangular picture, or six faces of a cube in the order of `placecat.panoramas.cube.FACES`:
         POSIX paths relative to the folder of the source.
     origin
-        The file, and the line where there is one, that lists it, for messages.
+        The file, and the line if there is one, that lists it, for messages.
     """
 
     home: str

@@ -37,7 +37,7 @@ def render(
     Raises
     ------
     PlacecatError
-        If a picture cannot be read, is not 2:1, or is no square face of the size of the others.
+        If a picture cannot be read, is not 2:1, or is not a square face of the same size as the others.
     """
     pictures = [read_image(file) for file in files]
     focal = focal_length(float(path[:, 2].min()), width)
@@ -45,7 +45,7 @@ def render(
         size = pictures[0].shape[:2]
         if not sphere.fits(*size):
             raise PlacecatError(
-                f"{files[0]}: {size[1]}x{size[0]} is no whole sphere, which is twice as wide as high "
+                f"{files[0]}: {size[1]}x{size[0]} is not a whole sphere, which is twice as wide as high "
                 f"({origin}); export it as an equirectangular picture."
             )
         prepared, look = sphere.prepare(pictures[0], focal), sphere.look
@@ -54,7 +54,7 @@ def render(
         for file, picture in zip(files, pictures, strict=True):
             if picture.shape[:2] != (side, side):
                 raise PlacecatError(
-                    f"{file}: {picture.shape[1]}x{picture.shape[0]} is no face of a cube of "
+                    f"{file}: {picture.shape[1]}x{picture.shape[0]} is not a face of a cube of "
                     f"{side}x{side} ({origin})."
                 )
         prepared, look = cube.prepare(pictures, focal), cube.look

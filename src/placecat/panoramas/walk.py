@@ -50,7 +50,7 @@ def walk(
     """Walk through the rooms of a floor.
 
     Every room is entered once in the first round, in the following ones those that are visited again. No room
-    follows itself. Rooms of a label in `ways` are not entered for themselves: one of them lies between any
+    follows itself. Rooms of a label in `ways` are only passed through: one of them lies between any
     two others.
 
     Parameters

@@ -140,7 +140,7 @@ def _write(
 
             prediction, speed, was_stopped = run(categorizer, source, chosen, wish, show)
         if was_stopped:
-            print("Stopped; what was seen until then is written.")
+            print("Stopped; the results so far are written.")
         shown = None if labels is None else labels[prediction.numbers - 1]
         agreement = None if shown is None else truth.agreement(prediction, shown)
         tables.write_frames(temporary / tables.FRAMES, prediction)
@@ -164,7 +164,7 @@ def _check(options: Options) -> None:
         raise PlacecatError(f"--every is {options.every}: give 1 to {MOST_EVERY}")
     is_home = options.source.startswith(PREFIX)
     if options.ignore and options.labels is None and not is_home:
-        raise PlacecatError("--ignore is for labels: give --labels, too")
+        raise PlacecatError("--ignore is for labels: give --labels as well")
     if options.overrides and not is_home:
         raise PlacecatError("--set chooses the data set of home:NAME: give such a SOURCE")
     if options.labels is not None and is_home:
@@ -199,7 +199,7 @@ def _announce(options: Options, source: Source, chosen: Fit, categorizer: Catego
 
 
 def _total(source: Source, wish: Wish) -> int | None:
-    """Number of frames to categorize, probably; None where it is not known."""
+    """Number of frames to categorize, probably; None if it is not known."""
     total = source.count()
     if total is not None and wish.seconds is not None:
         if (starts := source.starts()) is None:

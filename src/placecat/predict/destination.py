@@ -110,7 +110,7 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
         return
     summary = _summary(folder)
     if summary is None:
-        raise PlacecatError(f"{folder} holds something else than a prediction: give another --output")
+        raise PlacecatError(f"{folder} holds something other than a prediction: give another --output")
     if force:
         return
     if summary.get("source") != source or summary.get("camera"):

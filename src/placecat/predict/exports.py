@@ -1,4 +1,4 @@
-"""A prediction for the tools of robotics, beside its folder: MCAP and Rerun."""
+"""Exports of a prediction to robotics tools, beside its folder: MCAP and Rerun."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
@@ -63,7 +63,7 @@ def opened(
     size
         (width, height) of the frames that are added.
     start
-        Nanoseconds since 1970 of the first frame; 0 where it is not known.
+        Nanoseconds since 1970 of the first frame; 0 if it is not known.
     """
     with ExitStack() as stack:
         exports: list[Export] = []

@@ -63,7 +63,7 @@ class Film:
         picture
             (height, width, 3) uint8, BGR.
         seconds
-            When it was taken: it is repeated up to this time, so that the film runs as time did.
+            When it was taken: it is repeated up to this time, so that the film runs in real time.
         """
         for _ in range(round(seconds * self._fps) + 1 - self._count):
             self._write(VideoFrame.from_ndarray(picture, "bgr24"))
@@ -92,7 +92,7 @@ class Film:
             raise self._cut()
 
     def _cut(self) -> PlacecatError:
-        return PlacecatError(f"the film {self._path.name} could not be written to its end: is the disk full?")
+        return PlacecatError(f"the film {self._path.name} could not be written completely: is the disk full?")
 
     def _is_whole(self) -> bool:
         """Whether the last picture is there: FFmpeg does not always say that writing failed."""

@@ -23,7 +23,7 @@ class Frame:
     image
         (H, W, 3) uint8, BGR.
     begins
-        Whether there is a cut before it, after which the system begins anew.
+        Whether there is a cut before it, after which the system starts again.
     """
 
     number: int
@@ -69,11 +69,11 @@ class Source(ABC):
     fps
         Frames a second of the footage.
     size
-        (width, height) in pixels of its first frame; others may differ, where a phone was turned.
+        (width, height) in pixels of its first frame; others may differ if a phone was turned.
     reached
         Number of the last frame that was looked at, from 1; 0 before the first.
     start
-        Nanoseconds since 1970 of the first frame; 0 where the footage does not say.
+        Nanoseconds since 1970 of the first frame; 0 if the footage does not say.
     """
 
     name: str
@@ -89,7 +89,7 @@ class Source(ABC):
 
     @abstractmethod
     def count(self) -> int | None:
-        """Number of frames, probably; None where it is not known."""
+        """Number of frames, probably; None if it is not known."""
 
     @abstractmethod
     def exact_count(self) -> int:
@@ -111,7 +111,7 @@ class Source(ABC):
         Parameters
         ----------
         classes
-            What the model tells apart.
+            Classes of the model.
         ignored
             Labels of frames that are not scored.
         """

@@ -15,13 +15,13 @@ from placecat.predict.frame import Damage, Frame, Source
 from placecat.sequences import open_home, place_labels
 
 PREFIX = "home:"
-"""What a source of this kind begins with; the name of the home follows."""
+"""Prefix of a source of this kind; the name of the home follows."""
 
 
 class DataSetHome(Source):
     """Frames of a home, one floor after the other.
 
-    Each floor, or other stretch without a cut, begins anew; its time goes on where the last one ended.
+    Each floor, or other stretch without a cut, restarts the system; time continues from the last one.
 
     Parameters
     ----------

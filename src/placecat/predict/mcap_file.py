@@ -151,7 +151,7 @@ def _rosbags() -> tuple[Any, Any]:
 
 
 def _quality(*, is_latched: bool) -> Any:
-    """Quality of service: a latched topic gives its last message to who comes later."""
+    """Quality of service: a latched topic gives its last message to later subscribers."""
     from rosbags.interfaces import Qos, QosDurability, QosHistory, QosLiveliness, QosReliability, QosTime
 
     # What ROS 2 has where nothing is asked for.

@@ -77,7 +77,7 @@ class Prediction:
 
     @property
     def place_names(self) -> list[str]:
-        """Name of each frame's place; ``unknown`` where it is not known."""
+        """Name of each frame's place; ``unknown`` if it is not known."""
         pairs = zip(self.decision.tolist(), self.is_known.tolist(), strict=True)
         return [self.classes[place] if known else UNKNOWN for place, known in pairs]
 

@@ -17,7 +17,7 @@ from placecat.vision.regions import radius
 IMAGE, REGIONS, PROBABILITIES, PLACE = "camera/image", "camera/image/regions", "probabilities", "place"
 """Entities; each class has one of its own below `PROBABILITIES`."""
 FRAME, TIME = "frame", "time"
-"""Timelines: the number of the frame, and its time: since 1970, or, where that is not known, the start."""
+"""Timelines: the number of the frame, and its time: since 1970 or, if that is not known, since the start."""
 LEAST_FREE = 64_000_000
 """Bytes that must be free on the disk: Rerun waits for ever on a full one. Our choice."""
 _REGION = (255, 235, 120)
@@ -37,7 +37,7 @@ class RerunFile:
     classes
         Places.
     start
-        Nanoseconds since 1970 of the first frame; 0 where it is not known.
+        Nanoseconds since 1970 of the first frame; 0 if it is not known.
 
     Raises
     ------

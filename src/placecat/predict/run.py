@@ -22,7 +22,7 @@ Shown = Callable[[Frame, Decision, "Speed"], None]
 
 @dataclass
 class Speed:
-    """How fast it went.
+    """Speed of a prediction.
 
     Attributes
     ----------
@@ -54,7 +54,7 @@ class Speed:
 
 @dataclass(frozen=True)
 class Wish:
-    """Wishes of the user.
+    """Options of the user.
 
     Attributes
     ----------
@@ -170,7 +170,7 @@ def run(
 
 
 def true_label(truth: NDArray[np.int16] | None, number: int, classes: tuple[str, ...]) -> str | None:
-    """Name the true place of a frame by its number: "" where it is not scored, None without labels."""
+    """Name the true place of a frame by its number: "" if it is not scored, None without labels."""
     if truth is None:
         return None
     place = int(truth[number - 1])

@@ -23,7 +23,7 @@ _STREAM = re.compile(r"(rtsps?|https?)://.+", re.IGNORECASE)
 
 
 def without_password(text: str) -> str:
-    """The address of a stream without user and password; anything else as it is."""
+    """The address of a stream without user and password; anything else unchanged."""
     return re.sub(r"(?<=://)[^/@]*@", "", text) if _STREAM.fullmatch(text) else text
 
 
@@ -95,7 +95,7 @@ class Video(Source):
         self.size = self._recording.size()
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first of each `every` frames; where that is lost, the next."""
+        """Decode the first of each `every` frames; if that is lost, the next."""
         self.reached, last = 0, -1
         for picture in self._recording.pictures():
             self.reached = number = picture.number
@@ -131,7 +131,7 @@ class BagSource(Source):
         self.size = self._recording.size()
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first of each `every` frames; where that is lost, the next."""
+        """Decode the first of each `every` frames; if that is lost, the next."""
         self.reached, last = 0, -1
         for number, picture in self._recording.pictures():
             self.reached = number

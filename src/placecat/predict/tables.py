@@ -16,7 +16,7 @@ TABLES = (FRAMES, SEGMENTS, VISITS)
 def write_frames(path: Path, prediction: Prediction) -> None:
     """Write one row per frame: the decision and its confidence, all probabilities, those of the frame alone.
 
-    ``name`` is the place, or ``unknown`` where the confidence is too low.
+    ``name`` is the place, or ``unknown`` if the confidence is too low.
     Probabilities have as many digits as it takes to read back the same number, to the bit.
     """
     classes = prediction.classes

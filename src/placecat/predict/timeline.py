@@ -30,7 +30,7 @@ def draw(prediction: Prediction, title: str, truth: NDArray[np.int16] | None = N
     title
         Above the picture.
     truth
-        (n,) class indices of the frames, -1 where there is none; None draws no such strip.
+        (n,) class indices of the frames, -1 for unlabelled frames; None draws no such strip.
     """
     colors = palette.place_colors(prediction.classes)
     strips: dict[str, NDArray[np.integer]] = {} if truth is None else {"label": truth}

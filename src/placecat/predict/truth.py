@@ -33,7 +33,7 @@ def read(
     count, fps
         Number of frames, and frames a second.
     classes
-        What the model tells apart.
+        Classes of the model.
     ignored
         Labels beside `UNSCORED` of frames that are not scored.
     starts
@@ -74,7 +74,7 @@ def agreement(prediction: Prediction, truth: NDArray[np.int16]) -> dict[str, obj
     -------
     dict
         ``accuracy`` and ``frame_accuracy`` (of each frame alone): mean over the places present, in percent,
-        or None if nothing is scored; ``by_place``; ``confusion``, the counts, a row a labelled place;
+        or None if nothing is scored; ``by_place``; ``confusion``, the counts, one row per labelled place;
         ``named``, percent of the frames whose place is not unknown, and ``named_wrongly``, percent of these,
         places weighing the same.
     """

@@ -22,11 +22,11 @@ class Picture:
 def embed(png: bytes, quality: int = QUALITY) -> Picture:
     """Turn a PNG into a data URI, as WebP of a quality of 1 to 100 if that is shorter.
 
-    Raises ValueError if it is no picture.
+    Raises ValueError if it is not a picture.
     """
     pixels = cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_UNCHANGED) if png else None
     if pixels is None:
-        raise ValueError("no picture")
+        raise ValueError("not a picture")
     _, encoded = cv2.imencode(".webp", pixels, [cv2.IMWRITE_WEBP_QUALITY, quality])
     kind, content = min((("webp", encoded.tobytes()), ("png", png)), key=lambda pair: len(pair[1]))
     height, width = pixels.shape[:2]

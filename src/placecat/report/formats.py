@@ -51,7 +51,7 @@ def table_markdown(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Ma
 def table_latex(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]) -> str:
     """Write one filled table as a LaTeX ``table`` environment, which needs ``\\usepackage{booktabs}``.
 
-    Published numbers are in italics under each row of measured ones, like standard errors under coefficients;
+    Published numbers are in italics below each row of measured ones, like standard errors under coefficients;
     footnotes give the reasons of empty cells. Parameters as for :func:`placecat.report.grid.shown_table`.
     """
     # Delimiters that do not clash with LaTeX's braces.

@@ -234,7 +234,7 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
 
 
 def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
-    """The cell of a number in the text; if it is no percentage, it may have more than two decimals."""
+    """The cell of a number in the text; if it is not a percentage, it may have more than two decimals."""
     cell = make_cell(*(record[key] for key in ("measured", "published", "spread", "seeds")))
     values = [value for value in (record["measured"], record["published"]) if pd.notna(value)]
     if all(value == round(value, 2) for value in values):

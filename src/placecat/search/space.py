@@ -155,7 +155,7 @@ def _distribution(
             create_trial(params={key: value}, distributions={key: distribution}, value=0.0)
         except ValueError:
             raise PlacecatError(
-                f"{override.input_line} does not hold {found[name]}, the value of {name}, which is tried "
-                "first so that what is found is at least as good: widen it"
+                f"{override.input_line} does not contain {found[name]}, the value of {name}. That value is "
+                "tried first, so that the result is at least as good: widen the range"
             ) from None
     return distribution, as_known

@@ -142,7 +142,7 @@ def _cell(old: str, new: str) -> dict[str, Any]:
     difference = None if before is None or now is None else round(now - before, 2)
     shown = ["" if number is None else f"{number:.2f}" for number in numbers]
     if difference == 0 and before != now:
-        # Numbers that are no percentages may differ by less.
+        # Numbers that are not percentages may differ by less.
         shown = [old, new]
     return {"old": shown[0], "new": shown[1], "changed": before != now, "difference": difference}
 

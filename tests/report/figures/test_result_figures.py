@@ -220,7 +220,7 @@ def test_figure_20_has_every_test_sequence_beside_each_other():
         "frame of north",
     ]
     assert titles(figure) == ["(a) After the integration of HOG, Gist and Centrist", "(b) After smoothing"]
-    with pytest.raises(PlacecatError, match="names no result"):
+    with pytest.raises(PlacecatError, match="panels is empty"):
         figures.draw("figure_20", Run(figure_20={"panels": {}}))
 
 
@@ -248,7 +248,7 @@ def test_a_reliability_diagram_has_its_bins_where_they_belong_and_the_numbers_of
 
 
 def test_reliability_diagrams_need_results_and_labels():
-    with pytest.raises(PlacecatError, match="panels names no result"):
+    with pytest.raises(PlacecatError, match="panels is empty"):
         figures.draw("figure_reliability", Run(figure_reliability={"panels": {}}))
     with pytest.raises(PlacecatError, match="there are no distributions of 'nothing'"):
         figures.draw("figure_reliability", Run(figure_reliability={"panels": {"Nothing": "nothing"}}))

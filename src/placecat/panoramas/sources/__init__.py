@@ -1,4 +1,4 @@
-"""Where panoramas come from: one module a source.
+"""Sources of panoramas, one module per source.
 
 A source is a module of this package that defines ``read(root, settings)``, which lists the panoramas below a
 folder by the settings of conf/panoramas.yaml; its file name is its name there.
@@ -35,7 +35,7 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
     ------
     PlacecatError
         If the source or one of its files is unknown, missing or wrong; the message names the file, and the
-        line where there is one.
+        line if there is one.
     """
     source = lookup.module(__name__, settings["source"], "source", "read")
     if not root.is_dir():
@@ -73,7 +73,7 @@ def _check_files(root: Path, panorama: Panorama) -> None:
 
 
 def _check_names(panoramas: list[Panorama]) -> None:
-    """Refuse two homes that are one for other systems, and a picture that is listed twice."""
+    """Refuse two homes whose names differ only in capital letters, and a picture that is listed twice."""
     homes: dict[str, str] = {}
     files: dict[str, str] = {}
     for one in panoramas:

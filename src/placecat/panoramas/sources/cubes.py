@@ -1,4 +1,4 @@
-"""Tours of cube tiles: six square pictures a panorama, and a table of their rooms."""
+"""Tours of cube tiles: six square pictures per panorama, and a table of their rooms."""
 
 from collections.abc import Mapping
 from pathlib import Path

@@ -30,12 +30,12 @@ def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], l
 
     Returns
     -------
-    One panorama a row.
+    One panorama per row.
 
     Raises
     ------
     PlacecatError
-        If the table is missing or no CSV, or a row has the wrong cells, a path that leads out of `root` or
+        If the table is missing or not a CSV, or a row has the wrong cells, a path that leads out of `root` or
         a room that no label names; the message names the line.
     """
     path = root / settings["table"]
@@ -61,7 +61,7 @@ def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], l
         floor = cells.get("floor", _ONLY_FLOOR)
         if not FLOOR.fullmatch(floor):
             raise PlacecatError(
-                f"{where}: {shown(floor)} is no floor; write a number or a name of letters, digits, _ and -."
+                f"{where}: {shown(floor)} is not a floor; write a number, or letters, digits, _ and -."
             )
         label = labels.get(kind(cells["room"]))
         if label is None:

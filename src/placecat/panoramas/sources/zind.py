@@ -50,22 +50,22 @@ def _home(folder: Path, settings: Mapping[str, Any], labels: Mapping[str, str]) 
             continue
         floor, complete_room = names[1], names[2]
         if not FLOOR.fullmatch(floor):
-            raise PlacecatError(f"{where}: {floor!r} is no name of a floor.")
+            raise PlacecatError(f"{where}: {floor!r} is not a valid name of a floor.")
         file = f"{folder.name}/{relative(image, where)}"
         yield Panorama(f"zind_{folder.name}", floor, f"{complete_room}_{label}", label, (file,), where)
 
 
 def _load(path: Path) -> Any:
     if path.stat().st_size > MOST_BYTES:
-        raise PlacecatError(f"{path}: larger than {MOST_BYTES >> 20} MB; this is no home's data.")
+        raise PlacecatError(f"{path}: larger than {MOST_BYTES >> 20} MB; this is not the data of a home.")
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except json.JSONDecodeError as error:
         raise PlacecatError(
-            f"{path} line {error.lineno}: no JSON ({error.msg}); download it again."
+            f"{path} line {error.lineno}: not valid JSON ({error.msg}); download it again."
         ) from None
     except (UnicodeDecodeError, RecursionError) as error:
-        raise PlacecatError(f"{path}: no JSON ({type(error).__name__}); download it again.") from None
+        raise PlacecatError(f"{path}: not valid JSON ({type(error).__name__}); download it again.") from None
 
 
 def _panoramas(path: Path, content: Any) -> Iterator[tuple[list[str], dict[str, Any]]]:
@@ -81,5 +81,5 @@ def _panoramas(path: Path, content: Any) -> Iterator[tuple[list[str], dict[str, 
         level = deeper
     for names, panorama in level:
         if not isinstance(panorama, dict):
-            raise PlacecatError(f"{path}: {'.'.join(names)} is no panorama; download it again.")
+            raise PlacecatError(f"{path}: {'.'.join(names)} is not a panorama; download it again.")
         yield names, panorama

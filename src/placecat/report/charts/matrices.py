@@ -61,7 +61,7 @@ def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) ->
 
 
 def draw_sheet(target: Path, title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> bool:
-    """Write all matrices of a table as PNG: a line a row, with each column or each home.
+    """Write all matrices of a table as PNG: one line per row, with each column or each home.
 
     `rows` are from :func:`placecat.thesis.decisions.decisions_of`; without any there is no picture, and this
     is False.

@@ -48,7 +48,7 @@ def draw(name: str, run: Run) -> Figure:
         raise PlacecatError(f"there is no figure {name!r}: choose one of {', '.join(names())}")
     options, where = run.options(name), f"figures.{name}"
     if "panels" in options and not options["panels"]:
-        raise SettingError(f"{where}.panels names no result")
+        raise SettingError(f"{where}.panels is empty: name at least one result")
     figure: Figure = settings.call(_all()[name][1], run, settings=options, where=where)
     return figure
 
