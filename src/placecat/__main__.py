@@ -8,7 +8,7 @@ from contextlib import redirect_stdout
 from pathlib import Path
 
 import placecat.stages  # noqa: F401 before NumPy: chooses OpenBLAS's kernels
-from placecat import footage_commands, paths
+from placecat import __version__, footage_commands, paths
 from placecat.compose import write_params
 from placecat.errors import PlacecatError, exiting
 from placecat.terminal import Terminal
@@ -38,6 +38,7 @@ def _parser() -> argparse.ArgumentParser:
         prog="placecat",
         description="Visual place categorization, reproducibly. Run it in the project's folder.",
     )
+    parser.add_argument("--version", action="version", version=f"placecat {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND", title="commands")
 
     params = commands.add_parser(
@@ -177,6 +178,7 @@ def _hydra(command: str, arguments: list[str]) -> None:
 
 def _params(options: argparse.Namespace) -> int:
     write_params(options.overrides)
+    print(f"{paths.PARAMS} is written.")
     return 0
 
 

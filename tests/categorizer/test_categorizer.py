@@ -99,6 +99,13 @@ def test_a_frame_that_comes_twice_says_no_more(categorizer):
     np.testing.assert_allclose(once.proba, twice.proba, atol=1e-12)
     np.testing.assert_allclose(once.hmm, twice.hmm, atol=1e-12)
     assert twice.seconds == once.seconds
+    assert sum(visit.frames for visit in categorizer.visits()) == 2
+
+
+def test_what_is_no_frame_is_refused_and_left_out(categorizer):
+    with pytest.raises(PlacecatError, match="a camera that fails gives None"):
+        categorizer.update(None)
+    assert categorizer.visits() == []
 
 
 @pytest.mark.parametrize(
@@ -108,6 +115,8 @@ def test_a_frame_that_comes_twice_says_no_more(categorizer):
         ({"time": float("inf")}, "time of a frame is inf"),
         ({"seconds": -0.1}, "s between two frames"),
         ({"seconds": 0.1, "time": 3.0}, "not both"),
+        ({"seconds": "0.1"}, "'0.1': give it as a number of seconds"),
+        ({"time": "now"}, "'now': give it as a number of seconds"),
     ],
 )
 def test_a_frame_of_an_impossible_time_is_left_out(categorizer, times, message):

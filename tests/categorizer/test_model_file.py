@@ -303,6 +303,11 @@ def test_what_train_writes_is_measured_without_the_same_homes(tmp_path, monkeypa
     monkeypatch.setattr(train.held_out, "by_training", lambda *options: calls.append(options) or {})
     monkeypatch.setattr(train, "check_data", lambda own: calls.append(own))
     homes = ["--without", "home_6", "--without", "home_1", "--without", "home_6"]
+    with pytest.raises(SystemExit, match="data/features/home_1 is missing: run `placecat repro` first"):
+        main(["train", "das_551_all", *homes])
+    calls.clear()
+    for home in params["dataset"]["homes"]:
+        (tmp_path / "data/features" / home).mkdir(parents=True)
     main(["train", "das_551_all", *homes])
     assert calls == [
         params,

@@ -149,6 +149,20 @@ def test_a_wrong_combination_computes_nothing(sweep, monkeypatch):
     assert not (folder / "multirun").exists()
 
 
+@pytest.mark.parametrize("command", ["experiment", "search"])
+def test_help_of_a_sweep(project, monkeypatch, capsys, command):
+    monkeypatch.setattr(sys, "argv", sys.argv)
+    words = ["-m", "descriptor=hog,sift"] if command == "experiment" else []
+    with pytest.raises(SystemExit) as ended:
+        __main__.main([command, *words, "--help"])
+    assert not ended.value.code
+    assert "placecat experiment -m" in capsys.readouterr().out
+
+
+def test_a_sweep_has_no_single_configuration(project, monkeypatch):
+    assert "without -m" in main_with(monkeypatch, "-m", "descriptor=hog,sift", "--cfg", "job")
+
+
 def test_help_is_our_own(project, monkeypatch, capsys):
     assert main_with(monkeypatch, "--help") == 0
     printed = capsys.readouterr().out

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from numbers import Real
 from pathlib import Path
 from typing import Any
 
@@ -221,8 +222,9 @@ class Categorizer:
         frame = self._fitted(frame)
         now, elapsed = self._moment(seconds, time)
         decision = self._decide(frame, elapsed, now)
+        if self._last is None or now > self._last:
+            self._visits.add(decision.name, decision.confidence, now)
         self._last = now
-        self._visits.add(decision.name, decision.confidence, now)
         return decision
 
     def visits(self) -> list[Visit]:
@@ -235,6 +237,9 @@ class Categorizer:
 
     def _moment(self, seconds: float | None, time: float | None) -> tuple[float, float | None]:
         """When the frame was taken, and the seconds that it stands for."""
+        for given in (seconds, time):
+            if given is not None and not isinstance(given, Real):
+                raise PlacecatError(f"the time of a frame is {given!r}: give it as a number of seconds")
         if seconds is not None and time is not None:
             raise PlacecatError("give the seconds since the last frame or the time of this one, not both")
         if time is None:
@@ -291,6 +296,8 @@ class Categorizer:
         )
 
     def _fitted(self, frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
+        if not isinstance(frame, np.ndarray):
+            raise PlacecatError(f"a frame is {frame!r:.40}: give an array; a camera that fails gives None")
         if frame.dtype != np.uint8 or frame.ndim != 3 or frame.shape[2] != 3:
             raise PlacecatError(
                 f"a frame has shape {frame.shape} and type {frame.dtype}: give (height, width, 3) uint8, BGR"

@@ -47,6 +47,9 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
     if output.exists() and not model_file.is_model(output):
         raise PlacecatError(f"{output} is not a model, and is not replaced: give another --output")
     check_data(params)
+    for home in settings.get(params, "dataset.homes"):
+        if not (paths.FEATURES / home).is_dir():
+            raise PlacecatError(f"{paths.FEATURES / home} is missing: run `placecat repro` first")
     trained = train(params, name, without=without, seed=seed)
     print("Trained. Now training without each home in turn, to measure the system there.", flush=True)
     trained = measured(

@@ -36,8 +36,14 @@ def main(arguments: Sequence[str]) -> None:
     arguments = list(arguments)
     given = get_args(arguments)
     overrides.check(given.overrides, several=True)
-    if given.multirun and not any(one.startswith("hydra.sweep.dir=") for one in given.overrides):
-        arguments.append(f"hydra.sweep.dir={folder_of(given.overrides)}")
+    if given.help:
+        # Of a sweep Hydra prints none.
+        arguments = ["--help"]
+    elif given.multirun:
+        if given.cfg or given.info:
+            raise PlacecatError("--cfg and --info show one experiment: use `placecat experiment` without -m")
+        if not any(one.startswith("hydra.sweep.dir=") for one in given.overrides):
+            arguments.append(f"hydra.sweep.dir={folder_of(given.overrides)}")
     options.register()
     # Hydra's launcher uses as many processes as joblib counts cores.
     workers = compute.wanted_workers()
