@@ -1,6 +1,7 @@
 import json
 import os
 import shutil
+from pathlib import Path
 
 import cv2
 import numpy as np
@@ -279,8 +280,30 @@ def test_only_an_untouched_prediction_of_the_same_source_is_replaced(folder):
         "walk.avi", "--output", "out", "--labels", segments, "--force"
     )
     predict("walk.avi", "--output", "out", "--force")
+    (folder / "out/segments.edited.csv").unlink()
     (folder / "out/notes.txt").write_text("mine")
     assert "notes.txt was added or edited" in refused("walk.avi", "--output", "out")
+
+
+def test_what_was_edited_or_added_is_kept_even_with_force(folder, capsys):
+    predict("walk.avi", "--output", "out")
+    segments = folder / "out/segments.csv"
+    written, first = segments.read_text(), segments.read_text() + "31,32,kitchen\n"
+    segments.write_text(first)
+    (folder / "out/notes").mkdir()
+    (folder / "out/notes/a.txt").write_text("mine")
+    predict("images", "--output", "out", "--force")
+    assert f"segments.csv was added or edited: it is kept as {Path('out/segments.edited.csv')}" in (
+        capsys.readouterr().err
+    )
+    assert segments.read_text() == written
+    # The copy is the user's as well, and an untouched table is not kept.
+    assert "was added or edited" in refused("images", "--output", "out")
+    segments.write_text("second")
+    predict("walk.avi", "--output", "out", "--force")
+    found = {path.name: path.read_text() for path in folder.glob("out/*.edited*")}
+    assert found == {"segments.edited.csv": first, "segments.edited_2.csv": "second"}
+    assert (folder / "out/notes/a.txt").read_text() == "mine"
 
 
 def test_ctrl_c_on_a_file_writes_nothing(folder, monkeypatch):

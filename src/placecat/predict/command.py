@@ -154,6 +154,10 @@ def _write(
         content["files"] = sorted([*(path.name for path in temporary.iterdir()), destination.SUMMARY])
         content |= destination.checksums(temporary, tables.TABLES)
         files.write_json(temporary / destination.SUMMARY, content)
+        kept = destination.keep(folder, temporary)
+    for name, copy in kept.items():
+        note = f"{one_line(name)} was added or edited: it is kept as {one_line(folder / copy)}"
+        print(f"placecat: note: {note}", file=sys.stderr)
     _print(folder, options, source, prediction, speed, agreement)
 
 
