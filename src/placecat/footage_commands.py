@@ -124,8 +124,8 @@ def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
     predict.add_argument(
         "--force",
         action="store_true",
-        help="replace files of --mcap and --rerun, and a prediction of another source or one that was edited: "
-        "an edited table is kept as NAME.edited.csv",
+        help="replace files of --mcap and --rerun, and a prediction of another source or one that was "
+        "edited: an edited table is kept as NAME.edited.csv",
     )
     predict.set_defaults(run=_predict)
 

@@ -182,8 +182,30 @@ def test_the_system_is_told_the_time_between_frames(folder, monkeypatch, capsys,
     every = int(arguments.partition("--every ")[2] or 1)
     assert np.allclose(system.times, period, rtol=1e-9)
     assert len(system.times) == -(-COUNT // every)
-    # Any rate will do.
-    assert capsys.readouterr().err == ""
+    # Any rate will do; slower ones than the model's are noted.
+    err = capsys.readouterr().err
+    assert err.count("note: ") == err.count("\n") == (1 / period < 6)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "threshold", "is_noted"),
+    [
+        ([], 0.579, False),
+        (["--every", "2"], 0.579, True),
+        (["--fps", "24.5"], 0.579, False),
+        (["--fps", "20"], 0.579, True),
+        # Never unknown, or always.
+        (["--every", "2"], 0.0, False),
+        (["--every", "2"], float("inf"), False),
+    ],
+)
+def test_frames_that_come_slowly_are_noted(folder, monkeypatch, capsys, arguments, threshold, is_noted):
+    monkeypatch.setattr(FakeCategorizer, "threshold", threshold)
+    predict("walk.avi", *arguments)
+    rate = "12.5" if "--every" in arguments else "20"
+    note = f"{rate} frames/s are taken, and the confidence for `unknown` was chosen at 25"
+    assert (note in capsys.readouterr().err) == is_noted
+    assert ("notes" in json.loads((folder / "predictions/walk/summary.json").read_text())) == is_noted
 
 
 def test_a_cut_off_video_is_noted(folder, capsys):

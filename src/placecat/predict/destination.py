@@ -122,7 +122,8 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
     changed = _changed(folder, summary)
     if changed:
         raise PlacecatError(
-            f"{folder / changed[0]} was added or edited: move it away, or give --force, which keeps a copy of it"
+            f"{folder / changed[0]} was added or edited: move it away, or give --force, which keeps a "
+            "copy of it"
         )
 
 
