@@ -1,6 +1,5 @@
 """A node of ROS 2 that names the place: python3 ros2_node.py --ros-args -r image:=/camera/image_raw."""
 
-import cv2
 import rclpy
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
@@ -18,8 +17,8 @@ class PlaceNode(Node):
 
     def __init__(self) -> None:
         super().__init__("placecat")
-        path = self.declare_parameter("model", "data/model.placecat").value
-        self.categorizer, self.last, self.place = Categorizer.load(str(path)), 0.0, ""
+        path = str(self.declare_parameter("model", "data/model.placecat").value)
+        self.categorizer, self.last, self.place = Categorizer.load(path, resize=True), float("-inf"), ""
         newest = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
         latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
         self.places = self.create_publisher(String, "place", latched)
@@ -27,22 +26,23 @@ class PlaceNode(Node):
         self.create_subscription(Image, "image", self.see, newest)
 
     def see(self, message: Image) -> None:
-        """Categorize a frame, unless it came late."""
+        """Categorize a frame, unless it came late. A clock that goes back by more than 1 s restarts all."""
         now = message.header.stamp.sec + message.header.stamp.nanosec / 1e9
-        if now <= self.last:
+        if self.last - 1 <= now <= self.last:
             return
         try:
-            frame = cv2.resize(raw_image(message, "image"), self.categorizer.frame_size)
-            decision = self.categorizer.update(frame.astype("uint8"), now - self.last if self.last else None)
+            if now < self.last:
+                self.categorizer.reset()
+            decision = self.categorizer.update(raw_image(message, "image"), time=now)
         except PlacecatError as error:
             self.get_logger().error(str(error))
             return
         scores = zip(self.categorizer.classes, decision.proba.tolist(), strict=True)
         results = [ObjectHypothesis(class_id=name, score=score) for name, score in scores]
         self.classifications.publish(Classification(header=message.header, results=results))
-        if decision.place != self.place:
-            self.places.publish(String(data=decision.place))
-        self.last, self.place = now, decision.place
+        if decision.name != self.place:
+            self.places.publish(String(data=decision.name))
+        self.last, self.place = now, decision.name
 
 
 if __name__ == "__main__":

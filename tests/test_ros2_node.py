@@ -48,7 +48,7 @@ def node(monkeypatch):
         vars(module).update(content)
         monkeypatch.setitem(sys.modules, name.partition(".")[0], ModuleType(name))
         monkeypatch.setitem(sys.modules, name, module)
-    monkeypatch.setattr(Categorizer, "load", lambda path: Categorizer(make_system()))
+    monkeypatch.setattr(Categorizer, "load", lambda path, resize: Categorizer(make_system(), resize=resize))
     return runpy.run_path(str(FILE))["PlaceNode"]()
 
 
@@ -82,7 +82,34 @@ def test_the_node_says_what_the_categorizer_says(node):
         assert [result.class_id for result in one.results] == list(CLASSES)
         assert np.array_equal([result.score for result in one.results], decision.proba)
     places = [one.data for name, one in node.sent if name == "place"]
-    assert places == list(dict.fromkeys(decision.place for decision in expected))
+    assert places == list(dict.fromkeys(decision.name for decision in expected))
+
+
+def test_an_unsure_place_is_published_as_unknown(node):
+    node.categorizer.threshold = 1.1
+    node.subscribed[1](message(frames(1)[0], 100.0))
+    assert [one.data for name, one in node.sent if name == "place"] == ["unknown"]
+
+
+def test_of_a_frame_of_4_to_3_the_middle_is_taken(node):
+    (image,) = frames(1)
+    tall = np.pad(image, ((30, 30), (0, 0), (0, 0)))
+    node.subscribed[1](message(tall, 100.0))
+    (sent,) = [one for name, one in node.sent if name == "classification"]
+    expected = Categorizer(make_system()).update(image).proba
+    assert np.array_equal([result.score for result in sent.results], expected)
+
+
+def test_a_clock_that_goes_back_starts_anew(node):
+    images = list(frames(2))
+    for image, seconds in ((images[0], 100.0), (images[1], 3.0), (images[0], 2.5), (images[0], 3.2)):
+        node.subscribed[1](message(image, seconds))
+    assert not node.said
+    sent = [one for name, one in node.sent if name == "classification"]
+    # The third is late; the first is forgotten.
+    assert [one.header.stamp.sec for one in sent] == [100, 3, 3]
+    expected = Categorizer(make_system()).update(images[1]).proba
+    assert np.array_equal([result.score for result in sent[1].results], expected)
 
 
 def test_the_node_is_short():

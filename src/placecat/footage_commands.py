@@ -122,7 +122,10 @@ def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
         help="also write frames, regions and probabilities for Rerun (.rrd)",
     )
     predict.add_argument(
-        "--force", action="store_true", help="replace a prediction of another source, or one that was edited"
+        "--force",
+        action="store_true",
+        help="replace files of --mcap and --rerun, and a prediction of another source or one that was "
+        "edited: an edited table is kept as NAME.edited.csv",
     )
     predict.set_defaults(run=_predict)
 

@@ -15,6 +15,8 @@ from placecat.__main__ import main
 from placecat.predict import command, mcap_file, rerun_file
 
 COUNT = 30
+# From frame 11 on the confidence is below the threshold.
+NAMES = [(0, CLASSES[0]), (STAY, CLASSES[1]), (11, "unknown")]
 STAMPS = [START + number * 4 * 10**7 for number in range(COUNT)]
 
 
@@ -131,7 +133,7 @@ def test_an_mcap_file_has_pictures_probabilities_and_places(system, tmp_path, ki
         assert [one.class_id for one in message.results] == list(CLASSES)
         assert [one.score for one in message.results] == expected(number)[0].tolist()
     places = [(time, message.data) for time, message in found[mcap_file.PLACE]]
-    assert places == [(times[first], CLASSES[first // STAY % 3]) for first in range(0, COUNT, STAY)]
+    assert places == [(times[first], name) for first, name in NAMES]
     for number, (_, message) in enumerate(found[mcap_file.PICTURE]):
         image = cv2.imdecode(message.data, cv2.IMREAD_COLOR)
         assert image.shape == (480, 920, 3) and message.format == "jpeg"
@@ -156,7 +158,7 @@ def test_an_mcap_file_opens_without_ros(system, tmp_path):
     assert {one.message_encoding for one in summary.channels.values()} == {"cdr"}
     text = next(one.data.decode() for one in summary.schemas.values() if one.name.endswith("Classification"))
     assert "vision_msgs/ObjectHypothesis[] results" in text and f"{'=' * 80}\nMSG: std_msgs/Header" in text
-    assert summary.statistics.message_count == 2 * COUNT + 4
+    assert summary.statistics.message_count == 2 * COUNT + len(NAMES)
     assert summary.chunk_indexes[0].message_index_offsets.keys() == summary.channels.keys()
     # CDR, little endian; then the length of the text, which ends with a zero.
     assert places[1] == b"\x00\x01\x00\x00" + (12).to_bytes(4, "little") + b"living_room\x00"
@@ -240,8 +242,7 @@ def test_a_recording_of_rerun_has_frames_regions_probabilities_and_places(system
     assert regions == {number + 1: [[32.5, 24.5], [10.5, 10.5]] for number in range(COUNT)}
     assert recorded(path, f"/{rerun_file.REGIONS}", "Points2D:radii")[1] == [2, 8]
     places = recorded(path, f"/{rerun_file.PLACE}", "TextLog:text")
-    titles = [name.replace("_", " ") for name in CLASSES]
-    assert places == {first + 1: [titles[first // STAY % 3]] for first in range(0, COUNT, STAY)}
+    assert places == {first + 1: [name.replace("_", " ")] for first, name in NAMES}
     times = recorded(path, f"/{rerun_file.PLACE}", "time")
     assert [path.name for path in (tmp_path / "out").iterdir()] == ["said.rrd"]
     assert len(images) == COUNT and len(times) == len(places)

@@ -1,6 +1,7 @@
 import json
 import os
 import shutil
+from pathlib import Path
 
 import cv2
 import numpy as np
@@ -181,8 +182,30 @@ def test_the_system_is_told_the_time_between_frames(folder, monkeypatch, capsys,
     every = int(arguments.partition("--every ")[2] or 1)
     assert np.allclose(system.times, period, rtol=1e-9)
     assert len(system.times) == -(-COUNT // every)
-    # Any rate will do.
-    assert capsys.readouterr().err == ""
+    # Any rate will do; slower ones than the model's are noted.
+    err = capsys.readouterr().err
+    assert err.count("note: ") == err.count("\n") == (1 / period < 6)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "threshold", "is_noted"),
+    [
+        ([], 0.579, False),
+        (["--every", "2"], 0.579, True),
+        (["--fps", "24.5"], 0.579, False),
+        (["--fps", "20"], 0.579, True),
+        # Never unknown, or always.
+        (["--every", "2"], 0.0, False),
+        (["--every", "2"], float("inf"), False),
+    ],
+)
+def test_frames_that_come_slowly_are_noted(folder, monkeypatch, capsys, arguments, threshold, is_noted):
+    monkeypatch.setattr(FakeCategorizer, "threshold", threshold)
+    predict("walk.avi", *arguments)
+    rate = "12.5" if "--every" in arguments else "20"
+    note = f"{rate} frames/s are taken, and the confidence for `unknown` was chosen at 25"
+    assert (note in capsys.readouterr().err) == is_noted
+    assert ("notes" in json.loads((folder / "predictions/walk/summary.json").read_text())) == is_noted
 
 
 def test_a_cut_off_video_is_noted(folder, capsys):
@@ -279,8 +302,30 @@ def test_only_an_untouched_prediction_of_the_same_source_is_replaced(folder):
         "walk.avi", "--output", "out", "--labels", segments, "--force"
     )
     predict("walk.avi", "--output", "out", "--force")
+    (folder / "out/segments.edited.csv").unlink()
     (folder / "out/notes.txt").write_text("mine")
     assert "notes.txt was added or edited" in refused("walk.avi", "--output", "out")
+
+
+def test_what_was_edited_or_added_is_kept_even_with_force(folder, capsys):
+    predict("walk.avi", "--output", "out")
+    segments = folder / "out/segments.csv"
+    written, first = segments.read_text(), segments.read_text() + "31,32,kitchen\n"
+    segments.write_text(first)
+    (folder / "out/notes").mkdir()
+    (folder / "out/notes/a.txt").write_text("mine")
+    predict("images", "--output", "out", "--force")
+    assert f"segments.csv was added or edited: it is kept as {Path('out/segments.edited.csv')}" in (
+        capsys.readouterr().err
+    )
+    assert segments.read_text() == written
+    # The copy is the user's as well, and an untouched table is not kept.
+    assert "was added or edited" in refused("images", "--output", "out")
+    segments.write_text("second")
+    predict("walk.avi", "--output", "out", "--force")
+    found = {path.name: path.read_text() for path in folder.glob("out/*.edited*")}
+    assert found == {"segments.edited.csv": first, "segments.edited_2.csv": "second"}
+    assert (folder / "out/notes/a.txt").read_text() == "mine"
 
 
 def test_ctrl_c_on_a_file_writes_nothing(folder, monkeypatch):

@@ -131,11 +131,24 @@ def test_classes_that_the_model_does_not_know_are_refused_or_left_out(system, tm
     assert "correct" in capsys.readouterr().out
 
 
+def test_a_home_that_trained_the_model_is_noted(system, tmp_path, capsys):
+    note = "Villa trained this model, so this accuracy says nothing about new homes"
+    # Neither a home of that name in other data, nor another home of these.
+    for title, homes in (("other homes", ["Villa"]), ("my homes", ["Hut"]), ("my homes", ["Hut", "Villa"])):
+        system.card["data"] |= {"title": title, "homes": homes}
+        predict("home:Villa")
+        told = json.loads((tmp_path / "predictions/Villa/summary.json").read_text())["notes"]
+        expected_note = title == "my homes" and "Villa" in homes
+        assert any(one.startswith(note) for one in told) == expected_note
+        assert (f"note: {note}; `placecat train --without Villa`" in capsys.readouterr().err) == expected_note
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
         (["home:Palace"], "home:Palace: my homes has no such home, but Villa, Hut"),
         (["home:Hut"], "Hut"),
+        (["home:"], "home: has no name: name a home: Villa, Hut"),
         (["home:Villa", "--labels", "x.csv"], "--labels is for other footage"),
         (["homes/Villa/1", "--set", "dataset=homes"], "--set chooses the data set of home:NAME"),
     ],

@@ -92,7 +92,8 @@ def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
     if _share(best) < LEAST:
         raise PlacecatError(
             f"the footage has {_text(source)} pixels: cut to the shape of {_text(best.target)}, which the "
-            f"model was trained on, only {_share(best):.0%} of it would be left; film in that shape"
+            f"model was trained on, only {_share(best):.0%} of it would be left; film in that shape, or "
+            "train a model on such frames"
         )
     return best
 

@@ -22,6 +22,7 @@ from placecat.predict import destination, exports, report, tables, timeline, tru
 from placecat.predict.camera import Camera
 from placecat.predict.frame import Frame, Source
 from placecat.predict.home import PREFIX, DataSetHome, data_set
+from placecat.predict.notes import notes
 from placecat.predict.prediction import Prediction
 from placecat.predict.run import Speed, Wish, run, true_label
 from placecat.predict.sources import BagSource, Folder, open_source, without_password
@@ -154,7 +155,11 @@ def _write(
         content["files"] = sorted([*(path.name for path in temporary.iterdir()), destination.SUMMARY])
         content |= destination.checksums(temporary, tables.TABLES)
         files.write_json(temporary / destination.SUMMARY, content)
-    _print(folder, options, source, prediction, speed, agreement)
+        kept = destination.keep(folder, temporary)
+    for name, copy in kept.items():
+        note = f"{one_line(name)} was added or edited: it is kept as {one_line(folder / copy)}"
+        print(f"placecat: note: {note}", file=sys.stderr)
+    _print(folder, options, source, prediction, speed, content)
 
 
 def _check(options: Options) -> None:
@@ -232,7 +237,7 @@ def _summary(
         "lost_frames": list(damage.lost),
         "damaged_frames": list(damage.damaged),
         "turned_frames": list(prediction.turned),
-        "notes": _notes(source, prediction),
+        "notes": notes(source, prediction, categorizer),
     }
     return {
         "source": without_password(options.source),
@@ -247,33 +252,22 @@ def _summary(
     } | report.facts(prediction, agreement)
 
 
-def _notes(source: Source, prediction: Prediction) -> list[str]:
-    """Notes on oddities of the footage."""
-    notes = [source.damage().note]
-    if prediction.turned:
-        first, count = prediction.turned[0], len(prediction.turned)
-        notes.append(
-            f"{count} frames from frame {first} on have another size than the first (the phone was turned?): "
-            "of them the middle is taken"
-        )
-    return [note for note in notes if note]
-
-
 def _print(
     folder: Path,
     options: Options,
     source: Source,
     prediction: Prediction,
     speed: Speed,
-    agreement: dict[str, Any] | None,
+    content: dict[str, Any],
 ) -> None:
-    for note in _notes(source, prediction):
+    """Print what the summary holds, the notes first."""
+    for note in content.get("notes", []):
         print(f"placecat: note: {note}", file=sys.stderr)
     print("\nShare of time:")
     print("\n".join(report.shares(prediction)))
     print("\nSegments:")
     print("\n".join(report.segment_lines(prediction, SHOWN_SEGMENTS)))
-    if agreement is not None:
+    if (agreement := content["agreement"]) is not None:
         print()
         print("\n".join(report.confusions(prediction.classes, agreement)))
     dropped = source.arrived - speed.frames if isinstance(source, Camera) else None

@@ -1,6 +1,7 @@
 """The folder of results, and what in it may be replaced."""
 
 import json
+import shutil
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from itertools import count
@@ -88,8 +89,8 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
     read
         Files and folders that are read: they may not be in there.
     force
-        Replace a prediction of another source or one that was edited. What is not a prediction is never
-        replaced.
+        Replace a prediction of another source or one that was edited (:func:`keep`). What is not a prediction
+        is never replaced.
 
     Raises
     ------
@@ -121,8 +122,44 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
     changed = _changed(folder, summary)
     if changed:
         raise PlacecatError(
-            f"{folder / changed} was added or edited: move it away, or give --force to lose it"
+            f"{folder / changed[0]} was added or edited: move it away, or give --force, which keeps a "
+            "copy of it"
         )
+
+
+def keep(folder: Path, new: Path) -> dict[str, str]:
+    """Copy what was added to a prediction, or edited, into the one that replaces it.
+
+    Parameters
+    ----------
+    folder
+        The prediction that is there, if any.
+    new
+        The new one, complete.
+
+    Returns
+    -------
+    dict
+        Name of each such file or folder to the name of its copy: the same or, if the new prediction has that,
+        ``NAME.edited.csv``, ``NAME.edited_2.csv``, ... The summary does not list it, so that the next
+        prediction keeps it, too.
+    """
+    summary = _summary(folder)
+    kept: dict[str, str] = {}
+    changed = [] if summary is None else _changed(folder, summary)
+    # Earlier copies keep their names.
+    for name in sorted(changed, key=lambda one: (new / one).exists()):
+        old, copy = folder / name, new / name
+        for number in count(1):
+            if not copy.exists() and not copy.is_symlink():
+                break
+            copy = new / f"{old.stem}.edited{'' if number == 1 else f'_{number}'}{old.suffix}"
+        if old.is_dir() and not old.is_symlink():
+            shutil.copytree(old, copy, symlinks=True)
+        else:
+            shutil.copy2(old, copy, follow_symlinks=False)
+        kept[name] = copy.name
+    return kept
 
 
 def checksums(folder: Path, names: Sequence[str]) -> dict[str, Any]:
@@ -141,10 +178,11 @@ def _summary(folder: Path) -> dict[str, Any] | None:
     return found if isinstance(checked, dict) and set(checked) == set(TABLES) else None
 
 
-def _changed(folder: Path, summary: dict[str, Any]) -> str | None:
-    """The first file that was added, or edited since, if any."""
+def _changed(folder: Path, summary: dict[str, Any]) -> list[str]:
+    """Files that were added, or edited since."""
+    changed = []
     for path in sorted(folder.iterdir()):
         digest = summary[_CHECKED].get(path.name)
         if path.name not in summary["files"] or (digest is not None and files.checksum(path) != digest):
-            return path.name
-    return None
+            changed.append(path.name)
+    return changed

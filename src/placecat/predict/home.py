@@ -39,6 +39,8 @@ class DataSetHome(Source):
     """
 
     def __init__(self, name: str, dataset: Mapping[str, Any], fps: float | None) -> None:
+        if not name:
+            raise PlacecatError(f"{PREFIX} has no name: name a home: {', '.join(dataset['homes'])}")
         if name not in dataset["homes"]:
             raise PlacecatError(
                 f"{PREFIX}{name}: {dataset['title']} has no such home, but {', '.join(dataset['homes'])}; "
@@ -48,6 +50,7 @@ class DataSetHome(Source):
         self._home = home = open_home(dataset["layout"], Path(dataset["root"]), name, fps=rate, camera="")
         self._dataset = dataset
         self.name = name
+        self.title = str(dataset["title"])
         self.fps = home.fps
         self.size = (home.width, home.height)
         floors = home.frames["sequence"].to_numpy()

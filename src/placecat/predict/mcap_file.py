@@ -14,7 +14,8 @@ from placecat.predict.annotate import Annotator
 from placecat.predict.frame import Frame, nanoseconds
 
 PICTURE, PROBABILITIES, PLACE = "/placecat/image/compressed", "/placecat/classification", "/placecat/place"
-"""Topics: the annotated picture and all probabilities of each frame; the place when it changes, latched."""
+"""Topics: the annotated picture and all probabilities of each frame; the place or `unknown`
+when it changes, latched."""
 JPEG_QUALITY = 90
 """Of pictures, from 0 to 100. Our choice."""
 
@@ -100,9 +101,9 @@ class McapFile:
             for name, score in zip(self._classes, decision.proba, strict=True)
         ]
         self._write(PROBABILITIES, now, types[_CLASSIFICATION](header, results))
-        if decision.place != self._place:
-            self._place = decision.place
-            self._write(PLACE, now, types[_STRING](decision.place))
+        if decision.name != self._place:
+            self._place = decision.name
+            self._write(PLACE, now, types[_STRING](decision.name))
 
     def _write(self, topic: str, now: int, message: Any) -> None:
         self._writer.write(

@@ -90,9 +90,9 @@ class RerunFile:
         log(REGIONS, rerun.Points2D(centres, radii=sizes, colors=[_REGION]))
         for entity, score in zip(self._entities.values(), decision.proba, strict=True):
             log(entity, rerun.Scalars(float(score)))
-        if decision.place != self._place:
-            self._place = decision.place
-            text = palette.place_title(decision.place)
+        if decision.name != self._place:
+            self._place = decision.name
+            text = palette.place_title(decision.name)
             log(PLACE, rerun.TextLog(text if not label else f"{text} (label: {palette.place_title(label)})"))
 
 

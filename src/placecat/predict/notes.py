@@ -1,0 +1,64 @@
+"""Notes on a prediction: damaged, turned or slow frames, and a home that trained the model."""
+
+import math
+
+import numpy as np
+
+from placecat.categorizer import Categorizer
+from placecat.predict.frame import Source
+from placecat.predict.home import DataSetHome
+from placecat.predict.prediction import Prediction
+
+SLOW = 0.95
+"""Share of the model's frame rate below which frames are slow: 4.995 for 5 frames/s is not. Our choice."""
+
+
+def notes(source: Source, prediction: Prediction, categorizer: Categorizer) -> list[str]:
+    """List what a person should know, each in a line.
+
+    Parameters
+    ----------
+    source
+        After its frames were read.
+    prediction
+        Of these frames.
+    categorizer
+        That made it.
+    """
+    found = [source.damage().note, _turned(prediction), _trained(source, categorizer)]
+    return [note for note in [*found, _slow(prediction, categorizer)] if note]
+
+
+def _turned(prediction: Prediction) -> str:
+    if not prediction.turned:
+        return ""
+    return (
+        f"{len(prediction.turned)} frames from frame {prediction.turned[0]} on have another size than the "
+        "first (the phone was turned?): of them the middle is taken"
+    )
+
+
+def _trained(source: Source, categorizer: Categorizer) -> str:
+    """Whether the model knows the home; data sets of one title are taken for one."""
+    data = categorizer.card["data"]
+    if not isinstance(source, DataSetHome) or source.title != data.get("title"):
+        return ""
+    if source.name not in map(str, data["homes"]):
+        return ""
+    return (
+        f"{source.name} trained this model, so this accuracy says nothing about new homes; `placecat train "
+        f"--without {source.name}` leaves it out"
+    )
+
+
+def _slow(prediction: Prediction, categorizer: Categorizer) -> str:
+    """Whether frames come more slowly than in training, so that each counts for more."""
+    if len(prediction.seconds) < 2 or not 0 < categorizer.threshold < math.inf:
+        return ""
+    period = float(np.median(np.diff(prediction.seconds)))
+    if period * categorizer.frame_rate * SLOW <= 1:
+        return ""
+    return (
+        f"{1 / period:.3g} frames/s are taken, and the confidence for `unknown` was chosen at "
+        f"{categorizer.frame_rate:.3g}: each frame counts for more, so `unknown` comes too rarely"
+    )
