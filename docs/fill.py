@@ -33,6 +33,7 @@ REGRESSION, BOTH = (
     "pool of both and the embedding",
 )
 OWN_SHAPE = "Lite2 462x260"
+POOL, GAIN = "The same and embedding, logarithmic opinion pool", "Gain of HMM over HMM on embedding, points"
 
 _NUMBER = re.compile(r"(-?\d[\d,]*(?:\.(\d+))?)<!-- = (.+?) -->")
 _BLOCK = re.compile(r"<!-- block: (.+?) -->\n(.*?)<!-- end -->", re.DOTALL)
