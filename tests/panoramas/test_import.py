@@ -190,7 +190,12 @@ def test_a_face_that_is_no_square_is_named(folder):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ("widht=32", "widht"),
+        (
+            "widht=32",
+            "conf/panoramas.yaml has no setting 'widht'; did you mean 'width'? (valid: source, table, homes",
+        ),
+        ("labels.larder=[x]", "labels has no setting 'larder'; a new one needs a plus, +labels.larder=[x] ("),
+        ("labels.kitchn=[x]", "labels has no setting 'kitchn'; did you mean 'kitchen'? ("),
         ("fps=0", "fps=0: it must be greater than 0"),
         ("fps", "the override 'fps' has no value"),
         ("visits=[2,1]", "visits=[2, 1]: the first must not be larger than the second"),
