@@ -243,6 +243,7 @@ def test_panoramas_in_no_frame_are_told(folder, capsys):
     missing = [f"Home1/{grey}.jpg" for _, grey in rooms[2:]]
     assert f"7 of 9 panoramas are in no frame: {', '.join(missing[:5])}, ...\n" in said
     card = (folder / "homes/README.md").read_text()
+    assert "\n1 home, " in card
     lines = "".join(f"- `{one}`\n" for one in missing)
     assert f"\n7 of 9 panoramas are in no frame:\n\n{lines}\n## What it is not\n" in card
     shutil.rmtree(folder / "homes")
