@@ -38,9 +38,18 @@ def test_the_data_set_is_one_override(composed):
 @pytest.mark.parametrize(
     ("override", "message"),
     [
-        ("cues.gist.classifier.base.gama=1", "gama"),
-        ("dataset=nowhere", "nowhere"),
+        (
+            "cues.gist.classifier.base.gama=1",
+            r"cues\.gist\.classifier\.base has no setting 'gama'; did you mean",
+        ),
+        (
+            "dataset=home",
+            r"dataset has no 'home'; did you mean 'homes'\? \(there are: apartments, .*vpc2009\)$",
+        ),
+        ("classifier@cues.gist.classifier=kn", r"classifier has no 'kn'; did you mean 'knn'\? \(there are: "),
+        ("dataste=homes", r"conf/ has no setting 'dataste'; did you mean 'dataset'\? \(valid: dataset, "),
         ("attention=1", "attention"),
+        ("cues.gist.classifier.base.nu.x=1", r"Could not override 'cues\.gist\.classifier\.base\.nu\.x'\.$"),
         ("dataset=my_homes", r"dataset\.root has no value"),
     ],
 )

@@ -2,6 +2,7 @@
 
 import hashlib
 import os
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -9,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 import yaml
 
 from placecat import files, inferred, paths, settings
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, did_you_mean
 from placecat.overrides import check as check_overrides
+from placecat.overrides import unknown_setting
 from placecat.runs import lock
 
 if TYPE_CHECKING:
@@ -85,9 +87,9 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
     try:
         try:
             content = defaults.merge(conf, choices)
-            config = _by_hydra(values, content) if values else OmegaConf.create(content)
+            config = _by_hydra(values, content, f"{conf}/") if values else OmegaConf.create(content)
         except defaults.Unusual:
-            config = _by_hydra(overrides, conf)
+            config = _by_hydra(overrides, conf, f"{conf}/")
         text: str = OmegaConf.to_yaml(config, resolve=True)
         # A quick test first, since the search is slow.
         missing = sorted(OmegaConf.missing_keys(config)) if "???" in text else []
@@ -98,7 +100,7 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
     return text
 
 
-def overridden(content: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any]:
+def overridden(content: dict[str, Any], overrides: Sequence[str], where: str) -> dict[str, Any]:
     """Apply Hydra overrides to settings that are no part of params.yaml.
 
     Parameters
@@ -107,6 +109,8 @@ def overridden(content: dict[str, Any], overrides: Sequence[str]) -> dict[str, A
         The settings, as plain containers.
     overrides
         E.g. ``fps=10.0``.
+    where
+        Their file, for messages.
 
     Raises
     ------
@@ -118,18 +122,18 @@ def overridden(content: dict[str, Any], overrides: Sequence[str]) -> dict[str, A
 
     check_overrides(overrides)
     try:
-        result: dict[str, Any] = OmegaConf.to_container(_by_hydra(overrides, content), resolve=True)  # type: ignore[assignment]
+        result: dict[str, Any] = OmegaConf.to_container(_by_hydra(overrides, content, where), resolve=True)  # type: ignore[assignment]
     except OmegaConfBaseException as error:
         raise _refusal(error) from None
     return result
 
 
-def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any]) -> "DictConfig":
-    """Apply overrides with Hydra, to merged settings or to a folder with config.yaml."""
+def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any], where: str) -> "DictConfig":
+    """Apply overrides with Hydra, to merged settings or to a folder with config.yaml, from `where`."""
     from hydra import compose as hydra_compose
     from hydra import initialize, initialize_config_dir
     from hydra.core.config_store import ConfigStore
-    from hydra.errors import HydraException
+    from hydra.errors import HydraException, MissingConfigException
 
     try:
         if isinstance(source, Path):
@@ -138,15 +142,25 @@ def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any]) -> "DictC
         ConfigStore.instance().store("merged", source)
         with initialize(version_base=None):
             return hydra_compose("merged", overrides=list(overrides))
+    except MissingConfigException as error:
+        if error.missing_cfg_file is None or error.options is None:
+            raise _refusal(error) from None
+        group, _, name = error.missing_cfg_file.rpartition("/")
+        question = did_you_mean(name, error.options)
+        there = ", ".join(error.options)
+        raise _refusal(f"{where}{group} has no {name!r}{question} (there are: {there})") from None
     except (HydraException, yaml.YAMLError) as error:
-        raise _refusal(error) from None
+        unknown = unknown_setting(overrides, source, where) if isinstance(source, dict) else None
+        raise _refusal(unknown or error) from None
     except ValueError as error:
         # Hydra does not name the override.
         raise PlacecatError(f"the settings cannot be composed from {' '.join(overrides)}: {error}") from None
 
 
-def _refusal(error: Exception) -> PlacecatError:
-    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+def _refusal(error: Exception | str) -> PlacecatError:
+    # Hydra's folders and its advice on any unknown setting help nobody.
+    text = re.split("Config search path:|To append to your config", str(error))[0]
+    lines = [line.strip() for line in text.splitlines() if line.strip()]
     return PlacecatError(f"the settings cannot be composed: {' '.join(lines)}")
 
 

@@ -28,4 +28,4 @@ def read(path: Path, names: Sequence[str], overrides: Sequence[str] = ()) -> dic
     settings.refuse_unknown(content, list(names), str(path))
     for name in names:
         settings.get(content, name)
-    return overridden(content, overrides) if overrides else content
+    return overridden(content, overrides, str(path)) if overrides else content

@@ -2,9 +2,10 @@
 
 import re
 import shlex
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, did_you_mean
 
 # Text that a shell leaves unchanged in double quotes.
 _PLAIN_IN_QUOTES = re.compile(r"[^\"$`\\!]*")
@@ -39,6 +40,54 @@ def check(overrides: Sequence[str], *, several: bool = False) -> None:
         right = _quoted(override)
         hint = _how(right, several) if right else "put it between quotes"
         raise PlacecatError(f"Hydra cannot read the value {value!r} of {name} without quotes: {hint}")
+
+
+def unknown_setting(overrides: Sequence[str], content: Mapping[str, Any], where: str) -> str | None:
+    """Name the first setting that overrides change and that is not there, and those that are.
+
+    Parameters
+    ----------
+    overrides
+        In Hydra's grammar.
+    content
+        The settings.
+    where
+        Their file or folder.
+
+    Returns
+    -------
+    str or None
+        The message; None if all of them are there.
+
+    Examples
+    --------
+    >>> content = {"fps": 5.0, "size": {"width": 1, "height": 2}}
+    >>> unknown_setting(["size.widht=3"], content, "conf/a.yaml")
+    "size has no setting 'widht'; did you mean 'width'? (valid: width, height)"
+    >>> unknown_setting(["fsp=3"], content, "conf/a.yaml")
+    "conf/a.yaml has no setting 'fsp'; did you mean 'fps'? (valid: fps, size)"
+    >>> unknown_setting(["+size.depth=3"], content, "conf/a.yaml")
+    """
+    from hydra.core.override_parser.overrides_parser import OverridesParser
+
+    for override in OverridesParser.create().parse_overrides(list(overrides)):
+        if override.is_add() or override.is_force_add():
+            continue
+        section: Any = content
+        path = str(override.key_or_group).split(".")
+        for depth, name in enumerate(path):
+            # The rest is a reference or a list.
+            if not isinstance(section, Mapping):
+                break
+            if name not in section:
+                place = ".".join(path[:depth]) or where
+                question = did_you_mean(name, map(str, section))
+                if not question and depth == len(path) - 1 and depth:
+                    question = f"; a new one needs a plus, +{override.input_line}"
+                valid = ", ".join(map(str, section))
+                return f"{place} has no setting {name!r}{question} (valid: {valid or 'none'})"
+            section = section[name]
+    return None
 
 
 def text(value: str) -> str:

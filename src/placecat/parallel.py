@@ -34,6 +34,7 @@ def stream(
     tasks: Sequence[tuple[Any, ...]],
     description: str,
     *,
+    unit: str = "tasks",
     n_jobs: int | None = None,
     locally: bool = False,
 ) -> Iterator[Any]:
@@ -50,6 +51,8 @@ def stream(
         Arguments of each call.
     description
         Of the progress line.
+    unit
+        Name of the tasks on that line, in the plural.
     n_jobs
         Processes on this machine, by default :func:`workers`.
     locally
@@ -67,7 +70,7 @@ def stream(
         jobs = min(n_jobs or compute.local_workers(), max(len(tasks), 1))
         calls = (delayed(_in_worker)(os.getpid(), function, task) for task in tasks)
         results = _explained(Parallel(n_jobs=jobs, return_as="generator")(calls), description, jobs)
-    return iter(Progress(results, description=description, total=len(tasks), unit="tasks"))
+    return iter(Progress(results, description=description, total=len(tasks), unit=unit))
 
 
 def _explained(results: Iterator[Any], description: str, jobs: int) -> Iterator[Any]:

@@ -32,12 +32,12 @@ SMALL = ["width=32", "height=18", "fps=0.5"]
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """The project's settings, and a source of three homes, each picture of a grey of its own."""
+    """The project's settings, and a source of four homes, each picture of a grey of its own."""
     (tmp_path / "conf/dataset").mkdir(parents=True)
     for name in ("panoramas.yaml", "dataset/my_homes.yaml"):
         shutil.copy(ROOT / "conf" / name, tmp_path / "conf" / name)
     rows = []
-    for home in ("Home1", "Home2", "Home3"):
+    for home in ("Home1", "Home2", "Home3", "Home4"):
         for number, room in enumerate(ROOMS * 2):
             grey = 20 + 16 * number
             floor = 1 if number < len(ROOMS) else 2
@@ -72,7 +72,7 @@ def test_every_frame_has_the_label_of_its_panorama(folder, capsys):
     assert re.search(r"Home1: \d+ frames, \d+ stays, 2 floors", said)
     command = re.search(r'make repro SET="(.*)"', said)[1]
     settings = yaml.safe_load(compose(shlex.split(command), ROOT / "conf"))["dataset"]
-    assert settings["homes"] == ["Home1", "Home2", "Home3"]
+    assert settings["homes"] == ["Home1", "Home2", "Home3", "Home4"]
     assert settings["fps"] == 0.5
     # What the stage sequences does.
     list_homes(settings, folder / "data/sequences", "dataset")
@@ -92,8 +92,8 @@ def test_every_frame_has_the_label_of_its_panorama(folder, capsys):
         assert [f"{home}/{20 + 16 * number}.jpg" for number in numbers] == shown.tolist()
     card = (folder / "homes/README.md").read_text()
     total = len(list((folder / "homes").rglob("*.jpg")))
-    assert f"3 homes, {total} frames of 32x18 pixels, 0.5 frames/s" in card
-    assert "from 42 panoramas of the folder `source`" in card
+    assert f"4 homes, {total} frames of 32x18 pixels, 0.5 frames/s" in card
+    assert "from 56 panoramas of the folder `source`" in card
     kitchen = sum(path.read_text().count("kitchen") for path in (folder / "homes").glob("*/label.txt"))
     columns = [line.split(" | ") for line in card.splitlines() if line.startswith("| ")]
     place = columns[0].index("kitchen")
@@ -190,7 +190,12 @@ def test_a_face_that_is_no_square_is_named(folder):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ("widht=32", "widht"),
+        (
+            "widht=32",
+            "conf/panoramas.yaml has no setting 'widht'; did you mean 'width'? (valid: source, table, homes",
+        ),
+        ("labels.larder=[x]", "labels has no setting 'larder'; a new one needs a plus, +labels.larder=[x] ("),
+        ("labels.kitchn=[x]", "labels has no setting 'kitchn'; did you mean 'kitchen'? ("),
         ("fps=0", "fps=0: it must be greater than 0"),
         ("fps", "the override 'fps' has no value"),
         ("visits=[2,1]", "visits=[2, 1]: the first must not be larger than the second"),
@@ -218,7 +223,33 @@ def test_a_home_without_a_class_and_too_few_homes_are_told(folder, capsys):
     said = capsys.readouterr().out
     assert "Home3 lacks bathroom.\n" in said
     assert "At least four homes are needed" in said
+    assert "repro" not in said
+    shutil.rmtree(folder / "homes")
+    run()
+    said = capsys.readouterr().out
+    assert "At least" not in said
     assert said.rstrip().endswith('dataset.fps=0.5 dataset.require_all_classes=false"')
+
+
+def test_panoramas_in_no_frame_are_told(folder, capsys):
+    rooms = [("hall", 20), *[("kitchen", 36 + 16 * number) for number in range(8)]]
+    table = "".join(f"Home1,Home1/{grey}.jpg,{room}\n" for room, grey in rooms)
+    (folder / "source/rooms.csv").write_text(f"home,file,room\n{table}")
+    run("visits=[1,1]", "longest_look=1000")
+    said = capsys.readouterr().out
+    assert re.search(r"^Home1: \d+ frames, 2 stays, 1 floor$", said, re.MULTILINE)
+    shown = set(pd.read_csv(folder / "homes/Home1/looks.csv")["panorama"])
+    assert shown == {"Home1/20.jpg", "Home1/36.jpg"}
+    missing = [f"Home1/{grey}.jpg" for _, grey in rooms[2:]]
+    assert f"7 of 9 panoramas are in no frame: {', '.join(missing[:5])}, ...\n" in said
+    card = (folder / "homes/README.md").read_text()
+    assert "\n1 home, " in card
+    lines = "".join(f"- `{one}`\n" for one in missing)
+    assert f"\n7 of 9 panoramas are in no frame:\n\n{lines}\n## What it is not\n" in card
+    shutil.rmtree(folder / "homes")
+    run("visits=[4,4]", "longest_look=1", "fps=5.0")
+    assert "in no frame" not in capsys.readouterr().out
+    assert "in no frame" not in (folder / "homes/README.md").read_text()
 
 
 def test_odd_names_of_homes_reach_the_next_command_whole(folder, capsys):
@@ -235,7 +266,7 @@ def test_odd_names_of_homes_reach_the_next_command_whole(folder, capsys):
         ["sh", "-c", f'printf "%s\\n" {command}'], capture_output=True, text=True, check=True
     ).stdout.splitlines()[2:]
     values = {one.key_or_group: one.value() for one in OverridesParser.create().parse_overrides(words)}
-    assert values["dataset.homes"] == ["Flat A", "$HOME 007", "12"]
+    assert values["dataset.homes"] == ["Flat A", "$HOME 007", "12", "Home4"]
 
 
 @pytest.mark.slow

@@ -2,6 +2,7 @@
 
 import json
 import re
+import shlex
 import shutil
 
 import numpy as np
@@ -18,7 +19,7 @@ TABLE = "home,floor,file,room\nflat,1,a.jpg,Living Room\nflat,2,b/c.jpg,bedroom 
 @pytest.fixture
 def table(tmp_path):
     """A source with a table, and what reads it after a change of its text."""
-    for name in ("a.jpg", "b/c.jpg", "d.jpg"):
+    for name in ("a.jpg", "b/c.jpg", "d.jpg", "e.jpg"):
         write(tmp_path / name, PICTURE)
 
     def read(text=TABLE, *changes):
@@ -58,7 +59,7 @@ def test_a_table_names_home_floor_room_and_label(table, tmp_path):
         (
             "bedroom 2",
             "bedrom 2",
-            "rooms.csv line 3: unknown room 'bedrom 2'; did you mean 'bedroom'?; correct it",
+            "rooms.csv line 3: unknown room 'bedrom 2'; did you mean 'bedroom'? Correct it, or add",
         ),
         ("b/c.jpg", "b/x.jpg", "b/x.jpg: the picture is missing (.*rooms.csv line 3)"),
         ("b/c.jpg", "../c.jpg", "rooms.csv line 3: '../c.jpg' is no path below"),
@@ -73,6 +74,17 @@ def test_a_mistake_in_the_table_is_named_with_its_line(table, old, new, message)
     with pytest.raises(PlacecatError, match=pattern) as caught:
         table(TABLE.replace(old, new))
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("room", ["Ballroom 2", "my good, room", "o'hara's"])
+@pytest.mark.parametrize("changes", [[], ["labels.living_room=[walk-in salon,lounge]"]])
+def test_the_override_that_a_refused_room_names_adds_it(table, room, changes):
+    text = TABLE.replace("bedroom 2", f'"{room}"')
+    with pytest.raises(PlacecatError, match="unknown room") as caught:
+        table(text, *changes)
+    (override,) = shlex.split(str(caught.value).partition("e.g. ")[2])
+    found = table(text + "flat,1,e.jpg,lounge\n" if changes else text, override)
+    assert found[1].label == "living_room"
 
 
 def test_a_source_without_its_folder_or_table_is_refused(table, tmp_path):
@@ -102,7 +114,9 @@ def test_a_cube_has_six_pictures_named_by_settings(tmp_path):
     (only,) = sources.read(tmp_path, settings("source=cubes"))
     assert only.files == tuple(f"FACE_{letter}.jpg" for letter in "frblud")
     changes = ["source=cubes", "cubes.file=tiles/FACE/FILE.jpg", "cubes.faces.up=top"]
-    with pytest.raises(PlacecatError, match=r"tiles/f/FACE\.jpg: the picture is missing"):
+    with pytest.raises(
+        PlacecatError, match=r"tiles/f/FACE\.jpg: the picture is missing .*cubes\.file=tiles/FACE/FILE\.jpg"
+    ):
         sources.read(tmp_path, settings(*changes))
     for folder in ("f", "r", "b", "l", "top", "d"):
         write(tmp_path / f"tiles/{folder}/FACE.jpg", PICTURE)

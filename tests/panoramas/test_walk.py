@@ -64,6 +64,17 @@ def test_a_floor_of_one_room_or_of_ways_alone_is_walked_as_well():
     assert {part.room for part in walked(0, [ROOMS[1], ROOMS[4]])} == {0, 1}
 
 
+@pytest.mark.parametrize("ways", range(5))
+@pytest.mark.parametrize("others", range(3))
+def test_every_way_is_seen_however_few_other_rooms_there_are(ways, others):
+    rooms = [Room("corridor", (one,)) for one in range(ways)]
+    rooms += [Room("kitchen", (ways + one,)) for one in range(others)]
+    for number in range(20 if rooms else 0):
+        order = [room for room, _ in stays(walked(number, rooms, visits=[1, 2]))]
+        assert set(order) == set(range(len(rooms)))
+        assert all(one != other for one, other in pairwise(order))
+
+
 def test_the_panoramas_of_a_room_take_turns():
     parts = [part for number in range(5) for part in walked(number, longest_look=1.0, visits=[3, 3])]
     for room, own in stays(parts):

@@ -8,19 +8,27 @@ import yaml
 from placecat import __version__
 from placecat.errors import one_line
 from placecat.panoramas.labels import counts
-from placecat.panoramas.plan import Look, seed
+from placecat.panoramas.panorama import Panorama
+from placecat.panoramas.plan import Look, seed, unseen
 from placecat.templates import environment
 
 FILE = "README.md"
 
 
-def card(plans: Mapping[str, Mapping[str, Sequence[Look]]], settings: Mapping[str, Any], folder: str) -> str:
+def card(
+    plans: Mapping[str, Mapping[str, Sequence[Look]]],
+    panoramas: Sequence[Panorama],
+    settings: Mapping[str, Any],
+    folder: str,
+) -> str:
     """Write the card.
 
     Parameters
     ----------
     plans
         Home to floor to looks.
+    panoramas
+        All of the source, whether a frame shows them or not.
     settings
         Those of conf/panoramas.yaml.
     folder
@@ -33,7 +41,8 @@ def card(plans: Mapping[str, Mapping[str, Sequence[Look]]], settings: Mapping[st
         .get_template("card.md.j2")
         .render(
             version=__version__,
-            panoramas=len({look.panorama for look in looks}),
+            panoramas=len(panoramas),
+            unseen=[_plain(one.files[0]) for one in unseen(panoramas, plans)],
             folder=_plain(folder),
             frames=sum(len(look.path) for look in looks),
             counts=by_home,

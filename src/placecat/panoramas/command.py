@@ -9,7 +9,8 @@ from placecat import conf_file, files, overrides, parallel, paths, schema
 from placecat.errors import PlacecatError, one_line
 from placecat.panoramas import card, sources
 from placecat.panoramas.labels import counts, label_file, looks_table
-from placecat.panoramas.plan import Look, plan
+from placecat.panoramas.panorama import Panorama
+from placecat.panoramas.plan import Look, plan, unseen
 from placecat.panoramas.render import render
 from placecat.schema.panoramas import Panoramas
 from placecat.sequences.vpc2009 import LABEL_FILE
@@ -19,6 +20,8 @@ SETTINGS = paths.CONF / "panoramas.yaml"
 LOOKS = "looks.csv"
 # The data set that reads what is written.
 DATASET = "my_homes"
+# Panoramas in no frame that are named on the terminal; the card names all.
+_NAMED = 5
 
 Plans = Mapping[str, Mapping[str, Sequence[Look]]]
 
@@ -70,10 +73,10 @@ def import_command(source: Path, destination: Path, changes: Sequence[str]) -> i
         for home, floors in plans.items():
             files.write_text(temporary / home / LABEL_FILE, label_file(floors))
             files.write_csv(temporary / home / LOOKS, looks_table(floors))
-        files.write_text(temporary / card.FILE, card.card(plans, settings, source.resolve().name))
+        files.write_text(temporary / card.FILE, card.card(plans, panoramas, settings, source.resolve().name))
         # It may have come meanwhile.
         _refuse_existing(destination)
-    _print(destination, plans, classes, settings)
+    _print(destination, plans, classes, settings, panoramas)
     return 0
 
 
@@ -98,27 +101,44 @@ def _write_frames(folder: Path, source: Path, plans: Plans, settings: Mapping[st
         (tuple(source / file for file in look.panorama.files), look.panorama.origin, look.path, *options)
         for _, look in looks
     ]
-    rendered = parallel.stream(render, tasks, "panoramas", locally=True)
+    rendered = parallel.stream(render, tasks, "panoramas", unit="looks", locally=True)
     for (place, look), frames in zip(looks, rendered, strict=True):
         for number, frame in enumerate(frames, start=look.first):
             (place / f"{number:08d}.jpg").write_bytes(frame)
 
 
-def _print(destination: Path, plans: Plans, classes: Sequence[str], settings: Mapping[str, Any]) -> None:
+def _print(
+    destination: Path,
+    plans: Plans,
+    classes: Sequence[str],
+    settings: Mapping[str, Any],
+    panoramas: Sequence[Panorama],
+) -> None:
     lacking = {}
     for home, floors in plans.items():
         by_label = counts(floors)
         frames, stays = (sum(column) for column in zip(*by_label.values(), strict=True))
-        print(f"{one_line(home)}: {frames} frames, {stays} stays, {len(floors)} floors")
+        sizes = [_number(frames, "frame"), _number(stays, "stay"), _number(len(floors), "floor")]
+        print(f"{one_line(home)}: {', '.join(sizes)}")
         if absent := [name for name in classes if name not in by_label]:
             lacking[home] = absent
     for home, absent in lacking.items():
         print(f"{one_line(home)} lacks {', '.join(absent)}.")
+    if absent := [one_line(one.files[0]) for one in unseen(panoramas, plans)]:
+        some = ", ".join(absent[:_NAMED]) + (", ..." if len(absent) > _NAMED else "")
+        verb = "is" if len(absent) == 1 else "are"
+        print(f"{len(absent)} of {_number(len(panoramas), 'panorama')} {verb} in no frame: {some}")
+        print("More visits or a smaller longest_look show more of them.")
     print(f"{one_line(destination)}/{card.FILE} says how they were made.")
     # More than two of them train beside the one that is tested and the one that is left out.
     if len(plans) < 4:
-        print("At least four homes are needed to train and test; add some.")
-    print(f"\nNow:\n\n  {_next(destination, list(plans), settings['fps'], is_complete=not lacking)}")
+        print("At least four homes are needed to train and test: add some.")
+    else:
+        print(f"\nNow:\n\n  {_next(destination, list(plans), settings['fps'], is_complete=not lacking)}")
+
+
+def _number(count: int, what: str) -> str:
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"
 
 
 def _next(destination: Path, homes: Sequence[str], fps: float, *, is_complete: bool) -> str:

@@ -68,6 +68,14 @@ def plan(panoramas: Sequence[Panorama], settings: Mapping[str, Any]) -> dict[str
     return floors
 
 
+def unseen(
+    panoramas: Sequence[Panorama], plans: Mapping[str, Mapping[str, Sequence[Look]]]
+) -> list[Panorama]:
+    """Give the panoramas that no look of any home shows, in their order."""
+    shown = {look.panorama for floors in plans.values() for looks in floors.values() for look in looks}
+    return [one for one in panoramas if one not in shown]
+
+
 def seed(home: str, floor: str, number: int) -> int:
     """Give the seed of a walk by the names of home and floor, and its number."""
     return derive("panoramas", home, floor, number)

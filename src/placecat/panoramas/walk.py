@@ -51,7 +51,8 @@ def walk(
 
     Every room is entered once in the first round, in the following ones those that are visited again. No room
     follows itself. Rooms of a label in `ways` are only passed through: one of them lies between any
-    two others.
+    two others. Those that a walk might not come through, since there are too many of them, are entered as
+    the others are.
 
     Parameters
     ----------
@@ -78,9 +79,11 @@ def walk(
         At least one.
     """
     is_way = [room.label in ways for room in rooms]
-    # Where there are only ways, they are what is visited.
-    entered = [number for number, way in enumerate(is_way) if not way] or list(range(len(rooms)))
-    passed = [number for number in range(len(rooms)) if number not in entered]
+    ways_first = sorted(range(len(rooms)), key=lambda number: not is_way[number])
+    # A walk that enters every room once passes one way fewer: the ways beyond that are entered, too.
+    surplus = max(0, -(-(2 * sum(is_way) - len(rooms) + 1) // 2))
+    entered = sorted(ways_first[:surplus] + ways_first[sum(is_way) :])
+    passed = ways_first[surplus : sum(is_way)]
     turns = [cycle(room.panoramas) for room in rooms]
     parts = []
     for stay, number in enumerate(_with_ways(_order(entered, visits, rng), passed, rng)):

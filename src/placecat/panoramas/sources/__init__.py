@@ -48,7 +48,7 @@ def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
         for one in panoramas:
             schema.check_value(one.home, _HOME, f"{one.origin}: home")
             schema.check_value(one.room, _ROOM, f"{one.origin}: room")
-            _check_files(root, one)
+            _check_files(root, one, settings)
     _check_names(panoramas)
     return panoramas
 
@@ -63,11 +63,15 @@ def _chosen(panoramas: list[Panorama], homes: list[str] | None) -> list[Panorama
     return [one for one in panoramas if one.home in homes]
 
 
-def _check_files(root: Path, panorama: Panorama) -> None:
+def _check_files(root: Path, panorama: Panorama, settings: Mapping[str, Any]) -> None:
+    hint = ""
+    if len(panorama.files) > 1:
+        pattern = settings["cubes"]["file"]
+        hint = f"; correct file there, or cubes.file={pattern}, which gives the names of the faces"
     for file in panorama.files:
         path = root / file
         if not path.is_file():
-            raise PlacecatError(f"{path}: the picture is missing ({panorama.origin}).")
+            raise PlacecatError(f"{path}: the picture is missing ({panorama.origin}){hint}.")
         if not path.resolve().is_relative_to(root.resolve()):
             raise PlacecatError(f"{path}: a link that leads out of {root} ({panorama.origin}).")
 

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+from placecat import overrides
 from placecat.errors import PlacecatError, did_you_mean
 from placecat.footage.names import relative
 from placecat.panoramas.panorama import Panorama, kind, labels_by_kind
@@ -14,6 +15,8 @@ _NEEDED, _OPTIONAL = ("home", "file", "room"), ("floor",)
 FLOOR = re.compile(r"[A-Za-z0-9_-]{1,50}")
 """A name of a floor, as label files have them."""
 _ONLY_FLOOR = "1"
+# The label that a message names.
+_EXAMPLE = "living_room"
 
 
 def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], list[str]]) -> list[Panorama]:
@@ -65,11 +68,21 @@ def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], l
             )
         label = labels.get(kind(cells["room"]))
         if label is None:
+            question = did_you_mean(kind(cells["room"]), labels) or "."
             raise PlacecatError(
-                f"{where}: unknown room {shown(cells['room'])}{did_you_mean(kind(cells['room']), labels)}; "
-                "correct it, or add it to labels."
+                f"{where}: unknown room {shown(cells['room'])}{question} Correct it, or add it to a label in "
+                f"conf/panoramas.yaml or on the command line, e.g. {_adding(kind(cells['room']), settings)}"
             )
         pictures = tuple(str(relative(file, where)) for file in files(cells["file"]))
         room = "_".join(cells["room"].casefold().split())
         panoramas.append(Panorama(cells["home"], floor, room, label, pictures, where))
     return panoramas
+
+
+def _adding(room: str, settings: Mapping[str, Any]) -> str:
+    """The override that adds a room to a label and keeps what it has."""
+    labels = settings["labels"]
+    label = _EXAMPLE if _EXAMPLE in labels else min(labels, default=_EXAMPLE)
+    names = ",".join(map(overrides.text, [*labels.get(label, []), room]))
+    override = f"labels.{label}=[{names}]"
+    return override if re.fullmatch(r"[\w.=,-]+\[[\w,-]+\]", override) else overrides.for_shell(override)
