@@ -112,7 +112,7 @@ def start(one):
     return process
 
 
-@pytest.mark.parametrize(("count", "kills"), [(12, 2), pytest.param(200, 20, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(("count", "kills"), [(12, 2), pytest.param(60, 8, marks=pytest.mark.slow)])
 def test_a_killed_sweep_goes_on_and_ends_as_if_it_had_not_been(tmp_path, ran, capsys, count, kills):
     whole, one = Sweep(tmp_path / "whole", count), Sweep(tmp_path / "one", count)
     assert not whole.run()
