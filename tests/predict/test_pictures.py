@@ -7,6 +7,7 @@ from matplotlib.colors import to_rgb
 
 from placecat.drawing import palette
 from placecat.drawing.lettering import mask, write
+from placecat.drawing.style import house_style
 from placecat.predict import report, timeline
 from placecat.predict.annotate import Annotator
 from placecat.predict.clock import clock
@@ -108,3 +109,11 @@ def test_letters():
 
 def test_times():
     assert [clock(value) for value in (0, 7.9, 60, 3723)] == ["0:00", "0:07", "1:00", "1:02:03"]
+
+
+def test_a_long_title_stays_in_the_picture():
+    with house_style():
+        figure = timeline.draw(prediction([0, 1]), "home_6: " + "HOG, SIFT, Centrist and Gist, " * 6)
+        FigureCanvasAgg(figure).draw()
+        words = figure._suptitle.get_window_extent()
+        assert words.x1 <= figure.bbox.x1 and words.y0 > figure.axes[0].get_window_extent().y1

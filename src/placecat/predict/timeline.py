@@ -1,5 +1,6 @@
 """A prediction as a picture: places as strips over time, with the confidence below."""
 
+import textwrap
 from collections.abc import Sequence
 
 import numpy as np
@@ -18,6 +19,8 @@ COLUMNS = 2000
 """Moments that a strip shows: about as many as it has pixels."""
 UNLABELLED = "#ffffff"
 WIDTH, HEIGHT, ROW = 6.5, 1.75, 0.3
+LINE = 96
+"""Characters of the title in a line: what fits in most cases."""
 
 
 def draw(prediction: Prediction, title: str, truth: NDArray[np.int16] | None = None) -> Figure:
@@ -44,7 +47,8 @@ def draw(prediction: Prediction, title: str, truth: NDArray[np.int16] | None = N
     for own, (name, places) in zip(axes, strips.items(), strict=False):
         _strip(own, name, places[shown], list(colors.values()), end)
     _confidence(axes[-1], prediction, end)
-    figure.suptitle(palette.written(title), x=0.01, ha="left")
+    lines = [palette.written(line) for line in textwrap.wrap(title, LINE)]
+    figure.suptitle("\n".join(lines), x=0.01, ha="left")
     seen = np.unique(np.concatenate(list(strips.values())))
     handles = [
         Patch(
