@@ -8,12 +8,13 @@ import pytest
 import yaml
 from fake_categorizer import CLASSES, FakeCategorizer, expected
 from helpers_sequences import write_image
+from made_robot_at_home import make
 
 from placecat.__main__ import main
 from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.predict import command
-from placecat.predict.home import data_set
+from placecat.predict.home import DataSetHome, data_set
 from project import ROOT
 
 FLOORS = (12, 18)
@@ -166,3 +167,17 @@ def test_another_data_set_is_chosen_as_repro_does(monkeypatch):
     assert (chosen["layout"], chosen["root"], chosen["homes"]) == ("vpc2009", "far", ["Villa"])
     with pytest.raises(PlacecatError, match="rooot"):
         data_set(["dataset.rooot=far"])
+
+
+def test_a_layout_has_its_own_settings(tmp_path):
+    """Camera, turn and observations reach the layout, as they do in the stage `sequences`."""
+    seen = make(tmp_path / "robot", lambda home, room, number: np.full((6, 8, 3), number % 256, np.uint8))
+    dataset = yaml.safe_load((ROOT / "conf/dataset/robot_at_home.yaml").read_text())
+    chosen = {"root": str(tmp_path / "robot"), "camera": "RGBD_2", "turn": 90, "observations": "all"}
+    source = DataSetHome("alma", dataset | chosen, None)
+    images = [frame.image for frame in source.frames(1)]
+    expected_numbers = [
+        number for number, one in enumerate(seen) if (one.home, one.camera) == ("alma", "RGBD_2")
+    ]
+    assert [int(image[0, 0, 0]) for image in images] == [number % 256 for number in expected_numbers]
+    assert source.size == (6, 8) and {image.shape for image in images} == {(8, 6, 3)}
