@@ -7,11 +7,11 @@ import cv2
 import numpy as np
 import pandas as pd
 import pytest
+from commands import predict, refused
 from fake_categorizer import CLASSES, STAY, FakeCategorizer, expected
 from helpers_sequences import coded, decoded, write_image
 from made_bags import CAMERA, START, STORES, picture, rosbag2, walk
 
-from placecat.__main__ import main
 from placecat.predict import command, mcap_file, rerun_file
 
 COUNT = 30
@@ -27,18 +27,6 @@ def system(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: made)
     return made
-
-
-def predict(*arguments):
-    main(["predict", *map(str, arguments)])
-
-
-def refused(*arguments):
-    with pytest.raises(SystemExit) as caught:
-        predict(*arguments)
-    text = str(caught.value)
-    assert text.startswith("placecat: ") and len(text.splitlines()) == 1, text
-    return text
 
 
 @pytest.mark.parametrize("kind", ["walk.bag", "walk_ros2"])

@@ -7,10 +7,10 @@ import cv2
 import numpy as np
 import pandas as pd
 import pytest
+from commands import predict, refused
 from fake_categorizer import CLASSES, STAY, FakeCategorizer, expected
 from helpers_sequences import WIDTH, coded, write_image, write_video
 
-from placecat.__main__ import main
 from placecat.predict import command
 from placecat.sequences.labels import read_label_csv
 
@@ -27,18 +27,6 @@ def folder(tmp_path, monkeypatch):
     for number in range(COUNT):
         write_image(tmp_path / f"images/frame{number}.png", number)
     return tmp_path
-
-
-def predict(*arguments):
-    main(["predict", *map(str, arguments)])
-
-
-def refused(*arguments):
-    with pytest.raises(SystemExit) as caught:
-        predict(*arguments)
-    text = str(caught.value)
-    assert text.startswith("placecat: ") and len(text.splitlines()) == 1, text
-    return text
 
 
 def frames_of(path):

@@ -6,11 +6,11 @@ import numpy as np
 import pandas as pd
 import pytest
 import yaml
+from commands import predict, refused
 from fake_categorizer import CLASSES, FakeCategorizer, expected
 from helpers_sequences import write_image
 from made_robot_at_home import make
 
-from placecat.__main__ import main
 from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.predict import command
@@ -62,16 +62,6 @@ def system(tmp_path, monkeypatch):
     (tmp_path / "homes/Villa/label.txt").write_text(LABELS)
     (tmp_path / "params.yaml").write_text(yaml.safe_dump({"dataset": DATASET}))
     return made
-
-
-def predict(*arguments):
-    main(["predict", *arguments])
-
-
-def refused(*arguments):
-    with pytest.raises(SystemExit) as caught:
-        predict(*arguments)
-    return str(caught.value)
 
 
 def test_all_floors_have_one_score(system, tmp_path, capsys):

@@ -1,0 +1,18 @@
+"""`placecat predict`, run in this process."""
+
+import pytest
+
+from placecat.__main__ import main
+
+
+def predict(*arguments):
+    main(["predict", *map(str, arguments)])
+
+
+def refused(*arguments):
+    """The one line with which it refuses."""
+    with pytest.raises(SystemExit) as caught:
+        predict(*arguments)
+    text = str(caught.value)
+    assert text.startswith("placecat: ") and len(text.splitlines()) == 1, text
+    return text
