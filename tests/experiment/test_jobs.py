@@ -6,6 +6,7 @@ import signal
 import time
 from types import SimpleNamespace
 
+import psutil
 import pytest
 from hydra.types import RunMode
 from joblib.externals.loky.process_executor import TerminatedWorkerError
@@ -109,7 +110,23 @@ def start(one):
             one.run()
         finally:
             os._exit(1)
+    # Before that its group cannot be killed, as it is not there.
+    while os.getpgid(process) != process:
+        time.sleep(0.001)
     return process
+
+
+def wait_for_workers(group):
+    """Workers may finish a job until they see that the sweep is gone."""
+
+    def is_of_group(process):
+        try:
+            return os.getpgid(process.pid) == group and process.status() != psutil.STATUS_ZOMBIE
+        except (ProcessLookupError, psutil.NoSuchProcess):
+            return False
+
+    while any(map(is_of_group, psutil.process_iter())):
+        time.sleep(0.02)
 
 
 @pytest.mark.parametrize(("count", "kills"), [(12, 2), pytest.param(60, 8, marks=pytest.mark.slow)])
@@ -119,7 +136,7 @@ def test_a_killed_sweep_goes_on_and_ends_as_if_it_had_not_been(tmp_path, ran, ca
     chance = random.Random(count)
     for number in range(kills):
         before, is_started = one.finished(), ran.read_text()
-        wanted = len(before) + chance.randint(0, max(1, (count - 2) * 3 // 4 // kills))
+        wanted = min(count - 2, len(before) + chance.randint(0, max(1, (count - 2) * 3 // 4 // kills)))
         process = start(one)
         end = time.monotonic() + 20
         while len(one.finished()) < wanted and time.monotonic() < end:
@@ -128,6 +145,7 @@ def test_a_killed_sweep_goes_on_and_ends_as_if_it_had_not_been(tmp_path, ran, ca
         by = SIGNALS[number % 3]
         (os.kill if number % 2 else os.killpg)(process, by)
         os.waitpid(process, 0)
+        wait_for_workers(process)
         again = ran.read_text()[len(is_started) :].split()
         assert not before & set(map(int, again))
     before, is_started = one.finished(), ran.read_text()
