@@ -64,15 +64,59 @@ def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.
     >>> print(mutual_information(np.array([[0, 0, 0], [1, 1, 0]]), 2).round(3)[0])
     [0.    0.693 0.   ]
     """
-    n = len(codes)
-    number = np.arange(n + 1, dtype=np.float64)
-    # m log m of every possible count.
-    weighted_log = number * np.log(np.maximum(number, 1))
     if n_values == 2:
-        joint, marginal = _binary_sums(codes, weighted_log)
-    else:
-        joint, marginal = _wide_sums(codes, n_values, weighted_log)
-    information = np.maximum((weighted_log[n] + joint - (marginal[:, None] + marginal)) / n, 0)
+        return binary_information(both_ones(codes), len(codes))
+    weighted_log = _weighted_logs(len(codes))
+    return _information(*_wide_sums(codes, n_values, weighted_log), weighted_log)
+
+
+def both_ones(codes: NDArray[np.integer]) -> NDArray[np.int64]:
+    """Count the samples in which both variables of a pair are 1.
+
+    Parameters
+    ----------
+    codes : ndarray of shape (n, V), 0 or 1
+
+    Returns
+    -------
+    ndarray of shape (V, V), int64
+        The diagonal counts the ones of each variable.
+
+    Examples
+    --------
+    >>> both_ones(np.array([[1, 0], [1, 1]])).tolist()
+    [[2, 1], [1, 1]]
+    """
+    ones = codes.astype(_exact_dtype(len(codes)))
+    # BLAS computes half of a product of an array with itself.
+    return (ones.T @ ones).astype(np.int64)
+
+
+def binary_information(both: NDArray[np.int64], n: int) -> NDArray[np.float64]:
+    """Mutual information of binary variables of `n` samples, as `mutual_information`, from `both_ones`."""
+    weighted_log = _weighted_logs(n)
+    ones = np.diagonal(both)
+    first_only = ones[:, None] - both
+    only_logs = weighted_log[first_only]
+    # Grouped so that the sum of a pair does not depend on its order.
+    joint = (weighted_log[both] + weighted_log[n - ones - first_only]) + (only_logs + only_logs.T)
+    return _information(joint, weighted_log[ones] + weighted_log[n - ones], weighted_log)
+
+
+def _weighted_logs(n: int) -> NDArray[np.float64]:
+    """m log m of every count up to `n`."""
+    number = np.arange(n + 1, dtype=np.float64)
+    return number * np.log(np.maximum(number, 1))
+
+
+def _information(
+    joint: NDArray[np.float64], marginal: NDArray[np.float64], weighted_log: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Mutual information from the sums of m log m over the cells of each pair and each variable."""
+    information = weighted_log[-1] + joint
+    information -= marginal[:, None] + marginal
+    information /= len(weighted_log) - 1
+    np.maximum(information, 0, out=information)
     np.fill_diagonal(information, 0)
     return information
 
@@ -115,25 +159,10 @@ def maximum_spanning_tree(weights: NDArray[np.float64], root: int) -> NDArray[np
     return parents
 
 
-def _binary_sums(
-    codes: NDArray[np.integer], weighted_log: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Sum m log m over the cells of each pair, and over the values of each variable."""
-    both = _exact_product(codes.T, codes)
-    ones = np.diagonal(both)
-    first_only = ones[:, None] - both
-    neither = len(codes) - ones - first_only
-    # Grouped so that the sum of a pair does not depend on its order.
-    joint = (weighted_log[both] + weighted_log[neither]) + (
-        weighted_log[first_only] + weighted_log[first_only.T]
-    )
-    return joint, weighted_log[ones] + weighted_log[len(codes) - ones]
-
-
 def _wide_sums(
     codes: NDArray[np.integer], n_values: int, weighted_log: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Like `_binary_sums`, for any number of values."""
+    """Sum m log m over the cells of each pair, and over the values of each variable."""
     columns = np.ascontiguousarray(codes.T, dtype=np.int64)
     if n_values * n_values <= CELLS_PER_SAMPLE * len(codes):
         joint = _joint_by_tables(columns, n_values, weighted_log)
@@ -205,5 +234,9 @@ def run_lengths(values: NDArray[np.integer]) -> tuple[NDArray[np.integer], NDArr
 
 def _exact_product(left: NDArray[np.generic], right: NDArray[np.generic]) -> NDArray[np.int64]:
     """Matrix product of zeros and ones, exact in any order of summation."""
-    dtype = np.float32 if left.shape[1] < _EXACT_FLOAT32 else np.float64
+    dtype = _exact_dtype(left.shape[1])
     return (left.astype(dtype) @ right.astype(dtype)).astype(np.int64)
+
+
+def _exact_dtype(n: int) -> type[np.floating]:
+    return np.float32 if n < _EXACT_FLOAT32 else np.float64

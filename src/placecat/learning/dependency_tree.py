@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 from placecat.learning.contingency import (
     CELLS_PER_SAMPLE,
+    binary_information,
+    both_ones,
     count_into,
     maximum_spanning_tree,
     mutual_information,
@@ -87,24 +89,45 @@ class DependencyTree(DiscreteBayes):
         if not 0 <= self.root < self.n_features_in_:
             raise PlacecatError(f"root={self.root} is not a variable: use 0 to {self.n_features_in_ - 1}")
         n_classes, n_values = len(self.classes_), self.n_values_
+        self._is_dense = n_classes * self.n_features_in_ * n_values**2 <= _DENSE_CELLS
+        self._pair_keys: list[NDArray[np.integer]] = []
+        self._pair_logs: list[NDArray[np.float64]] = []
         members = [codes[labels == label] for label in range(n_classes)]
-        self.parents_ = np.array(
-            [maximum_spanning_tree(mutual_information(part, n_values), self.root) for part in members]
-        )
-        counts = value_counts(codes, labels, n_classes, n_values)
+        if n_values == 2 and self._is_dense:
+            counts = self._fit_binary(members)
+        else:
+            self.parents_ = np.array(
+                [maximum_spanning_tree(mutual_information(part, n_values), self.root) for part in members]
+            )
+            counts = value_counts(codes, labels, n_classes, n_values)
+            self._fit_pairs(members)
         parent_counts = np.take_along_axis(counts, self.parents_[:, :, None].astype(np.intp), axis=1)
         # The root's parent is a constant with the value 0.
         parent_counts[:, self.root, 0] = self.class_count_
         self._log_parents = np.log(parent_counts + self.alpha * n_values)
-        self._fit_pairs(members)
+
+    def _fit_binary(self, members: list[NDArray[np.integer]]) -> NDArray[np.int64]:
+        """Fit tree and tables by one product a class; gives the counts of values (n_classes, V, 2)."""
+        parents, counts = [], []
+        for part in members:
+            both, n = both_ones(part), len(part)
+            tree = maximum_spanning_tree(binary_information(both, n), self.root)
+            ones = np.diagonal(both)
+            with_parent = both[np.arange(len(tree)), tree]
+            parent_ones = ones[tree]
+            with_parent[self.root] = parent_ones[self.root] = 0
+            only, parent_only = ones - with_parent, parent_ones - with_parent
+            cells = np.stack([n - ones - parent_only, only, parent_only, with_parent], axis=1)
+            self._pair_logs.append(np.log(np.arange(n + 1) + self.alpha)[cells.ravel()])
+            parents.append(tree)
+            counts.append(np.stack([n - ones, ones], axis=1))
+        self.parents_ = np.array(parents)
+        return np.array(counts)
 
     def _fit_pairs(self, members: list[NDArray[np.integer]]) -> None:
         """Store log(count + alpha) of each (variable, parent value, value), in full or sparsely."""
         table = self.n_values_**2
         n_cells = self.n_features_in_ * table
-        self._is_dense = len(members) * n_cells <= _DENSE_CELLS
-        self._pair_keys: list[NDArray[np.integer]] = []
-        self._pair_logs: list[NDArray[np.float64]] = []
         for label, part in enumerate(members):
             pairs = self._pairs(part, label)[0]
             log_counts = np.log(np.arange(len(part) + 1) + self.alpha)
