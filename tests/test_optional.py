@@ -10,6 +10,7 @@ from made_results import PARAMS, made
 from optional import with_optional
 from placecat import listing, paths, references
 from placecat.cues import estimators
+from placecat.fusion.log_pool import SMALLEST
 from placecat.results.sources import sources
 from placecat.stages import site_sequences
 from placecat.thesis import definitions, layouts
@@ -76,7 +77,8 @@ def test_the_embedding_is_one_more_cue_and_system():
     system = extended["systems"]["das_551_best_embedding"]
     assert system == best | {"title": system["title"], "cues": [*best["cues"], "embedding"]}
     pool = extended["systems"]["pool_551_best_embedding"]
-    assert pool == system | {"title": pool["title"], "integrator": {"method": "log_pool", "shrinkage": 0.03}}
+    integrator = {"method": "log_pool", "shrinkage": 0.03, "smallest": SMALLEST}
+    assert pool == system | {"title": pool["title"], "integrator": integrator}
     assert extended["model"]["system"] == "pool_551_best_embedding"
     assert extended["smoothing"]["cues"] == [*PARAMS["smoothing"]["cues"], "embedding"]
 

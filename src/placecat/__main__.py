@@ -11,6 +11,7 @@ import placecat.stages  # noqa: F401 before NumPy: chooses OpenBLAS's kernels
 from placecat import __version__, footage_commands, paths
 from placecat.compose import write_params
 from placecat.errors import PlacecatError, exiting
+from placecat.footage_commands import Commands, add_command
 from placecat.terminal import Terminal
 
 NOT_AS_KEPT = 3
@@ -40,131 +41,104 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"placecat {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND", title="commands")
-
-    params = commands.add_parser(
-        "params",
-        help="write params.yaml",
-        description="Compose params.yaml, which the stages read, from conf/.",
-    )
-    params.set_defaults(run=_params)
-
-    repro = commands.add_parser(
-        "repro",
-        help="write params.yaml, run what has to run, compare the tables with the kept ones",
-        description="Compose params.yaml from conf/ and run `dvc repro`. Then print Table 26, how long the "
-        "stages took that ran, and how the tables differ from those that git keeps.",
-        epilog=_STATUS,
-    )
-    repro.add_argument("--force", action="store_true", help="run every stage, even if nothing has changed")
-    repro.set_defaults(run=_repro)
-    for command in (params, repro):
-        command.add_argument(
-            "overrides",
-            nargs="*",
-            metavar="OVERRIDE",
-            help="Hydra override of conf/, e.g. dataset=my_homes dataset.root=PATH",
-        )
-
-    mend = commands.add_parser(
-        "mend",
-        help="mend what a killed run left",
-        description="Restore the records of dvc.lock that were cut when a run was killed, and remove its "
-        "temporary files. `placecat repro` begins with it; call it before the next `dvc repro`.",
-    )
-    mend.set_defaults(run=_mend)
-
-    compare = commands.add_parser(
-        "compare",
-        help="compare the tables with the kept ones",
-        description="Say how reports/tables, the numbers of the thesis's text and the verdicts on its "
-        "findings differ from those that git keeps. Runs nothing.",
-        epilog=_STATUS,
-    )
-    sides = "anything git takes, or a folder that holds params.yaml and reports/"
-    compare.add_argument(
-        "old", nargs="?", default="HEAD", metavar="REVISION", help=f"{sides}; HEAD by default"
-    )
-    compare.add_argument(
-        "new",
-        nargs="?",
-        default="",
-        metavar="OTHER",
-        help=f"what to compare with it, {sides}; this folder by default",
-    )
-    compare.add_argument(
-        "--html",
-        type=Path,
-        metavar="FILE",
-        help="write tables, figures, verdicts and settings side by side, as a page",
-    )
-    compare.set_defaults(run=lambda options: _compare(options.old, options.new, options.html))
-
-    times = commands.add_parser(
-        "times",
-        help="print how long the last complete run took",
-        description="Print how long the stages took in the last `placecat repro` that ran all of them.",
-    )
-    times.add_argument(
-        "--keep",
-        action="store_true",
-        help=f"copy them to {paths.KEPT_TIMES} and {paths.KEPT_TIMES_FACTS}, which git keeps",
-    )
-    times.set_defaults(run=_times)
-    _add_explain(commands)
-    demo = commands.add_parser(
-        "demo",
-        help="the first minute: train on a few frames of five homes, walk through the sixth",
-        description="Train the five-cue system on every 10th frame of five of the homes that come with the "
-        "project, and name the places of a walk through the sixth. Writes a timeline, an annotated clip and "
-        "a page with both to predictions/demo. Needs no `placecat repro` before.",
-    )
-    demo.set_defaults(run=_demo)
+    _add_pipeline(commands)
+    _add_results(commands)
     footage_commands.add(commands)
-    _add_worker(commands)
+    worker = add_command(
+        commands,
+        "worker",
+        _worker,
+        "start worker processes of a Dask cluster (compute=dask)",
+        "Start `dask worker` with settings that give the same bits on every machine: one thread per process, "
+        "common kernels. By default there are as many processes as cores. Ctrl-C ends them.",
+    )
+    address = "of the scheduler (`dask scheduler`), e.g. tcp://10.0.0.1:8786"
+    worker.add_argument("scheduler", metavar="ADDRESS", help=address)
+    further = "further options of `dask worker`, e.g. --nworkers 4 --memory-limit 8GB"
+    worker.add_argument("options", nargs=argparse.REMAINDER, metavar="OPTION", help=further)
     # Hydra parses their arguments.
     commands.add_parser("experiment", help="train and test any descriptor and classifier, or a sweep of them")
     commands.add_parser("search", help="search settings by their accuracy on training homes")
     return parser
 
 
-def _add_explain(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
-    explain = commands.add_parser(
+def _add_pipeline(commands: Commands) -> None:
+    params = add_command(
+        commands,
+        "params",
+        _params,
+        "write params.yaml",
+        "Compose params.yaml, which the stages read, from conf/.",
+    )
+    repro = add_command(
+        commands,
+        "repro",
+        _repro,
+        "write params.yaml, run what has to run, compare the tables with the kept ones",
+        "Compose params.yaml from conf/ and run `dvc repro`. Then print Table 26, how long the stages took "
+        "that ran, and how the tables differ from those that git keeps.",
+        epilog=_STATUS,
+    )
+    repro.add_argument("--force", action="store_true", help="run every stage, even if nothing has changed")
+    override = "Hydra override of conf/, e.g. dataset=my_homes dataset.root=PATH"
+    for command in (params, repro):
+        command.add_argument("overrides", nargs="*", metavar="OVERRIDE", help=override)
+    add_command(
+        commands,
+        "mend",
+        _mend,
+        "mend what a killed run left",
+        "Restore the records of dvc.lock that were cut when a run was killed, and remove its temporary "
+        "files. `placecat repro` begins with it; call it before the next `dvc repro`.",
+    )
+
+
+def _add_results(commands: Commands) -> None:
+    compare = add_command(
+        commands,
+        "compare",
+        lambda options: _compare(options.old, options.new, options.html),
+        "compare the tables with the kept ones",
+        "Say how reports/tables, the numbers of the thesis's text and the verdicts on its findings differ "
+        "from those that git keeps. Runs nothing.",
+        epilog=_STATUS,
+    )
+    sides = "anything git takes, or a folder that holds params.yaml and reports/"
+    revision, other = f"{sides}; HEAD by default", f"what to compare with it, {sides}; this folder by default"
+    compare.add_argument("old", nargs="?", default="HEAD", metavar="REVISION", help=revision)
+    compare.add_argument("new", nargs="?", default="", metavar="OTHER", help=other)
+    page = "write tables, figures, verdicts and settings side by side, as a page"
+    compare.add_argument("--html", type=Path, metavar="FILE", help=page)
+    times = add_command(
+        commands,
+        "times",
+        _times,
+        "print how long the last complete run took",
+        "Print how long the stages took in the last `placecat repro` that ran all of them.",
+    )
+    copied = f"copy them to {paths.KEPT_TIMES} and {paths.KEPT_TIMES_FACTS}, which git keeps"
+    times.add_argument("--keep", action="store_true", help=copied)
+    explain = add_command(
+        commands,
         "explain",
-        help="say where a number comes from",
-        description="Explain a number of a table or of the text: what it measures, and the settings, frames, "
-        "seeds, data, code and stages behind it.",
+        _explain,
+        "say where a number comes from",
+        "Explain a number of a table or of the text: what it measures, and the settings, frames, seeds, "
+        "data, code and stages behind it.",
     )
-    explain.add_argument(
-        "cell",
-        nargs="+",
-        metavar="CELL",
-        help="its number on the page, e.g. table_26.9.3; or its table and labels, e.g. table_26 HMM home_3",
+    cell = "its number on the page, e.g. table_26.9.3; or its table and labels, e.g. table_26 HMM home_3"
+    explain.add_argument("cell", nargs="+", metavar="CELL", help=cell)
+    again = "compute it again from what the stages left, and say whether the bits agree"
+    explain.add_argument("--again", action="store_true", help=again)
+    add_command(
+        commands,
+        "demo",
+        _demo,
+        "the first minute: train on a few frames of five homes, walk through the sixth",
+        "Train the five-cue system on every 10th frame of five of the homes that come with the project, and "
+        "name the places of a walk through the sixth. Writes a timeline, an annotated clip and a page with "
+        "both to predictions/demo. Needs no `placecat repro` before.",
     )
-    explain.add_argument(
-        "--again",
-        action="store_true",
-        help="compute it again from what the stages left, and say whether the bits agree",
-    )
-    explain.set_defaults(run=_explain)
-
-
-def _add_worker(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
-    worker = commands.add_parser(
-        "worker",
-        help="start worker processes of a Dask cluster (compute=dask)",
-        description="Start `dask worker` with settings that give the same bits on every machine: one thread "
-        "per process, common kernels. By default there are as many processes as cores. Ctrl-C ends them.",
-    )
-    worker.add_argument(
-        "scheduler", metavar="ADDRESS", help="of the scheduler (`dask scheduler`), e.g. tcp://10.0.0.1:8786"
-    )
-    worker.add_argument(
-        "options",
-        nargs=argparse.REMAINDER,
-        metavar="OPTION",
-        help="further options of `dask worker`, e.g. --nworkers 4 --memory-limit 8GB",
-    )
-    worker.set_defaults(run=_worker)
 
 
 def _hydra(command: str, arguments: list[str]) -> None:
@@ -191,36 +165,31 @@ def _mend(options: argparse.Namespace) -> int:
 
 
 def _repro(options: argparse.Namespace) -> int:
+    from placecat import repro, times
     from placecat.runs import lock
 
     with lock.alone():
-        return _repro_alone(options)
-
-
-def _repro_alone(options: argparse.Namespace) -> int:
-    from placecat import repro, times
-
-    before = repro.Before()
-    call, start, status = times.new_call(), time.perf_counter(), 1
-    try:
-        write_params(options.overrides)
-        status = repro.run(force=options.force, **{times.CALL: call})
-    finally:
+        before = repro.Before()
+        call, start, status = times.new_call(), time.perf_counter(), 1
+        try:
+            write_params(options.overrides)
+            status = repro.run(force=options.force, **{times.CALL: call})
+        finally:
+            if status:
+                before.restore()
         if status:
-            before.restore()
-    if status:
-        return status
-    seconds = time.perf_counter() - start
-    table = paths.TABLES / "table_26.md"
-    if table.exists():
-        print(f"\n{table.read_text(encoding='utf-8').split('## Published')[0].strip()}\n")
-        print(f"All tables: {paths.TABLES}; the page: {paths.PAGE}; `make ui` opens MLflow.")
-    print(f"\n{_measure(call, seconds)}\n")
-    try:
-        return _compare("HEAD")
-    except PlacecatError as error:
-        print(f"Tables are not compared: {error}.")
-        return 0
+            return status
+        seconds = time.perf_counter() - start
+        table = paths.TABLES / "table_26.md"
+        if table.exists():
+            print(f"\n{table.read_text(encoding='utf-8').split('## Published')[0].strip()}\n")
+            print(f"All tables: {paths.TABLES}; the page: {paths.PAGE}; `make ui` opens MLflow.")
+        print(f"\n{_measure(call, seconds)}\n")
+        try:
+            return _compare("HEAD")
+        except PlacecatError as error:
+            print(f"Tables are not compared: {error}.")
+            return 0
 
 
 def _measure(call: str, seconds: float) -> str:

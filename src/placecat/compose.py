@@ -37,9 +37,8 @@ _COMPOSED = Path("data/params.sha256")
 def found(conf: Path = paths.CONF) -> str:
     """List the files of conf/ that are used without being named, as the content of conf/found.yaml.
 
-    Hydra has no pattern for file names in its defaults, and `dvc exp run` composes only from files. Settings
-    of cues that no file describes (:mod:`placecat.inferred`, whose errors this function raises) come after
-    the files.
+    Hydra's defaults have no pattern for file names, and `dvc exp run` composes only from files. Settings of
+    cues that no file describes (:mod:`placecat.inferred`, whose errors this function raises) come last.
     """
     lines = [
         "# Written by `placecat params`: every file of these folders. Add a file there, not a line here.",
@@ -58,19 +57,10 @@ def found(conf: Path = paths.CONF) -> str:
 
 
 def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
-    """Compose the settings; return the content of params.yaml.
+    """Compose the settings of conf/config.yaml with Hydra overrides; return the content of params.yaml.
 
-    Parameters
-    ----------
-    overrides
-        Hydra overrides, e.g. ``dataset=my_homes``, ``cues.gist.classifier.base.nu=0.1``.
-    conf
-        The folder of conf/config.yaml.
-
-    Raises
-    ------
-    PlacecatError
-        For an override that Hydra cannot read or that names no setting, or a setting without a value.
+    Overrides are e.g. ``dataset=my_homes``, ``cues.gist.classifier.base.nu=0.1``. Raises PlacecatError for
+    one that Hydra cannot read or that names no setting, and for a setting without a value.
     """
     from omegaconf import OmegaConf
     from omegaconf.errors import OmegaConfBaseException
@@ -80,10 +70,14 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
     if not (conf / "config.yaml").is_file():
         raise PlacecatError(f"{conf / 'config.yaml'} is missing: run placecat in the project's folder")
     check_overrides(overrides)
-    named = [override.partition("=") for override in overrides]
-    is_choice = [(conf / name.lstrip("+~").partition("@")[0]).is_dir() for name, _, _ in named]
-    choices = [(name, file) for (name, _, file), this in zip(named, is_choice, strict=True) if this]
-    values = [override for override, this in zip(overrides, is_choice, strict=True) if not this]
+    choices: list[tuple[str, str]] = []
+    values = []
+    for override in overrides:
+        name, _, file = override.partition("=")
+        if (conf / name.lstrip("+~").partition("@")[0]).is_dir():
+            choices.append((name, file))
+        else:
+            values.append(override)
     try:
         try:
             content = defaults.merge(conf, choices)
@@ -101,21 +95,10 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
 
 
 def overridden(content: dict[str, Any], overrides: Sequence[str], where: str) -> dict[str, Any]:
-    """Apply Hydra overrides to settings that are no part of params.yaml.
+    """Apply Hydra overrides, e.g. ``fps=10.0``, to plain settings outside params.yaml.
 
-    Parameters
-    ----------
-    content
-        The settings, as plain containers.
-    overrides
-        E.g. ``fps=10.0``.
-    where
-        Their file, for messages.
-
-    Raises
-    ------
-    PlacecatError
-        An override that Hydra cannot read or that names no setting.
+    `where` is their file, for messages. Raises PlacecatError for an override that Hydra cannot read or that
+    names no setting.
     """
     from omegaconf import OmegaConf
     from omegaconf.errors import OmegaConfBaseException
@@ -168,13 +151,9 @@ def _refusal(error: Exception | str) -> PlacecatError:
 def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> None:
     """Write conf/found.yaml, compose the settings and write them to params.yaml.
 
-    Nothing is composed where it was from the same files and overrides before.
-
-    Raises
-    ------
-    PlacecatError
-        As `found`, `compose`, :func:`placecat.check.check` and :func:`placecat.thesis.checks.check`, or a run
-        that goes on; params.yaml stays as it was.
+    Settings that were composed before, from the same files and overrides, are not composed again. Raises
+    PlacecatError like `found`, `compose`, :func:`placecat.check.check` and
+    :func:`placecat.thesis.checks.check`, or if a run is in progress; params.yaml then stays as it was.
     """
     listing = paths.CONF / "found.yaml"
     if (paths.CONF / "config.yaml").is_file():

@@ -9,20 +9,10 @@ from placecat.compose import overridden
 
 
 def read(path: Path, names: Sequence[str], overrides: Sequence[str] = ()) -> dict[str, Any]:
-    """Read a file that must have exactly these settings.
+    """Read a file that must have exactly the settings `names`, with Hydra overrides such as ``fps=10.0``.
 
-    Parameters
-    ----------
-    path, names
-        The file and its settings.
-    overrides
-        Hydra overrides of them, e.g. ``fps=10.0``.
-
-    Raises
-    ------
-    PlacecatError
-        If it is missing or no YAML, or has an unknown setting or lacks one; for an override that Hydra
-        cannot read or that names no setting.
+    Raises PlacecatError if the file is missing or is not YAML, if it has an unknown setting or lacks one, and
+    for an override that Hydra cannot read or that names no setting.
     """
     content = settings.read_yaml(path, "run this in the project's folder, or restore it from git")
     settings.refuse_unknown(content, list(names), str(path))

@@ -16,16 +16,11 @@ HOLISTIC = {"kind", "name"}
 
 
 def check(descriptor: Mapping[str, Any]) -> None:
-    """Refuse a descriptor of an unknown kind or with an unknown setting.
+    """Refuse a descriptor of an unknown kind or with an unknown setting; the error names the valid ones.
 
-    The PlacecatError names the setting and the valid ones.
-
-    Parameters
-    ----------
-    descriptor
-        ``kind`` (local or holistic) and ``name``; for local ones also ``y_pos``, ``y_weight``, ``color`` (the
-        colour descriptor to append, or None), ``max_regions`` and, for tracked regions, ``tracked: true``, or
-        for those of conf/region_variants the name of a ``variant``.
+    A descriptor has ``kind`` (local or holistic) and ``name``; a local one also has ``y_pos``, ``y_weight``,
+    ``color`` (the colour descriptor to append, or None), ``max_regions`` and, for tracked regions, ``tracked:
+    true``, or for those of conf/region_variants the name of a ``variant``.
     """
     kind, name = descriptor["kind"], descriptor["name"]
     valid = {"local": LOCAL, "holistic": HOLISTIC}.get(kind)
@@ -55,18 +50,11 @@ def assemble(
     height: int,
     modules: Mapping[str, str],
 ) -> Descriptors:
-    """Assemble one descriptor of n frames.
+    """Assemble one descriptor of n frames; more ``max_regions`` than in `arrays` raise PlacecatError.
 
-    Parameters
-    ----------
-    descriptor
-        As for :func:`check`. More ``max_regions`` than in `arrays` raise PlacecatError.
-    arrays
-        Those of :func:`array_names`, each with the n frames as its first axis.
-    height
-        Of the frames, in pixels.
-    modules
-        Region descriptor to its module of `placecat.vision.local`.
+    `descriptor` is as for :func:`check`, `arrays` are those of :func:`array_names` with n as their first
+    axis, `height` is that of the frames in pixels, and `modules` are region descriptors to their modules of
+    `placecat.vision.local`.
     """
     if descriptor["kind"] == "holistic":
         return Descriptors(np.array(arrays[f"holistic_{descriptor['name']}"], np.float32))

@@ -1,7 +1,7 @@
 """conf/ merged along its defaults lists, as Hydra merges it.
 
 Hydra takes seconds for the hundred files of conf/: its time grows with the square of their number. This
-module handles the common cases; rarer ones, and every mistake, are left to Hydra (:class:`Unusual`).
+module handles the common cases and leaves the others, and every mistake, to Hydra (:class:`Unusual`).
 """
 
 from collections.abc import Sequence
@@ -36,23 +36,10 @@ class _Entry(NamedTuple):
 def merge(conf: Path, choices: Sequence[tuple[str, str]] = ()) -> dict[str, Any]:
     """Merge conf/config.yaml with all files that it names, directly or through others.
 
-    Parameters
-    ----------
-    conf
-        The folder of config.yaml.
-    choices
-        Hydra's name of a choice and the file chosen, e.g. ``("dataset", "my_homes")`` or
-        ``("classifier@cues.gist.classifier", "knn")``.
-
-    Returns
-    -------
-    dict
-        Plain containers; references (``${...}``) unresolved.
-
-    Raises
-    ------
-    Unusual
-        E.g. for a missing file, invalid YAML, a choice of nothing, a package in a header, or a list of files.
+    `choices` are Hydra's names of choices and the files chosen, e.g. ``("dataset", "my_homes")`` or
+    ``("classifier@cues.gist.classifier", "knn")``. Returns plain containers, references (``${...}``)
+    unresolved. Raises Unusual, e.g. for a missing file, invalid YAML, a choice of nothing, a package in a
+    header, or a list of files.
     """
     if len(dict(choices)) < len(choices) or not all(file for _, file in choices):
         raise Unusual(str(choices))
@@ -71,14 +58,8 @@ def merge(conf: Path, choices: Sequence[tuple[str, str]] = ()) -> dict[str, Any]
 class _Tree:
     """The files in Hydra's order: the last of a defaults list first.
 
-    Attributes
-    ----------
-    parts
-        Package (a dotted name, "" for the root) and content of each file.
-    choices
-        Choices made, outside or by an ``override`` in a defaults list.
-    seen
-        Names of all choices.
+    `parts` are package (a dotted name, "" for the root) and content of each file, `choices` those made
+    outside or by an ``override`` in a defaults list, and `seen` the names of all choices.
     """
 
     def __init__(self, conf: Path, choices: dict[str, str]) -> None:

@@ -13,7 +13,7 @@ class PlacecatError(ValueError):
     """Bad input or an impossible setting.
 
     Its message is one or two sentences that name the file, line or setting and the remedy. The command line
-    prints the message without a traceback and exits with status 1.
+    prints it without a traceback and exits with status 1.
     """
 
     def __init__(self, message: str) -> None:

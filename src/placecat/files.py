@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 def replacing(target: Path) -> Iterator[Path]:
     """Yield a temporary path beside `target`; rename it if the block succeeds, remove it otherwise.
 
-    The block creates a file or a folder at that path. A file at `target` is replaced, a folder only by a
-    folder. Raises PlacecatError like :func:`check_target`, if a file would replace a folder, or e.g. if the
-    disk is full.
+    The block creates a file or a folder there. A file at `target` is replaced, a folder only by a folder.
+    Raises PlacecatError like :func:`check_target`, if a file would replace a folder, or if e.g. the disk is
+    full.
     """
     target = Path(target)
     check_target(target)
@@ -52,19 +52,13 @@ def replacing(target: Path) -> Iterator[Path]:
 
 
 def check_target(target: Path) -> None:
-    """Refuse a path that must never be replaced.
-
-    Raises PlacecatError if it has no name of its own (``.``, ``..``), or is or contains the current folder.
-    """
+    """Refuse a path without a name of its own (``.``, ``..``), or that is or contains the current folder."""
     if target.name in ("", ".", "..") or Path.cwd().is_relative_to(target.resolve()):
         raise PlacecatError(f"{target} is or contains a folder that is in use: give another name to write to")
 
 
 def check_file(target: Path) -> None:
-    """Refuse to write a file over something else: a folder, a device or a pipe.
-
-    Raises PlacecatError, also like :func:`check_target`.
-    """
+    """Refuse to write a file over a folder, a device or a pipe; errors also as for :func:`check_target`."""
     check_target(target)
     if target.is_dir():
         raise PlacecatError(f"{target} is a folder: give the name of a file to write to")
@@ -73,10 +67,7 @@ def check_file(target: Path) -> None:
 
 
 def check_writable(target: Path) -> None:
-    """Test whether a file can be written, before the work for it.
-
-    Raises PlacecatError like :func:`check_file`, or if the system refuses.
-    """
+    """Test before the work whether its file can be written; raises PlacecatError like :func:`check_file`."""
     check_file(target)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)

@@ -1,156 +1,124 @@
-"""Command line of what takes footage: ``placecat train``, ``predict`` and ``import``."""
+"""The commands ``placecat train``, ``predict`` and ``import``, which take footage."""
 
 import argparse
+from collections.abc import Callable
 from pathlib import Path
+from typing import TypeAlias
 
 from placecat import compute, paths
 
+Commands: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
 
-def add(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+
+def add_command(
+    commands: Commands,
+    name: str,
+    run: Callable[[argparse.Namespace], int],
+    help: str,
+    description: str,
+    epilog: str | None = None,
+) -> argparse.ArgumentParser:
+    """Add a subcommand; `run` takes its options and returns the exit status."""
+    parser = commands.add_parser(name, help=help, description=description, epilog=epilog)
+    parser.set_defaults(run=run)
+    return parser
+
+
+def add(commands: Commands) -> None:
     """Add the subcommands to those of `placecat`."""
     _add_train(commands)
     _add_predict(commands)
     _add_import(commands)
 
 
-def _add_train(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
-    train = commands.add_parser(
+def _add_train(commands: Commands) -> None:
+    train = add_command(
+        commands,
         "train",
-        help="train a system and write it as one file",
-        description="Train a system, from features to smoothing, on the homes that `placecat repro` has "
-        "described, and write it as one file for `placecat predict`. It is trained again without each of "
-        "these homes in turn, to measure for its model card how it does in homes that it has not seen.",
+        _train,
+        "train a system and write it as one file",
+        "Train a system, from features to smoothing, on the homes that `placecat repro` has described, and "
+        "write it as one file for `placecat predict`. It is trained again without each of these homes in "
+        "turn, to measure for its model card how it does in homes that it has not seen.",
     )
-    train.add_argument(
-        "system", nargs="?", metavar="SYSTEM", help="one of conf/system; by default model.system"
-    )
-    train.add_argument(
-        "--without",
-        action="append",
-        default=[],
-        metavar="HOME",
-        help="leave a home out of all training, to judge on it; may be repeated",
-    )
+    system = "one of conf/system; by default model.system"
+    train.add_argument("system", nargs="?", metavar="SYSTEM", help=system)
+    without = "leave a home out of all training, to judge on it; may be repeated"
+    train.add_argument("--without", action="append", default=[], metavar="HOME", help=without)
     train.add_argument("--seed", type=int, help="one of protocol.seeds; by default model.seed")
-    train.add_argument(
-        "--output", type=Path, metavar="FILE", help=f"by default {paths.MODEL}, or a name in {paths.MODELS}"
-    )
-    train.set_defaults(run=_train)
+    output = f"by default {paths.MODEL}, or a name in {paths.MODELS}"
+    train.add_argument("--output", type=Path, metavar="FILE", help=output)
 
 
-def _add_predict(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
-    predict = commands.add_parser(
+def _add_predict(commands: Commands) -> None:
+    predict = add_command(
+        commands,
         "predict",
-        help="apply a trained system to a video, a folder of images, a bag or a camera",
-        description="Name the place of every frame of new footage. Writes a table of frames, a table of "
-        "segments (a label file, once corrected), a timeline and a summary.",
+        _predict,
+        "apply a trained system to a video, a folder of images, a bag or a camera",
+        "Name the place of every frame of new footage. Writes a table of frames, a table of segments (a "
+        "label file, once corrected), a timeline and a summary.",
     )
-    predict.add_argument(
-        "source",
-        metavar="SOURCE",
-        help="a video, a folder of images, a bag of ROS, camera, camera:NUMBER, the address of a stream, or "
-        "home:NAME: a home of the data set, with its floors and labels",
+    source = (
+        "a video, a folder of images, a bag of ROS, camera, camera:NUMBER, the address of a stream, or "
+        "home:NAME: a home of the data set, with its floors and labels"
     )
-    predict.add_argument(
-        "--model", type=Path, default=paths.MODEL, metavar="FILE", help=f"by default {paths.MODEL}"
-    )
-    predict.add_argument(
-        "--output", type=Path, metavar="FOLDER", help="by default predictions/ and the name of the source"
-    )
+    predict.add_argument("source", metavar="SOURCE", help=source)
+    model = f"by default {paths.MODEL}"
+    predict.add_argument("--model", type=Path, default=paths.MODEL, metavar="FILE", help=model)
+    output = "by default predictions/ and the name of the source"
+    predict.add_argument("--output", type=Path, metavar="FOLDER", help=output)
     film = predict.add_mutually_exclusive_group()
-    film.add_argument(
-        "--video",
-        dest="film",
-        action="store_const",
-        const=".mp4",
-        help="also write an annotated video: place, confidence, probabilities, salient regions",
-    )
-    film.add_argument(
-        "--webm",
-        dest="film",
-        action="store_const",
-        const=".webm",
-        help="the same as WebM, which browsers can play; slower",
-    )
-    predict.add_argument(
-        "--resize",
-        action="store_true",
-        help="scale frames to a size that the model knows; frames of another shape are cut to their middle",
-    )
-    predict.add_argument(
-        "--labels", type=Path, metavar="CSV", help="the true places (start,end,label), to compare with"
-    )
-    predict.add_argument(
-        "--set",
-        dest="overrides",
-        action="append",
-        default=[],
-        metavar="OVERRIDE",
-        help="for home:NAME, choose another data set, e.g. dataset=my_homes; may be repeated",
-    )
-    predict.add_argument(
-        "--ignore",
-        action="append",
-        default=[],
-        metavar="LABEL",
-        help="a label in CSV whose frames are not scored, like those of transition; may be repeated",
-    )
-    predict.add_argument(
-        "--every",
-        type=int,
-        default=1,
-        metavar="N",
-        help="take every Nth frame, which is faster; 1 by default",
-    )
-    predict.add_argument(
-        "--seconds", type=float, metavar="S", help="take only the first S seconds; a camera stops then"
-    )
+    mp4 = "also write an annotated video: place, confidence, probabilities, salient regions"
+    film.add_argument("--video", dest="film", action="store_const", const=".mp4", help=mp4)
+    webm = "the same as WebM, which browsers can play; slower"
+    film.add_argument("--webm", dest="film", action="store_const", const=".webm", help=webm)
+    resize = "scale frames to a size that the model knows; frames of another shape are cut to their middle"
+    predict.add_argument("--resize", action="store_true", help=resize)
+    labels = "the true places (start,end,label), to compare with"
+    predict.add_argument("--labels", type=Path, metavar="CSV", help=labels)
+    dataset = "for home:NAME, choose another data set, e.g. dataset=my_homes; may be repeated"
+    several = {"action": "append", "default": []}
+    predict.add_argument("--set", dest="overrides", **several, metavar="OVERRIDE", help=dataset)
+    ignored = "a label in CSV whose frames are not scored, like those of transition; may be repeated"
+    predict.add_argument("--ignore", **several, metavar="LABEL", help=ignored)
+    every = "take every Nth frame, which is faster; 1 by default"
+    predict.add_argument("--every", type=int, default=1, metavar="N", help=every)
+    seconds = "take only the first S seconds; a camera stops then"
+    predict.add_argument("--seconds", type=float, metavar="S", help=seconds)
     predict.add_argument("--fps", type=float, help="frames/s of the footage, if it gives none or a wrong one")
     predict.add_argument(
         "--topic", help="the topic of the pictures in a bag, if several topics have pictures"
     )
-    predict.add_argument(
-        "--mcap",
-        type=Path,
-        metavar="FILE",
-        help="also write annotated pictures and probabilities as ROS 2 messages",
+    mcap = "also write annotated pictures and probabilities as ROS 2 messages"
+    predict.add_argument("--mcap", type=Path, metavar="FILE", help=mcap)
+    rerun = "also write frames, regions and probabilities for Rerun (.rrd)"
+    predict.add_argument("--rerun", type=Path, metavar="FILE", help=rerun)
+    force = (
+        "replace files of --mcap and --rerun, and a prediction of another source or one that was edited: an "
+        "edited table is kept as NAME.edited.csv"
     )
-    predict.add_argument(
-        "--rerun",
-        type=Path,
-        metavar="FILE",
-        help="also write frames, regions and probabilities for Rerun (.rrd)",
-    )
-    predict.add_argument(
-        "--force",
-        action="store_true",
-        help="replace files of --mcap and --rerun, and a prediction of another source or one that was "
-        "edited: an edited table is kept as NAME.edited.csv",
-    )
-    predict.set_defaults(run=_predict)
+    predict.add_argument("--force", action="store_true", help=force)
 
 
-def _add_import(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+def _add_import(commands: Commands) -> None:
     kinds = commands.add_parser(
         "import",
         help="make homes from other pictures",
         description="Make homes that `placecat repro` reads from other pictures.",
     ).add_subparsers(required=True, metavar="KIND", title="kinds")
-    panoramas = kinds.add_parser(
+    panoramas = add_command(
+        kinds,
         "panoramas",
-        help="360-degree pictures",
-        description="Make homes from 360-degree pictures: seeded walks of a view that turns in them. "
-        "Writes frames, labels and a data card. The settings are those of conf/panoramas.yaml.",
+        _import_panoramas,
+        "360-degree pictures",
+        "Make homes from 360-degree pictures: seeded walks of a view that turns in them. Writes frames, "
+        "labels and a data card. The settings are those of conf/panoramas.yaml.",
     )
     panoramas.add_argument("source", type=Path, metavar="SOURCE", help="the folder of the panoramas")
     panoramas.add_argument("destination", type=Path, metavar="DESTINATION", help="a new folder for the homes")
-    panoramas.add_argument(
-        "changes",
-        nargs="*",
-        metavar="SETTING=VALUE",
-        help="another value of a setting, e.g. source=zind, fps=10.0",
-    )
-    panoramas.set_defaults(run=_import_panoramas)
+    setting = "another value of a setting, e.g. source=zind, fps=10.0"
+    panoramas.add_argument("changes", nargs="*", metavar="SETTING=VALUE", help=setting)
 
 
 def _train(options: argparse.Namespace) -> int:

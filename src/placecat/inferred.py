@@ -17,16 +17,9 @@ _PACKAGES = {"local": local, "holistic": holistic}
 def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
     """Find the descriptors that cues and codebooks name and no file of conf/descriptor describes.
 
-    Returns
-    -------
-    dict
-        ``local`` and ``holistic``, if not empty, to name to the defaults of its module's ``describe``.
-
-    Raises
-    ------
-    PlacecatError
-        For a file of a cue or a codebook that is not YAML or names a descriptor without a module, or a module
-        that cannot be imported or has a setting without a default.
+    Returns ``local`` and ``holistic``, if not empty, to name to the defaults of its module's ``describe``.
+    Raises PlacecatError for a file of a cue or codebook that is not YAML or names a descriptor without a
+    module, or a module that cannot be imported or has a setting without a default.
     """
     found: dict[str, dict[str, dict[str, Any]]] = {}
     for path, content in _files(conf, "cue", "codebook"):
@@ -69,10 +62,9 @@ def codebooks(conf: Path) -> dict[str, dict[str, Any]]:
 
 
 def optional_descriptors(conf: Path) -> dict[str, list[str]]:
-    """List the descriptors that files of conf/optional add.
+    """List the descriptors that files of conf/optional add: ``local`` and ``holistic`` to names.
 
-    Returns ``local`` and ``holistic``, if not empty, to names. Raises PlacecatError for a file that is not
-    YAML.
+    Raises PlacecatError for a file that is not YAML.
     """
     found: dict[str, list[str]] = {}
     for _, content in _read(conf, "optional"):

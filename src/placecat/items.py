@@ -1,7 +1,6 @@
-"""Items of a stage's output: each is made again only if its inputs have changed.
+"""Items of a stage's output, e.g. one per cue or home: each is made again only if its inputs have changed.
 
-A stage that loops over cues, systems or homes keeps a manifest in each item: checksums of its inputs and of
-its files. It holds no times and no absolute paths, so equal items are equal files.
+An item has a manifest: checksums of its inputs and of its files, without times or absolute paths.
 """
 
 import hashlib
@@ -28,14 +27,9 @@ Work = tuple[Sequence[tuple[Any, ...]], Callable[[Path, list[Any]], None]]
 
 @dataclass(frozen=True)
 class Inputs:
-    """The inputs of an item.
+    """The inputs of an item: all settings that it depends on, in JSON types, and its files and folders.
 
-    Attributes
-    ----------
-    settings
-        All settings that it depends on, in JSON types.
-    paths
-        Files and folders. For a path in an item, the checksums in that item's manifest count.
+    For a path in another item, the checksums in that item's manifest count.
     """
 
     settings: Any
@@ -47,18 +41,10 @@ def refresh(
 ) -> None:
     """Make the items that are missing, damaged or made from other inputs; remove unwanted ones.
 
-    Each is written under a temporary name and renamed, so a killed stage continues where it was.
-
-    Parameters
-    ----------
-    stage
-        Its code, the dependencies in src/ that dvc.yaml lists, is an input of every item.
-    folder
-        Of the items.
-    wanted
-        Name of an item, also of its folder, to its inputs.
-    make
-        Takes the name of an item and the folder to write, which does not exist yet.
+    Each is written under a temporary name and renamed, so a killed stage continues where it was. The code of
+    `stage`, the dependencies in src/ that dvc.yaml lists, is an input of every item. `wanted` is the name of
+    an item, also of its folder, to its inputs; `make` takes that name and the folder to write, which does not
+    exist yet.
     """
     for name, made_from in _outdated(stage, folder, wanted):
         with _item(folder / name, made_from) as temporary:
@@ -74,12 +60,8 @@ def refresh_together(
 ) -> None:
     """Like :func:`refresh`, with the tasks of all items in one pool, so that no worker is idle.
 
-    Parameters
-    ----------
-    function
-        As for :func:`placecat.parallel.in_parallel`, the same for all items.
-    plan
-        Takes the name of an item, which is written once its tasks are done.
+    `function` is as for :func:`placecat.parallel.in_parallel`, the same for all items. `plan` takes the name
+    of an item, which is written once its tasks are done.
     """
     planned = [(name, made_from, *plan(name)) for name, made_from in _outdated(stage, folder, wanted)]
     if not planned:

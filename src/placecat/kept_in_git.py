@@ -27,14 +27,9 @@ _WITHOUT_EFFECT = ("compute", "reproducibility", "figures")
 class Kept:
     """The compared content of a run, every table value as text.
 
-    Attributes
-    ----------
-    tables
-        Name to filled table, e.g. ``table_26``; ``in_text`` for the numbers of the thesis's text.
-    findings
-        Columns number and verdict among others; None if missing.
-    settings
-        Content of params.yaml; None if missing.
+    `tables` are name to filled table, e.g. ``table_26``, and ``in_text`` for the numbers of the thesis's
+    text; `findings` has columns number and verdict among others; `settings` is the content of params.yaml.
+    The last two are None if missing.
     """
 
     tables: dict[str, pd.DataFrame]
@@ -43,18 +38,11 @@ class Kept:
 
 
 def compare(old: str = HEAD, new: str = "") -> tuple[list[str], bool]:
-    """Compare the tables of two sides; `old` and `new` are as for :func:`read`.
+    """Compare the tables of two sides, which are as for :func:`read`.
 
-    Returns
-    -------
-    lines, is_as_kept
-        The report, and whether the tables are the kept ones as far as possible: False if, with the same
-        settings on the same data, a number differs by more than ``reproducibility.tolerance``.
-
-    Raises
-    ------
-    PlacecatError
-        If a side has no tables, or there is no git, no repository, or no such revision.
+    Returns the lines of the report, and whether the tables are the kept ones as far as possible: False if,
+    with the same settings on the same data, a number differs by more than ``reproducibility.tolerance``.
+    Raises PlacecatError if a side has no tables, or without git, repository or such a revision.
     """
     tolerance = float(settings.get(settings.load(), "reproducibility.tolerance"))
     now, kept = read(new), read(old)

@@ -28,17 +28,10 @@ def data_version(stage: str = "sequences") -> str:
 
 
 def check_data(params: Mapping[str, Any]) -> None:
-    """Refuse features of other data than the settings ask for: no run has listed and described these yet.
+    """Refuse features of other data than the settings (`params`) ask for.
 
-    Parameters
-    ----------
-    params
-        All settings.
-
-    Raises
-    ------
-    PlacecatError
-        If ``dataset`` has changed since the stages `sequences` and `features` ran through DVC.
+    Raises PlacecatError if ``dataset`` has changed since the stages `sequences` and `features` ran through
+    DVC.
     """
     version = data_version()
     stages = yaml.load(LOCK.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]

@@ -1,8 +1,7 @@
 """From a name in the settings to code: a module of a package, and its definitions.
 
-A name is that of a module, so a new file is found without a list. Modules and the settings of their functions
-and classes are read from source, since imports take seconds (scikit-learn) and composing the settings must be
-quick.
+A name is that of a module, so a new file is found without a list. Signatures are read from source, since
+imports take seconds (scikit-learn) and composing the settings must be quick.
 """
 
 import ast
@@ -33,19 +32,9 @@ class _Definition(NamedTuple):
 
 
 def names(package: str, *defining: str) -> list[str]:
-    """List the modules of a package, sorted.
+    """List the modules of a package, e.g. ``placecat.learning``, that define the given names; sorted.
 
-    Parameters
-    ----------
-    package
-        Full name, e.g. ``placecat.learning``.
-    *defining
-        Names that a listed module must define, e.g. ``describe``.
-
-    Raises
-    ------
-    PlacecatError
-        For a module whose source is not Python.
+    Raises PlacecatError for a module whose source is not Python.
     """
     found = sorted(module.name for module in pkgutil.iter_modules(_locations(package)))
     return [name for name in found if _defines(package, name, defining)]
@@ -54,14 +43,8 @@ def names(package: str, *defining: str) -> list[str]:
 def require(package: str, name: object, what: str, *defining: str) -> str:
     """Return a name if a module has it; otherwise the PlacecatError names the nearest and all modules.
 
-    Parameters
-    ----------
-    package, *defining
-        As for `names`.
-    name
-        From the settings.
-    what
-        Its kind in the message, e.g. ``classifier.model``.
+    `package` and `defining` are as for `names`; `what` is the kind of name in the message, e.g.
+    ``classifier.model``.
     """
     # This module first, since a list of all takes time.
     if not _defines(package, name, defining):
@@ -110,29 +93,18 @@ def estimator(package: str, name: object, what: str) -> str:
 def parameters(package: str, name: str, definition: str) -> dict[str, bool]:
     """List the settings that a function or class takes, without importing it.
 
-    Parameters
-    ----------
-    package, name
-        As for `require`.
-    definition
-        Name of the function, whose settings are its keyword-only parameters, or of the class, whose settings
-        are all parameters of ``__init__``.
-
-    Returns
-    -------
-    dict
-        Name to whether it is required, in the order written; empty if the module has no such definition.
+    Those of a function are its keyword-only parameters, those of a class all parameters of ``__init__``.
+    Returns name to whether it is required, in the order written; empty if the module does not define it.
     """
     found = _taking(package, name, definition)
     return {} if found is None else {argument.arg: needed for argument, needed in _settings(found)}
 
 
 def types(package: str, name: str, definition: str) -> dict[str, Any]:
-    """Return the types of the settings that a function or class takes, without importing it.
+    """Return the types of the settings of :func:`parameters`, without importing the code.
 
-    Parameters are as for :func:`parameters`. Returns name to type, with its range if it has one
-    (:mod:`placecat.ranges`); Any for a type that uses more than Python's types, :mod:`typing`, the ranges and
-    names listed in modules of this package.
+    A type has its range if it has one (:mod:`placecat.ranges`); it is Any if it uses more than Python's
+    types, :mod:`typing`, the ranges and names listed in modules of this package.
     """
     found = _taking(package, name, definition)
     if found is None:
@@ -141,19 +113,9 @@ def types(package: str, name: str, definition: str) -> dict[str, Any]:
 
 
 def entries(package: str, dictionary: str) -> dict[str, tuple[str, str]]:
-    """List the entries of a dictionary that modules of a package define: tuples that end in a function.
+    """List the entries of a dictionary, e.g. ``FIGURES``, that modules define: tuples that end in a function.
 
-    Parameters
-    ----------
-    package
-        As for `names`.
-    dictionary
-        Its name, e.g. ``FIGURES``.
-
-    Returns
-    -------
-    dict
-        Entry to the names of its module and of its function, "" for a lambda, which takes no settings.
+    Returns entry to the names of its module and of its function, "" for a lambda, which takes no settings.
     """
     listed = {}
     for name in names(package, dictionary):

@@ -12,19 +12,10 @@ _PLAIN_IN_QUOTES = re.compile(r"[^\"$`\\!]*")
 
 
 def check(overrides: Sequence[str], *, several: bool = False) -> None:
-    """Refuse overrides that Hydra cannot read, or would read as several values.
+    """Refuse overrides, e.g. ``dataset.root=PATH``, that Hydra cannot read or would read as several values.
 
-    Parameters
-    ----------
-    overrides
-        As given on the command line, e.g. ``dataset.root=PATH``.
-    several
-        Whether settings may have several values, as in a sweep.
-
-    Raises
-    ------
-    PlacecatError
-        Naming the setting, and its spelling for a shell and for make.
+    `several` allows settings with several values, as in a sweep. The PlacecatError names the setting, and its
+    spelling for a shell and for make.
     """
     for number, override in enumerate(overrides):
         if _is_read(override, several=several):
@@ -43,24 +34,10 @@ def check(overrides: Sequence[str], *, several: bool = False) -> None:
 
 
 def unknown_setting(overrides: Sequence[str], content: Mapping[str, Any], where: str) -> str | None:
-    """Name the first setting that overrides change and that is not there, and those that are.
+    """Name the first setting that overrides change but `content` lacks, with those that it has; None if none.
 
-    Parameters
-    ----------
-    overrides
-        In Hydra's grammar.
-    content
-        The settings.
-    where
-        Their file or folder.
+    `where` is the file or folder of the settings.
 
-    Returns
-    -------
-    str or None
-        The message; None if all of them are there.
-
-    Examples
-    --------
     >>> content = {"fps": 5.0, "size": {"width": 1, "height": 2}}
     >>> unknown_setting(["size.widht=3"], content, "conf/a.yaml")
     "size has no setting 'widht'; did you mean 'width'? (valid: width, height)"
@@ -91,10 +68,8 @@ def unknown_setting(overrides: Sequence[str], content: Mapping[str, Any], where:
 
 
 def text(value: str) -> str:
-    """Put a text between Hydra's quotes where it would read something else without.
+    """Put a text between Hydra's quotes where Hydra would read something else without.
 
-    Examples
-    --------
     >>> text("home_1"), text("Flat A"), text("a,b"), text("12")
     ('home_1', 'Flat A', "'a,b'", "'12'")
     """

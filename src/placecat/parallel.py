@@ -1,6 +1,6 @@
-"""Parallel loops over homes and folds; their results and order never depend on the processes.
+"""Parallel loops over homes and folds, whose results and order never depend on the processes.
 
-The processes are on this machine, or on a cluster if :func:`placecat.compute.as_set` says so.
+They run on this machine, or on a cluster if :func:`placecat.compute.as_set` says so.
 """
 
 import os
@@ -41,27 +41,19 @@ def stream(
     """Call ``function(*task)`` for every task in parallel processes, with a progress line.
 
     Every call is limited to one thread in BLAS, OpenMP and OpenCV, since the number of threads can change the
-    last bits of a sum. Yields the results in the order of `tasks`, each as soon as possible.
+    last bits of a sum. Yields the results in the order of `tasks`, each as soon as possible. Raises
+    PlacecatError if a process on this machine was killed or memory ran out; also the errors of `function`.
 
     Parameters
     ----------
     function
         Reads files and writes none: its process may be on another machine, or be killed and replaced.
-    tasks
-        Arguments of each call.
-    description
-        Of the progress line.
-    unit
-        Name of the tasks on that line, in the plural.
+    description, unit
+        Text of the progress line, and name of the tasks on it, in the plural.
     n_jobs
         Processes on this machine, by default :func:`workers`.
     locally
         Never on a cluster, so that `function` may write files.
-
-    Raises
-    ------
-    PlacecatError
-        If a process on this machine was killed, or memory ran out; also errors of `function`.
     """
     cluster = None if locally else compute.cluster()
     if cluster is not None:

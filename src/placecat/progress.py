@@ -18,18 +18,8 @@ class Progress(tqdm):
     """A progress line on the standard error, with the time left.
 
     In a terminal it is a single line of any width and disappears at the end. Elsewhere a line is written
-    every `IN_LOG` seconds, and none for short loops.
-
-    Parameters
-    ----------
-    iterable
-        The loop's iterable; None if :meth:`update` is called instead.
-    description
-        The activity.
-    total
-        Number of steps; None if unknown.
-    unit
-        Name of the steps, in the plural.
+    every `IN_LOG` seconds, and none for short loops. `iterable` is None if :meth:`update` is called instead,
+    `total` None if unknown; `unit` names the steps, in the plural.
     """
 
     def __init__(

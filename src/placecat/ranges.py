@@ -1,7 +1,6 @@
-"""Types of settings with their ranges, for annotations.
+"""Types of settings with their ranges, for annotations. No range contains NaN or infinity.
 
-:mod:`placecat.schema` checks those of a section; :mod:`placecat.signatures` those of a function or an
-estimator, by its annotations. No range contains NaN or infinity.
+:mod:`placecat.schema` checks those of a section; :mod:`placecat.signatures` those of a function or estimator.
 """
 
 from collections.abc import Collection
@@ -18,7 +17,7 @@ Count = Annotated[int, Interval(ge=1, le=_MOST)]
 Index = Annotated[int, Interval(ge=0, le=_MOST)]
 """A number from 0, or none or more of something."""
 Seed = Annotated[int, Interval(ge=0, le=2**32 - 1)]
-"""What NumPy takes as a seed."""
+"""A seed of NumPy."""
 Two = Annotated[int, Interval(ge=2, le=_MOST)]
 """Two or more."""
 Side = Annotated[int, Interval(ge=1, le=2**14)]
@@ -29,7 +28,7 @@ Positive = Annotated[float, Interval(gt=0, le=_LARGEST)]
 NonNegative = Annotated[float, Interval(ge=0, le=_LARGEST)]
 AtLeastOne = Annotated[float, Interval(ge=1, le=_LARGEST)]
 Share = Annotated[float, Interval(ge=0, le=1)]
-"""Of a whole, from nothing to all."""
+"""Part of a whole, from nothing to all."""
 PositiveShare = Annotated[float, Interval(gt=0, le=1)]
 PartShare = Annotated[float, Interval(gt=0, lt=1)]
 """Neither nothing nor all."""

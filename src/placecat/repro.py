@@ -27,19 +27,9 @@ class _Stopped(BaseException):
 def run(*, force: bool = False, **environment: str) -> int:
     """Mend what a killed run left, then run `dvc repro`, with output to the terminal; return its exit status.
 
-    On Ctrl-C and SIGTERM the stage cleans up, then DVC ends, then this call.
-
-    Parameters
-    ----------
-    force
-        Whether to run stages even if none of their dependencies has changed.
-    **environment
-        Further environment variables for the stages.
-
-    Raises
-    ------
-    PlacecatError
-        If another run is in progress in this folder, or it is not under git.
+    On Ctrl-C and SIGTERM the stage cleans up, then DVC ends, then this call. `force` runs stages even if none
+    of their dependencies has changed; `environment` has further variables for the stages. Raises
+    PlacecatError if another run is in progress in this folder, or the folder is not under git.
     """
     # DVC waits for another that reads the project, instead of losing a stage that has just finished.
     command = [sys.executable, "-m", "placecat.runs.dvc", "--wait-for-lock", "repro"]
@@ -71,9 +61,9 @@ class Before:
         self._params, self._lock = _content(paths.PARAMS), _content(LOCK)
 
     def restore(self) -> None:
-        """Put it back if no stage has ended since, as none has where the settings or the data were refused.
+        """Put it back if no stage has ended since, e.g. because the settings or the data were refused.
 
-        Once one has, the run goes on with the new settings.
+        Once a stage has ended, the run continues with the new settings.
         """
         if _content(LOCK) != self._lock or _content(paths.PARAMS) == self._params:
             return

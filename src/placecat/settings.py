@@ -22,7 +22,7 @@ def load(path: Path = paths.PARAMS) -> dict[str, Any]:
 def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]:
     """Read a YAML file that holds a mapping.
 
-    Raises PlacecatError, which ends in the remedy, if it is missing, no YAML or has no names.
+    Raises PlacecatError, which ends in the remedy, if the file is missing, is not YAML or has no names.
     """
     try:
         content = yaml.load(path.read_text(encoding="utf-8"), Loader=Loader)

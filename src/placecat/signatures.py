@@ -40,13 +40,8 @@ def check(params: Mapping[str, Any]) -> None:
 def check_part(content: Any, where: str) -> None:
     """Check every classifier, clustering and layout in a part of the settings; errors as in :func:`check`.
 
-    Parameters
-    ----------
-    content
-        Plain containers. A mapping with ``layout`` is a data set, one with ``model`` a classifier, one with
-        ``tree`` a codebook.
-    where
-        Name of the part in messages, e.g. ``cues``.
+    A mapping with ``layout`` is a data set, one with ``model`` a classifier, one with ``tree`` a codebook.
+    `where` is the name of the part in messages, e.g. ``cues``.
     """
     if not isinstance(content, Mapping):
         return
@@ -66,17 +61,8 @@ def check_part(content: Any, where: str) -> None:
 def check_estimator(options: Mapping[str, Any], where: str) -> str:
     """Check the settings of an estimator of `placecat.learning`; return the name of its class.
 
-    Parameters
-    ----------
-    options
-        ``name``, that of its module, and its parameters except those in `GIVEN`.
-    where
-        Name of the options in messages, e.g. ``classifier.base``.
-
-    Raises
-    ------
-    PlacecatError
-        For an unknown estimator or parameter; names the valid ones.
+    They are ``name``, that of its module, and its parameters except those in `GIVEN`. `where` is their name
+    in messages, e.g. ``classifier.base``. The PlacecatError for an unknown one names the valid ones.
     """
     if not isinstance(options, Mapping) or "name" not in options:
         raise SettingError(f"{where} has no setting 'name', which it needs")

@@ -15,22 +15,11 @@ from placecat.errors import PlacecatError
 def read_descriptors(
     home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64] | None = None
 ) -> Descriptors:
-    """Read one descriptor of one home for a cue.
+    """Read one descriptor of one home for a cue, of the frames `rows` or of all.
 
-    Parameters
-    ----------
-    home
-        As for :func:`placecat.paths.features`.
-    descriptor
-        As for :func:`placecat.cue_input.check`.
-    rows
-        Frame indices; None for all.
-
-    Raises
-    ------
-    PlacecatError
-        For an unknown setting, too many regions, or a descriptor that was not computed at all or for these
-        frames.
+    `home` is as for :func:`placecat.paths.features`, `descriptor` as for :func:`placecat.cue_input.check`.
+    Raises PlacecatError for an unknown setting, too many regions, or a descriptor that was not computed at
+    all or for these frames.
     """
     cue_input.check(descriptor)
     folder = folder_of(home, descriptor)
@@ -69,7 +58,7 @@ def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
 def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64]) -> NDArray[np.int64]:
     """Those of some frames of a home, in order of time, for which a descriptor was computed.
 
-    These are all of them, except for a variant of the regions.
+    A variant of the regions lacks some; all others are computed for all frames.
     """
     if "variant" not in descriptor:
         return rows

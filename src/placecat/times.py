@@ -30,10 +30,9 @@ def record(stage: str, seconds: float) -> None:
 
 
 def gather(call: str) -> pd.DataFrame:
-    """Read the times of the stages that ran in a call; others have older records or none.
+    """Read the times of the stages that ran in a call, named by :func:`new_call`.
 
-    `call` is from :func:`new_call`. Returns columns `COLUMNS`, one row per stage with its seconds of wall
-    time, the longest first.
+    Returns columns `COLUMNS`, one row per stage with its seconds of wall time, the longest first.
     """
     # Names with a leading dot are unfinished.
     records = [files.read_json(path) for path in paths.TIMES.glob("[!.]*.json")]
@@ -42,20 +41,10 @@ def gather(call: str) -> pd.DataFrame:
 
 
 def write(by_stage: pd.DataFrame, seconds: float, data: str, cores: int, *, is_complete: bool) -> None:
-    """Write data/times.csv, and data/times.json if every stage ran.
+    """Write data/times.csv, and data/times.json if every stage of the pipeline ran (`is_complete`).
 
-    Parameters
-    ----------
-    by_stage
-        From :func:`gather`.
-    seconds
-        Wall time of the whole call, including DVC's own.
-    data
-        Title of the data set.
-    cores
-        Number of worker processes.
-    is_complete
-        Whether every stage of the pipeline ran, so that the times are those of a full run.
+    `by_stage` is from :func:`gather`, `seconds` the wall time of the whole call including DVC's own, `data`
+    the title of the data set, and `cores` the number of worker processes.
     """
     files.write_csv(paths.LAST_TIMES, by_stage[["stage", "seconds"]])
     if is_complete:
@@ -96,15 +85,7 @@ def keep() -> None:
 
 
 def text(by_stage: pd.DataFrame, seconds: float) -> str:
-    """Times as lines for the terminal, the longest stage first.
-
-    Parameters
-    ----------
-    by_stage
-        From :func:`gather`.
-    seconds
-        Wall time of the whole call.
-    """
+    """Lines for the terminal, the longest stage first; `seconds` is the wall time of the whole call."""
     if by_stage.empty:
         return f"Times: no stage had to run; {seconds:.1f} s."
     spent, total = float(by_stage["seconds"].sum()), len(by_stage)

@@ -9,14 +9,9 @@ LEAST_REPEATS = 5
 
 @dataclass(frozen=True)
 class Peer:
-    """An alternative that a user could pick instead.
+    """An alternative that a user could pick, e.g. "scikit-image: local_binary_pattern and histogram".
 
-    Attributes
-    ----------
-    name
-        E.g. "scikit-image: local_binary_pattern and histogram".
-    package
-        The distribution whose version is recorded, e.g. "scikit-image".
+    The version of `package`, its distribution, is recorded.
     """
 
     name: str
@@ -25,31 +20,12 @@ class Peer:
 
 @dataclass(frozen=True)
 class Comparison:
-    """Ours and a peer, timed in turn on the same input.
+    """Ours and a peer, timed in turn on the same input; raises ValueError without one target or 5 repeats.
 
-    Attributes
-    ----------
-    piece, input
-        What is measured, and on what.
-    peer
-        What it is compared with.
-    ours, theirs
-        The calls to time.
-    faster
-        Target: at least so many times faster than the peer.
-    at_most
-        Target: at most so many times the peer's time. One of both is given.
-    repeats
-        Pairs of calls, at least 5.
-    warm_up
-        Whether each is called once before; not where one call takes minutes.
-    parts
-        Parts of what ours does, timed if the target is missed to say what the time is spent on.
-
-    Raises
-    ------
-    ValueError
-        Not one target, or too few repeats.
+    The target is `faster`, at least so many times faster than the peer, or `at_most`, so many times the
+    peer's time. `ours` and `theirs` are the calls to time, `repeats` the pairs of calls. `warm_up` calls each
+    once before; not where one call takes minutes. `parts` of ours are timed if the target is missed, to show
+    where the time goes.
     """
 
     piece: str
@@ -86,27 +62,10 @@ class Comparison:
 
 @dataclass(frozen=True)
 class Limit:
-    """A number that may not be above, or below, something.
+    """A number that may not be above `at_most`, or below `at_least`; raises ValueError unless one is given.
 
-    Attributes
-    ----------
-    piece, input
-        What is measured, and on what.
-    quantity
-        What the number is, e.g. "frames/s" or "largest difference of a probability".
-    measure
-        Gives the number.
-    at_most, at_least
-        Target; one of both is given.
-    peer
-        What it is compared with, if anything.
-    parts
-        As for `Comparison`.
-
-    Raises
-    ------
-    ValueError
-        Not one target.
+    `measure` gives the number, and `quantity` names it, e.g. "frames/s" or "largest difference of a
+    probability". `parts` are as for `Comparison`.
     """
 
     piece: str

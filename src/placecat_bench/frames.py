@@ -16,7 +16,7 @@ from placecat.vision.attention import compute_maps, find_regions
 from placecat.vision.maps import FrameMaps
 
 HOMES = Path("data/homes")
-# As many as the thesis has.
+# The thesis's number.
 REGIONS = 25
 
 Image = NDArray[np.uint8]
@@ -25,22 +25,9 @@ Described = tuple[FrameMaps, NDArray[np.float32]]
 
 
 def jpegs(homes: Path = HOMES) -> list[Image]:
-    """Encode one frame of each home as JPEG, with OpenCV's default quality.
+    """Encode the frame a third into each rendered home's video as JPEG, with OpenCV's default quality.
 
-    Parameters
-    ----------
-    homes
-        Folder of the rendered homes' videos.
-
-    Returns
-    -------
-    list of ndarray
-        The files' bytes; the frames are a third into each video.
-
-    Raises
-    ------
-    PlacecatError
-        No video there, or one that cannot be read.
+    Returns the files' bytes. Raises PlacecatError for a folder without videos, or one that cannot be read.
     """
     videos = sorted(homes.glob("*.mp4"))
     if not videos:
@@ -70,15 +57,7 @@ def options() -> dict[str, Any]:
 
 
 def with_regions(frames: Sequence[Image], count: int = REGIONS) -> list[Described]:
-    """Compute the maps and salient regions of frames, as the stage features does.
-
-    Parameters
-    ----------
-    frames
-        (H, W, 3) uint8 BGR.
-    count
-        Largest number of regions.
-    """
+    """Compute the maps and salient regions of (H, W, 3) uint8 BGR frames, as the stage features does."""
     own = options()
     maps = [compute_maps(frame, **own["attention"]) for frame in frames]
     return [(one, find_regions(one, **(own["regions"] | {"max_regions": count}))) for one in maps]

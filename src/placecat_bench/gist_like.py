@@ -1,11 +1,11 @@
 """Made frames of walks through homes, as hard to learn from as Gist descriptors.
 
-How long the kernel machines take depends on what they learn from: with few support vectors they and their
-peers have little to do. So the numbers below are such that 2000 of these frames resemble the 1978 frames of
-five rendered homes, described by Gist (1024 numbers, standardised). The first, the first 21 and the first 101
+The time of the kernel machines depends on the frames: with few support vectors they and their peers have
+little to do. So the numbers below are such that 2000 of these frames resemble the 1978 frames of five
+rendered homes, described by Gist (1024 numbers, standardised). The first, the first 21 and the first 101
 principal components have 0.23, 0.74 and 0.95 of the variance (0.22, 0.73 and 0.94 there), 66 % of the frames
 are support vectors of a class's nu-SVM (56 %), a class's RVM has 63 to 82 relevance vectors (51 to 99), and
-in a home that was not learned from 36 % of the frames are placed rightly (36 %).
+in an unseen home 36 % of the frames are placed right (36 %).
 """
 
 from collections.abc import Sequence
@@ -26,15 +26,7 @@ _VISITS = 4
 
 @dataclass(frozen=True)
 class Frames:
-    """Described frames.
-
-    Attributes
-    ----------
-    descriptors
-        (n, D) float32.
-    place, home
-        (n,) int64.
-    """
+    """Described frames: (n, D) float32 descriptors, (n,) int64 places and homes."""
 
     descriptors: NDArray[np.float32]
     place: NDArray[np.int64]
@@ -44,20 +36,8 @@ class Frames:
 def draw_frames(n: int, features: int, homes: Sequence[int], seed: int = 0) -> Frames:
     """Walk through homes, each room visited four times, every frame between two of the room's views.
 
-    Parameters
-    ----------
-    n
-        Frames, about as many in each home.
-    features
-        D.
-    homes
-        Numbers, 0 or more. A home is the same whatever the others.
-    seed
-        Of the places and the descriptor.
-
-    Returns
-    -------
-    Frames
+    Each home, a number of 0 or more, has about n / len(homes) frames of D `features`, and is the same
+    whatever the others. `seed` is that of the places and the descriptor.
     """
     rng = np.random.default_rng(seed)
     mixing = rng.normal(size=(_SOURCES, features))

@@ -28,19 +28,11 @@ _PART_REPEATS = 3
 
 
 def measure(entry: Comparison | Limit) -> dict[str, object]:
-    """Measure one entry.
+    """Measure one entry: a row by `COLUMNS`, with None where there is no value.
 
-    Returns
-    -------
-    dict
-        By `COLUMNS`. ``ours`` and ``theirs`` are medians of seconds, or the number of a `Limit`; ``ratio`` is
-        the median of the pairs' ratios, ``low`` and ``high`` the least and the greatest; ``met`` is "yes" or
-        "no"; ``spent`` says what the time goes to where the target is missed. What there is none of is None.
-
-    Raises
-    ------
-    PlacecatError
-        If the peer is not installed.
+    ``ours`` and ``theirs`` are medians of seconds, or the number of a `Limit`; ``ratio`` is the median of the
+    pairs' ratios, ``low`` and ``high`` the least and the greatest; ``met`` is "yes" or "no"; ``spent`` says
+    where the time goes if the target is missed. Raises PlacecatError if the peer is not installed.
     """
     peer, whole = entry.peer, None
     row = dict.fromkeys(COLUMNS) | {

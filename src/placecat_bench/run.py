@@ -1,4 +1,4 @@
-"""Measuring pieces one after the other, and the file of what was measured."""
+"""Measuring pieces one after the other, and the file of the measurements."""
 
 import platform
 from collections.abc import Sequence
@@ -20,22 +20,10 @@ _MODULE = "module"
 def run(chosen: Sequence[str], target: Path = paths.BENCHMARKS) -> pd.DataFrame:
     """Measure pieces on one thread; write the rows after each, those of other pieces staying as they are.
 
-    Parameters
-    ----------
-    chosen
-        Names of modules in :mod:`placecat_bench.pieces`; none for all.
-    target
-        The CSV; the facts of the machine go to a JSON of the same name beside it.
-
-    Returns
-    -------
-    DataFrame
-        What was written: the column module, and those of :data:`placecat_bench.measure.COLUMNS`.
-
-    Raises
-    ------
-    PlacecatError
-        An unknown piece, a peer that is not installed, or rows that would stay but are of another machine.
+    `chosen` are names of modules in :mod:`placecat_bench.pieces`, none for all. `target` is the CSV; the
+    facts of the machine go to a JSON of the same name beside it. Returns its content: the column module, and
+    those of :data:`placecat_bench.measure.COLUMNS`. Raises PlacecatError for an unknown piece, a peer that is
+    not installed, or rows that would stay but are from another machine.
     """
     all_names, facts, facts_file = pieces.names(), _facts(), target.with_suffix(".json")
     generators = {name: pieces.load(name) for name in dict.fromkeys(chosen or all_names)}

@@ -10,19 +10,9 @@ from typing import Any
 def time_in_turn(
     ours: Callable[[], Any], theirs: Callable[[], Any], *, repeats: int, warm_up: bool = True
 ) -> tuple[list[float], list[float]]:
-    """Time two calls A B, B A, A B, ...: what slows the machine for a while slows both.
+    """Time pairs of calls A B, B A, A B, ...: a temporary slowdown of the machine slows both.
 
-    Parameters
-    ----------
-    repeats
-        Pairs.
-    warm_up
-        Whether to call each once before, untimed.
-
-    Returns
-    -------
-    ours, theirs
-        Seconds, of the same length.
+    `warm_up` calls each once before, untimed. Returns the seconds of ours and of theirs, `repeats` each.
     """
     if warm_up:
         ours()
@@ -48,7 +38,7 @@ def median_seconds(call: Callable[[], Any], repeats: int) -> float:
 
 
 class Latest:
-    """Calls whose last results are kept: what takes minutes to time is not made again to be compared."""
+    """Calls whose last results are kept, since some take minutes and are compared as well as timed."""
 
     def __init__(self, **calls: Callable[[], Any]) -> None:
         self._calls = calls

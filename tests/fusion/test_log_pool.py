@@ -50,6 +50,20 @@ def test_a_certainty_is_no_veto():
     assert np.isfinite(pool(np.array([[[1.0, 0.0], [0.0, 1.0]]]), np.array([9.0, 9.0]))).all()
 
 
+def test_the_floor_is_a_setting_and_1e_6_by_default():
+    rng = np.random.default_rng(2)
+    proba = {home: rng.dirichlet(np.full(3, 0.05), (90, 2)) for home in "abc"}
+    truth = {home: rng.integers(3, size=90).astype(np.int16) for home in "abc"}
+    usual, same, high = (
+        fit(proba, truth, CLASSES, method="log_pool", shrinkage=0.1, **own).integrator
+        for own in ({}, {"smallest": 1e-6}, {"smallest": 0.2})
+    )
+    np.testing.assert_array_equal(usual.predict_proba(proba["a"]), same.predict_proba(proba["a"]))
+    by_hand = pool(np.maximum(proba["a"], 0.2), high.weights)
+    np.testing.assert_array_equal(high.predict_proba(proba["a"]), by_hand)
+    assert not np.allclose(by_hand, usual.predict_proba(proba["a"]))
+
+
 @pytest.mark.parametrize("weights", [[1.0, 0.5, 0.0], [0.3, 2.0, 0.7]])
 def test_the_weights_that_labels_were_drawn_by_are_found(weights):
     found = fit_weights(*drawn(weights), shrinkage=0.0)

@@ -1,4 +1,4 @@
-"""The sweepers, where Hydra looks for them. Hydra imports them always: nothing slow at the top."""
+"""The sweepers, where Hydra looks for them. Hydra always imports them: nothing slow at the top."""
 
 import sys
 from abc import abstractmethod
@@ -18,7 +18,7 @@ class _Checked(Sweeper):
     """A sweeper that ends with one message if an experiment is refused, and with status 1 if one failed."""
 
     def setup(self, *, hydra_context: HydraContext, task_function: TaskFunction, config: DictConfig) -> None:
-        """Take what Hydra gives."""
+        """Keep Hydra's context and settings, and make its launcher."""
         from hydra.core.plugins import Plugins
 
         self.hydra_context: HydraContext = hydra_context
@@ -28,13 +28,7 @@ class _Checked(Sweeper):
         )
 
     def sweep(self, arguments: list[str]) -> None:
-        """Check, run and tell.
-
-        Parameters
-        ----------
-        arguments
-            Overrides of the command line.
-        """
+        """Check, run and tell; `arguments` are overrides of the command line."""
         from placecat.errors import PlacecatError
 
         try:
@@ -49,12 +43,12 @@ class _Checked(Sweeper):
         self.launcher.launch(lines, initial_job_idx=0)
 
     def logged(self, arguments: "Sequence[str]") -> "Sequence[str] | None":
-        """What MLflow knows the sweep by; None if it is not to know it."""
+        """The name by which MLflow knows the sweep; None if it is not to be logged."""
         return [str(self.config.hydra.sweeper._target_), *arguments] if self.config.track else None
 
     @abstractmethod
     def run(self, arguments: list[str]) -> bool:
-        """Check, run and tell; say whether all went well."""
+        """Check, run and tell; return whether all went well."""
 
 
 class GridSweeper(_Checked):
@@ -79,7 +73,7 @@ class OptunaSweeper(_Checked):
     """Choose each experiment's settings by the accuracies of those before, with Optuna.
 
     Unlike Hydra's own plugin, which needs Optuna 2, it tries the setting without a search first, and its
-    batches do not depend on the number of workers, which is the launcher's. The parameters are those of
+    batches do not depend on the number of the launcher's workers. The parameters are those of
     conf/hydra/sweeper/optuna.yaml.
     """
 
@@ -102,7 +96,7 @@ class OptunaSweeper(_Checked):
         self.params = {str(key): value for key, value in (params or {}).items()}
 
     def run(self, arguments: list[str]) -> bool:
-        """Search, and write what was found to the folder of the sweep."""
+        """Search, and write the result to the folder of the sweep."""
         from placecat import settings
         from placecat.experiment import jobs, sweep
         from placecat.search import report, requirements, space, study

@@ -8,7 +8,7 @@ from typing import Any
 from placecat import __version__
 
 # Of the model file. Raise it when what is stored changes its meaning.
-FORMAT = 4
+FORMAT = 5
 # What the last bits of a result may depend on.
 LIBRARIES = ("numpy", "opencv-python-headless", "scikit-learn", "scipy")
 

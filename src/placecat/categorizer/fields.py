@@ -122,6 +122,7 @@ FIELDS: dict[str, dict[str, Field]] = {
         "model": optional(_CUE),
         "temperatures": optional(array("f", "C", low=1e-6)),
         "weights": optional(array("f", "C", low=0)),
+        "smallest": optional(number(0, 1)),
     },
     "JointProbabilityCue": {
         "codebook": having("words"),

@@ -25,8 +25,6 @@ COLUMNS = [
 def combinations(grids: Sequence[Mapping[str, Sequence[Any]]]) -> list[dict[str, Any]]:
     """List every combination of the values of each grid, the last setting fastest.
 
-    Examples
-    --------
     >>> combinations([{"scaling": ["standard"], "gamma_scale": [1.0, 2.0]}])
     [{'scaling': 'standard', 'gamma_scale': 1.0}, {'scaling': 'standard', 'gamma_scale': 2.0}]
     """
@@ -55,22 +53,13 @@ def label(overrides: Mapping[str, Any]) -> str:
 
 
 def choose(table: pd.DataFrame, margin: float) -> pd.DataFrame:
-    """Choose a candidate for each cue and system.
+    """Choose a candidate for each cue and system from a table with columns `COLUMNS`.
 
-    Parameters
-    ----------
-    table
-        Columns `COLUMNS`; ``accuracy`` (percent) and ``log_loss`` are means over training homes that the
-        model has not seen. ``test_accuracy`` and ``test_log_loss`` are ignored.
-    margin
-        Candidates whose mean accuracy is within this many points of the best are equally good; of these, the
-        first with the least log-loss is chosen.
-
-    Returns
-    -------
-    DataFrame
-        One row per candidate: kind, name, candidate, accuracy, log_loss, chosen; data sets weigh the same,
-        and so do the test homes of each.
+    ``accuracy`` (percent) and ``log_loss`` are means over training homes that the model has not seen;
+    ``test_accuracy`` and ``test_log_loss`` are ignored. Candidates whose mean accuracy is within `margin`
+    points of the best are equally good; of these, the first with the least log-loss is chosen. Returns one
+    row per candidate: kind, name, candidate, accuracy, log_loss, chosen. Data sets weigh the same, and so do
+    the test homes of each.
     """
     keys = ["kind", "name", "candidate"]
     numbers = ["accuracy", "log_loss"]

@@ -22,10 +22,7 @@ _DECIMALS = {"accuracy": 2, "test_accuracy": 2, "log_loss": 4, "test_log_loss": 
 
 
 def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
-    """Read conf/choice.yaml.
-
-    Raises PlacecatError if it is missing, or a setting is unknown, missing or of the wrong kind.
-    """
+    """Read conf/choice.yaml; raises PlacecatError if a setting is unknown, missing or of the wrong kind."""
     content = conf_file.read(path, ("margin", "smallest", *KINDS))
     margin = content["margin"]
     if isinstance(margin, bool) or not isinstance(margin, int | float) or not 0 <= margin < 100:
@@ -40,24 +37,11 @@ def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
 
 
 def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> pd.DataFrame:
-    """Judge every candidate on the data set of params.yaml; keep the rows of other data sets.
+    """Judge every candidate on the data set of params.yaml; return the choice on all data sets of the file.
 
-    Parameters
-    ----------
-    kinds
-        Of `KINDS`; rows of other kinds stay.
-    output
-        The file, in which the rows of this data set and these kinds are replaced.
-
-    Returns
-    -------
-    DataFrame
-        The choice on all data sets of the file, see :func:`placecat.choice.candidates.choose`.
-
-    Raises
-    ------
-    PlacecatError
-        For wrong settings, or features or cues that were not computed.
+    In `output` the rows of this data set and these kinds are replaced, the others stay. The choice is as in
+    :func:`placecat.choice.candidates.choose`. Raises PlacecatError for wrong settings, or features or cues
+    that were not computed.
     """
     options, params = read_settings(), settings.load()
     data = str(settings.get(params, "dataset.title"))

@@ -38,16 +38,10 @@ def predict_unseen(plan: plans.Plan, cue: Cue) -> dict[str, NDArray[np.float64]]
 
 
 def judge_cue(plan: plans.Plan, cue: Cue, smallest: float) -> list[Judgement]:
-    """Train a cue without some homes and judge them.
+    """Train a cue without clusters by a plan that leaves out some homes, and judge these.
 
-    Parameters
-    ----------
-    plan
-        It tests one home, or two, each of which is an unseen training home when the other is tested.
-    cue
-        Without clusters.
-    smallest
-        As for :func:`placecat.evaluation.probabilities.log_loss`.
+    The plan tests one home, or two, each of which is an unseen training home when the other is tested.
+    `smallest` is as for :func:`placecat.evaluation.probabilities.log_loss`.
     """
     unseen = predict_unseen(plan, cue)
     judged = {home: judge_home(home, proba, smallest) for home, proba in unseen.items()}
@@ -64,13 +58,9 @@ def judge_home(home: str, proba: NDArray[np.float64], smallest: float) -> tuple[
 def judge_system(system: Mapping[str, Any], plan: plans.Plan, seed: int, smallest: float) -> list[Judgement]:
     """Train an integration on the cues of a fold and judge the homes that they have not seen.
 
-    Parameters
-    ----------
-    system
-        Its settings, with the ``scheme`` of the plan.
-    plan
-        Of 4-5-1: the integration trains on the homes of the cues, as in 5-5-1, and judges the home that is
-        kept from them as well as the test home. Of 5-5-1: it judges the test home.
+    `system` has the ``scheme`` of the plan. In a plan of 4-5-1 the integration trains on the homes of the
+    cues, as in 5-5-1, and judges the home that is kept from them as well as the test home; in one of 5-5-1 it
+    judges the test home.
     """
     read = CueResults(system, plan.test, seed)
     cue_homes, method = {part.home for part in plan.cues}, system["integrator"]["method"]

@@ -1,7 +1,7 @@
-"""Judgement of smoothing candidates on training homes.
+"""Judgement of smoothing candidates on training homes, for single cues only.
 
-Only single cues are judged: the distributions that train an integration come from cues that have seen other
-frames of the same home, and so look too good.
+The distributions that train an integration come from cues that have seen other frames of the same home, and
+so look too good.
 """
 
 from collections.abc import Mapping
@@ -26,20 +26,12 @@ def judge_smoothing(
     unseen: Mapping[str, NDArray[np.float64]],
     smallest: float,
 ) -> list[Judgement]:
-    """Smooth the homes of one fold of a cue.
+    """Smooth the homes of one fold of a cue with settings of :func:`placecat.fusion.smoothing.fit`.
 
-    Parameters
-    ----------
-    smoothing
-        Settings of :func:`placecat.fusion.smoothing.fit`.
-    source
-        File of the stage `cues` for the fold. Without cross-validation by home it raises PlacecatError.
-    plan
-        Of the fold.
-    unseen
-        For each training home (frames, n_classes) distributions of every frame, by a cue that has seen
-        neither it nor the test home. It is smoothed with statistics of the other training homes; the test
-        home with those of all.
+    `source` is the file of the stage `cues` for the fold; without cross-validation by home it raises
+    PlacecatError. `unseen` has for each training home (frames, n_classes) distributions of every frame, by a
+    cue that has seen neither it nor the test home. It is smoothed with statistics of the other training
+    homes; the test home with those of all.
     """
     if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(

@@ -15,21 +15,11 @@ _MEMORY = {"MALLOC_TRIM_THRESHOLD_": str(64 << 20), "MALLOC_MMAP_THRESHOLD_": st
 
 
 def worker_command(scheduler: str, options: Sequence[str]) -> NoReturn:
-    """Become distributed's ``dask worker`` with processes of one thread each.
+    """Become distributed's ``dask worker`` with processes of one thread each, by default one per core.
 
-    The import of placecat.stages has chosen the kernels of OpenBLAS, in the environment.
-
-    Parameters
-    ----------
-    scheduler
-        Its address.
-    options
-        Further options of ``dask worker``, e.g. ``["--nworkers", "4"]``; by default one process per core.
-
-    Raises
-    ------
-    PlacecatError
-        If Dask is not installed.
+    The import of placecat.stages has chosen the kernels of OpenBLAS, in the environment. `scheduler` is its
+    address; `options` are further ones of ``dask worker``, e.g. ``["--nworkers", "4"]``. Raises PlacecatError
+    if Dask is not installed.
     """
     if importlib.util.find_spec("distributed") is None:
         raise PlacecatError(

@@ -20,21 +20,12 @@ _SECONDS_BETWEEN_LOOKS = 1.0
 
 
 class Cluster:
-    """Runs tasks on a Dask cluster.
+    """Runs tasks on the Dask cluster of a scheduler's address, e.g. ``tcp://10.0.0.1:8786``.
 
-    Parameters
-    ----------
-    scheduler
-        Its address, e.g. ``tcp://10.0.0.1:8786``.
-    wait
-        Seconds to wait for the scheduler, for a first worker, and for another one when all have gone.
-    may_differ
-        Items of :func:`placecat.compute.fingerprint.fingerprint` that may differ from this process.
-
-    Raises
-    ------
-    PlacecatError
-        If Dask is not installed, no scheduler answers, or there is no worker or an unfit one.
+    `wait` is how many seconds to wait for the scheduler, for a first worker, and for another one when all
+    have gone. `may_differ` are items of :func:`placecat.compute.fingerprint.fingerprint` that may differ from
+    this process. Raises PlacecatError if Dask is not installed, no scheduler answers, or there is no worker
+    or an unfit one.
     """
 
     def __init__(self, *, scheduler: str, wait: float = 30, may_differ: Sequence[str] = ()) -> None:

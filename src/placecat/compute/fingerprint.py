@@ -16,11 +16,8 @@ PACKAGES = ("numpy", "scipy", "scikit-learn", "pandas", "joblib", "distributed")
 def fingerprint() -> dict[str, str]:
     """Describe this process's environment, once: imported modules stay, whatever happens to their files.
 
-    Returns
-    -------
-    dict
-        Item to its state. ``placecat`` has a digest of the code; ``BLAS`` the kernels that NumPy, SciPy and
-        OpenCV have chosen; ``processor`` the vector instructions that NumPy and OpenCV use.
+    Returns item to state. ``placecat`` has a digest of the code; ``BLAS`` the kernels that NumPy, SciPy and
+    OpenCV have chosen; ``processor`` the vector instructions that NumPy and OpenCV use.
     """
     # Late, since PACKAGES alone needs no OpenCV.
     import cv2

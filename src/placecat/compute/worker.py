@@ -18,18 +18,9 @@ _seen: set[str] = set()
 class Expected:
     """Requirements of a worker.
 
-    Attributes
-    ----------
-    scheduler
-        Its address, for the message.
-    folder
-        Absolute path of the project's folder.
-    mark
-        A file there, by its path from the folder, that exists as long as the stage runs.
-    items
-        See :func:`placecat.compute.fingerprint.fingerprint`.
-    may_differ
-        Items that need not be the same.
+    `folder` is the absolute path of the project's folder, and `mark` the path from there of a file that
+    exists as long as the stage runs. `items` are those of :func:`placecat.compute.fingerprint.fingerprint`,
+    of which `may_differ` need not be the same. `scheduler` is its address, for the message.
     """
 
     scheduler: str
@@ -76,20 +67,10 @@ def objection(expected: Expected, dask_worker: Any = None) -> str | None:
 
 
 def perform(expected: Expected, call: bytes) -> bytes:
-    """Do one task in the project's folder.
+    """Do one task, a pickle of a function and the tuple of its arguments, in the project's folder.
 
-    Parameters
-    ----------
-    expected
-        Checked for every task, since workers may join while a stage runs; an unfit worker raises
-        PlacecatError.
-    call
-        Pickle of a function and the tuple of its arguments.
-
-    Returns
-    -------
-    bytes
-        Pickle of the function's result: unpickled it is writable, unlike Dask's own arrays.
+    Every task checks what is expected, since workers may join while a stage runs; an unfit worker raises
+    PlacecatError. The result is a pickle: unpickled it is writable, unlike Dask's own arrays.
     """
     import cloudpickle
     from joblib import parallel_config

@@ -46,26 +46,11 @@ def fit(
 ) -> CueModel:
     """Train one cue on the descriptors of training frames.
 
-    Parameters
-    ----------
-    train
-        Descriptors of n frames.
-    labels
-        (n,) class indices in [0, len(classes)), every class present.
-    homes
-        (n,) the home of each frame. Cross-validation keeps homes together, since neighbouring frames are
-        near-duplicates.
-    classifier
-        ``model`` names a module of this package; the rest are its settings.
-    classes
-        Names of the places, for messages.
-    codebook
-        Clusters of the same training homes, for the models that need them.
-
-    Raises
-    ------
-    PlacecatError
-        For an unknown model, unknown or impossible settings, or a class without training frames.
+    `labels` are (n,) class indices in [0, len(classes)), every class present, and `homes` the (n,) home of
+    each frame: cross-validation keeps homes together, since neighbouring frames are near-duplicates.
+    ``model`` of `classifier` names a module of this package; the rest are its settings. `codebook` has
+    clusters of the same training homes, for the models that need them. Raises PlacecatError for an unknown
+    model, unknown or impossible settings, or a class without training frames.
     """
     missing = sorted(set(range(len(classes))) - set(np.unique(labels).tolist()))
     if missing:
@@ -96,19 +81,12 @@ def cross_validate(
     classes: Sequence[str],
     codebook: Codebook | None = None,
 ) -> NDArray[np.float64]:
-    """Judge each home's training frames by a cue trained on the other homes.
+    """Judge each home's training frames by a cue trained on the other homes: (n, n_classes) distributions.
 
-    Parameters and errors are those of :func:`fit`.
-
-    Everything is fitted anew for each home, calibration and scaling too, so the distributions of different
-    homes compare. Only a codebook, which knows no labels, is shared.
-
-    Returns
-    -------
-    (n, n_classes)
-        Distributions of the training frames. If the other homes have fewer than two frames of a place, or
-        there is only one home, five parts of consecutive frames of each place are left out instead of homes,
-        with a warning.
+    Parameters and errors are those of :func:`fit`. Everything is fitted again for each home, calibration and
+    scaling too, so the distributions of different homes compare. Only a codebook, which knows no labels, is
+    shared. If the other homes have fewer than two frames of a place, or there is only one home, five parts of
+    consecutive frames of each place are left out instead of homes, with a warning.
     """
     index = labels.astype(np.intp)
     names = np.unique(homes)

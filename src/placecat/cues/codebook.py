@@ -34,25 +34,12 @@ RENAMED: dict[Any, str] = {}
 def seed_of(
     dataset: str, descriptor: Mapping[str, Any], cells: int, training_set: str, seed: int | str
 ) -> int:
-    """Derive the seed of a codebook from what it clusters, so that equal clusterings share it.
+    """Derive the seed of a codebook, in [0, 2**32), from its data, so that equal clusterings share it.
 
-    Parameters
-    ----------
-    dataset
-        Name of the data set.
-    descriptor
-        The clustered descriptor, as a cue names it. A setting that `FROZEN` does not name raises
-        PlacecatError.
-    cells
-        Number of cells of a holistic descriptor.
-    training_set
-        Name of the training homes.
-    seed
-        One of the numbers in ``protocol.seeds``.
-
-    Returns
-    -------
-    In [0, 2**32). Renaming a setting or a descriptor does not change it (`FROZEN`, `RENAMED`).
+    The data are the data set's name, the descriptor, as a cue names it, the number of cells of a holistic
+    one, the name of the training homes, and one of ``protocol.seeds``. Renaming a setting or a descriptor
+    does not change the seed (`FROZEN`, `RENAMED`); a setting that `FROZEN` does not name raises
+    PlacecatError.
     """
     settings.refuse_unknown(descriptor, list(FROZEN), "the text that seeds of codebooks derive from")
     content = json.dumps(
@@ -65,9 +52,7 @@ def settings_of(params: Mapping[str, Any], name: str) -> dict[str, Any]:
     """Look up the settings of a codebook, with the cluster numbers that its cues ask for if it needs them.
 
     A hierarchy serves every number up to its ``max_clusters``; flat k-means clusters once for each number,
-    and its ``tree`` has ``numbers``.
-
-    `params` are all settings; `name` is one of ``codebooks``, else PlacecatError.
+    and its ``tree`` has ``numbers``. `name` is one of ``codebooks``, else PlacecatError.
     """
     codebook = dict(settings.get(params, f"codebooks.{name}"))
     tree = codebook["tree"]
@@ -79,12 +64,10 @@ def settings_of(params: Mapping[str, Any], name: str) -> dict[str, Any]:
 
 
 class Codebook:
-    """Hierarchical k-means trees that serve every cluster number (thesis 3.3.1.1, 4.2).
+    """Trees that serve every cluster number (thesis 3.3.1.1, 4.2).
 
-    Parameters
-    ----------
-    trees
-        One for salient regions; one a cell for a holistic descriptor whose cells lie one after the other.
+    There is one tree for salient regions, and one per cell for a holistic descriptor whose cells lie one
+    after the other.
     """
 
     def __init__(self, trees: list[Any], *, of_sets: bool) -> None:
@@ -101,20 +84,12 @@ class Codebook:
         tree: Mapping[str, Any],
         numbers: Sequence[int] | None = None,
     ) -> Codebook:
-        """Cluster the descriptors of training frames.
+        """Cluster the descriptors of n training frames.
 
-        Parameters
-        ----------
-        train
-            Of n frames.
-        cells
-            Number of equal parts of a holistic descriptor (16 in the thesis); 1 for regions.
-        seed
-            The seed of each tree derives from it and the cell.
-        tree
-            ``name`` is a module of `placecat.learning` that clusters; the rest are its settings.
-        numbers
-            The cluster numbers that will be used; None for those of the settings.
+        `cells` is the number of equal parts of a holistic descriptor (16 in the thesis); 1 for regions. The
+        seed of each tree derives from `seed` and the cell. `tree` has the ``name`` of a module of
+        `placecat.learning` that clusters, and its settings. `numbers` are the cluster numbers that will be
+        used; None for those of the settings.
         """
         if train.is_set:
             parts = [train.rows()]

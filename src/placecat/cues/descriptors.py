@@ -10,12 +10,8 @@ from numpy.typing import NDArray
 class Descriptors:
     """Descriptors of n frames: one vector (holistic) or a set of vectors (salient regions) per frame.
 
-    Attributes
-    ----------
-    x
-        float32, (n, d) holistic or (n, max_regions, d) of regions.
-    counts
-        (n,) number of regions of each frame, the other rows are padding; None for holistic ones.
+    `x` is float32, (n, d) holistic or (n, max_regions, d) of regions. `counts` are the (n,) numbers of
+    regions of the frames, the other rows being padding; None for holistic ones.
     """
 
     x: NDArray[np.float32]

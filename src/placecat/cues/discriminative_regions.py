@@ -36,16 +36,9 @@ class DiscriminativeRegionsCue:
 
 
 def only(frames: Descriptors, words: NDArray[np.int32], kept: NDArray[np.bool_]) -> Descriptors:
-    """Keep the regions whose codeword is chosen, in order.
+    """Keep the regions of n frames whose codeword is chosen, in order.
 
-    Parameters
-    ----------
-    frames
-        Of n frames, with regions.
-    words
-        (n, max_regions) codewords, -1 as padding.
-    kept
-        (N,) mask of the chosen codewords.
+    `words` are (n, max_regions) codewords, -1 as padding; `kept` is the (N,) mask of the chosen codewords.
     """
     taken = (words >= 0) & kept[words]
     counts = taken.sum(axis=1)
@@ -67,15 +60,9 @@ def fit(
 ) -> DiscriminativeRegionsCue:
     """Choose codewords on the training frames, then train a cue on their regions.
 
-    Parameters
-    ----------
-    cue
-        The settings of that cue's classifier, without its number of clusters.
-    clusters
-        Number of clusters, also of `cue`.
-    keep
-        Share of the clusters to choose, see
-        :func:`placecat.learning.discriminative.discriminative_codewords`.
+    `cue` has the settings of that cue's classifier, without its number of clusters, which is also `clusters`.
+    `keep` is the share of the clusters to choose, see
+    :func:`placecat.learning.discriminative.discriminative_codewords`.
     """
     from placecat import cues
 

@@ -9,15 +9,9 @@ from placecat import learning, lookup, signatures
 def build(options: Mapping[str, Any], where: str, **fixed: Any) -> Any:
     """Make the estimator that ``options["name"]`` names, with the other options as its parameters.
 
-    Parameters
-    ----------
-    options
-        ``name`` is a module of `placecat.learning` that defines one estimator. An unknown estimator or
-        parameter raises PlacecatError, which names the valid ones.
-    where
-        Name of the options in messages.
-    **fixed
-        Parameters that are not settings, e.g. a seed.
+    The name is that of a module of `placecat.learning` that defines one estimator. An unknown estimator or
+    parameter raises PlacecatError, which names `where` and the valid ones. `fixed` are parameters that are
+    not settings, e.g. a seed.
     """
     class_name = signatures.check_estimator(options, where)
     parameters = dict(options)

@@ -47,12 +47,8 @@ def fit(
 ) -> JointProbabilityCue:
     """Train a joint model.
 
-    Parameters
-    ----------
-    base
-        Estimator of `placecat.learning` over integer codes: `naive_bayes` (12) or `dependency_tree` (11).
-    clusters
-        Number of clusters of each codebook, (16-1) k + 1.
+    `base` is an estimator of `placecat.learning` over integer codes: `naive_bayes` (12) or `dependency_tree`
+    (11). `clusters` is the number of clusters of each codebook, (16-1) k + 1.
     """
     if codebook is None:
         raise PlacecatError(

@@ -59,19 +59,12 @@ def fit(
 ) -> OneAgainstAllCue:
     """Train one two-class classifier per place and the scheme that combines them.
 
-    Parameters
-    ----------
-    base
-        Two-class estimator of `placecat.learning`: `nu_svm`, `rvm` or `gentle_adaboost`.
-    scheme
-        Multi-class estimator of `placecat.learning`: `one_against_all` (parallel) or `sequential`.
-    scaling, gamma_scale
-        Kind of :class:`~placecat.learning.scaling.KernelScaling`, and its factor of squared distances.
-    reduction
-        Settings of :class:`~placecat.learning.spatial_pca.SpatialPCA`, e.g. 16 cells of 64 components for
-        spatial PACT; None for no reduction.
-    max_rows
-        Most training rows, taken evenly, for slow classifiers; None for all. The thesis does not give this.
+    `base` is a two-class estimator of `placecat.learning`: `nu_svm`, `rvm` or `gentle_adaboost`; `scheme` is
+    a multi-class one: `one_against_all` (parallel) or `sequential`. `scaling` and `gamma_scale` are the kind
+    of :class:`~placecat.learning.scaling.KernelScaling`, and its factor of squared distances. `reduction` has
+    settings of :class:`~placecat.learning.spatial_pca.SpatialPCA`, e.g. 16 cells of 64 components for spatial
+    PACT. `max_rows` is the most training rows, taken evenly, for slow classifiers; the thesis does not give
+    it.
     """
     steps: list[Any] = []
     x = train.rows()

@@ -71,12 +71,8 @@ def paired_bootstrap(
         Takes (resamples, n) weights of the units, each row summing to 1, and gives (resamples,) values.
     n_units
         n, at least 2.
-    seed
-        Of the resampling, in [0, 2**32).
-    level
-        Of the interval, between 0 and 1.
-    resamples
-        How many are drawn.
+    seed, level, resamples
+        Seed in [0, 2**32), probability of the interval between 0 and 1, and number of draws.
 
     Returns
     -------

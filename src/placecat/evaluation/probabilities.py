@@ -12,14 +12,9 @@ from placecat.errors import PlacecatError
 class Reliability(NamedTuple):
     """The points of a reliability diagram: how often decisions of about the same confidence are right.
 
-    Attributes
-    ----------
-    confidence
-        (bins,) mean probability of the decided place, 0 to 1; NaN in a bin without frames.
-    accuracy
-        (bins,) share of right decisions, 0 to 1; NaN likewise.
-    weight
-        (bins,) share of the frames; sums to 1, or all 0 if no frame is labelled.
+    `confidence` is the (bins,) mean probability of the decided place and `accuracy` the (bins,) share of
+    right decisions, both 0 to 1 and NaN in a bin without frames. `weight` is the (bins,) share of the frames;
+    it sums to 1, or is all 0 if no frame is labelled.
     """
 
     confidence: NDArray[np.float64]
@@ -44,17 +39,10 @@ def balanced_weights(truth: ArrayLike) -> NDArray[np.float64]:
 def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
     """Mean of -ln p(true place) over the frames of each place present, and over these places, in nats.
 
-    Uniform distributions over k places have ln k; NaN if no frame is scored.
-
-    Parameters
-    ----------
-    truth
-        (n,) integers, -1 for frames that are not scored.
-    proba
-        (n, n_classes) distributions.
-    smallest
-        In (0, 1), else PlacecatError. Lower probabilities count as this one, so that a single 0 does not make
-        the mean infinite: a frame costs at most -ln `smallest`.
+    `truth` is (n,) integers, -1 for frames that are not scored, and `proba` (n, n_classes) distributions.
+    Uniform distributions over k places have ln k; NaN if no frame is scored. Probabilities below `smallest`,
+    in (0, 1), else PlacecatError, count as this one, so that a single 0 does not make the mean infinite: a
+    frame costs at most -ln `smallest`.
     """
     if not isinstance(smallest, int | float) or not 0.0 < smallest < 1.0:
         raise PlacecatError(f"probabilities.smallest must be a number in (0, 1), but is {smallest!r}")
@@ -70,17 +58,9 @@ def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
 def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability:
     """Compare the confidence of decisions with their accuracy; every place weighs the same.
 
-    The confidence is the largest probability of a distribution. Confidences in ((m - 1) / `bins`, m / `bins`]
-    share a bin.
-
-    Parameters
-    ----------
-    truth
-        (n,) integers, -1 for frames that are not scored.
-    proba
-        (n, n_classes) distributions; the first of equal largest ones is the decision.
-    bins
-        At least 1, else PlacecatError.
+    `truth` is (n,) integers, -1 for frames that are not scored, and `proba` (n, n_classes) distributions; the
+    first of equal largest ones is the decision, and its probability the confidence. Confidences in ((m - 1) /
+    `bins`, m / `bins`] share a bin; `bins` is at least 1, else PlacecatError.
 
     References
     ----------

@@ -11,18 +11,12 @@ from placecat.evaluation.stays import stay_accuracy, stays_by_class
 
 
 class HomeQuality(NamedTuple):
-    """Numbers of one home; NaN where nothing is labelled.
+    """Numbers of one home, places weighing the same; NaN where nothing is labelled.
 
-    Attributes
-    ----------
-    log_loss
-        In nats, places weighing the same (:func:`placecat.evaluation.probabilities.log_loss`).
-    calibration_error
-        In percent, places weighing the same (:func:`placecat.evaluation.probabilities.calibration_error`).
-    stays, stays_right
-        Number of stays, and of those named rightly (:func:`placecat.evaluation.stays.stays_by_class`).
-    stay_accuracy
-        In percent, places weighing the same (:func:`placecat.evaluation.stays.stay_accuracy`).
+    `log_loss` is in nats (:func:`placecat.evaluation.probabilities.log_loss`) and `calibration_error` in
+    percent (:func:`placecat.evaluation.probabilities.calibration_error`). `stays` and `stays_right` are the
+    number of stays and of those named right (:func:`placecat.evaluation.stays.stays_by_class`), and
+    `stay_accuracy` is in percent (:func:`placecat.evaluation.stays.stay_accuracy`).
     """
 
     log_loss: float
@@ -37,17 +31,10 @@ def home_quality(
 ) -> HomeQuality:
     """Measure the distributions of one home.
 
-    Parameters
-    ----------
-    truth
-        (frames,) class indices in order of time, -1 for unlabelled.
-    proba
-        (frames, n_classes) distributions.
-    sequences
-        Stretches of frames without a cut that cover all frames.
-    bins, smallest
-        As for :func:`placecat.evaluation.probabilities.reliability` and ``log_loss`` there, with their
-        errors.
+    `truth` is (frames,) class indices in order of time, -1 for unlabelled; `proba` (frames, n_classes)
+    distributions; `sequences` are stretches of frames without a cut that cover all frames. `bins` and
+    `smallest` are as for :func:`placecat.evaluation.probabilities.reliability` and ``log_loss`` there, with
+    their errors.
     """
     counts = stays_by_class(truth, proba.argmax(axis=1), sequences, proba.shape[1])
     stays, right = (int(count) for count in counts.sum(axis=0))

@@ -1,4 +1,4 @@
-"""Decisions that are withheld below a confidence: how many are left, and how many of these are wrong."""
+"""Decisions withheld below a confidence: how many remain, and how many of these are wrong."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -14,16 +14,9 @@ _ROUNDING = 1e-9
 
 
 class Decided(NamedTuple):
-    """The decisions on the labelled frames of one home.
+    """The decisions on the n labelled frames of one home: their probabilities, and whether they are wrong.
 
-    Attributes
-    ----------
-    confidence
-        (n,) float64, the probability of each decision.
-    wrong
-        (n,) bool.
-    weight
-        (n,) float64, sum to 1: homes weigh the same, and in a home its places, as in the accuracy.
+    The weights sum to 1: homes weigh the same, and in a home its places, as in the accuracy.
     """
 
     confidence: NDArray[np.float64]
@@ -32,16 +25,10 @@ class Decided(NamedTuple):
 
 
 class Selection(NamedTuple):
-    """What a threshold leaves of the decisions in some homes.
+    """The decisions at or above a threshold in some homes, in numbers from 0 to 1.
 
-    Attributes
-    ----------
-    coverage
-        Share of the decisions at or above it, 0 to 1.
-    risk
-        Share of these that are wrong, 0 to 1; NaN if there are none.
-    worst
-        The highest risk in a home that has any; NaN likewise.
+    `coverage` is their share of all decisions, `risk` the share of them that is wrong, and `worst` the
+    highest risk in a home; both risks are NaN without such decisions.
     """
 
     coverage: float
@@ -52,12 +39,8 @@ class Selection(NamedTuple):
 def decided(truth: ArrayLike, proba: ArrayLike) -> Decided:
     """Judge the decisions in one home.
 
-    Parameters
-    ----------
-    truth
-        (n,) integers, -1 for frames that are not scored.
-    proba
-        (n, n_classes) distributions; of equal largest ones the first is the decision.
+    `truth` is (n,) integers, -1 for frames that are not scored, and `proba` (n, n_classes) distributions; of
+    equal largest ones the first is the decision.
     """
     truth, proba = np.asarray(truth, np.int64), np.asarray(proba, np.float64)
     scored = truth >= 0
@@ -66,18 +49,10 @@ def decided(truth: ArrayLike, proba: ArrayLike) -> Decided:
 
 
 def choose_threshold(homes: Sequence[Decided], risk: float) -> float:
-    """Choose the lowest confidence at or above which no larger share of the decisions is wrong than `risk`.
+    """Choose the lowest confidence at or above which the share of wrong decisions is at most `risk`, 0 to 1.
 
-    Parameters
-    ----------
-    homes
-        Decisions of systems that have not seen them.
-    risk
-        0 to 1.
-
-    Returns
-    -------
-    One of the confidences; infinite if none will do.
+    `homes` are decisions of systems that have not seen them. Returns one of the confidences; infinite if none
+    will do.
 
     References
     ----------
@@ -95,7 +70,7 @@ def choose_threshold(homes: Sequence[Decided], risk: float) -> float:
 
 
 def select(homes: Sequence[Decided], thresholds: Sequence[float]) -> Selection:
-    """Measure what one threshold a home leaves of its decisions."""
+    """Measure the decisions at or above a threshold in each home."""
     left = np.array([_left(home, threshold) for home, threshold in zip(homes, thresholds, strict=True)])
     some = left[left[:, 0] > 0]
     if not len(some):
@@ -108,7 +83,7 @@ def select(homes: Sequence[Decided], thresholds: Sequence[float]) -> Selection:
 
 
 def select_unseen(homes: Mapping[str, Decided], risk: float) -> Selection:
-    """Measure each home with the threshold that the others choose; there must be two at least."""
+    """Measure each of at least two homes with the threshold that the others choose."""
     thresholds = [
         choose_threshold([other for name, other in homes.items() if name != home], risk) for home in homes
     ]
@@ -116,6 +91,6 @@ def select_unseen(homes: Mapping[str, Decided], risk: float) -> Selection:
 
 
 def _left(home: Decided, threshold: float) -> tuple[float, float]:
-    """Weights of the decisions that are left, and of the wrong ones among them."""
+    """Weights of the decisions at or above a threshold, and of the wrong ones among them."""
     is_left = home.confidence >= threshold
     return float(home.weight[is_left].sum()), float(home.weight[is_left & home.wrong].sum())

@@ -38,21 +38,11 @@ def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
 def stays_by_class(
     truth: ArrayLike, decision: ArrayLike, sequences: Sequence[slice], n_classes: int
 ) -> NDArray[np.int64]:
-    """Count stays, and those named right.
+    """Count stays of each class, and those named right: (n_classes, 2).
 
     A stay is named right if its place is decided in more of its frames than every other. A tie is wrong, so
-    that the order of the classes does not matter.
-
-    Parameters
-    ----------
-    truth, sequences
-        As for :func:`find_stays`.
-    decision
-        (frames,) integers in [0, n_classes).
-
-    Returns
-    -------
-    (n_classes, 2) number of stays in each class, and of those named right.
+    that the order of the classes does not matter. `truth` and `sequences` are as for :func:`find_stays`;
+    `decision` is (frames,) integers in [0, n_classes).
     """
     decision = np.asarray(decision, dtype=np.int64)
     counts = np.zeros((n_classes, 2), np.int64)

@@ -13,7 +13,7 @@ _NODES = 200
 
 
 def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level: float = 0.95) -> Interval:
-    """Share of the cases of all units, known and unknown, that lie at or below a threshold.
+    """Share, 0 to 1, of the cases of all units, known and unknown, that lie at or below a threshold.
 
     A unit, e.g. a home, has several cases, e.g. the gains of some methods. Cases are modelled as normal, with
     the mean over units, and the variance between the units' means plus the mean variance within units.
@@ -21,18 +21,8 @@ def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level
     46 % (Clopper and Pearson). The limits are those of the noncentral t distribution. They are exact if each
     unit has one case or identical cases, and wide otherwise, since the units then count as one case each.
 
-    Parameters
-    ----------
-    units
-        At least 2, each with (cases,) values.
-    threshold
-        In their unit.
-    level
-        Of the interval, between 0 and 1.
-
-    Returns
-    -------
-    From 0 to 1. Identical values give the point 0 or 1.
+    There are at least 2 `units`, each with (cases,) values; identical values give the point 0 or 1. `level`,
+    that of the interval, is between 0 and 1.
 
     References
     ----------

@@ -17,15 +17,9 @@ HOMES = "homes"
 class Trial:
     """One cue to train and to test in some homes.
 
-    Attributes
-    ----------
-    name
-        E.g. ``trials/table_12/HOG + y-Pos||196``: the table, then the labels of its axes; that of the homes
-        is empty.
-    settings
-        ``descriptor``, ``classifier`` and, for classifiers on clusters, ``codebook``.
-    homes
-        Names of the test homes.
+    `name` is the table and the labels of its axes, that of the homes empty, e.g. ``trials/table_12/HOG +
+    y-Pos||196``. `settings` are ``descriptor``, ``classifier`` and, for classifiers on clusters,
+    ``codebook``. `homes` are the test homes.
     """
 
     name: str
@@ -52,17 +46,10 @@ def homes_of(table: Mapping[str, Any], homes: list[str]) -> list[tuple[int, str]
 
 
 def expand(name: str, table: Mapping[str, Any], homes: list[str]) -> list[Trial]:
-    """List the trials of one table.
+    """List the trials of one table, e.g. ``table_12``, in the data set's homes.
 
-    Parameters
-    ----------
-    name
-        Of the table, e.g. ``table_12``.
-    table
-        Its configuration: ``trial``, ``homes`` and ``axes`` (see data/thesis/tables). An unknown axis, or an
-        override of a setting that the trial lacks, raises PlacecatError.
-    homes
-        Names of the data set's homes.
+    `table` is its configuration: ``trial``, ``homes`` and ``axes`` (see data/thesis/tables). An unknown axis,
+    or an override of a setting that the trial lacks, raises PlacecatError.
     """
     unknown = set(table["axes"]) - set(AXES)
     if unknown:

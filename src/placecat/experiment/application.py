@@ -21,12 +21,8 @@ _LONGEST = 80
 def main(arguments: Sequence[str]) -> None:
     """Run the experiments of a Hydra application's arguments.
 
-    Raises
-    ------
-    PlacecatError
-        If this is not the project's folder.
-    SystemExit
-        With a message or status 1, if a setting is wrong or an experiment failed.
+    Raises PlacecatError outside a project's folder, and SystemExit with a message or status 1 if a setting is
+    wrong or an experiment failed.
     """
     for path in (paths.CONF / f"{options.CONFIG}.yaml", paths.PARAMS):
         if not path.is_file():

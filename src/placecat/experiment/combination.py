@@ -23,22 +23,12 @@ from placecat.training.plan import Plan
 
 @dataclass(frozen=True)
 class Experiment:
-    """One experiment, checked.
+    """One experiment, checked: its training and test data, and the names of the test homes.
 
-    Attributes
-    ----------
-    data
-        Its training and test data.
-    homes
-        Names of the test homes.
-    judge
-        ``test_home`` or ``training_homes``, see :meth:`~placecat.experiment.data.Data.plans`.
-    settings
-        ``descriptor``, ``classifier`` and, for classifiers on clusters, ``codebook``: as in a table's trial.
-    frames
-        ``offset`` and ``step`` of the training frames.
-    seeds
-        Of the clusters; only None if nothing is random.
+    `judge` is ``test_home`` or ``training_homes``, see :meth:`~placecat.experiment.data.Data.plans`.
+    `settings` are ``descriptor``, ``classifier`` and, for classifiers on clusters, ``codebook``, as in a
+    table's trial. `frames` are ``offset`` and ``step`` of the training frames. `seeds` are those of the
+    clusters, only None if nothing is random.
     """
 
     data: Data
@@ -70,17 +60,8 @@ class Experiment:
 def resolve(config: Mapping[str, Any], params: Mapping[str, Any]) -> Experiment:
     """Resolve a combination, and refuse impossible ones; reads labels and the sizes of features, no features.
 
-    Parameters
-    ----------
-    config
-        conf/experiment.yaml, composed, as plain containers.
-    params
-        params.yaml, with which the features were computed.
-
-    Raises
-    ------
-    PlacecatError
-        With the mistake and the remedy.
+    `config` is conf/experiment.yaml, composed, as plain containers; `params` is params.yaml, with which the
+    features were computed. The PlacecatError names the mistake and the remedy.
     """
     schema.check(config, schema.Experiment)
     data = data_sets.find(params, config["data"])

@@ -14,16 +14,9 @@ from placecat.training.plan import Plan
 
 @dataclass(frozen=True)
 class Data:
-    """A data set with features.
+    """A data set with features: the main one's name or that of a split, and the names of the places.
 
-    Attributes
-    ----------
-    name
-        The main data set's name, or that of the split.
-    classes
-        Names of the places.
-    by_test
-        Name of each sequence that can be tested to the plan that tests it alone.
+    `by_test` is the name of each sequence that can be tested to the plan that tests it alone.
     """
 
     name: str
@@ -31,15 +24,10 @@ class Data:
     by_test: Mapping[str, Plan]
 
     def plans(self, test: str, judge: str) -> list[Plan]:
-        """The plans behind the accuracy of one test home.
+        """The plans behind the accuracy of one test home of `by_test`.
 
-        Parameters
-        ----------
-        test
-            One of `by_test`.
-        judge
-            ``test_home``: the plan of this home. ``training_homes``: a plan for each of its training homes,
-            in which that one is tested, the others train, and the test home takes no part.
+        If `judge` is ``test_home``, the plan of this home. If it is ``training_homes``, a plan for each of
+        its training homes, in which that one is tested and the others train; the test home takes no part.
         """
         plan = self.by_test[test]
         if judge == TEST_HOME:

@@ -24,16 +24,12 @@ _log = logging.getLogger(__name__)
 
 
 def job(config: DictConfig) -> float:
-    """Compute one experiment and write result.json to Hydra's output folder.
+    """Compute one experiment, write result.json to Hydra's output folder, and return the accuracy.
 
-    In a sweep nothing is raised, so a failure does not end the other experiments: result.json has the reason,
-    and the sweep ends with status 1. A single experiment is printed and logged here. result.json has the
-    result of :func:`placecat.experiment.running.compute` and its origin.
-
-    Returns
-    -------
-    float
-        Accuracy in percent, the mean over test homes; NaN for none.
+    That is the mean over test homes in percent, NaN for none. result.json has the result of
+    :func:`placecat.experiment.running.compute` and its origin. In a sweep nothing is raised, so a failure
+    does not end the other experiments: result.json has the reason, and the sweep ends with status 1. A single
+    experiment is printed and logged here.
     """
     # Late, since they import scikit-learn, which `--help` does not need.
     from placecat.experiment import running

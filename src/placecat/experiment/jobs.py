@@ -42,23 +42,10 @@ def run(
     *,
     first: int = 0,
 ) -> list[float]:
-    """Run the unfinished jobs; each has a folder named by its number.
+    """Run the unfinished jobs; each has a folder named by its number, from `first` on.
 
-    Parameters
-    ----------
-    folder
-        Of the sweep.
-    lines, experiments
-        For each job its overrides and its resolved experiment; None if only the job itself can refuse them.
-    launch
-        Hydra's launcher.
-    first
-        Number of the first job.
-
-    Returns
-    -------
-    list
-        Accuracies in percent, in the order of the jobs; NaN for none.
+    `lines` and `experiments` are for each job its overrides and its resolved experiment, None if only the job
+    itself can refuse them. Returns the accuracies in percent, in the order of the jobs; NaN for none.
     """
     numbers = range(first, first + len(lines))
     todo = []

@@ -16,11 +16,8 @@ _OF_CODE = ("placecat", "Python", *PACKAGES, "OpenCV")
 def made_from(experiment: Experiment) -> dict[str, Any]:
     """Describe what a result depends on, in JSON types: a part of result.json.
 
-    Returns
-    -------
-    dict
-        ``settings``; ``plans``, a checksum of the training and test sequences; ``data``, for each sequence a
-        checksum of its labels and of the descriptor; ``code``, versions of placecat and the libraries.
+    It has ``settings``; ``plans``, a checksum of the training and test sequences; ``data``, for each sequence
+    a checksum of its labels and of the descriptor; ``code``, versions of placecat and the libraries.
     """
     plans = [plan for of_home in experiment.plans().values() for plan in of_home]
     sequences = sorted({part.home for plan in plans for part in (*plan.cues, *plan.tested)})

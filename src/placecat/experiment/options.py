@@ -15,39 +15,23 @@ TEST_HOME = "test_home"
 
 
 def descriptors(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:
-    """Descriptors by their names in experiments.
+    """Names of descriptors in experiments to their settings in a cue (see :mod:`placecat.store`).
 
-    They come from conf/descriptor, from cues whose descriptor has no file there, and from conf/optional.
-
-    If both kinds have a descriptor of one name, the name alone is that of salient regions, and
+    They come from conf/descriptor, from cues whose descriptor has no file there, and from conf/optional. If
+    both kinds have a descriptor of one name, the name alone is that of salient regions, and
     ``holistic_NAME`` that of whole frames.
-
-    Returns
-    -------
-    dict
-        Name to the descriptor's settings in a cue (see :mod:`placecat.store`).
     """
     further = (inferred.descriptors(conf), inferred.optional_descriptors(conf))
-    local, holistic = (
-        sorted(
-            {path.stem for path in (conf / "descriptor" / kind).glob("*.yaml")}.union(
-                *(one.get(kind, ()) for one in further)
-            )
-        )
-        for kind in ("local", "holistic")
-    )
-    found: dict[str, dict[str, Any]] = {}
-    for name in local:
-        found[name] = {
-            "kind": "local",
-            "name": name,
-            "y_pos": True,
-            "y_weight": 1.0,
-            "color": None,
-            "max_regions": 25,
-            "tracked": False,
-        }
-    for name in holistic:
+
+    def names(kind: str) -> list[str]:
+        files = {path.stem for path in (conf / "descriptor" / kind).glob("*.yaml")}
+        return sorted(files.union(*(one.get(kind, ()) for one in further)))
+
+    of_regions = {"y_pos": True, "y_weight": 1.0, "color": None, "max_regions": 25, "tracked": False}
+    found: dict[str, dict[str, Any]] = {
+        name: {"kind": "local", "name": name, **of_regions} for name in names("local")
+    }
+    for name in names("holistic"):
         found[f"holistic_{name}" if name in found else name] = {"kind": "holistic", "name": name}
     return found
 

@@ -14,20 +14,12 @@ Outcome = np.ndarray | str
 
 
 def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
-    """Train and test for every test home, fold and seed.
+    """Train and test for every test home, fold and seed, in `workers` processes, on which no result depends.
 
-    Parameters
-    ----------
-    workers
-        Processes. No result depends on it.
-
-    Returns
-    -------
-    dict
-        JSON types only: ``settings``; ``accuracy`` in percent, the mean over test homes, None for none;
-        ``homes``, for each test home its ``accuracy``, the mean over seeds and folds, or the ``reason`` for
-        none, and ``folds``: for each tested home and seed ``accuracy`` and ``confusion``, counts with true
-        places as rows.
+    Returns JSON types only: ``settings``; ``accuracy`` in percent, the mean over test homes, None for none;
+    ``homes``, for each test home its ``accuracy``, the mean over seeds and folds, or the ``reason`` for none,
+    and ``folds``: for each tested home and seed ``accuracy`` and ``confusion``, counts with true places as
+    rows.
     """
     plans = experiment.plans()
     keys = [

@@ -22,19 +22,7 @@ _MOST_COLUMNS = 12
 
 @dataclass(frozen=True)
 class Ran:
-    """One experiment of a sweep.
-
-    Attributes
-    ----------
-    number
-        Its number in the sweep, and the name of its folder.
-    values
-        Values of the swept keys.
-    folder
-        Its output folder.
-    result
-        Content of result.json.
-    """
+    """One experiment of a sweep: its number, the values of the swept keys, its folder and its result.json."""
 
     number: int
     values: dict[str, str]
@@ -66,10 +54,7 @@ class Ran:
 
 
 def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
-    """Gather the results of a sweep.
-
-    `combinations` are the values of the swept keys, for each experiment.
-    """
+    """Gather the results of a sweep; `combinations` are each experiment's values of the swept keys."""
     found = []
     for number, values in enumerate(combinations):
         own = folder / str(number)

@@ -25,21 +25,10 @@ _LISTED = 8
 
 
 def grid(arguments: Sequence[str], loader: ConfigLoader) -> tuple[list[list[str]], list[dict[str, str]]]:
-    """Read every combination of the values in Hydra's overrides.
+    """Read every combination of the values in Hydra's overrides; `loader` is Hydra's, for ``glob``.
 
-    Parameters
-    ----------
-    arguments
-        Overrides of the command line; an interval, which is only for a search, raises PlacecatError.
-    loader
-        Hydra's, for ``glob``.
-
-    Returns
-    -------
-    lines
-        The overrides of each experiment, in Hydra's order.
-    combinations
-        For each experiment the keys with several values, and its value.
+    Returns the overrides of each experiment, in Hydra's order, and its values of the keys with several
+    values. An interval, which is only for a search, raises PlacecatError.
     """
     overrides = OverridesParser.create(config_loader=loader).parse_overrides(list(arguments))
     choices: list[list[tuple[str, dict[str, str]]]] = []
@@ -63,21 +52,10 @@ def grid(arguments: Sequence[str], loader: ConfigLoader) -> tuple[list[list[str]
 def check(
     config: DictConfig, lines: Sequence[Sequence[str]], combinations: Sequence[dict[str, str]]
 ) -> list[Experiment]:
-    """Resolve each combination.
+    """Resolve each combination; the PlacecatError names each impossible one, and why.
 
-    Parameters
-    ----------
-    config
-        The sweep, composed with Hydra's own settings.
-    lines
-        The overrides of each experiment.
-    combinations
-        Its name in messages.
-
-    Raises
-    ------
-    PlacecatError
-        Naming each impossible combination, and why.
+    `config` is the sweep, composed with Hydra's own settings; `lines` are the overrides of each experiment,
+    and `combinations` its name in messages.
     """
     params = settings.load()
     experiments: list[Experiment] = []
@@ -133,14 +111,8 @@ def begun(config: DictConfig, combinations: Sequence[dict[str, str]]) -> Iterato
 def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: Sequence[str] | None) -> bool:
     """Print, write and log the results of a sweep; return whether all went well.
 
-    Parameters
-    ----------
-    folder
-        Of the sweep.
-    combinations
-        The swept keys and their values, of each started experiment.
-    log
-        Overrides of the sweep, to log it to MLflow as well; None for no logging.
+    `combinations` are the swept keys and their values, of each started experiment. `log` has the overrides of
+    the sweep, to log it to MLflow as well; None for no logging.
     """
     ran = summary.read(folder, combinations)
     if not ran:

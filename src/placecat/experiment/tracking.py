@@ -34,24 +34,10 @@ _FILES = (output.SUMMARY, report.SUMMARY, report.RESULTS)
 
 
 def log_sweep(ran: Sequence[Ran], folder: Path, overrides: Sequence[str]) -> str:
-    """Log a sweep and its experiments once; a failed log is replaced.
+    """Log a sweep and its experiments once; a failed log is replaced. Returns where it is, for people.
 
-    Parameters
-    ----------
-    folder
-        Of the sweep, with its summary.
-    overrides
-        Of the sweep; they identify it, with the settings, data and code of its experiments.
-
-    Returns
-    -------
-    str
-        Where it is, for people.
-
-    Raises
-    ------
-    PlacecatError
-        If MLflow cannot be written to.
+    `folder` is that of the sweep, with its summary. The overrides identify the sweep, with the settings, data
+    and code of its experiments. Raises PlacecatError if MLflow cannot be written to.
     """
     swept = list(ran[0].values)
     name = f"{' x '.join(swept) or 'one combination'}: {len(ran)} experiments"

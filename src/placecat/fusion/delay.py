@@ -17,12 +17,8 @@ class Delay:
     new set point, at any frame rate.
 
     The output for frame t is p(t+1), which uses p*(t): the frame itself counts, no later one does. The first
-    output is the first set point.
-
-    Parameters
-    ----------
-    seconds
-        tau, 0 or more, else PlacecatError; 0 passes the input through.
+    output is the first set point. tau is `seconds`, 0 or more, else PlacecatError; 0 passes the input
+    through.
     """
 
     def __init__(self, seconds: float) -> None:

@@ -23,24 +23,15 @@ def transition_matrix(
     """Count transitions between places in training sequences, at the highest of their frame rates.
 
     Successive labelled frames are counted. Unlabelled frames (-1) between them are skipped, so a walk from
-    the kitchen through a corridor to the bedroom counts once as kitchen to bedroom.
+    the kitchen through a corridor to the bedroom counts once as kitchen to bedroom. A sequence of a lower
+    frame rate counts as if its frames were repeated: the camera changes place as often, and stays in a place
+    for proportionally more frames.
 
-    A sequence of a lower frame rate counts as if its frames were repeated: the camera changes place as often,
-    and stays in a place for proportionally more frames.
-
-    Parameters
-    ----------
-    sequences
-        Each (frames,) class indices in order of time, -1 for unlabelled.
-    frame_rates
-        Frames per second of each sequence, above 0; None if all are equal.
-    smoothing
-        Added to every count, finite and above 0, else PlacecatError. The thesis does not give it. Without it
-        a transition never seen in training would be impossible for ever.
-
-    Returns
-    -------
-    (n_classes, n_classes), row q' column q is p(l_t = q | l_{t-1} = q'); rows sum to 1.
+    `sequences` are each (frames,) class indices in order of time, -1 for unlabelled; `frame_rates` their
+    frames per second, above 0, None if all are equal. `smoothing`, finite and above 0, else PlacecatError, is
+    added to every count. The thesis does not give it; without it a transition never seen in training would be
+    impossible for ever. Returns (n_classes, n_classes), row q' column q is p(l_t = q | l_{t-1} = q'); rows
+    sum to 1.
     """
     counts = np.full((n_classes, n_classes), above_zero("smoothing.transition_counts", smoothing))
     rates = [1.0] * len(sequences) if frame_rates is None else frame_rates
@@ -64,21 +55,11 @@ def emission_matrix(
 ) -> Float:
     """Estimate p(o | l), the integrator's answers in each place, from its cross-validated outputs.
 
-    Parameters
-    ----------
-    truth
-        (n,) class indices of training frames.
-    proba
-        (n, n_classes) distributions of the integrator for them, each from a model that saw neither the frame
-        nor its home.
-    reliability
-        "hard" counts the decisions (arg-max), "soft" adds up the distributions; else PlacecatError.
-    smoothing
-        Added to every count, finite and above 0, else PlacecatError. The thesis gives neither.
-
-    Returns
-    -------
-    (n_classes, n_classes), row q column o is p(o | l = q); rows sum to 1.
+    `truth` is (n,) class indices of training frames, and `proba` (n, n_classes) distributions of the
+    integrator for them, each from a model that saw neither the frame nor its home. `reliability` "hard"
+    counts the decisions (arg-max), "soft" adds up the distributions; `smoothing`, finite and above 0, is
+    added to every count; else PlacecatError. The thesis gives neither. Returns (n_classes, n_classes), row q
+    column o is p(o | l = q); rows sum to 1.
     """
     if reliability == "hard":
         answers = np.eye(n_classes)[np.argmax(proba, axis=1)]
@@ -92,22 +73,12 @@ def emission_matrix(
 
 
 def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Float:
-    """Likelihood of each frame's observation under each place, p(o_t | l_t = q).
+    """Likelihood of each frame's observation under each place, p(o_t | l_t = q): (frames, n_classes).
 
-    Parameters
-    ----------
-    proba
-        (frames, n_classes) distributions of the integrator.
-    emission
-        (n_classes, n_classes) from :func:`emission_matrix`.
-    evidence
-        "hard": the observation is the decision, p(o_t | q) = emission[q, argmax]. "soft": the decision is
-        uncertain, p(o_t | q) = sum_o emission[q, o] proba[o], as equation (6) treats the outputs of the
-        two-class classifiers. The thesis does not say which.
-
-    Returns
-    -------
-    (frames, n_classes), positive where the emission is.
+    `proba` is (frames, n_classes) distributions of the integrator, `emission` from :func:`emission_matrix`;
+    the result is positive where the emission is. With `evidence` "hard" the observation is the decision,
+    p(o_t | q) = emission[q, argmax]. With "soft" the decision is uncertain, p(o_t | q) = sum_o emission[q, o]
+    proba[o], as equation (6) treats the outputs of the two-class classifiers. The thesis does not say which.
     """
     if evidence == "hard":
         return emission.T[np.argmax(proba, axis=1)]
@@ -119,12 +90,9 @@ def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Flo
 class ForwardFilter:
     """Filter one sequence forwards, frame by frame: equation (13). Frame t uses frames up to t only.
 
-    Parameters
-    ----------
-    transition
-        (n_classes, n_classes), from one frame to the next at its frame rate; rows sum to 1.
-    initial
-        (n_classes,) distribution of the first place; uniform by default (the thesis does not give it).
+    `transition` is (n_classes, n_classes), from one frame to the next at its frame rate; rows sum to 1.
+    `initial` is the (n_classes,) distribution of the first place; uniform by default (the thesis does not
+    give it).
     """
 
     def __init__(self, transition: Float, *, initial: Float | None = None) -> None:
@@ -138,17 +106,10 @@ class ForwardFilter:
     def step(self, likelihood: Float, *, steps: float = 1.0, weight: float = 1.0) -> Float:
         """Return p(l_t = q | o_1 .. o_t), (n_classes,), for the next frame.
 
-        With `steps` and `weight` of 1, this is equation (13) to the bit.
-
-        Parameters
-        ----------
-        likelihood
-            (n_classes,) p(o_t | l_t = q), 0 or more, at least one above 0.
-        steps
-            Time since the last frame, 0 or more, in steps of the transition matrix: places change with
-            P^steps.
-        weight
-            Number of frames that this one counts as, 0 or more: the likelihood's exponent.
+        `likelihood` is (n_classes,) p(o_t | l_t = q), 0 or more, at least one above 0. `steps` is the time
+        since the last frame, 0 or more, in steps of the transition matrix: places change with P^steps.
+        `weight` is the number of frames that this one counts as, 0 or more: the likelihood's exponent. With
+        `steps` and `weight` of 1, this is equation (13) to the bit.
         """
         predicted = self._initial if self._filtered is None else self._filtered @ self._transitions(steps)
         if weight != 1.0:

@@ -26,16 +26,10 @@ def check(threshold: float | None, share: float | None, where: str) -> None:
 
 
 def threshold_of(share: float, information: NDArray[np.float32]) -> float:
-    """The threshold that a share of the training frames is below.
+    """The threshold that a share (between 0 and 1, rounded down to whole frames) of training frames is below.
 
-    The thesis gives its threshold in an undefined unit, and not the number of frames that it drops.
-
-    Parameters
-    ----------
-    share
-        Between 0 and 1; rounded down to whole frames.
-    information
-        (frames,) measures of the training frames, at least 1.
+    `information` is (frames,) measures, at least 1. The thesis gives its threshold in an undefined unit, and
+    not the number of frames that it drops.
     """
     return float(np.sort(information)[int(share * len(information))])
 
@@ -43,7 +37,7 @@ def threshold_of(share: float, information: NDArray[np.float32]) -> float:
 def dropped(
     information: NDArray[np.float32], labels: NDArray[np.int16], threshold: float
 ) -> dict[str, float]:
-    """Count what a threshold drops: frames, dropped, labelled, dropped_labelled, and the threshold."""
+    """Count frames: all, dropped, labelled, dropped_labelled; with the threshold."""
     low = ~(information >= threshold)
     return {
         "threshold": threshold,
@@ -63,25 +57,13 @@ def hold(
 ) -> NDArray[np.float64]:
     """Let a frame with little information repeat the distribution of the last accepted one (thesis 4.6).
 
-    A frame is accepted if its information reaches the threshold. Frames before the first accepted one of
-    their sequence keep their own distribution, since there is none to repeat; the thesis does not say. Frame
-    t uses frames up to t only.
+    A frame is accepted if its information reaches the threshold: 0.09766 in the thesis, and 0.13021 in a
+    check; or from :func:`threshold_of`. Frames before the first accepted one of their sequence keep their own
+    distribution, since there is none to repeat; the thesis does not say. Frame t uses frames up to t only.
 
-    Parameters
-    ----------
-    proba
-        (frames, classes) distributions.
-    information
-        (frames,) measure of each frame, see `placecat.vision.information.information`. Another length raises
-        PlacecatError.
-    threshold
-        0.09766 in the thesis, and 0.13021 in a check; or from :func:`threshold_of`.
-    sequences
-        Stretches of frames without a cut that cover all frames; the filter restarts at each.
-
-    Returns
-    -------
-    (frames, classes), rows of `proba`.
+    `proba` is (frames, classes) distributions, and the result its rows. `information` is the (frames,)
+    measure of `placecat.vision.information.information`; another length raises PlacecatError. `sequences` are
+    stretches of frames without a cut that cover all frames; the filter restarts at each.
     """
     if len(information) != len(proba):
         raise PlacecatError(f"{len(proba)} distributions have {len(information)} measures of information")

@@ -23,32 +23,26 @@ def learns_from_held_out(method: str) -> bool:
 
 @dataclass
 class Integrator:
-    """A trained integration.
+    """A trained integration by one of `METHODS`.
 
-    Attributes
-    ----------
-    method
-        One of `METHODS`.
-    model
-        The integrating classifier of SVM-DAS; None for the others.
-    temperatures
-        (cues,) what the cues' distributions are tempered with before, see
-        :func:`placecat.fusion.temperature.temper`; None to take them as they are.
-    weights
-        (cues,) of the logarithmic opinion pool; None for the others.
+    `model` is the integrating classifier of SVM-DAS, `weights` are the (cues,) weights of the logarithmic
+    opinion pool, and `smallest` is its floor, see :func:`placecat.fusion.log_pool.pool`; None for the others.
+    `temperatures` are (cues,) numbers that temper the cues' distributions first, see
+    :func:`placecat.fusion.temperature.temper`; None to take them as they are.
     """
 
     method: str
     model: CueModel | None
     temperatures: NDArray[np.float64] | None = None
     weights: NDArray[np.float64] | None = None
+    smallest: float | None = None
 
     def predict_proba(self, proba: NDArray[np.float64]) -> NDArray[np.float64]:
         """Fuse (frames, cues, n_classes) distributions to (frames, n_classes); rows sum to 1."""
         if self.temperatures is not None:
             proba = temper(proba, self.temperatures)
         if self.weights is not None:
-            return log_pool.pool(proba, self.weights)
+            return log_pool.pool(proba, self.weights, self.smallest or log_pool.SMALLEST)
         if self.model is None:
             return getattr(votes, self.method)(proba)
         return self.model.predict_proba(das.frames_of(proba))
@@ -56,17 +50,10 @@ class Integrator:
 
 @dataclass(frozen=True)
 class Trained:
-    """An integration and facts of its training.
+    """An integration and facts of its training, in JSON types.
 
-    Attributes
-    ----------
-    integrator
-        To be applied.
-    cross_validated, truth
-        (n, n_classes) distributions of the training frames by a model that saw neither the frame nor its
-        home, None if not asked for, and their (n,) classes; home after home.
-    facts
-        JSON types only.
+    `cross_validated` are (n, n_classes) distributions of the training frames by a model that saw neither the
+    frame nor its home, None if not asked for, and `truth` their (n,) classes; home after home.
     """
 
     integrator: Integrator
@@ -83,6 +70,7 @@ def fit(
     method: str,
     classifier: Mapping[str, Any] | None = None,
     shrinkage: float = 0.0,
+    smallest: float = log_pool.SMALLEST,
     temperatures: Sequence[float] | None = None,
     cross_validated: bool = True,
 ) -> Trained:
@@ -95,13 +83,11 @@ def fit(
         :func:`learns_from_held_out` is true needs those of cues that have not seen the home.
     truth
         Home to (n,) class indices of the same frames; may hold more homes.
-    classes
-        Names of the places.
-    method
-        ``das`` (SVM-DAS), ``vote_distribution``, ``vote_decision`` or ``log_pool``.
+    classes, method
+        Names of the places, and one of `METHODS`: ``das`` is SVM-DAS.
     classifier
         Of SVM-DAS, as for :func:`placecat.cues.fit`.
-    shrinkage
+    shrinkage, smallest
         Of the logarithmic opinion pool, as for :func:`placecat.fusion.log_pool.fit_weights`.
     temperatures
         Of each cue, as for :class:`Integrator`.
@@ -115,7 +101,8 @@ def fit(
     own = None if temperatures is None else np.asarray(temperatures, dtype=np.float64)
     homes = np.concatenate([np.full(len(proba), home) for home, proba in train.items()])
     if method == "log_pool":
-        return _fit_pool(together if own is None else temper(together, own), labels, homes, own, shrinkage)
+        tempered = together if own is None else temper(together, own)
+        return _fit_pool(tempered, labels, homes, own, shrinkage, smallest)
     if method != "das":
         # A vote has nothing to train, so its statistics need no cross-validation.
         vote = Integrator(method, None, own)
@@ -136,13 +123,15 @@ def _fit_pool(
     homes: NDArray[np.str_],
     temperatures: NDArray[np.float64] | None,
     shrinkage: float,
+    smallest: float,
 ) -> Trained:
     """A logarithmic opinion pool; each home's frames are judged by the weights of the others."""
-    weights = log_pool.fit_weights(proba, labels, homes, shrinkage=shrinkage)
+    settings = {"shrinkage": shrinkage, "smallest": smallest}
+    weights = log_pool.fit_weights(proba, labels, homes, **settings)
     held_out = np.empty((len(proba), proba.shape[2]))
     for home in np.unique(homes):
         own = homes == home
-        of_others = log_pool.fit_weights(proba[~own], labels[~own], homes[~own], shrinkage=shrinkage)
-        held_out[own] = log_pool.pool(proba[own], of_others)
-    integrator = Integrator("log_pool", None, temperatures, weights)
+        of_others = log_pool.fit_weights(proba[~own], labels[~own], homes[~own], **settings)
+        held_out[own] = log_pool.pool(proba[own], of_others, smallest)
+    integrator = Integrator("log_pool", None, temperatures, weights, smallest)
     return Trained(integrator, held_out, labels, {"weights": weights.tolist()})

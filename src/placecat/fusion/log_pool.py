@@ -10,58 +10,41 @@ from placecat.errors import PlacecatError
 
 Float = NDArray[np.float64]
 
-# Distributions are not taken as surer than this: one wrong certainty would be a veto.
-_SMALLEST = 1e-6
+# Floor of the probabilities: one wrong certainty would be a veto.
+SMALLEST = 1e-6
 
 
-def pool(proba: Float, weights: Float) -> Float:
+def pool(proba: Float, weights: Float, smallest: float = SMALLEST) -> Float:
     """Multiply distributions, each to the power of its cue's weight, and normalise.
 
-    Parameters
-    ----------
-    proba
-        (n, cues, n_classes) distributions; probabilities below 1e-6 count as that.
-    weights
-        (cues,) at or above 0. All 0 gives uniform distributions.
+    `proba` is (n, cues, n_classes) distributions, in which probabilities below `smallest`, in (0, 1), count
+    as that; `weights` are (cues,) at or above 0, and all 0 give uniform distributions. Returns (n,
+    n_classes); rows sum to 1.
 
-    Returns
-    -------
-    (n, n_classes); rows sum to 1.
-
-    Examples
-    --------
     >>> pool(np.array([[[0.8, 0.2], [0.1, 0.9]]]), np.array([1.0, 0.0])).round(3).tolist()
     [[0.8, 0.2]]
     """
-    powers = np.exp(_scores(_logs(proba), weights))
+    powers = np.exp(_scores(_logs(proba, smallest), weights))
     return powers / powers.sum(axis=-1, keepdims=True)
 
 
 def fit_weights(
-    proba: Float, truth: NDArray[np.int16], homes: NDArray[np.str_] | Sequence[str], *, shrinkage: float
+    proba: Float,
+    truth: NDArray[np.int16],
+    homes: NDArray[np.str_] | Sequence[str],
+    *,
+    shrinkage: float,
+    smallest: float = SMALLEST,
 ) -> Float:
-    """Find the weights with the least log-loss on frames that the cues have not seen.
+    """Find the (cues,) weights, at or above 0, with the least log-loss on frames that the cues have not seen.
 
     The loss is convex in the weights. Every home weighs the same, and in it every class. A cue alone at its
     best power is among the candidates, so that without shrinkage the pool is no worse than any of them here.
 
-    Parameters
-    ----------
-    proba
-        (n, cues, n_classes) distributions by cues that saw neither the frame nor its home.
-    truth, homes
-        (n,) class indices, and the home of each frame.
-    shrinkage
-        At or above 0: so much times the sum of the squared weights is added to the loss (in nats).
-
-    Returns
-    -------
-    (cues,) at or above 0.
-
-    Raises
-    ------
-    PlacecatError
-        Weights that are not found.
+    `proba` is (n, cues, n_classes) distributions by cues that saw neither the frame nor its home, with the
+    floor `smallest` as for :func:`pool`; `truth` and `homes` are (n,) class indices, and the home of each
+    frame. `shrinkage`, at or above 0, times the sum of the squared weights is added to the loss (in nats).
+    Raises PlacecatError if no finite weights are found.
 
     References
     ----------
@@ -74,7 +57,7 @@ def fit_weights(
     >>> bool(weights[0] > 1), round(float(weights[1]), 6)
     (True, 0.0)
     """
-    logs, index = _logs(proba), truth.astype(np.intp)
+    logs, index = _logs(proba, smallest), truth.astype(np.intp)
     rows, importance = np.arange(len(logs)), _importance(index, np.asarray(homes))
     right = logs[rows, :, index]
 
@@ -97,8 +80,8 @@ def fit_weights(
     return weights
 
 
-def _logs(proba: Float) -> Float:
-    return np.log(np.maximum(np.asarray(proba, dtype=np.float64), _SMALLEST))
+def _logs(proba: Float, smallest: float) -> Float:
+    return np.log(np.maximum(np.asarray(proba, dtype=np.float64), smallest))
 
 
 def _scores(logs: Float, weights: Float) -> Float:

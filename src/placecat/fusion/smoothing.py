@@ -24,20 +24,12 @@ _ROUNDING = 1e-6
 
 @dataclass(frozen=True)
 class SmoothingModel:
-    """Statistics of training homes for the smoothing.
+    """Statistics of training homes, and settings of the smoothing.
 
-    Attributes
-    ----------
-    transition, emission
-        (n_classes, n_classes), see `placecat.fusion.hmm`.
-    evidence
-        See :func:`placecat.fusion.hmm.likelihoods`.
-    evidence_seconds
-        The longest time that one frame is evidence for, see :class:`Smoother`.
-    delay_seconds
-        Time constant of the delay, see :class:`placecat.fusion.delay.Delay`.
-    frame_rate
-        Frames per second of the transitions.
+    `transition` and `emission` are (n_classes, n_classes), see `placecat.fusion.hmm`, as is `evidence`;
+    `evidence_seconds` is the longest time that one frame is evidence for, see :class:`Smoother`;
+    `delay_seconds` is that of :class:`placecat.fusion.delay.Delay`; `frame_rate`, in frames per second, is
+    that of the transitions.
     """
 
     transition: NDArray[np.float64]
@@ -51,9 +43,8 @@ class SmoothingModel:
 class Smoother:
     """Smooth one sequence, frame by frame; frame t uses frames up to t only.
 
-    Frames may come at any rate, also a changing one: transitions, evidence and delay count in seconds.
-
-    A frame counts as the frames at the model's rate that fit into the time since the last one: at twice the
+    Frames may come at any rate, also a changing one: transitions, evidence and delay count in seconds. A
+    frame counts as the frames at the model's rate that fit into the time since the last one: at twice the
     rate the same views are repeated and give no more evidence. After a long time, the view cannot have been
     there all along, so a frame counts for `evidence_seconds` at most (but always as one frame).
     """
@@ -68,13 +59,9 @@ class Smoother:
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Return the distributions of the filter and of the delay for the next frame.
 
-        Parameters
-        ----------
-        proba
-            (n_classes,) distribution of the integrator.
-        seconds
-            Time since the last frame, finite and 0 or more, else PlacecatError; for the first frame, its
-            duration. None is one frame at the model's rate; an equal time gives the same bits.
+        `proba` is the (n_classes,) distribution of the integrator. `seconds` is the time since the last
+        frame, finite and 0 or more, else PlacecatError; for the first frame, its duration. None is one frame
+        at the model's rate; an equal time gives the same bits.
         """
         steps = 1.0
         check_elapsed(seconds)
@@ -110,21 +97,12 @@ def fit(
 ) -> SmoothingModel:
     """Count the statistics of training homes; raises PlacecatError for a setting of a wrong type or range.
 
-    Parameters
-    ----------
-    training_sequences
-        Labels of the training homes in order of time, -1 for unlabelled, for the transitions.
-    training_frame_rates
-        Frames per second of each of these; the model has the highest, see
-        :func:`placecat.fusion.hmm.transition_matrix`.
-    training_proba, training_truth
-        Cross-validated outputs of the integrator on training frames, for the emission.
-    delay_seconds
-        See :class:`placecat.fusion.delay.Delay`.
-    evidence_seconds
-        See :class:`Smoother`; finite and above 0.
-    evidence, reliability, transition_counts, emission_counts
-        See `placecat.fusion.hmm`.
+    `training_sequences` are labels of the training homes in order of time, -1 for unlabelled, for the
+    transitions, and `training_frame_rates` their frames per second; the model has the highest, see
+    :func:`placecat.fusion.hmm.transition_matrix`. `training_proba` and `training_truth` are cross-validated
+    outputs of the integrator on training frames, for the emission. `delay_seconds` is that of
+    :class:`placecat.fusion.delay.Delay`, `evidence_seconds`, finite and above 0, that of :class:`Smoother`;
+    the other settings are those of `placecat.fusion.hmm`.
     """
     Delay(delay_seconds)
     above_zero("smoothing.evidence_seconds", evidence_seconds)
@@ -166,20 +144,10 @@ def apply(
 ) -> dict[str, NDArray[np.float64]]:
     """Smooth one home with a model.
 
-    Parameters
-    ----------
-    proba
-        (frames, n_classes) distributions for every frame of the home, labelled or not.
-    sequences
-        Stretches of frames without a cut; the filter restarts at each.
-    frame_rate
-        Frames per second of the home.
-    times
-        (frames,) seconds of the frames since the start of their sequence; None if they are evenly timed.
-
-    Returns
-    -------
-    ``hmm`` and ``delayed``, each (frames, n_classes); rows sum to 1.
+    `proba` is (frames, n_classes) distributions for every frame of the home, labelled or not; `sequences` are
+    stretches of frames without a cut, and the filter restarts at each; `frame_rate` is in frames per second;
+    `times` are the (frames,) seconds since the start of their sequence, None if evenly timed. Returns ``hmm``
+    and ``delayed``, each (frames, n_classes); rows sum to 1.
     """
     filtered, delayed = np.empty(proba.shape), np.empty(proba.shape)
     for part in sequences:

@@ -15,8 +15,6 @@ def temper(proba: NDArray[np.float64], temperature: float | NDArray[np.float64])
     temperature is above 0: one number, or an array that broadcasts against ``proba[..., 0]``. 1 changes only
     last bits.
 
-    Examples
-    --------
     >>> temper(np.array([[0.8, 0.2]]), 2.0).round(3).tolist()
     [[0.667, 0.333]]
     """
@@ -32,12 +30,8 @@ def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> flo
     The thesis has none. Naive Bayes multiplies over codewords as if they were independent, and is far too
     certain; the parallel scheme averages, and is not certain enough.
 
-    Parameters
-    ----------
-    proba
-        (n, n_classes) distributions by a model that saw neither the frame nor its home.
-    truth
-        (n,) class indices. Every class present weighs the same.
+    `proba` is (n, n_classes) distributions by a model that saw neither the frame nor its home; `truth` is
+    (n,) class indices, and every class present weighs the same.
 
     References
     ----------

@@ -10,22 +10,15 @@ Float = NDArray[np.float64]
 def generator(transition: Float) -> Float:
     """Rates of change of place, per step of a transition matrix: Q with exp(Q) = P, or close to it.
 
-    Q is the logarithm of P if that is a matrix of rates. Not every stochastic matrix has such a logarithm (it
-    is not *embeddable*); no chain in continuous time then gives P, and Q is chosen by this rule:
+    P is (n, n), at or above 0, with rows that sum to 1; Q is (n, n), off the diagonal at or above 0, with
+    rows that sum to 0. Q is the logarithm of P if that is a matrix of rates. Some stochastic matrices have no
+    such logarithm (they are not *embeddable*): then no chain in continuous time gives P, and Q follows these
+    rules:
 
     - Negative rates of the logarithm become 0, and the diagonal is adjusted (Israel, Rosenthal and
       Wei, Finding generators for Markov chains via empirical transition matrices, 2001).
     - If P has an eigenvalue at or below 0, it has no real logarithm. Q is then P - I: the chain changes as P
       says, at random times, once per step on average.
-
-    Parameters
-    ----------
-    transition
-        (n, n), at or above 0, rows sum to 1.
-
-    Returns
-    -------
-    (n, n): off the diagonal at or above 0, rows sum to 0.
     """
     identity = np.eye(len(transition))
     values = np.linalg.eigvals(transition)

@@ -1,6 +1,6 @@
 """DVC as `placecat repro` runs it: ``python -m placecat.runs.dvc repro``.
 
-It writes dvc.lock under another name and renames it. Plain DVC writes in place, and a run killed at that
+It writes dvc.lock under another name and renames it; plain DVC writes in place, and a run killed at that
 moment loses its records. It prints how many stages and how much time are left, and hides messages about
 frozen stages. On SIGTERM, or when the run that started it is gone, it first ends its stage.
 """
@@ -45,12 +45,7 @@ def main() -> None:
 class _Left(logging.Filter):
     """Adds to the line of a stage its number and the time that it and later stages may take.
 
-    Parameters
-    ----------
-    stages
-        In order.
-    seconds
-        Earlier time of each; missing ones count 0.
+    `seconds` are earlier times of the stages; missing ones count 0.
     """
 
     def __init__(self, stages: Sequence[str], seconds: Mapping[str, float]) -> None:

@@ -31,12 +31,9 @@ _OF_PROCESS = re.compile(r"(?:joblib_memmapping_folder_|sem\.loky-)(\d+)[_-].*")
 
 
 def mend() -> list[str]:
-    """Repair what a killed run left; needs :func:`placecat.runs.lock.alone`.
+    """Repair what a killed run left; return what was done, one line each, for the user.
 
-    Returns
-    -------
-    list of str
-        What was done, one line each, for the user.
+    Needs :func:`placecat.runs.lock.alone`.
     """
     said = []
     if LOCK.exists():

@@ -1,4 +1,4 @@
-"""What the sections of the schema share."""
+"""Types that the sections of the schema share."""
 
 from typing import Annotated, Any, Literal
 

@@ -23,7 +23,7 @@ class ExperimentCodebook(Section):
 
 
 class Limits(Section):
-    """Limits of an experiment without further permission."""
+    """Limits that an experiment must not exceed without permission."""
 
     kernel_rows: Count
 

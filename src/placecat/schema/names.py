@@ -33,7 +33,7 @@ def _folder(text: str) -> str:
         raise ValueError("~ is not expanded here: write the whole path")
     # DVC accepts no folder that a stage writes into.
     if Path("data").resolve().is_relative_to(Path(text).resolve()):
-        raise ValueError("the folder holds what the stages write: put the homes in a folder of their own")
+        raise ValueError("the stages write into this folder: put the homes in a folder of their own")
     return text
 
 
@@ -48,9 +48,9 @@ def _short(text: str) -> str:
 def _file_name(text: str) -> str:
     _short(text)
     if "/" in text or "\\" in text:
-        raise ValueError("it is the name of a file or folder, so that it must not have / or \\")
+        raise ValueError("it names a file or folder: leave out / and \\")
     if text.startswith((".", "-")):
-        raise ValueError("it is the name of a file or folder, so that it must not begin with . or -")
+        raise ValueError("it names a file or folder: begin with neither . nor -")
     if text in _RESERVED:
         raise ValueError(f"{text!r} stands for all of them: rename it")
     return text
@@ -74,10 +74,10 @@ Text = Annotated[str, AfterValidator(_text)]
 Folder = Annotated[str, AfterValidator(_folder)]
 """The path of a folder of data, which a stage depends on."""
 Label = Annotated[str, AfterValidator(_short)]
-"""A title, a place, a camera: what people read in tables and figures."""
+"""A title, a place, a camera: text of tables and figures."""
 FileName = Annotated[str, AfterValidator(_file_name)]
 """A home, a sequence: it names files and folders."""
 Key = Annotated[str, AfterValidator(_key)]
 """A cue, a codebook, a system: it names files and is a part of dotted names."""
 Distinct = Annotated[list[_Item], AfterValidator(_distinct)]
-"""A list without an item twice."""
+"""A list of different items."""

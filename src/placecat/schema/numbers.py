@@ -10,7 +10,7 @@ from placecat.ranges import Count
 
 def _odd(number: int) -> int:
     if number % 2 == 0:
-        raise ValueError("it must be odd, so that it has a middle")
+        raise ValueError("it must be odd, to have a middle")
     return number
 
 

@@ -1,4 +1,4 @@
-"""What the import of panoramas has (conf/panoramas.yaml): names, types and ranges."""
+"""The settings of the import of panoramas (conf/panoramas.yaml): names, types and ranges."""
 
 from typing import Annotated
 
@@ -40,7 +40,7 @@ class Stay(Section):
 
 
 class Faces(Section):
-    """What stands for each face in the name of its file."""
+    """Text for each face in the names of the files."""
 
     front: Text
     right: Text
@@ -51,7 +51,7 @@ class Faces(Section):
 
 
 class Cubes(Section):
-    """How the six pictures of a panorama are called."""
+    """Names of the six pictures of a panorama."""
 
     file: Text
     faces: Faces

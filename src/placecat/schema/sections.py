@@ -272,12 +272,17 @@ class Integrator(Section):
     method: Literal["das", "vote_distribution", "vote_decision", "log_pool"]
     classifier: Own | None = None
     shrinkage: NonNegative | None = None
+    smallest: PartShare | None = None
 
     @model_validator(mode="after")
     def _of_its_method(self) -> "Integrator":
         for name, method in (("classifier", "das"), ("shrinkage", "log_pool")):
             if (getattr(self, name) is not None) != (self.method == method):
                 raise ValueError(f"{name} is a setting of method: {method}, which needs it, and of no other")
+        if "smallest" in self.model_fields_set and (self.smallest is None or self.method != "log_pool"):
+            raise ValueError(
+                "smallest is a number for method: log_pool alone; leave it out for the usual one"
+            )
         return self
 
 

@@ -19,25 +19,10 @@ _REPLACED = ("search", "judge", "test_home", "track", "data=main")
 
 
 def write(folder: Path, tried: Sequence[Tried], space: Space, base: dict[str, str], home: str) -> str:
-    """Write the results and a summary.
+    """Write the results and a summary to the folder of the sweep; return the summary, as Markdown.
 
-    Parameters
-    ----------
-    folder
-        Of the sweep.
-    tried
-        The tried settings, the starts first.
-    space
-        The space of the search.
-    base
-        The chosen options of ``descriptor``, ``classifier`` and ``data``.
-    home
-        The test home, which was not read.
-
-    Returns
-    -------
-    str
-        The summary, as Markdown.
+    `tried` are the tried settings, the starts first; `base` the chosen options of ``descriptor``,
+    ``classifier`` and ``data``; `home` the test home, which was not read.
     """
     starts, found = dict(zip(space.starts, tried, strict=False)), best(tried)
     without = [one for one in tried if one.accuracy is None]

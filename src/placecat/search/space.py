@@ -22,16 +22,10 @@ _OF_THE_METHOD = ("descriptor", "classifier", "codebook", "clustering")
 class Space:
     """The space of a search.
 
-    Attributes
-    ----------
-    distributions
-        Key to Optuna's distribution; the values of a choice are written as in Hydra.
-    starts
-        Source of each start, e.g. ``conf/cue/hog_y.yaml``, to key to value.
-    fixed
-        Overrides of all its experiments.
-    digits
-        Significant digits of numbers chosen from intervals. Those of the starts stay as they are.
+    `distributions` are keys to Optuna's distributions, the values of a choice written as in Hydra. `starts`
+    are the source of each start, e.g. ``conf/cue/hog_y.yaml``, to key to value. `fixed` are the overrides of
+    all experiments. `digits` are the significant digits of numbers chosen from intervals; the starts stay as
+    they are.
     """
 
     distributions: "dict[str, BaseDistribution]"
@@ -76,23 +70,11 @@ def read(
 ) -> Space:
     """Read the space from the configuration and the command line, which takes precedence.
 
-    Parameters
-    ----------
-    spans
-        Key to span as in conf/search, e.g. ``interval(0.1, 2)`` or ``choice(a, b)``.
-    arguments
-        Overrides of the command line. Keys with a single value there are not searched.
-    config
-        The experiment composed without the searched settings, with Hydra's own settings: the first start.
-    params
-        params.yaml, see :func:`placecat.search.starts.find`.
-    digits
-        Significant digits of numbers chosen from intervals.
-
-    Raises
-    ------
-    PlacecatError
-        If nothing is searched, a key is not one of the method, or the space does not hold a start.
+    `spans` are keys to spans as in conf/search, e.g. ``interval(0.1, 2)`` or ``choice(a, b)``. `arguments`
+    are overrides; keys with a single value there are not searched. `config` is the experiment composed
+    without the searched settings, with Hydra's own settings: the first start. `params` is params.yaml, see
+    :func:`placecat.search.starts.find`. Raises PlacecatError if nothing is searched, a key is not one of the
+    method, or the space does not hold a start.
     """
     parser = OverridesParser.create()
     written = [*(f"{key}={value}" for key, value in spans.items()), *arguments]

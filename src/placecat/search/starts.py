@@ -12,22 +12,11 @@ SETTINGS = "the settings without a search"
 
 
 def find(keys: Sequence[str], config: DictConfig, params: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
-    """Find the settings to start with.
+    """Find the settings to start with: the source of each start to the values of the searched keys.
 
-    Parameters
-    ----------
-    keys
-        The searched keys; a key that the experiment lacks raises PlacecatError.
-    config
-        The experiment composed without the searched settings, with Hydra's own settings: the first start.
-    params
-        params.yaml. A cue with the experiment's descriptor and classifier but other settings is also a start:
-        those of conf/cue are the best of the thesis.
-
-    Returns
-    -------
-    dict
-        Source of a start to the values of `keys`.
+    `config` is the experiment composed without the searched settings, with Hydra's own settings: the first
+    start. A key that it lacks raises PlacecatError. A cue of `params` with the experiment's descriptor and
+    classifier but other settings is also a start: those of conf/cue are the best of the thesis.
     """
     first = {key: _value(key, config) for key in keys}
     found = {SETTINGS: first}

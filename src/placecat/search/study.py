@@ -10,17 +10,7 @@ from placecat.search.space import Space
 
 @dataclass(frozen=True)
 class Tried:
-    """A tried setting.
-
-    Attributes
-    ----------
-    number
-        Of the experiment, from 0.
-    overrides
-        The choice.
-    accuracy
-        In percent; None if the experiment gave no number.
-    """
+    """A tried setting: the number of its experiment, the choice, and the accuracy in percent, or None."""
 
     number: int
     overrides: tuple[str, ...]
@@ -39,7 +29,9 @@ def search(
     """Search the settings of the highest accuracy with Optuna's tree-structured Parzen estimator.
 
     The first trials are the starts, so the best is at least as good as each of them. A repeated setting is
-    not run again, since it would give the same number.
+    not run again, since it would give the same number. Returns every setting that was run, in the order of
+    trials, the starts first. Raises PlacecatError if a number is out of range, or no experiment gave an
+    accuracy by the time the sampler needs some.
 
     Parameters
     ----------
@@ -50,20 +42,8 @@ def search(
         Settings to try, including the starts and repeated ones.
     batch_size
         Settings chosen at a time, without each other's results.
-    seed
-        Of the sampler.
     n_startup_trials
         Trials before the sampler uses results; until then it draws evenly.
-
-    Returns
-    -------
-    list
-        Every setting that was run, in the order of trials, the starts first.
-
-    Raises
-    ------
-    PlacecatError
-        If a number is out of range, or no experiment gave an accuracy by the time the sampler needs some.
     """
     for name, value, least in (("n_trials", n_trials, len(space.starts)), ("batch_size", batch_size, 1)):
         if value < least:

@@ -20,16 +20,9 @@ def main() -> None:
 
 
 def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
-    """List and check every home of a data set.
+    """List and check every home of a data set, as in conf/dataset, into one folder of `target` per home.
 
-    Parameters
-    ----------
-    dataset
-        As in conf/dataset.
-    target
-        The folder to write, with one folder per home.
-    setting
-        Where the data set stands in params.yaml, for messages.
+    `setting` is the name of the data set in params.yaml, for messages.
     """
     root = Path(dataset["root"])
     if not root.is_dir():

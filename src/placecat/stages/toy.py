@@ -28,9 +28,8 @@ class Task(NamedTuple):
 def main() -> None:
     """Train the schemes on each seed's points and test them on others, also for other radii and decisions.
 
-    Results are ``toy/parallel`` and ``toy/sequential``; ``toy/last/...``, the same on only the points of the
-    last class in the sequential scheme's list; and ``toy/RADIUS/parallel`` and
-    ``toy/RADIUS/sequential/DECISION``.
+    Results are ``toy/parallel`` and ``toy/sequential``; ``toy/last/...``, the same for the points of the last
+    class in the sequential scheme's list; and ``toy/RADIUS/parallel`` and ``toy/RADIUS/sequential/DECISION``.
     """
     toy = settings.get(settings.load(), "toy")
     numbers = toy["training"], toy["testing"]
@@ -56,7 +55,7 @@ def main() -> None:
 
 
 def _deciding(schemes: Mapping[str, Any], decisions: list[str], radius: float) -> dict[str, Any]:
-    """Schemes by names with the radius; the sequential one once for each kind of decision."""
+    """Schemes with the radius in their names: the parallel one, and the sequential one by each decision."""
     found = {f"{radius:g}/parallel": schemes["parallel"]}
     for decision in decisions:
         found[name := f"{radius:g}/sequential/{decision}"] = copy.deepcopy(schemes["sequential"])

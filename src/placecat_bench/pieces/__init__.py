@@ -1,6 +1,6 @@
-"""One module a piece: ``entries()`` gives what to measure.
+"""The pieces, one module each: its generator ``entries()`` yields the measurements.
 
-It is a generator, so that the inputs of pieces are not held together.
+Their inputs are not held together.
 """
 
 from collections.abc import Callable, Iterator
@@ -17,12 +17,6 @@ def names() -> list[str]:
 
 
 def load(name: str) -> Entries:
-    """Give the function ``entries`` of a piece.
-
-    Raises
-    ------
-    PlacecatError
-        If there is no such piece.
-    """
+    """Give the function ``entries`` of a piece; raises PlacecatError if there is no such piece."""
     entries: Entries = lookup.module(__name__, name, "the piece", "entries").entries
     return entries

@@ -1,9 +1,9 @@
 """Census histograms beside scikit-image's local binary patterns, in the cells of a grid.
 
 `local_binary_pattern` with 8 points at radius 1 sets a bit where a neighbour is at least the centre, the
-census transform where the centre is at least a neighbour: of the inverted image both say the same. The four
-diagonal neighbours are none of its pixels, though: it interpolates at distance 1. So the histograms are
-compared over the four straight ones. It also gives codes to pixels on the border, which are cut off.
+census transform where the centre is at least a neighbour: they agree on the inverted image. It interpolates
+the four diagonal neighbours at distance 1, between pixels, so the histograms are compared over the four
+straight ones. It also gives codes to pixels on the border, which are cut off.
 """
 
 from collections.abc import Iterator, Sequence
@@ -31,18 +31,10 @@ def entries(
     cells: int = 4,
     repeats: int = 15,
 ) -> Iterator[Comparison | Limit]:
-    """Yield the time beside the peer's, and the difference from its histograms.
+    """Yield the time beside the peer's, and the difference from its histograms, in `cells` along each axis.
 
-    Parameters
-    ----------
-    images
-        (h, w) uint8 of one size; by default a frame of each rendered home, reduced to `width` and `height`.
-    width, height
-        Size of the images.
-    cells
-        Cells along each axis.
-    repeats
-        Pairs, each of all images.
+    `images` are (h, w) uint8 of one size; by default a frame of each rendered home, reduced to `width` and
+    `height`. A repeat is a pair of calls with all images.
     """
     given = reduced_frames(width, height) if images is None else images
     text = f"{size(given[0])}, {cells}x{cells} cells"

@@ -1,11 +1,10 @@
 """Dependency tree beside pgmpy's: one class's tree and its conditional probabilities, learned from codes.
 
-pgmpy does the same in two steps. ``TreeSearch`` computes the mutual information of all pairs (by
-scikit-learn's ``mutual_info_score``) and the maximum spanning tree from the same root (by NetworkX); then
+pgmpy takes two steps. ``TreeSearch`` computes the mutual information of all pairs (by scikit-learn's
+``mutual_info_score``) and the maximum spanning tree from the same root (by NetworkX); then
 ``DiscreteBayesianEstimator`` with the prior K2, which adds 1 to every count as we do, estimates the
-probabilities. It has one process, as we have. Ours also checks the codes and splits them by class; pgmpy gets
-a table that is ready. That both learn the same is measured too: by the log-likelihood that they give to every
-sample.
+probabilities. Both have one process. Ours also checks the codes and splits them by class; pgmpy gets a table
+that is ready. The log-likelihoods of all samples show that both learn the same.
 """
 
 import warnings
@@ -28,16 +27,10 @@ PEER = Peer("pgmpy: TreeSearch and DiscreteBayesianEstimator", "pgmpy")
 def entries(
     *, samples: int = 8000, grid: int = 16, clusters: int = 196, few: int = 124, many: int = 496
 ) -> Iterator[Comparison | Limit]:
-    """Yield the tree of the codewords of a grid, and the trees of few and of many activations.
+    """Yield the tree of the codewords of a grid of cells, and the trees of few and of many activations.
 
-    Parameters
-    ----------
-    samples
-        Samples of the class.
-    grid, clusters
-        Cells of the grid, and values that the codeword of a cell can have.
-    few, many
-        Binary variables; with many of them only ours is timed.
+    `samples` are those of the class, `clusters` the values of a cell's codeword. An activation has two
+    values; with many of them only ours is timed.
     """
     codes = chained_codes(samples, grid, clusters)
     text = f"{grid} variables x {clusters} values x {samples}"
@@ -85,19 +78,9 @@ def _comparison(
 
 
 def chained_codes(samples: int, variables: int, n_values: int, seed: int = 0) -> NDArray[np.int32]:
-    """Draw codes from a tree: half the samples of a variable repeat the value of an earlier one.
+    """Draw codes, (samples, variables) int32 in [0, n_values), from a tree.
 
-    Parameters
-    ----------
-    samples, variables, n_values
-        Numbers of each.
-    seed
-        Of the draws.
-
-    Returns
-    -------
-    ndarray of shape (samples, variables), int32
-        In [0, n_values).
+    Half the samples of a variable repeat the value of an earlier one.
     """
     rng = np.random.default_rng(seed)
     codes = rng.integers(n_values, size=(samples, variables), dtype=np.int32)

@@ -1,8 +1,8 @@
 """Gentle AdaBoost beside OpenCV's: one place against the rest, 50 stumps.
 
 The same boosting with the same trimming of light samples. OpenCV cuts a feature between any two of its
-values, ours at 255 quantiles, so that the stumps are not the same where there are more values, but as good:
-the share of training frames that they decide rightly is compared too.
+values, ours at 255 quantiles. With more values the stumps differ but are as good: the shares of training
+frames that they decide right are compared too.
 """
 
 from collections.abc import Iterator
@@ -24,15 +24,7 @@ _SUM = 256
 
 
 def entries(*, frames: int = 8000, features: int = 256, rounds: int = 50) -> Iterator[Comparison | Limit]:
-    """Yield time, and how well both know what they learned from.
-
-    Parameters
-    ----------
-    frames, features
-        To learn from.
-    rounds
-        Stumps.
-    """
+    """Yield time, and how well both know their training frames after so many stumps."""
     drawn = draw_frames(frames, features, HOMES)
     X, positive = drawn.descriptors, drawn.place == 0
     text = f"{frames} x {features}, {rounds} rounds"

@@ -1,10 +1,9 @@
 """Hierarchical k-means beside FLANN's: the centres of a codebook of SIFT descriptors.
 
 Both split into 16 clusters from k-means++ seeds, with at most 11 of Lloyd's iterations, and cut the tree
-where the variance falls most. FLANN cannot be told how far the tree is wanted: it grows it down to cells of
-less than 16 points before it cuts; ours grows as far as the cut needs, which gives the same as cutting a
-whole tree. The draws of the seeds differ, so the inertia is compared too: the sum of squared distances of all
-points to the nearest of the centres, which their codewords stand for.
+where the variance falls most. FLANN grows the tree down to cells of less than 16 points before it cuts; ours
+grows as far as the cut needs, which gives the same as cutting a whole tree. The draws of the seeds differ, so
+the inertia is compared too: the sum of squared distances of all points to the nearest centre.
 
 The points are the project's SIFT descriptors of random places and scales in frames of a rendered home.
 """
@@ -39,16 +38,9 @@ _BLOCK = 1 << 14
 def entries(
     *, points: int = 200_000, clusters: tuple[int, int] = (196, 496), homes: Path = HOMES
 ) -> Iterator[Comparison | Limit]:
-    """Yield time and inertia of two cuts.
+    """Yield time and inertia of two cuts; `homes` is a folder of videos.
 
-    Parameters
-    ----------
-    points
-        Descriptors to cluster.
-    clusters
-        Codewords: the first is to be 2.5 times faster than FLANN's, the second twice.
-    homes
-        Folder of videos.
+    The first number of clusters should be 2.5 times faster than FLANN's, the second twice.
     """
     descriptors = draw_descriptors(points, homes)
     for number, faster in zip(clusters, (2.5, 2.0), strict=True):
@@ -77,26 +69,10 @@ def _cut(points: NDArray[np.float32], n_clusters: int, faster: float) -> Iterato
 
 
 def draw_descriptors(points: int, homes: Path = HOMES, seed: int = 0) -> NDArray[np.float32]:
-    """Describe random places and scales in every 13th frame of videos.
+    """Describe random places and scales in every 13th frame of as many videos as necessary.
 
-    Parameters
-    ----------
-    points
-        Number of descriptors.
-    homes
-        Folder of the videos, of which as many are read as it takes.
-    seed
-        Of the places and scales.
-
-    Returns
-    -------
-    ndarray of shape (points, 128), float32
-        Whole numbers from 0 to 255.
-
-    Raises
-    ------
-    PlacecatError
-        If the videos have too few frames.
+    Returns (points, 128) float32, whole numbers from 0 to 255. Raises PlacecatError if the videos have too
+    few frames.
     """
     rng = np.random.default_rng(seed)
     parts: list[NDArray[np.float32]] = []

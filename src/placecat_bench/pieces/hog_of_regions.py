@@ -24,16 +24,9 @@ PEER = Peer("OpenCV: HOGDescriptor.compute for each region", "opencv-python-head
 def entries(
     *, frames: Sequence[Image] | None = None, count: int = REGIONS, repeats: int = 15
 ) -> Iterator[Comparison | Limit]:
-    """Yield the time beside the peer's, and the difference from its descriptors.
+    """Yield the time beside the peer's, and the difference from its descriptors, for `count` regions a frame.
 
-    Parameters
-    ----------
-    frames
-        Frames of one size; one of each rendered home by default.
-    count
-        Regions of a frame.
-    repeats
-        Pairs, each of all frames.
+    `frames` have one size, by default one of each rendered home; a repeat is a pair of calls with all frames.
     """
     keep_freed_memory()
     pictures = [decoded(file) for file in jpegs()] if frames is None else frames

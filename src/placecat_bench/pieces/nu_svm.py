@@ -1,16 +1,16 @@
-"""nu-SVM beside scikit-learn's: five classes against the rest each, with probabilities.
+"""nu-SVM beside scikit-learn's: each of five classes against the rest, with probabilities.
 
-Both fit one nu-SVM a class on all frames, and one a class and home on the frames of the other homes, whose
-decisions for the frames of that home a sigmoid is fitted to: ``CalibratedClassifierCV`` does so with
-``ensemble=False`` and our folds. (By default it would do without the first and predict by the mean over
-folds: fewer fits, but five times the work to predict, and other probabilities, so that there would be nothing
-to compare.) ``OneVsRestClassifier`` divides the probabilities of a frame by their sum, as our combination
-``certainty`` does; the thesis's, ``parallel``, takes one small matrix product more. gamma, nu, the tolerance,
-the scaling and libsvm's cache, which holds the whole kernel matrix, are the same. Theirs gets float64, to
-which it would convert for every fit.
+Both fit for each class one nu-SVM on all frames, and one per home on the frames of the other homes; a sigmoid
+is fitted to their decisions for the frames of the homes left out. ``CalibratedClassifierCV`` does so with
+``ensemble=False`` and our folds. (By default it would skip the first and predict by the mean over folds:
+fewer fits, but five times the work to predict, and other probabilities, which would not compare.)
+``OneVsRestClassifier`` divides the probabilities of a frame by their sum, as our combination ``certainty``
+does; the thesis's, ``parallel``, takes one small matrix product more. gamma, nu, the tolerance, the scaling
+and libsvm's cache, which holds the whole kernel matrix, are the same. Theirs gets float64, to which it would
+convert for every fit.
 
-The ratios depend on how many frames are support vectors, and how many of these are so for several classes at
-once, which costs us one kernel value and scikit-learn one a class. The frames are as hard as Gist's
+The ratios depend on how many frames are support vectors, and how many of these serve several classes, which
+costs us one kernel value and scikit-learn one per class. The frames are as hard as Gist's
 (:mod:`placecat_bench.gist_like`).
 """
 
@@ -40,12 +40,7 @@ def entries(
 ) -> Iterator[Comparison | Limit]:
     """Yield the times of fit and prediction, and how far the probabilities are apart.
 
-    Parameters
-    ----------
-    frames, features, homes
-        To learn from.
-    new
-        Frames of one more home to predict.
+    `new` frames of one more home are predicted.
     """
     train, test = draw_frames(frames, features, range(homes)), draw_frames(new, features, [homes])
     scaling = KernelScaling("standard").fit(train.descriptors)

@@ -1,11 +1,10 @@
 """Relevance vector machine beside fastrvm's: one place against the rest.
 
-Both maximise the evidence by adding, re-estimating and deleting basis functions (Tipping and Faul 2003),
-with the same kernel and a bias, and compute the Gram matrix themselves. fastrvm renews its statistics after
-each such change, ours after many. fastrvm takes thousands of changes, and for two of the five places more
-than 3000: the place is the one for which it takes the fewest. The evidences do not compare, since fastrvm
-leaves the bias without a prior; the shares of training frames that both decide rightly do. The time on 8000
-frames is ours alone.
+Both maximise the evidence by adding, re-estimating and deleting basis functions (Tipping and Faul 2003), with
+the same kernel and a bias, and compute the Gram matrix themselves. fastrvm renews its statistics after each
+such change, ours after many. fastrvm takes thousands of changes, for two of the five places more than 3000:
+the place is the one with the fewest. The evidences do not compare, since fastrvm leaves the bias without a
+prior; the shares of training frames that each decides right do. The time on 8000 frames is ours alone.
 """
 
 from collections.abc import Iterator
@@ -32,12 +31,7 @@ PLACE = 1
 def entries(*, few: int = 1600, many: int = 8000, features: int = 1024) -> Iterator[Comparison | Limit]:
     """Yield time and accuracy on few frames, and the time of the slowest of five classes on many.
 
-    Parameters
-    ----------
-    few, many
-        Frames.
-    features
-        Numbers that describe a frame.
+    A frame is described by so many features.
     """
     yield from _beside_fastrvm(few, features)
     yield _alone(many, features)

@@ -19,12 +19,7 @@ READ = tuple(name for name in FIELDS if name != "color")
 def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iterator[Comparison | Limit]:
     """Yield the time beside that of decoding.
 
-    Parameters
-    ----------
-    frames
-        Frames of one size; one of each rendered home by default.
-    repeats
-        Pairs, each of all frames.
+    `frames` have one size, by default one of each rendered home; a repeat is a pair of calls with all frames.
     """
     keep_freed_memory()
     files = jpegs() if frames is None else [encoded(frame) for frame in frames]

@@ -1,4 +1,4 @@
-"""All of `python -m placecat_bench.scale`."""
+"""The command `python -m placecat_bench.scale`."""
 
 import shutil
 from collections.abc import Sequence
@@ -30,27 +30,12 @@ def run(
     keep: bool = False,
     output: Path = paths.REPORTS,
 ) -> None:
-    """Measure one size after the other, and write scale.csv, scale_growth.csv and scale.json.
+    """Measure one size after the other, and write scale.csv, scale_growth.csv and scale.json to `output`.
 
-    After each size what is known is written, so that a run that is stopped leaves something.
-
-    Parameters
-    ----------
-    sizes, stages
-        Instead of those of conf/scale.yaml.
-    folder
-        A folder a size is made in it.
-    add
-        Keep what the scale.csv in `output` has of other sizes; it should be of the same machine and code.
-    keep
-        Leave those folders.
-    output
-        Where the three files go.
-
-    Raises
-    ------
-    PlacecatError
-        For wrong settings, features that are not there, and a stage that fails.
+    They are written after each size, so that a stopped run leaves something. `sizes` and `stages` replace
+    those of conf/scale.yaml. `folder` gets one folder per size, which stay if `keep`. `add` keeps other sizes
+    of the scale.csv in `output`, which should be from the same machine and code. Raises PlacecatError for
+    wrong settings, missing features, and a stage that fails.
     """
     options = read_settings()
     homes = read_homes(options["homes"])

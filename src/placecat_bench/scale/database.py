@@ -1,4 +1,4 @@
-"""How many frames a home database has of which label, and its labels in an order that a walk could have."""
+"""Frames of each label in a home database, and its labels in the order of a possible walk."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -14,17 +14,7 @@ TRANSITION = "transition"
 
 @dataclass(frozen=True)
 class Stretch:
-    """Some frames of one label without a break.
-
-    Attributes
-    ----------
-    floor
-        From 1; what was filmed without a cut.
-    label
-        Of all its frames.
-    frames
-        How many, at least 1.
-    """
+    """At least one frame of one label without a break, on a floor (from 1), which is filmed without a cut."""
 
     floor: int
     label: str
@@ -33,17 +23,7 @@ class Stretch:
 
 @dataclass(frozen=True)
 class Home:
-    """Counts from the label file of a home.
-
-    Attributes
-    ----------
-    name
-        Of the home.
-    floors
-        How many, at least 1.
-    labels
-        Label to its number of frames and of stretches, both at least 1.
-    """
+    """Counts from the label file of a home: floors, and frames and stretches by label; all at least 1."""
 
     name: str
     floors: int
@@ -65,9 +45,9 @@ class Home:
         )
 
     def walk(self) -> list[Stretch]:
-        """Put the stretches in an order: places by chance, each followed by a transition while there are any.
+        """Put the stretches in random order, each place followed by a transition while there are any.
 
-        How long each is, is chance too; the same for the same home.
+        Their lengths are random too; the walk is always the same for the same home.
         """
         rng = np.random.default_rng(seeds.derive("scale", "walk", self.name))
         places: list[tuple[str, int]] = []
@@ -92,15 +72,8 @@ class Home:
 def read_homes(content: Mapping[str, Any]) -> list[Home]:
     """Read the homes of conf/scale.yaml.
 
-    Parameters
-    ----------
-    content
-        Name of a home to ``floors`` and ``labels``, a label to ``[frames, stretches]``.
-
-    Raises
-    ------
-    PlacecatError
-        If a home has something else.
+    A home has ``floors`` and ``labels``, a label to ``[frames, stretches]``; other content raises
+    PlacecatError.
     """
     homes = []
     for name, own in content.items():
@@ -124,13 +97,7 @@ def read_homes(content: Mapping[str, Any]) -> list[Home]:
 
 
 def classes_of(stretches: Sequence[Stretch], classes: Sequence[str], ignored: Sequence[str]) -> list[int]:
-    """Class index of each stretch, -1 for a label in `ignored`.
-
-    Raises
-    ------
-    PlacecatError
-        A label that is neither.
-    """
+    """Class index of each stretch, -1 for a label in `ignored`; raises PlacecatError for an unknown label."""
     for stretch in stretches:
         if stretch.label not in classes and stretch.label not in ignored:
             raise PlacecatError(

@@ -1,4 +1,4 @@
-"""More features out of few: frames of the same place of the same home, each with a jitter of its own."""
+"""More features from few: frames of the same place of the same home, each with its own jitter."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -13,7 +13,7 @@ from placecat_bench.scale.database import Stretch
 REGIONS = "regions"
 LOCAL = "local_"
 COUNT = "count"
-# So many values at a time.
+# Values at a time.
 CHUNK = 8_000_000
 
 
@@ -24,26 +24,13 @@ def draw_frames(
     own: Sequence[int],
     home: str,
 ) -> NDArray[np.int64]:
-    """Choose a source frame for every frame of a home.
+    """Choose a source frame for every frame of a home: (frames,) indices.
 
-    A stretch goes on through the frames of its label from one of them, each taken several times in a row, as
-    a video of a higher frame rate would; round and round where they are too few.
-
-    Parameters
-    ----------
-    stretches
-        Of the home to be.
-    labels, classes
-        (sources,) label and class index of each source frame, -1 for no class.
-    own
-        Class index of each stretch. Where no source frame has the label, one of the class is taken; where
-        none has that either, any.
-    home
-        Name of the home to be, which the choice is derived from.
-
-    Returns
-    -------
-    (frames,) indices of source frames.
+    A stretch continues through the frames of its label from one of them, each taken several times in a row,
+    as a video of a higher frame rate would; round and round if they are too few. `labels` and `classes` are
+    (sources,) label and class index of each source frame, -1 for no class; `own` is the class index of each
+    stretch. Without a source frame of the label, one of the class is taken; without any of the class, any
+    frame. The choice derives from the name of the home.
     """
     rng = np.random.default_rng(seeds.derive("scale", "frames", home))
     names = np.asarray(labels, dtype=str)
@@ -65,18 +52,9 @@ def draw_regions(
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Choose the source regions of every frame: its own, then others of its class until there are enough.
 
-    Parameters
-    ----------
-    chosen
-        (frames,) from :func:`draw_frames`.
-    counts, classes
-        (sources,) number of regions and class index of each source frame.
-    wanted
-        Regions of a frame.
-
-    Returns
-    -------
-    (frames, wanted) source frame and place in it of each region.
+    `chosen` are (frames,) from :func:`draw_frames`; `counts` and `classes` the (sources,) number of regions
+    and class index of each source frame. Returns source frame and place in it of each region, both (frames,
+    wanted).
     """
     rng = np.random.default_rng(seeds.derive("scale", "regions", home))
     frame = np.repeat(chosen[:, None], wanted, axis=1)
@@ -101,20 +79,11 @@ def write_jittered(
     jitter: float,
     home: str,
 ) -> None:
-    """Write an array of drawn rows, each value multiplied by a number of its own around 1.
+    """Write an array of drawn rows, each value multiplied by its own number around 1.
 
-    Zeros stay zeros, and values stay within what the source has.
-
-    Parameters
-    ----------
-    source, target
-        ``.npy`` files; the dtype stays.
-    frame, place
-        Indices of rows of the source: (frames,) and None, or both (frames, regions).
-    jitter
-        Standard deviation of the factor.
-    home
-        Name of the home to be, which the jitter is derived from.
+    Zeros stay zeros, values stay within those of the source, and so does the dtype; both files are ``.npy``.
+    `frame` and `place` are indices of rows of the source: (frames,) and None, or both (frames, regions).
+    `jitter` is the standard deviation of the factor, which derives from the name of the home.
     """
     array = files.read_array(source, memory_map=False)
     low, high = array.min(), array.max()

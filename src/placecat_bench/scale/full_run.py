@@ -1,4 +1,4 @@
-"""Estimate the time of a complete run on that many frames, with every home tested."""
+"""Estimate of the time of a complete run on so many frames, with every home tested."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -18,23 +18,13 @@ PER_FRAME = ("sequences", "features", "tracks")
 
 
 def estimate(measured: pd.DataFrame, params: Mapping[str, Any]) -> dict[str, Any]:
-    """Add up what the largest size took, as often as a full run has it, and what it does not have at all.
+    """Add up the times of the largest size, as often as a full run has them, and of the stages not measured.
 
-    Stages that go over frames (features, tracks) take so long a frame as in the kept run of the project
-    (reports/times.csv) on its own frames. Stages that were not measured and do not depend on the homes'
-    size (further data sets, toy problem, figures, page) take what they took there.
-
-    Parameters
-    ----------
-    measured
-        Columns `placecat_bench.scale.measurements.COLUMNS`.
-    params
-        The settings it was measured with.
-
-    Returns
-    -------
-    dict
-        ``hours``, and ``seconds`` by stage.
+    Stages that work on frames (features, tracks) take as long a frame as in the kept run of the project
+    (reports/times.csv) on its own frames. Stages that do not depend on the homes' size (further data sets,
+    toy problem, figures, page) take as long as there. `measured` has columns
+    `placecat_bench.scale.measurements.COLUMNS`, `params` its settings. Returns ``hours``, and ``seconds`` by
+    stage.
     """
     frames = int(measured["frames"].max())
     most = measured[measured["frames"] == frames]
@@ -51,15 +41,7 @@ def estimate(measured: pd.DataFrame, params: Mapping[str, Any]) -> dict[str, Any
 
 
 def times_as_often(stage: str, params: Mapping[str, Any]) -> float:
-    """How many times the work of a measured stage a run has that tests on every home.
-
-    Parameters
-    ----------
-    stage
-        E.g. ``trials``.
-    params
-        The settings it was measured with.
-    """
+    """How many times the measured work of a stage, e.g. ``trials``, a run has that tests on every home."""
     homes = list(settings.get(params, "dataset.homes"))
     tested = protocol.tested_homes(homes, settings.get(params, "protocol.test_homes"))
     if stage in PER_TEST_HOME:

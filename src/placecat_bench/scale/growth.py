@@ -1,4 +1,4 @@
-"""How something grows with the number of frames: the exponent of a power law."""
+"""Growth with the number of frames: the exponent of a power law."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,14 +10,9 @@ import numpy as np
 class Growth:
     """A power law fitted to measurements.
 
-    Attributes
-    ----------
-    exponent
-        1 for what grows as the frames do.
-    r2
-        Share of the variance of the logarithms that it explains, up to 1.
-    last
-        The exponent between the two largest sizes alone: where a constant part, such as imports, has faded.
+    The exponent is 1 for growth in proportion to the frames; `r2`, up to 1, is the share of the variance of
+    the logarithms that it explains; `last` is the exponent between the two largest sizes alone, where a
+    constant part, such as imports, has faded.
     """
 
     exponent: float
@@ -28,13 +23,8 @@ class Growth:
 def fit(frames: Sequence[float], values: Sequence[float]) -> Growth:
     """Fit values = factor * frames ** exponent by least squares on logarithms.
 
-    Parameters
-    ----------
-    frames, values
-        (n,) positive, n >= 2, at least two different numbers of frames.
+    Both are (n,) positive, n >= 2, with at least two different numbers of frames.
 
-    Examples
-    --------
     >>> fit([100, 200, 400], [3.0, 12.0, 48.0]).exponent
     2.0
     """

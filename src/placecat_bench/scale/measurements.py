@@ -1,4 +1,4 @@
-"""Running the stages in a folder, one after the other, with what each took."""
+"""Running the stages in a folder, one after the other, with their time and memory."""
 
 import sys
 from collections.abc import Mapping, Sequence
@@ -11,19 +11,16 @@ from placecat.errors import PlacecatError
 from placecat_bench.scale import growth
 from placecat_bench.scale.watching import watch
 
-# `item` is "": it is of the time when stages ran once for each home or cue, and a column of what git keeps.
+# `item` is "": stages once ran for each home or cue, and the files in git have its column.
 COLUMNS = ["size", "frames", "stage", "item", "seconds", "cpu_seconds", "peak_gib"]
 GROWTH_COLUMNS = ["stage", "item", "exponent", "r2", "last_exponent", "seconds", "peak_gib"]
 DEFINITION = Path("dvc.yaml")
 
 
 def commands(stages: Sequence[str], definition: Path = DEFINITION) -> dict[str, list[str]]:
-    """Give the command of each stage as dvc.yaml has it, to run in the project's folder.
+    """Give the command of each stage as in dvc.yaml, to run in the project's folder.
 
-    Raises
-    ------
-    PlacecatError
-        A stage that dvc.yaml does not have.
+    Raises PlacecatError for a stage that dvc.yaml does not have.
     """
     defined = yaml.safe_load(definition.read_text(encoding="utf-8"))["stages"]
     for stage in stages:
@@ -33,17 +30,9 @@ def commands(stages: Sequence[str], definition: Path = DEFINITION) -> dict[str, 
 
 
 def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frames: int) -> pd.DataFrame:
-    """Run stages in a folder and watch them; columns `COLUMNS`, a row a stage.
+    """Run stages, by :func:`commands`, in a folder and watch them; columns `COLUMNS`, one row per stage.
 
-    Parameters
-    ----------
-    steps
-        From :func:`commands`.
-
-    Raises
-    ------
-    PlacecatError
-        If a stage fails.
+    Raises PlacecatError if a stage fails.
     """
     rows = []
     for stage, command in steps.items():
@@ -58,16 +47,9 @@ def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frame
 def growths(measured: pd.DataFrame) -> pd.DataFrame:
     """Fit how the time of every stage, and of all together, grows with the frames.
 
-    Parameters
-    ----------
-    measured
-        Columns `COLUMNS`, at least two numbers of frames.
-
-    Returns
-    -------
-    DataFrame
-        Columns `GROWTH_COLUMNS`. The exponents are those of the CPU seconds; ``seconds`` (wall time) and
-        ``peak_gib`` are those of the most frames.
+    `measured` has columns `COLUMNS` and at least two numbers of frames. Returns columns `GROWTH_COLUMNS`: the
+    exponents are those of the CPU seconds; ``seconds`` (wall time) and ``peak_gib`` are those of the most
+    frames.
     """
     parts = [*measured.groupby("stage", sort=False), ("all", measured)]
     return pd.DataFrame([(stage, "", *_growth(part)) for stage, part in parts], columns=GROWTH_COLUMNS)

@@ -15,7 +15,7 @@ from placecat.errors import PlacecatError
 from placecat_bench.scale import drawing
 from placecat_bench.scale.database import Home, Stretch, classes_of
 
-# What stages read besides, as the project has it.
+# Further inputs of the stages, as the project has them.
 LINKED = (
     paths.CONF,
     paths.SITE_SEQUENCES,
@@ -29,25 +29,11 @@ LINKED = (
 def build(
     folder: Path, homes: Sequence[Home], *, test_homes: Sequence[str], regions: int, jitter: float
 ) -> dict[str, Any]:
-    """Build the folder anew; give its settings.
+    """Build the folder again, at the size of the homes; return its settings.
 
-    Parameters
-    ----------
-    folder
-        What is there is replaced.
-    homes
-        The homes to be, at the size to be.
-    test_homes
-        Names of those to test on.
-    regions
-        Of every frame.
-    jitter
-        See :func:`placecat_bench.scale.drawing.write_jittered`.
-
-    Raises
-    ------
-    PlacecatError
-        If this project has not run, or a home has a label that the data set does not know.
+    The old folder is removed. `test_homes` are names of homes, `regions` their number in every frame;
+    `jitter` is as for :func:`placecat_bench.scale.drawing.write_jittered`. Raises PlacecatError if this
+    project has not run, or a home has a label that the data set does not know.
     """
     params = settings.load()
     sources = list(settings.get(params, "dataset.homes"))

@@ -11,14 +11,9 @@ from placecat_bench.scale.watching import GIB
 
 
 def facts(measured: pd.DataFrame, own: Mapping[str, Any]) -> dict[str, Any]:
-    """Sum up measurements.
+    """Sum up measurements with columns `placecat_bench.scale.measurements.COLUMNS`.
 
-    Parameters
-    ----------
-    measured
-        Columns `placecat_bench.scale.measurements.COLUMNS`.
-    own
-        Content of conf/scale.yaml.
+    `own` is the content of conf/scale.yaml.
     """
     most = measured[measured["frames"] == measured["frames"].max()]
     highest = most.loc[most["peak_gib"].idxmax()]

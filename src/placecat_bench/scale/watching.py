@@ -18,17 +18,10 @@ INTERVAL = 0.25
 
 @dataclass(frozen=True)
 class Watched:
-    """Time and memory that a command took.
+    """Wall seconds of a command, and CPU seconds and peak memory of all its processes together, in GiB.
 
-    Attributes
-    ----------
-    seconds
-        From its start to its end.
-    cpu_seconds
-        Of all its processes together; what else the machine does matters less to them.
-    peak_gib
-        The most memory that all its processes had together, in GiB. Pages that several of them share count
-        once (the proportional set size, where the system tells it).
+    The load of the machine matters less to CPU seconds. Memory shared by several processes counts once (the
+    proportional set size, where the system has it).
     """
 
     seconds: float
@@ -37,18 +30,12 @@ class Watched:
 
 
 def watch(command: Sequence[str], folder: Path, log: Path) -> Watched:
-    """Run a command in a folder, its output into a file.
-
-    Raises
-    ------
-    PlacecatError
-        If it fails; the message has the last line it wrote.
-    """
+    """Run a command in a folder, its output into a file; if it fails, the PlacecatError has its last line."""
     log.parent.mkdir(parents=True, exist_ok=True)
     start, peak = time.perf_counter(), 0
     cpu: dict[int, float] = {}
     with log.open("wb") as output:
-        # Unbuffered, so that the last line is what it said last.
+        # Unbuffered, so that the last line is its last output.
         environment = os.environ | {"PYTHONUNBUFFERED": "1"}
         process = subprocess.Popen(
             command, cwd=folder, env=environment, stdout=output, stderr=subprocess.STDOUT
@@ -93,7 +80,7 @@ def _look(pid: int, cpu: dict[int, float]) -> int:
 
 
 def memory(process: psutil.Process) -> int:
-    """Bytes of a process, its part of shared ones with them; all resident ones where no part is told."""
+    """Bytes of a process, with its part of shared ones; all resident ones where no part is known."""
     if psutil.LINUX:
         return int(process.memory_full_info().pss)
     return int(process.memory_info().rss)
