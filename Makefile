@@ -42,7 +42,7 @@ test: $(READY_TEST) lint ## run every test
 test-quick: $(READY_TEST) ## run the tests that take seconds at most, without DVC, servers, browsers and the renderer
 	$(BIN)/python -m pytest $(WORKERS) -m "not slow" tests
 
-bench: $(READY_BENCH) ## time each piece beside what one would use instead; PIECE="..." chooses some
+bench: $(READY_BENCH) $(VENV)/contributed ## time each piece beside what one would use instead; PIECE="..." chooses some
 	$(BIN)/python -m placecat_bench $(PIECE)
 
 bench-scale: $(READY) ## measure how time and memory grow with the data; needs `make repro`, takes about an hour
@@ -74,6 +74,10 @@ $(READY_TEST): requirements-test.lock pyproject.toml
 $(READY_BENCH): requirements-bench.lock pyproject.toml
 $(READY) $(READY_TEST) $(READY_BENCH):
 	$(PYTHON) install.py $< $@
+
+# OpenCV with its contributed modules, apart: it would replace the one that placecat uses.
+$(VENV)/contributed: $(READY_BENCH)
+	$(BIN)/python -m pip install -qq --no-deps --upgrade --target $@ opencv-contrib-python-headless==4.14.0.94
 
 ui: $(READY) ## open MLflow on what `make repro` logged
 	MLFLOW_SERVER_ENABLE_JOB_EXECUTION=false MLFLOW_DISABLE_TELEMETRY=true \

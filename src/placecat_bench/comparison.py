@@ -2,20 +2,26 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 LEAST_REPEATS = 5
+# The extra of peers that need torch.
+TORCH = "bench-torch"
 
 
 @dataclass(frozen=True)
 class Peer:
     """An alternative that a user could pick, e.g. "scikit-image: local_binary_pattern and histogram".
 
-    The version of `package`, its distribution, is recorded.
+    The version of `package`, its distribution, is recorded. It may be in a `folder` apart from the installed
+    ones, and of another extra than bench, which only some install.
     """
 
     name: str
     package: str
+    folder: Path | None = None
+    extra: str = "bench"
 
 
 @dataclass(frozen=True)
@@ -90,6 +96,20 @@ class Limit:
     def is_met(self, value: float) -> bool:
         """Whether a number reaches the target."""
         return _reaches(value, at_least=self.at_least, at_most=self.at_most)
+
+
+@dataclass(frozen=True)
+class Absent:
+    """A peer that cannot be measured on `input` of a piece, and the reason."""
+
+    piece: str
+    input: str
+    peer: str
+    reason: str
+
+
+# What a piece yields.
+Entry = Comparison | Limit | Absent
 
 
 def _check_one(piece: str, **targets: float | None) -> None:

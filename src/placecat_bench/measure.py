@@ -1,12 +1,13 @@
 """Measuring entries, one row each."""
 
 import statistics
+import sys
 from collections.abc import Callable, Mapping
-from importlib.metadata import PackageNotFoundError, version
+from importlib.metadata import distributions
 from typing import Any
 
 from placecat.errors import PlacecatError
-from placecat_bench.comparison import Comparison, Limit, Peer
+from placecat_bench.comparison import TORCH, Absent, Comparison, Entry, Peer
 from placecat_bench.timing import median_seconds, time_in_turn
 
 COLUMNS = [
@@ -24,22 +25,30 @@ COLUMNS = [
     "met",
     "spent",
 ]
+# Instead of "yes" or "no" for a peer that cannot be measured.
+ABSENT = "not measured"
 _PART_REPEATS = 3
 
 
-def measure(entry: Comparison | Limit) -> dict[str, object]:
+def measure(entry: Entry) -> dict[str, object]:
     """Measure one entry: a row by `COLUMNS`, with None where there is no value.
 
     ``ours`` and ``theirs`` are medians of seconds, or the number of a `Limit`; ``ratio`` is the median of the
     pairs' ratios, ``low`` and ``high`` the least and the greatest; ``met`` is "yes" or "no"; ``spent`` says
-    where the time goes if the target is missed. Raises PlacecatError if the peer is not installed.
+    where the time goes if the target is missed. For a peer that cannot be measured, ``spent`` is the reason.
+    Raises PlacecatError if the peer is not installed.
     """
+    if isinstance(entry, Absent):
+        return _absent(entry.piece, entry.input, entry.peer, entry.reason)
     peer, whole = entry.peer, None
+    version = None if peer is None else _version(peer)
+    if peer is not None and version is None:
+        return _absent(entry.piece, entry.input, peer.name, f"without the extra {peer.extra}")
     row = dict.fromkeys(COLUMNS) | {
         "piece": entry.piece,
         "input": entry.input,
         "peer": None if peer is None else peer.name,
-        "peer_version": None if peer is None else _version(peer),
+        "peer_version": version,
         "target": entry.target,
     }
     if isinstance(entry, Comparison):
@@ -55,14 +64,22 @@ def measure(entry: Comparison | Limit) -> dict[str, object]:
     return row | {"met": "yes" if is_met else "no", "spent": None if is_met else _spent(entry.parts, whole)}
 
 
-def _version(peer: Peer) -> str:
-    try:
-        return version(peer.package)
-    except PackageNotFoundError:
-        raise PlacecatError(
-            f"{peer.package} is not installed, with which {peer.name!r} is measured: run `make bench`, or "
-            "pip install -e '.[bench]'; where it has no wheel, name the other pieces"
-        ) from None
+def _absent(piece: str, text: str, peer: str, reason: str) -> dict[str, object]:
+    row = {"piece": piece, "input": text, "quantity": "seconds", "peer": peer, "met": ABSENT, "spent": reason}
+    return dict.fromkeys(COLUMNS) | row
+
+
+def _version(peer: Peer) -> str | None:
+    """Version of a peer; None for a missing one of an extra that only some install."""
+    folders = sys.path if peer.folder is None else [str(peer.folder)]
+    for found in distributions(name=peer.package, path=folders):
+        return found.version
+    if peer.extra == TORCH:
+        return None
+    raise PlacecatError(
+        f"{peer.package} is not installed, with which {peer.name!r} is measured: run `make bench`, or "
+        "pip install -e '.[bench]'; where it has no wheel, name the other pieces"
+    )
 
 
 def _spent(parts: Mapping[str, Callable[[], Any]], whole: float | None) -> str:

@@ -12,7 +12,7 @@ from placecat import files, paths
 from placecat.errors import PlacecatError
 from placecat.parallel import single_threaded
 from placecat_bench import pieces
-from placecat_bench.measure import COLUMNS, measure
+from placecat_bench.measure import ABSENT, COLUMNS, measure
 
 _MODULE = "module"
 
@@ -59,6 +59,8 @@ def _measure_piece(name: str, entries: pieces.Entries) -> list[dict[str, object]
 def summary(row: dict[str, object]) -> str:
     """One line about a measured row."""
     what = ", ".join(str(row[name]) for name in ("piece", "input") if row[name])
+    if row["met"] == ABSENT:
+        return f"{what}: {row['peer']} {ABSENT}: {row['spent']}"
     if row["ratio"] is None:
         value = f"{row['quantity']} {row['ours']}"
     else:

@@ -6,9 +6,9 @@ Their inputs are not held together.
 from collections.abc import Callable, Iterator
 
 from placecat import lookup
-from placecat_bench.comparison import Comparison, Limit
+from placecat_bench.comparison import Entry
 
-Entries = Callable[..., Iterator[Comparison | Limit]]
+Entries = Callable[..., Iterator[Entry]]
 
 
 def names() -> list[str]:

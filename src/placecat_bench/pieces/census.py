@@ -1,4 +1,4 @@
-"""Census histograms beside scikit-image's local binary patterns, in the cells of a grid.
+"""Census histograms beside local binary patterns of scikit-image and mahotas, in the cells of a grid.
 
 `local_binary_pattern` with 8 points at radius 1 sets a bit where a neighbour is at least the centre, the
 census transform where the centre is at least a neighbour: they agree on the inverted image. It interpolates
@@ -18,6 +18,7 @@ from placecat_bench.frames import Image, decoded, jpegs, size
 
 PIECE = "Census histograms"
 PEER = Peer("scikit-image: local_binary_pattern and NumPy's histogram", "scikit-image")
+MAHOTAS = Peer("mahotas: lbp", "mahotas")
 # The bits of the neighbours right, above, left and below.
 OUR_STRAIGHT = (8, 64, 16, 2)
 THEIR_STRAIGHT = (1, 4, 16, 64)
@@ -51,6 +52,15 @@ def entries(
             "codes": lambda: [census(image) for image in given],
             "histograms": lambda: [cell_histograms(some, cells) for some in codes],
         },
+    )
+    yield Comparison(
+        PIECE,
+        text,
+        MAHOTAS,
+        lambda: [ours(image, cells) for image in given],
+        lambda: [by_mahotas(image, cells) for image in given],
+        faster=20,
+        repeats=repeats,
     )
     yield Limit(
         PIECE,
@@ -89,6 +99,27 @@ def theirs(image: Image, cells: int) -> NDArray[np.float64]:
             ]
             rows.append(np.histogram(block, bins=CODES, range=(0, CODES))[0] / block.size)
     return np.array(rows)
+
+
+def by_mahotas(image: Image, cells: int) -> NDArray[np.float64]:
+    """Histograms of mahotas' patterns in the same cells, (cells**2, 36): turned patterns count as one."""
+    from mahotas.features import lbp
+
+    height, width = image.shape
+    return np.array(
+        [
+            lbp(
+                image[
+                    row * height // cells : (row + 1) * height // cells,
+                    column * width // cells : (column + 1) * width // cells,
+                ],
+                radius=1,
+                points=8,
+            )
+            for row in range(cells)
+            for column in range(cells)
+        ]
+    )
 
 
 def largest_difference(image: Image, cells: int) -> float:

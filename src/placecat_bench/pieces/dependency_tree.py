@@ -1,40 +1,46 @@
-"""Dependency tree beside pgmpy's: one class's tree and its conditional probabilities, learned from codes.
+"""Dependency tree beside three peers': the tree of one class and its conditional probabilities.
 
 pgmpy takes two steps. ``TreeSearch`` computes the mutual information of all pairs (by scikit-learn's
 ``mutual_info_score``) and the maximum spanning tree from the same root (by NetworkX); then
 ``DiscreteBayesianEstimator`` with the prior K2, which adds 1 to every count as we do, estimates the
 probabilities. Both have one process. Ours also checks the codes and splits them by class; pgmpy gets a table
 that is ready. The log-likelihoods of all samples show that both learn the same.
+
+deeprob-kit learns binary trees only, in float32, with all tables from one matrix product. pyAgrum's Chow-Liu
+classifier takes the first variable as the class, which is the root of the same tree; it also looks for the
+types of the columns.
 """
 
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from placecat.learning.contingency import maximum_spanning_tree, mutual_information
+from placecat.learning.contingency import both_ones, maximum_spanning_tree, mutual_information
 from placecat.learning.dependency_tree import DependencyTree
-from placecat_bench.comparison import Comparison, Limit, Peer
+from placecat_bench.comparison import TORCH, Comparison, Entry, Limit, Peer
 from placecat_bench.timing import median_seconds
 
 PIECE = "Dependency tree"
 PEER = Peer("pgmpy: TreeSearch and DiscreteBayesianEstimator", "pgmpy")
+DEEPROB = Peer("deeprob-kit: BinaryCLT", "deeprob-kit", extra=TORCH)
+PYAGRUM = Peer("pyAgrum: BNClassifier, Chow-Liu", "pyagrum")
 
 
 def entries(
     *, samples: int = 8000, grid: int = 16, clusters: int = 196, few: int = 124, many: int = 496
-) -> Iterator[Comparison | Limit]:
+) -> Iterator[Entry]:
     """Yield the tree of the codewords of a grid of cells, and the trees of few and of many activations.
 
     `samples` are those of the class, `clusters` the values of a cell's codeword. An activation has two
-    values; with many of them only ours is timed.
+    values; pgmpy takes too long with many of them.
     """
     codes = chained_codes(samples, grid, clusters)
     text = f"{grid} variables x {clusters} values x {samples}"
-    yield _comparison(codes, clusters, text, faster=25, repeats=15)
+    yield _comparison(codes, clusters, text, PEER, theirs, faster=25, repeats=15)
     yield Limit(
         PIECE,
         text,
@@ -43,12 +49,31 @@ def entries(
         at_most=1e-9,
         peer=PEER,
     )
-    few_codes = chained_codes(samples, few, 2)
-    yield _comparison(few_codes, 2, f"{few} binary variables x {samples}", faster=500, repeats=5)
-    many_codes = chained_codes(samples, many, 2)
+    yield _comparison(codes, clusters, text, PYAGRUM, by_pyagrum, faster=10, repeats=5)
     yield Limit(
         PIECE,
-        f"{many} binary variables x {samples}",
+        text,
+        "edges of pyAgrum's tree that ours lacks",
+        lambda: len(pyagrum_edges(codes) - edges(ours(codes, clusters))),
+        at_most=0,
+        peer=PYAGRUM,
+    )
+    few_codes, many_codes = chained_codes(samples, few, 2), chained_codes(samples, many, 2)
+    few_text, many_text = (f"{number} binary variables x {samples}" for number in (few, many))
+    yield _comparison(few_codes, 2, few_text, PEER, theirs, faster=500, repeats=5)
+    yield _comparison(few_codes, 2, few_text, DEEPROB, by_deeprob, faster=3, repeats=15)
+    yield _comparison(many_codes, 2, many_text, DEEPROB, by_deeprob, faster=3, repeats=15)
+    yield Limit(
+        PIECE,
+        many_text,
+        "largest difference of a log-likelihood from deeprob-kit's",
+        lambda: deeprob_difference(many_codes),
+        at_most=1e-2,
+        peer=DEEPROB,
+    )
+    yield Limit(
+        PIECE,
+        many_text,
         "seconds",
         lambda: median_seconds(lambda: ours(many_codes, 2), 5),
         at_most=1,
@@ -56,21 +81,29 @@ def entries(
 
 
 def _comparison(
-    codes: NDArray[np.int32], n_values: int, text: str, *, faster: float, repeats: int
+    codes: NDArray[np.int32],
+    n_values: int,
+    text: str,
+    peer: Peer,
+    call: Callable[[pd.DataFrame, int], Any],
+    *,
+    faster: float,
+    repeats: int,
 ) -> Comparison:
     table = pd.DataFrame(codes)
     information = mutual_information(codes, n_values)
     return Comparison(
         PIECE,
         text,
-        PEER,
+        peer,
         lambda: ours(codes, n_values),
-        lambda: theirs(table, n_values),
+        lambda: call(table, n_values),
         faster=faster,
         repeats=repeats,
         # Half a minute of pgmpy's.
         warm_up=n_values > 2,
         parts={
+            **({"product": lambda: both_ones(codes)} if n_values == 2 else {}),
             "mutual information": lambda: mutual_information(codes, n_values),
             "spanning tree": lambda: maximum_spanning_tree(information, 0),
         },
@@ -119,3 +152,44 @@ def largest_difference(codes: NDArray[np.int32], n_values: int) -> float:
         columns = codes[:, cpd.variables[1]] if len(cpd.variables) > 1 else 0
         expected += np.log(cpd.get_values()[codes[:, cpd.variables[0]], columns])
     return float(np.abs(found - expected).max())
+
+
+def by_deeprob(table: pd.DataFrame, n_values: int = 2) -> Any:
+    """Learn a binary tree by deeprob-kit: a ``BinaryCLT``, with 1 added to every cell as in ours."""
+    from deeprob.spn.structure.cltree import BinaryCLT
+
+    variables = table.shape[1]
+    model = BinaryCLT(list(range(variables)), root=0)
+    model.fit(table.to_numpy(np.float32), [[0, 1]] * variables, alpha=1.0)
+    return model
+
+
+def deeprob_difference(codes: NDArray[np.int32]) -> float:
+    """Largest difference of the samples' log-likelihoods."""
+    expected = by_deeprob(pd.DataFrame(codes)).log_likelihood(codes.astype(np.float32))
+    return float(np.abs(ours(codes, 2).predict_joint_log_likelihood(codes)[:, 0] - np.ravel(expected)).max())
+
+
+def by_pyagrum(table: pd.DataFrame, n_values: int) -> Any:
+    """Learn by pyAgrum, the first variable as the class: a ``BNClassifier``."""
+    from pyagrum.lib.discreteTypeProcessor import DiscreteTypeProcessor
+    from pyagrum.skbn import BNClassifier
+
+    codes = table.to_numpy()
+    # Columns with more values would be cut into ten intervals.
+    types = DiscreteTypeProcessor(discretizationThreshold=n_values + 1)
+    model = BNClassifier(type_processor=types, learningMethod="Chow-Liu", prior="Smoothing", priorWeight=1)
+    model.fit(codes[:, 1:], codes[:, 0])
+    return model
+
+
+def pyagrum_edges(codes: NDArray[np.int32]) -> set[tuple[int, int]]:
+    """Edges of pyAgrum's tree by the variables' places: parent and child."""
+    network = by_pyagrum(pd.DataFrame(codes), int(codes.max()) + 1).bn_
+    places = {"y": 0} | {f"x{number}": number + 1 for number in range(codes.shape[1] - 1)}
+    return {tuple(places[network.variable(end).name()] for end in arc) for arc in network.arcs()}  # type: ignore[misc]
+
+
+def edges(model: DependencyTree) -> set[tuple[int, int]]:
+    """Edges of the tree of our only class: parent and child."""
+    return {(int(parent), child) for child, parent in enumerate(model.parents_[0]) if parent >= 0}

@@ -1,8 +1,9 @@
-"""Gentle AdaBoost beside OpenCV's: one place against the rest, 50 stumps.
+"""Gentle AdaBoost beside three peers': one place against the rest, 50 stumps.
 
 The same boosting with the same trimming of light samples. OpenCV cuts a feature between any two of its
 values, ours at 255 quantiles. With more values the stumps differ but are as good: the shares of training
-frames that they decide right are compared too.
+frames that they decide right are compared too. LightGBM and XGBoost boost another loss, with as many trees of
+depth 1 on as many bins, all samples in every round and full steps.
 """
 
 from collections.abc import Iterator
@@ -13,17 +14,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.learning.gentle_adaboost import GentleAdaBoost
-from placecat_bench.comparison import Comparison, Limit, Peer
+from placecat_bench.comparison import Comparison, Entry, Limit, Peer
 from placecat_bench.gist_like import draw_frames
+from placecat_bench.timing import Latest
 
 PIECE = "Gentle AdaBoost"
 PEER = Peer("OpenCV: cv2.ml.Boost", "opencv-python-headless")
+OTHERS = {
+    "lightgbm": Peer("LightGBM: LGBMClassifier", "lightgbm"),
+    "xgboost": Peer("XGBoost: XGBClassifier", "xgboost"),
+}
 HOMES = range(5)
 # OpenCV's flag for the sum of the stumps.
 _SUM = 256
 
 
-def entries(*, frames: int = 8000, features: int = 256, rounds: int = 50) -> Iterator[Comparison | Limit]:
+def entries(*, frames: int = 8000, features: int = 256, rounds: int = 50) -> Iterator[Entry]:
     """Yield time, and how well both know their training frames after so many stumps."""
     drawn = draw_frames(frames, features, HOMES)
     X, positive = drawn.descriptors, drawn.place == 0
@@ -45,6 +51,36 @@ def entries(*, frames: int = 8000, features: int = 256, rounds: int = 50) -> Ite
         return 100.0 * float(np.mean((decisions > 0) == positive) - found)
 
     yield Limit(PIECE, text, "points of training accuracy behind OpenCV's", behind, at_most=1, peer=PEER)
+    for name, peer in OTHERS.items():
+        yield from _beside(name, peer, X, positive, rounds, text)
+
+
+def _beside(
+    name: str, peer: Peer, X: NDArray[np.float32], positive: NDArray[np.bool_], rounds: int, text: str
+) -> Iterator[Entry]:
+    models = Latest(ours=lambda: ours(X, positive, rounds), theirs=lambda: by(name, X, positive, rounds))
+    parts = {"bins of the features": lambda: GentleAdaBoost(rounds).prepare(X)}
+    calls = (lambda: models.call("ours")), (lambda: models.call("theirs"))
+    yield Comparison(PIECE, text, peer, *calls, faster=1, repeats=15, parts=parts)
+
+    def behind() -> float:
+        right = {who: np.mean(models.result(who).predict(X) == positive) for who in ("ours", "theirs")}
+        return 100.0 * float(right["theirs"] - right["ours"])
+
+    quantity = f"points of training accuracy behind {peer.name.partition(':')[0]}'s"
+    yield Limit(PIECE, text, quantity, behind, at_most=1, peer=peer)
+
+
+def by(name: str, X: NDArray[np.float32], positive: NDArray[np.bool_], rounds: int) -> Any:
+    """Boost by LightGBM or XGBoost, stumps on 255 bins with full steps, on one thread."""
+    own: dict[str, Any] = {"n_estimators": rounds, "max_depth": 1, "learning_rate": 1.0, "n_jobs": 1}
+    if name == "lightgbm":
+        from lightgbm import LGBMClassifier
+
+        return LGBMClassifier(**own, num_leaves=2, max_bin=255, verbose=-1).fit(X, positive)
+    from xgboost import XGBClassifier
+
+    return XGBClassifier(**own, tree_method="hist", max_bin=255).fit(X, positive)
 
 
 def ours(X: NDArray[np.float32], positive: NDArray[np.bool_], rounds: int) -> GentleAdaBoost:

@@ -1,14 +1,18 @@
-"""Hierarchical k-means beside FLANN's: the centres of a codebook of SIFT descriptors.
+"""Hierarchical k-means beside three peers': the centres of a codebook of SIFT descriptors.
 
 Both split into 16 clusters from k-means++ seeds, with at most 11 of Lloyd's iterations, and cut the tree
 where the variance falls most. FLANN grows the tree down to cells of less than 16 points before it cuts; ours
 grows as far as the cut needs, which gives the same as cutting a whole tree. The draws of the seeds differ, so
 the inertia is compared too: the sum of squared distances of all points to the nearest centre.
 
+Two more peers give as many centres without our tree: superkmeans' hierarchical mode with its own iterations
+(3 coarse, 5 fine), and flat k-means of faiss with our iterations on all points. Their times compare where the
+inertia is equal.
+
 The points are the project's SIFT descriptors of random places and scales in frames of a rendered home.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import islice
 from pathlib import Path
 
@@ -26,6 +30,8 @@ from placecat_bench.timing import Latest
 
 PIECE = "Hierarchical k-means"
 PEER = Peer("FLANN: hierarchical_kmeans", "pyflann-ibeis")
+SUPERKMEANS = Peer("superkmeans: SuperKMeans, hierarchical", "superkmeans")
+FAISS = Peer("faiss: Kmeans", "faiss-cpu")
 HOMES = Path("data/homes")
 BRANCHING = 16
 ITERATIONS = 11
@@ -44,12 +50,20 @@ def entries(
     """
     descriptors = draw_descriptors(points, homes)
     for number, faster in zip(clusters, (2.5, 2.0), strict=True):
-        yield from _cut(descriptors, number, faster)
+        yield from _cut(descriptors, number, PEER, theirs, faster)
+        yield from _cut(descriptors, number, SUPERKMEANS, by_superkmeans, 1)
+        yield from _cut(descriptors, number, FAISS, by_faiss, 1)
 
 
-def _cut(points: NDArray[np.float32], n_clusters: int, faster: float) -> Iterator[Comparison | Limit]:
+def _cut(
+    points: NDArray[np.float32],
+    n_clusters: int,
+    peer: Peer,
+    call: Callable[[NDArray[np.float32], int], NDArray[np.float32]],
+    faster: float,
+) -> Iterator[Comparison | Limit]:
     text = f"{len(points)} x {points.shape[1]}, {n_clusters} clusters"
-    centers = Latest(ours=lambda: ours(points, n_clusters), theirs=lambda: theirs(points, n_clusters))
+    centers = Latest(ours=lambda: ours(points, n_clusters), theirs=lambda: call(points, n_clusters))
 
     def relative_inertia() -> float:
         return inertia(points, centers.result("ours")) / inertia(points, centers.result("theirs"))
@@ -57,7 +71,7 @@ def _cut(points: NDArray[np.float32], n_clusters: int, faster: float) -> Iterato
     yield Comparison(
         PIECE,
         text,
-        PEER,
+        peer,
         lambda: centers.call("ours"),
         lambda: centers.call("theirs"),
         faster=faster,
@@ -65,7 +79,8 @@ def _cut(points: NDArray[np.float32], n_clusters: int, faster: float) -> Iterato
         warm_up=False,
         parts={"first split": lambda: ours(points, BRANCHING)},
     )
-    yield Limit(PIECE, text, "inertia by FLANN's", relative_inertia, at_most=1.02, peer=PEER)
+    quantity = f"inertia by {peer.name.partition(':')[0]}'s"
+    yield Limit(PIECE, text, quantity, relative_inertia, at_most=1.02, peer=peer)
 
 
 def draw_descriptors(points: int, homes: Path = HOMES, seed: int = 0) -> NDArray[np.float32]:
@@ -111,6 +126,26 @@ def theirs(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
         points, BRANCHING, splits, max_iterations=ITERATIONS, centers_init="kmeanspp", random_seed=0
     )
     return found
+
+
+def by_superkmeans(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
+    """Give superkmeans' centres, of shape (n_clusters, D), float32."""
+    from superkmeans import SuperKMeans
+
+    model = SuperKMeans(n_clusters, points.shape[1], hierarchical=True, n_threads=1)
+    return np.asarray(model.train(points))
+
+
+def by_faiss(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
+    """Give faiss's centres, of shape (n_clusters, D), float32."""
+    import faiss
+
+    faiss.omp_set_num_threads(1)
+    # By default it takes at most 256 points a centre.
+    own = {"niter": ITERATIONS, "max_points_per_centroid": len(points)}
+    model = faiss.Kmeans(points.shape[1], n_clusters, seed=0, **own)
+    model.train(points)
+    return np.asarray(model.centroids)
 
 
 def inertia(points: NDArray[np.float32], centers: NDArray[np.float32]) -> float:

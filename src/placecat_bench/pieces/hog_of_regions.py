@@ -14,16 +14,19 @@ from placecat.vision.local import hog
 from placecat.vision.maps import FrameMaps
 from placecat.vision.memory import keep_freed_memory
 from placecat.vision.patches import cut, region_side, to_bytes
-from placecat_bench.comparison import Comparison, Limit, Peer
+from placecat_bench.comparison import Absent, Comparison, Entry, Limit, Peer
 from placecat_bench.frames import REGIONS, Described, Image, decoded, jpegs, size, with_regions
 
 PIECE = "HOG of regions"
 PEER = Peer("OpenCV: HOGDescriptor.compute for each region", "opencv-python-headless")
+DLIB = Absent(
+    PIECE, "", "dlib 20.0.1: fhog", "no wheel, and from Python only the detectors that use it can be called"
+)
 
 
 def entries(
     *, frames: Sequence[Image] | None = None, count: int = REGIONS, repeats: int = 15
-) -> Iterator[Comparison | Limit]:
+) -> Iterator[Entry]:
     """Yield the time beside the peer's, and the difference from its descriptors, for `count` regions a frame.
 
     `frames` have one size, by default one of each rendered home; a repeat is a pair of calls with all frames.
@@ -55,6 +58,7 @@ def entries(
         at_most=0,
         peer=PEER,
     )
+    yield DLIB
 
 
 def ours(given: Sequence[Described]) -> list[NDArray[np.float32]]:

@@ -1,4 +1,4 @@
-"""nu-SVM beside scikit-learn's: each of five classes against the rest, with probabilities.
+"""nu-SVM beside three of scikit-learn's kind: each of five classes against the rest, with probabilities.
 
 Both fit for each class one nu-SVM on all frames, and one per home on the frames of the other homes; a sigmoid
 is fitted to their decisions for the frames of the homes left out. ``CalibratedClassifierCV`` does so with
@@ -12,9 +12,12 @@ convert for every fit.
 The ratios depend on how many frames are support vectors, and how many of these serve several classes, which
 costs us one kernel value and scikit-learn one per class. The frames are as hard as Gist's
 (:mod:`placecat_bench.gist_like`).
+
+The same scheme is measured on a Gram matrix that is computed once (``kernel="precomputed"``), and with the
+``NuSVC`` of scikit-learn-intelex, which gets float32.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache
 from typing import Any
 
@@ -26,18 +29,27 @@ from placecat.learning.kernels import rbf_cross, rbf_gram
 from placecat.learning.nu_svm import NuSVM
 from placecat.learning.one_against_all import OneAgainstAll
 from placecat.learning.scaling import KernelScaling
-from placecat_bench.comparison import Comparison, Limit, Peer
+from placecat_bench.comparison import Absent, Comparison, Entry, Limit, Peer
 from placecat_bench.gist_like import CLASSES, Frames, draw_frames
 from placecat_bench.timing import Latest
 
 PIECE = f"nu-SVM, {CLASSES} classes, probabilities"
 PEER = Peer("OneVsRestClassifier(CalibratedClassifierCV(NuSVC))", "scikit-learn")
+PRECOMPUTED = Peer("the same on a precomputed Gram matrix", "scikit-learn")
+ONEDAL = Peer("the same with scikit-learn-intelex", "scikit-learn-intelex")
+THUNDERSVM = Absent(
+    PIECE,
+    "",
+    "thundersvm 0.3.12",
+    "its wheel needs the library libcusparse.so.9.0 of CUDA 9, also on a processor",
+)
 BASE = NuSVM(gamma=2.0, nu=0.2)
 
+# Descriptors (n, D) to probabilities (n, classes).
+Predict = Callable[[NDArray[np.float32]], NDArray[np.floating]]
 
-def entries(
-    *, frames: int = 8000, features: int = 1024, homes: int = 5, new: int = 2000
-) -> Iterator[Comparison | Limit]:
+
+def entries(*, frames: int = 8000, features: int = 1024, homes: int = 5, new: int = 2000) -> Iterator[Entry]:
     """Yield the times of fit and prediction, and how far the probabilities are apart.
 
     `new` frames of one more home are predicted.
@@ -87,6 +99,60 @@ def entries(
 
     quantity = "largest difference of a probability"
     yield Limit(PIECE, text, quantity, largest_difference, at_most=1e-3, peer=PEER)
+    texts = f"fit {frames} x {features}, {homes} homes", text
+    yield from _beside(PRECOMPUTED, on_gram, train, known, unknown, texts)
+    yield from _beside(ONEDAL, by_onedal, train, known, unknown, texts)
+    yield THUNDERSVM
+
+
+def _beside(
+    peer: Peer,
+    fit: Callable[[NDArray[np.float32], Frames], Predict],
+    train: Frames,
+    known: NDArray[np.float32],
+    unknown: NDArray[np.float32],
+    texts: tuple[str, str],
+) -> Iterator[Entry]:
+    models = Latest(ours=lambda: ours(known, train), theirs=lambda: fit(known, train))
+
+    @cache
+    def gram() -> NDArray[Any]:
+        return rbf_gram(known, BASE.gamma, BASE.gram_dtype)
+
+    yield Comparison(
+        PIECE,
+        texts[0],
+        peer,
+        lambda: models.call("ours"),
+        lambda: models.call("theirs"),
+        faster=3,
+        warm_up=False,
+        parts={
+            "Gram matrix": lambda: rbf_gram(known, BASE.gamma, BASE.gram_dtype),
+            "fits on it": lambda: ours(known, train, gram()),
+        },
+    )
+    gram.cache_clear()
+
+    def machine() -> Any:
+        return models.result("ours").scorer_
+
+    yield Comparison(
+        PIECE,
+        texts[1],
+        peer,
+        lambda: models.result("ours").predict_proba(unknown),
+        lambda: models.result("theirs")(unknown),
+        faster=5,
+        parts={"kernel values": lambda: rbf_cross(unknown, machine().support_vectors, machine().gamma)},
+    )
+
+    def largest_difference() -> float:
+        found, expected = models.result("ours").predict_proba(unknown), models.result("theirs")(unknown)
+        return float(np.abs(found - expected).max())
+
+    quantity = "largest difference of a probability"
+    yield Limit(PIECE, texts[1], quantity, largest_difference, at_most=5e-3, peer=peer)
 
 
 def ours(X: NDArray[np.float32], frames: Frames, gram: NDArray[Any] | None = None) -> OneAgainstAll:
@@ -97,11 +163,36 @@ def ours(X: NDArray[np.float32], frames: Frames, gram: NDArray[Any] | None = Non
 
 def theirs(X: NDArray[np.float64], frames: Frames) -> Any:
     """Fit scikit-learn's ``OneVsRestClassifier``, with the same folds."""
-    from sklearn.calibration import CalibratedClassifierCV
-    from sklearn.multiclass import OneVsRestClassifier
     from sklearn.svm import NuSVC
 
-    machine = NuSVC(gamma=BASE.gamma, nu=BASE.nu, tol=BASE.tol, cache_size=BASE.cache_mb)
+    return _one_against_all(NuSVC, X, frames)
+
+
+def on_gram(X: NDArray[np.float32], frames: Frames) -> Predict:
+    """Fit scikit-learn's on a Gram matrix; gives the function from descriptors to probabilities."""
+    from sklearn.metrics.pairwise import rbf_kernel
+    from sklearn.svm import NuSVC
+
+    known = X.astype(np.float64)
+    model = _one_against_all(NuSVC, rbf_kernel(known, gamma=BASE.gamma), frames, kernel="precomputed")
+    return lambda new: np.asarray(
+        model.predict_proba(rbf_kernel(new.astype(np.float64), known, gamma=BASE.gamma))
+    )
+
+
+def by_onedal(X: NDArray[np.float32], frames: Frames) -> Predict:
+    """Fit the same with scikit-learn-intelex's ``NuSVC``; gives its ``predict_proba``."""
+    from sklearnex.svm import NuSVC
+
+    predict: Predict = _one_against_all(NuSVC, X, frames).predict_proba
+    return predict
+
+
+def _one_against_all(kind: Any, X: NDArray[np.floating], frames: Frames, kernel: str = "rbf") -> Any:
+    from sklearn.calibration import CalibratedClassifierCV
+    from sklearn.multiclass import OneVsRestClassifier
+
+    machine = kind(kernel=kernel, gamma=BASE.gamma, nu=BASE.nu, tol=BASE.tol, cache_size=BASE.cache_mb)
     folds = make_folds(frames.place, None, SAMPLES, 5)
     calibrated = CalibratedClassifierCV(machine, method="sigmoid", ensemble=False, cv=folds)
     return OneVsRestClassifier(calibrated).fit(X, frames.place)

@@ -1,13 +1,16 @@
-"""Relevance vector machine beside fastrvm's: one place against the rest.
+"""Relevance vector machine beside fastrvm's and sklearn-rvm's: one place against the rest.
 
 Both maximise the evidence by adding, re-estimating and deleting basis functions (Tipping and Faul 2003), with
 the same kernel and a bias, and compute the Gram matrix themselves. fastrvm renews its statistics after each
 such change, ours after many. fastrvm takes thousands of changes, for two of the five places more than 3000:
 the place is the one with the fewest. The evidences do not compare, since fastrvm leaves the bias without a
 prior; the shares of training frames that each decides right do. The time on 8000 frames is ours alone.
+
+sklearn-rvm begins with all basis functions and prunes them (Tipping 2001): time grows with the third power of
+the frames, so it gets fewer.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
 
@@ -23,35 +26,47 @@ from placecat_bench.timing import Latest, seconds
 
 PIECE = "RVM"
 PEER = Peer("fastrvm: RVC", "fastrvm")
+PRUNING = Peer("sklearn-rvm: EMRVC", "sklearn-rvm")
 HOMES = range(5)
 GAMMA = 2.0
 PLACE = 1
 
 
-def entries(*, few: int = 1600, many: int = 8000, features: int = 1024) -> Iterator[Comparison | Limit]:
+def entries(
+    *, fewest: int = 400, few: int = 1600, many: int = 8000, features: int = 1024
+) -> Iterator[Comparison | Limit]:
     """Yield time and accuracy on few frames, and the time of the slowest of five classes on many.
 
     A frame is described by so many features.
     """
-    yield from _beside_fastrvm(few, features)
+    yield from _beside(PRUNING, by_pruning, fewest, features, faster=10)
+    yield from _beside(PEER, theirs, few, features, faster=1)
     yield _alone(many, features)
 
 
-def _beside_fastrvm(few: int, features: int) -> Iterator[Comparison | Limit]:
+def _beside(
+    peer: Peer,
+    call: Callable[[NDArray[np.float64], NDArray[np.bool_]], Any],
+    few: int,
+    features: int,
+    *,
+    faster: float,
+) -> Iterator[Comparison | Limit]:
     X, place = scaled_frames(few, features)
     positive, in_their_type = place == PLACE, X.astype(np.float64)
     text = f"{few} x {features}"
-    models = Latest(ours=lambda: ours(X, positive), theirs=lambda: theirs(in_their_type, positive))
+    models = Latest(ours=lambda: ours(X, positive), theirs=lambda: call(in_their_type, positive))
 
     def behind() -> float:
         right = {name: np.mean(models.result(name).predict(X) == positive) for name in ("ours", "theirs")}
         return 100.0 * float(right["theirs"] - right["ours"])
 
     parts = {"Gram matrix": lambda: rbf_gram(X, GAMMA)}
-    # A minute of fastrvm's.
+    # A minute of theirs.
     calls = partial(models.call, "ours"), partial(models.call, "theirs")
-    yield Comparison(PIECE, text, PEER, *calls, faster=1, warm_up=False, parts=parts)
-    yield Limit(PIECE, text, "points of training accuracy behind fastrvm's", behind, at_most=1, peer=PEER)
+    yield Comparison(PIECE, text, peer, *calls, faster=faster, warm_up=False, parts=parts)
+    quantity = f"points of training accuracy behind {peer.package}'s"
+    yield Limit(PIECE, text, quantity, behind, at_most=1, peer=peer)
 
 
 def _alone(many: int, features: int) -> Limit:
@@ -86,3 +101,10 @@ def theirs(X: NDArray[np.float64], positive: NDArray[np.bool_]) -> Any:
     from fastrvm import RVC
 
     return RVC(kernel="rbf", gamma=GAMMA, fit_intercept=True).fit(X, positive.astype(np.int64))
+
+
+def by_pruning(X: NDArray[np.float64], positive: NDArray[np.bool_]) -> Any:
+    """Fit sklearn-rvm's ``EMRVC``."""
+    from sklearn_rvm import EMRVC
+
+    return EMRVC(kernel="rbf", gamma=GAMMA).fit(X, positive.astype(np.int64))

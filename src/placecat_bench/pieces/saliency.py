@@ -1,4 +1,9 @@
-"""The saliency map of a frame beside the decoding of the JPEG that it comes from."""
+"""The saliency map of a frame beside the decoding of its JPEG, and beside OpenCV's two saliency maps.
+
+OpenCV's come from its contributed modules, another build of the same package: a process of its own computes
+them. Both have one channel, intensity, the spectral residual's of 64x64 pixels. Ours fuses intensity, two
+opponent colours and four orientations at several scales, and a residual.
+"""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
@@ -8,16 +13,23 @@ from placecat.vision.discovery import settings_of
 from placecat.vision.maps import FIELDS
 from placecat.vision.memory import keep_freed_memory
 from placecat.vision.saliency import Saliency, saliency
-from placecat_bench.comparison import Comparison, Limit, Peer
+from placecat_bench.comparison import Absent, Comparison, Entry, Peer
+from placecat_bench.contributed import FOLDER, PACKAGE, contributed
 from placecat_bench.frames import Image, decoded, encoded, jpegs, options, size
 
+PIECE = "Saliency alone"
 PEER = Peer("OpenCV: imdecode", "opencv-python-headless")
+CONTRIBUTED = {
+    "StaticSaliencyFineGrained": Peer("OpenCV contributed: fine-grained saliency", PACKAGE, FOLDER),
+    "StaticSaliencySpectralResidual": Peer("OpenCV contributed: spectral residual", PACKAGE, FOLDER),
+}
+VOCUS2 = Absent(PIECE, "", "VOCUS2", "it has no package and no release to build")
 # The maps that are fused; the colours themselves are descriptors' only.
 READ = tuple(name for name in FIELDS if name != "color")
 
 
-def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iterator[Comparison | Limit]:
-    """Yield the time beside that of decoding.
+def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iterator[Entry]:
+    """Yield the time beside that of decoding, and beside OpenCV's saliency.
 
     `frames` have one size, by default one of each rendered home; a repeat is a pair of calls with all frames.
     """
@@ -26,7 +38,7 @@ def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iter
     pictures = [decoded(file) for file in files]
     own = options()
     yield Comparison(
-        "Saliency alone",
+        PIECE,
         f"{size(pictures[0])} JPEG",
         PEER,
         lambda: [saliency_of(picture, own) for picture in pictures],
@@ -35,6 +47,19 @@ def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iter
         repeats=repeats,
         parts=parts(pictures, own),
     )
+    for name, peer in CONTRIBUTED.items():
+        with contributed(name, pictures) as theirs:
+            yield Comparison(
+                PIECE,
+                size(pictures[0]),
+                peer,
+                lambda: [saliency_of(picture, own) for picture in pictures],
+                theirs,
+                faster=2,
+                repeats=repeats,
+                parts=parts(pictures, own),
+            )
+    yield VOCUS2
 
 
 def saliency_of(frame: Image, own: Mapping[str, Any]) -> Saliency:

@@ -1,8 +1,10 @@
-"""SIFT of salient regions beside OpenCV's on the whole level.
+"""SIFT of salient regions beside OpenCV's on the whole level, and kornia's of patches.
 
 The regions of a frame lie on several levels of its pyramid. The peer gets each of these as an 8-bit image
 with a keypoint for each region, whose cells have the same size as ours: one call of `SIFT.compute` a level,
 which blurs the whole level several times before it describes a point. Images and keypoints are made before.
+
+kornia describes patches: it gets those that we cut, at the size of ours.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -16,10 +18,12 @@ from placecat.vision.local import sift
 from placecat.vision.maps import FrameMaps
 from placecat.vision.memory import keep_freed_memory
 from placecat.vision.patches import cut, region_side, to_bytes
-from placecat_bench.comparison import Comparison, Limit, Peer
+from placecat_bench.comparison import TORCH, Comparison, Limit, Peer
 from placecat_bench.frames import REGIONS, Described, Image, decoded, jpegs, size, with_regions
 
 PEER = Peer("OpenCV: SIFT.compute on each level", "opencv-python-headless")
+KORNIA = Peer("kornia: SIFTDescriptor of cut patches", "kornia", extra=TORCH)
+PIECE = "SIFT of regions"
 
 # A level and its keypoints.
 Points = tuple[Image, list[cv2.KeyPoint]]
@@ -43,13 +47,25 @@ def entries(
     pictures = [decoded(file) for file in jpegs()] if frames is None else frames
     given = with_regions(pictures, count)
     points = [keypoints(*one) for one in given]
+    text = f"{count} regions of {size(pictures[0])}"
     yield Comparison(
-        "SIFT of regions",
-        f"{count} regions of {size(pictures[0])}",
+        PIECE,
+        text,
         PEER,
         lambda: ours(given),
         lambda: theirs(points),
-        faster=5,
+        faster=4,
+        repeats=repeats,
+        parts=parts(given),
+    )
+    patches = [cut(maps.grey, regions, region_side(maps.width)) for maps, regions in given]
+    yield Comparison(
+        PIECE,
+        text,
+        KORNIA,
+        lambda: ours(given),
+        lambda: by_kornia(patches),
+        faster=2,
         repeats=repeats,
         parts=parts(given),
     )
@@ -64,6 +80,20 @@ def theirs(points: Sequence[Sequence[Points]]) -> list[NDArray[np.float32]]:
     """OpenCV's descriptors of each frame, level by level, (n, 128)."""
     descriptor = cv2.SIFT.create()
     return [np.concatenate([descriptor.compute(level, some)[1] for level, some in frame]) for frame in points]
+
+
+def by_kornia(patches: Sequence[NDArray[np.floating]]) -> list[NDArray[np.float32]]:
+    """kornia's descriptors of the patches of each frame, (n, 128), on one thread."""
+    import torch
+    from kornia.feature import SIFTDescriptor
+
+    torch.set_num_threads(1)
+    descriptor = SIFTDescriptor(patch_size=patches[0].shape[1])
+    with torch.inference_mode():
+        return [
+            descriptor(torch.from_numpy(np.ascontiguousarray(some[:, None], np.float32))).numpy()
+            for some in patches
+        ]
 
 
 def keypoints(maps: FrameMaps, regions: NDArray[np.float32]) -> list[Points]:

@@ -1,0 +1,63 @@
+"""Gist beside torchgist's: a frame's descriptor, ours with the maps that it reads.
+
+Ours averages the maps of the visual attention in the cells of a grid (thesis section 3.2); torchgist filters
+a grey square of 256x256 pixels with 32 Gabor filters (Oliva and Torralba 2001). The numbers differ, the
+purpose does not.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat.vision.attention import compute_maps
+from placecat.vision.holistic import gist
+from placecat.vision.memory import keep_freed_memory
+from placecat_bench.comparison import TORCH, Comparison, Peer
+from placecat_bench.frames import Image, decoded, jpegs, options, size
+
+PEER = Peer("torchgist: GIST", "torchgist", extra=TORCH)
+_SIDE = 256
+
+
+def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iterator[Comparison]:
+    """Yield the time beside the peer's; by default of one frame of each rendered home."""
+    keep_freed_memory()
+    pictures = [decoded(file) for file in jpegs()] if frames is None else frames
+    attention = options()["attention"]
+    maps = [compute_maps(picture, gist.MAPS, **attention) for picture in pictures]
+    squares = [np.asarray(cv2.resize(picture, (_SIDE, _SIDE)), np.uint8) for picture in pictures]
+    yield Comparison(
+        "Gist",
+        size(pictures[0]),
+        PEER,
+        lambda: [ours(picture, attention) for picture in pictures],
+        lambda: theirs(squares),
+        faster=5,
+        repeats=repeats,
+        parts={
+            "maps": lambda: [compute_maps(picture, gist.MAPS, **attention) for picture in pictures],
+            "means": lambda: [gist.describe(*one) for one in zip(pictures, maps, strict=True)],
+        },
+    )
+
+
+def ours(frame: Image, attention: dict[str, Any]) -> NDArray[np.float32]:
+    """Gist of a frame and its maps, (D,)."""
+    return np.asarray(gist.describe(frame, compute_maps(frame, gist.MAPS, **attention)))
+
+
+def theirs(squares: Sequence[NDArray[np.uint8]]) -> list[NDArray[np.float32]]:
+    """torchgist's of pictures (256, 256, 3), on one thread; each (512,)."""
+    import torch
+    from torchgist.models.models import GIST
+
+    torch.set_num_threads(1)
+    descriptor = GIST()
+    with torch.inference_mode():
+        return [
+            descriptor(torch.from_numpy(some.transpose(2, 0, 1).astype(np.float32))).numpy()
+            for some in squares
+        ]
