@@ -4,8 +4,8 @@ import pytest
 
 from placecat.errors import PlacecatError
 from placecat_bench import measure as module
-from placecat_bench.comparison import Comparison, Limit, Peer
-from placecat_bench.measure import COLUMNS, measure
+from placecat_bench.comparison import TORCH, Absent, Comparison, Limit, Peer
+from placecat_bench.measure import ABSENT, COLUMNS, measure
 from placecat_bench.timing import time_in_turn
 
 PEER = Peer("NumPy: sort", "numpy")
@@ -84,3 +84,23 @@ def test_garbage_of_others_is_collected_outside_the_time(monkeypatch):
     monkeypatch.setattr("placecat_bench.timing.time.perf_counter", lambda: order.append("clock") or 0.0)
     module.median_seconds(lambda: order.append("call"), 1)
     assert order == ["collect", "clock", "call", "clock"]
+
+
+def test_a_peer_that_cannot_be_measured_has_a_row_with_the_reason():
+    row = measure(Absent("Sorting", "numbers", "another", "it needs CUDA 9"))
+    assert list(row) == COLUMNS
+    assert (row["peer"], row["met"], row["spent"]) == ("another", ABSENT, "it needs CUDA 9")
+    assert row["ours"] is row["ratio"] is None
+
+
+def test_a_missing_peer_of_an_extra_that_few_install_is_passed_over():
+    peer = Peer("it", "no-such-peer", extra=TORCH)
+    row = measure(Comparison("Sorting", "", peer, lambda: 1 / 0, lambda: 1 / 0, faster=2))
+    assert (row["met"], row["spent"]) == (ABSENT, "without the extra bench-torch")
+
+
+def test_the_version_is_that_in_the_peer_s_own_folder(tmp_path):
+    (tmp_path / "numpy-0.1.dist-info").mkdir()
+    (tmp_path / "numpy-0.1.dist-info/METADATA").write_text("Name: numpy\nVersion: 0.1\n")
+    peer = Peer("it", "numpy", tmp_path)
+    assert measure(Limit("Sorting", "", "swaps", lambda: 1.0, at_most=2, peer=peer))["peer_version"] == "0.1"

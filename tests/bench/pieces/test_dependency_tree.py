@@ -12,13 +12,18 @@ def test_its_entries_and_targets():
     assert [(entry.input, entry.target) for entry in entries] == [
         ("4 variables x 7 values x 300", "at least 25x faster"),
         ("4 variables x 7 values x 300", "at most 1e-09"),
+        ("4 variables x 7 values x 300", "at least 10x faster"),
+        ("4 variables x 7 values x 300", "at most 0"),
         ("5 binary variables x 300", "at least 500x faster"),
+        ("5 binary variables x 300", "at least 3x faster"),
+        ("9 binary variables x 300", "at least 3x faster"),
+        ("9 binary variables x 300", "at most 0.01"),
         ("9 binary variables x 300", "at most 1"),
     ]
-    wide, _, few, many = entries
+    wide, few, many = entries[0], entries[4], entries[-1]
     assert [len(entry.ours().parents_[0]) for entry in (wide, few)] == [4, 5]
     assert 0 < many.measure() < 1
-    for part in wide.parts.values():
+    for part in (*wide.parts.values(), *few.parts.values()):
         part()
 
 
@@ -36,10 +41,23 @@ def test_codes_have_a_tree():
 @pytest.mark.filterwarnings("ignore::FutureWarning")
 def test_pgmpy_learns_the_same():
     pytest.importorskip("pgmpy", reason="without the extra bench")
-    wide, same, few, _ = dependency_tree.entries(**SMALL)
+    entries = list(dependency_tree.entries(**SMALL))
+    wide, same, few = entries[0], entries[1], entries[4]
     assert same.measure() < 1e-12
     for entry in (wide, few):
         assert isinstance(entry, Comparison)
         parents = entry.ours().parents_[0].tolist()
         edges = {(parent, variable) for variable, parent in enumerate(parents) if parent >= 0}
         assert set(entry.theirs().edges()) == edges
+
+
+def test_pyagrum_learns_the_same_tree():
+    pytest.importorskip("pyagrum", reason="without the extra bench")
+    other_edges = list(dependency_tree.entries(**SMALL))[3]
+    assert other_edges.measure() == 0
+
+
+def test_deeprob_kit_learns_the_same():
+    pytest.importorskip("deeprob", reason="without the extra bench-torch")
+    difference = list(dependency_tree.entries(**SMALL))[7]
+    assert difference.measure() < 1e-3

@@ -1,10 +1,11 @@
 import numpy as np
+import pytest
 
 from placecat_bench.pieces import gentle_adaboost
 
 
 def test_its_entries_and_targets():
-    time, accuracy = gentle_adaboost.entries(frames=500, features=8, rounds=10)
+    time, accuracy, *_ = gentle_adaboost.entries(frames=500, features=8, rounds=10)
     assert (time.input, time.target) == ("500 x 8, 10 rounds", "at least 4x faster")
     assert accuracy.target == "at most 1"
     for part in time.parts.values():
@@ -14,7 +15,7 @@ def test_its_entries_and_targets():
 
 def test_opencv_boosts_the_same():
     """Fewer frames than bins: both may cut between any two values."""
-    time, accuracy = gentle_adaboost.entries(frames=200, features=8, rounds=10)
+    time, accuracy, *_ = gentle_adaboost.entries(frames=200, features=8, rounds=10)
     frames = gentle_adaboost.draw_frames(200, 8, gentle_adaboost.HOMES).descriptors
     theirs = time.theirs().predict(frames, flags=256)[1][:, 0]
     assert np.corrcoef(time.ours().decision_function(frames), theirs)[0, 1] > 0.95
@@ -24,5 +25,17 @@ def test_opencv_boosts_the_same():
 def test_accuracy_behind_is_positive_where_ours_is_worse(monkeypatch):
     ours = gentle_adaboost.ours
     monkeypatch.setattr(gentle_adaboost, "ours", lambda X, positive, rounds: ours(X, ~positive, rounds))
-    _, accuracy = gentle_adaboost.entries(frames=200, features=8, rounds=10)
+    _, accuracy, *_ = gentle_adaboost.entries(frames=200, features=8, rounds=10)
     assert accuracy.measure() > 50
+
+
+@pytest.mark.parametrize("name", gentle_adaboost.OTHERS)
+def test_others_boost_as_well(name):
+    pytest.importorskip(name, reason="without the extra bench")
+    entries = list(gentle_adaboost.entries(frames=500, features=8, rounds=10))
+    place = 2 + 2 * list(gentle_adaboost.OTHERS).index(name)
+    time, accuracy = entries[place : place + 2]
+    assert time.peer == accuracy.peer == gentle_adaboost.OTHERS[name]
+    time.ours()
+    time.theirs()
+    assert abs(accuracy.measure()) < 5

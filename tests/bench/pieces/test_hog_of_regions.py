@@ -13,7 +13,7 @@ def entries(monkeypatch):
 
 
 def test_its_entries_and_targets(entries):
-    assert [(entry.input, entry.target) for entry in entries] == [
+    assert [(entry.input, entry.target) for entry in entries[:2]] == [
         ("7 regions of 320x240", "at least 2x faster"),
         ("7 regions of 320x240", "at most 0"),
     ]
@@ -22,7 +22,8 @@ def test_its_entries_and_targets(entries):
 
 
 def test_the_descriptors_are_identical(entries, monkeypatch):
-    timed, limit = entries
+    timed, limit, absent = entries
+    assert "no wheel" in absent.reason
     for ours, theirs in zip(timed.ours(), timed.theirs(), strict=True):
         assert ours.shape == (7, 128)
         assert ours.any(axis=1).all()
