@@ -67,4 +67,4 @@ def test_descriptors_are_drawn_from_the_frames(tmp_path):
 def test_peers_cluster_as_well(entries, package, place):
     pytest.importorskip(package, reason="without the extra bench")
     for limit in entries[place::6]:
-        assert 0.9 < limit.measure() < 1.1
+        assert 0.85 < limit.measure() < 1.2
