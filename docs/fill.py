@@ -200,6 +200,11 @@ def benchmarks() -> str:
     for line in _read("reports/benchmarks.csv").itertuples(index=False):
         if "second" not in line.quantity and "frames/s" not in line.quantity:
             continue
+        peer = "" if pd.isna(line.peer) else re.split(r"[:(]", line.peer)[0]
+        peer = peer.replace("OneVsRestClassifier", "scikit-learn")
+        if pd.isna(line.target):
+            rows.append([line.piece, "", peer, "", f"not measured: {line.spent}"])
+            continue
         target = line.target.replace("at least 1x faster", "faster")
         if "faster" in target:
             measured = f"{times(line.ratio)}x faster"
@@ -209,11 +214,6 @@ def benchmarks() -> str:
             unit = "frames/s" if "frames/s" in line.quantity else "s"
             target, measured = f"{target} {unit}", f"{line.ours:.3g} {unit}"
         measured = measured if line.met == "yes" else f"**{measured}**"
-        peer = (
-            ""
-            if pd.isna(line.peer)
-            else re.split(r"[:(]", line.peer)[0].replace("OneVsRestClassifier", "scikit-learn")
-        )
         rows.append([line.piece, line.input, peer, target, measured])
     return _markdown(["piece", "input", "beside", "asked", "measured"], rows, 5)
 

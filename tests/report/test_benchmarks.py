@@ -26,8 +26,8 @@ def test_rows_as_a_page_shows_them():
         "theirs": "1.7 ms",
         "ratio": "1.7 (1.6 to 1.9)",
         "target": "at least 2x faster",
-        "met": False,
-        "spent": "resizing 61%",
+        "met": "no",
+        "spent": "spent on: resizing 61%",
     }
     assert (rows[1]["piece"], rows[1]["ours"], rows[1]["ratio"]) == ("HOG: difference", "0", "")
     assert (rows[2]["ours"], rows[2]["theirs"]) == ("1.5 s", "750 s")

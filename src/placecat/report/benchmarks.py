@@ -46,8 +46,8 @@ def shown_speed(benchmarks: pd.DataFrame, facts: Mapping[str, str]) -> dict[str,
     Returns
     -------
     dict
-        The ``facts``, and in ``rows`` the piece, input, ours, peer, theirs, ratio, target, met (a bool) and
-        spent of each row. Quantities other than seconds are named beside the piece.
+        The ``facts``, and in ``rows`` the piece, input, ours, peer, theirs, ratio, target, met and spent of
+        each row. Quantities other than seconds are named beside the piece.
     """
     return {"facts": facts, "rows": [_shown_row(row) for row in benchmarks.to_dict("records")]}
 
@@ -63,8 +63,8 @@ def _shown_row(row: Mapping[Any, Any]) -> dict[str, Any]:
         if pd.isna(row["ratio"])
         else f"{times(row['ratio'])} ({times(row['low'])} to {times(row['high'])})",
         "target": row["target"],
-        "met": row["met"] == "yes",
-        "spent": row["spent"],
+        "met": row["met"],
+        "spent": f"spent on: {row['spent']}" if row["met"] == "no" else row["spent"],
     }
 
 

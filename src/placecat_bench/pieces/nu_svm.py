@@ -35,8 +35,8 @@ from placecat_bench.timing import Latest
 
 PIECE = f"nu-SVM, {CLASSES} classes, probabilities"
 PEER = Peer("OneVsRestClassifier(CalibratedClassifierCV(NuSVC))", "scikit-learn")
-PRECOMPUTED = Peer("the same on a precomputed Gram matrix", "scikit-learn")
-ONEDAL = Peer("the same with scikit-learn-intelex", "scikit-learn-intelex")
+PRECOMPUTED = Peer("scikit-learn on a Gram matrix: NuSVC", "scikit-learn")
+ONEDAL = Peer("scikit-learn-intelex: NuSVC", "scikit-learn-intelex")
 THUNDERSVM = Absent(
     PIECE,
     "",
