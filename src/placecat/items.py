@@ -13,13 +13,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import yaml
-
-from placecat import files, parallel, settings
+from placecat import files, lockfile, parallel
 from placecat.runs import unchanged
 
 MANIFEST = "manifest.json"
-DEFINITION = Path("dvc.yaml")
 
 # The work for an item: the arguments of each call, and a function that writes the results to a folder.
 Work = tuple[Sequence[tuple[Any, ...]], Callable[[Path, list[Any]], None]]
@@ -148,8 +145,6 @@ def _of(checksums: Mapping[str, str]) -> str:
 
 def _code_of(stage: str) -> str:
     """Checksum of the code that dvc.yaml lists for a stage; "" in a folder without a pipeline."""
-    if not DEFINITION.is_file():
-        return ""
-    stages = yaml.load(DEFINITION.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
+    stages = lockfile.defined_stages()
     code = [Path(dep) for dep in stages.get(stage, {}).get("deps", []) if dep.startswith("src/")]
-    return _of({path.as_posix(): _of(_files_in(path)) for path in code})
+    return _of({path.as_posix(): _of(_files_in(path)) for path in code}) if stages else ""

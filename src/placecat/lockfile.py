@@ -11,7 +11,17 @@ import yaml
 from placecat import paths, settings
 from placecat.errors import PlacecatError
 
-LOCK = Path("dvc.lock")
+LOCK, DEFINITION = Path("dvc.lock"), Path("dvc.yaml")
+
+
+def defined_stages(definition: Path = DEFINITION) -> dict[str, Any]:
+    """The stages of dvc.yaml by name; none in a folder without a pipeline."""
+    if not definition.is_file():
+        return {}
+    stages: dict[str, Any] = yaml.load(definition.read_text(encoding="utf-8"), Loader=settings.Loader)[
+        "stages"
+    ]
+    return stages
 
 
 def data_version(stage: str = "sequences") -> str:

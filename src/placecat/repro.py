@@ -8,13 +8,11 @@ from pathlib import Path
 from types import FrameType
 
 import psutil
-import yaml
 
 from placecat import files, paths
 from placecat.errors import PlacecatError
-from placecat.lockfile import LOCK
+from placecat.lockfile import LOCK, defined_stages
 from placecat.runs import lifeline, lock, mend
-from placecat.runs.unchanged import DEFINITION
 
 # Seconds for DVC and its stage to end after a terminal's Ctrl-C, which reaches them too.
 _CTRL_C = 3.0
@@ -121,14 +119,12 @@ def stages() -> list[str]:
 
     Frozen stages, and those whose outputs are all kept in git, are left out: the latter may be up to date.
     """
-    definition = yaml.safe_load(DEFINITION.read_text(encoding="utf-8"))["stages"]
+
+    def is_cached(out: str | dict[str, dict[str, bool]]) -> bool:
+        return isinstance(out, str) or any(options.get("cache", True) for options in out.values())
+
     return [
         name
-        for name, stage in definition.items()
-        if not stage.get("frozen", False) and any(map(_is_cached, stage["outs"]))
+        for name, stage in defined_stages().items()
+        if not stage.get("frozen", False) and any(map(is_cached, stage["outs"]))
     ]
-
-
-def _is_cached(out: str | dict[str, dict[str, bool]]) -> bool:
-    """Whether DVC keeps an output, not git."""
-    return isinstance(out, str) or any(options.get("cache", True) for options in out.values())

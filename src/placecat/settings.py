@@ -1,5 +1,6 @@
 """Settings of params.yaml: read, look up, refuse unknown ones."""
 
+import copy
 import inspect
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -80,6 +81,25 @@ def call(function: Callable[..., Any], *args: Any, settings: Mapping[str, Any], 
     except TypeError as error:
         raise SettingError(f"{where}: {error}") from None
     return function(*args, **settings)
+
+
+def changed(content: Mapping[str, Any], overrides: Mapping[str, Any], who: str, where: str) -> dict[str, Any]:
+    """Copy nested settings with those of dotted names changed.
+
+    The PlacecatError for an unknown one says that `who`, e.g. ``table_12 changes``, names a setting that
+    `where` lacks.
+    """
+    result = copy.deepcopy(dict(content))
+    for name, value in overrides.items():
+        *parents, last = name.split(".")
+        place: Any = result
+        for part in parents:
+            place = place.get(part) if isinstance(place, dict) else None
+        if not isinstance(place, dict) or last not in place:
+            raise PlacecatError(f"{who} {name}, but {where} has no such setting")
+        # A copy, since a later override may change a part of it.
+        place[last] = copy.deepcopy(value)
+    return result
 
 
 def flatten(settings: Mapping[str, Any], prefix: str = "") -> dict[str, str]:

@@ -1,6 +1,5 @@
 """The meaning of one combination of settings, and checks that it can be computed."""
 
-import inspect
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -119,11 +118,8 @@ def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
 
 def _check_classifier(classifier: Mapping[str, Any]) -> bool:
     """Check everything that the classifier's own modules check; return whether it works on clusters."""
-    model = classifier.get("model")
-    fit = lookup.module(cues.__name__, model, "classifier.model", "fit").fit
-    # Keyword-only parameters are settings.
-    parameters = inspect.signature(fit).parameters.values()
-    valid = [one.name for one in parameters if one.kind is one.KEYWORD_ONLY]
+    model = lookup.require(cues.__name__, classifier.get("model"), "classifier.model", "fit")
+    valid = list(lookup.parameters(cues.__name__, model, "fit"))
     options = {name: value for name, value in classifier.items() if name != "model"}
     settings.refuse_unknown(options, valid, f"classifier {_name(classifier)}")
     base = _base(classifier)

@@ -11,9 +11,8 @@ import psutil
 import yaml
 
 from placecat import files, settings
-from placecat.lockfile import LOCK
+from placecat.lockfile import LOCK, defined_stages
 from placecat.runs import lock
-from placecat.runs.unchanged import DEFINITION
 
 # A whole copy of the records so far: DVC writes dvc.lock in place, after each stage.
 COPY = lock.TEMPORARY / "dvc.lock.whole"
@@ -69,9 +68,9 @@ def keep() -> None:
 def _mended(text: str) -> tuple[str, list[str]]:
     """Content of dvc.lock, completed from the copy; and the stages whose records are in neither."""
     # A merge conflict is for a person to resolve.
-    if "\n<<<<<<< " in text or not DEFINITION.is_file():
+    stages = defined_stages()
+    if "\n<<<<<<< " in text or not stages:
         return text, []
-    stages = yaml.load(DEFINITION.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
     head, blocks = _blocks(text)
     kept_head, kept = _blocks(COPY.read_text(encoding="utf-8")) if COPY.exists() else ("", {})
     last = next(reversed(blocks), None)

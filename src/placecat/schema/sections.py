@@ -11,17 +11,7 @@ from annotated_types import Interval, MinLen
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from placecat import lookup
-from placecat.ranges import (
-    Count,
-    Index,
-    NonNegative,
-    PartShare,
-    Pixels,
-    Positive,
-    Seed,
-    Share,
-    Two,
-)
+from placecat.ranges import Count, Index, NonNegative, PartShare, Pixels, Positive, Seed, Share, Two
 from placecat.schema.base import Keys, Own, Schemes, Section, Seeds
 from placecat.schema.names import Distinct, FileName, Folder, Key, Label, Text
 from placecat.schema.numbers import Level, Levels, Odd, Window

@@ -5,16 +5,15 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pandas as pd
-import yaml
 
 from placecat.errors import PlacecatError
+from placecat.lockfile import DEFINITION, defined_stages
 from placecat_bench.scale import growth
 from placecat_bench.scale.watching import watch
 
 # `item` is "": stages once ran for each home or cue, and the files in git have its column.
 COLUMNS = ["size", "frames", "stage", "item", "seconds", "cpu_seconds", "peak_gib"]
 GROWTH_COLUMNS = ["stage", "item", "exponent", "r2", "last_exponent", "seconds", "peak_gib"]
-DEFINITION = Path("dvc.yaml")
 
 
 def commands(stages: Sequence[str], definition: Path = DEFINITION) -> dict[str, list[str]]:
@@ -22,7 +21,7 @@ def commands(stages: Sequence[str], definition: Path = DEFINITION) -> dict[str, 
 
     Raises PlacecatError for a stage that dvc.yaml does not have.
     """
-    defined = yaml.safe_load(definition.read_text(encoding="utf-8"))["stages"]
+    defined = defined_stages(definition)
     for stage in stages:
         if stage not in defined:
             raise PlacecatError(f"dvc.yaml has no stage {stage!r}: it has {', '.join(defined)}")
