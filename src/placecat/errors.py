@@ -102,7 +102,7 @@ def reading(path: Path) -> Iterator[None]:
 
 
 def is_refusal(error: OSError) -> bool:
-    """Whether the system refused to read or write, so that the user can fix it."""
+    """Whether the system refused to read or write, which the user can mend."""
     # NumPy reports the bytes written, without a reason.
     return error.errno in _REFUSED or (error.errno is None and "requested and" in str(error))
 

@@ -52,7 +52,7 @@ def replacing(target: Path) -> Iterator[Path]:
 
 
 def check_target(target: Path) -> None:
-    """Refuse a path without a name of its own (``.``, ``..``), or that is or contains the current folder."""
+    """Refuse a path that is or contains the current folder, or that names nothing (``.``, ``..``)."""
     if target.name in ("", ".", "..") or Path.cwd().is_relative_to(target.resolve()):
         raise PlacecatError(f"{target} is or contains a folder that is in use: give another name to write to")
 

@@ -1,4 +1,4 @@
-"""Settings inferred from other settings, so that a cue is one module and one file of conf/."""
+"""Settings inferred from others: with them a cue is one module and one file of conf/."""
 
 import inspect
 from collections.abc import Iterator

@@ -139,11 +139,11 @@ def about(revision: str) -> str:
 
 
 def _git(*arguments: str, message: str = "git failed") -> str:
-    """Output of a git command; if it fails, the message and what git says."""
+    """Output of a git command; if it fails, PlacecatError with the message and git's own."""
     try:
         done = subprocess.run(["git", *arguments], capture_output=True, check=False)
     except FileNotFoundError:
-        raise PlacecatError("git is not installed, so that no tables can be compared: install it") from None
+        raise PlacecatError("git is not installed, and tables are compared with it: install it") from None
     if done.returncode != 0:
         said = " ".join(done.stderr.decode("utf-8", errors="replace").split())
         raise PlacecatError(f"{message} ({said})" if said else message)

@@ -132,7 +132,7 @@ def keys(package: str, name: str, dictionary: str) -> list[str]:
 
 
 def forget() -> None:
-    """Forget where packages are, so that they are searched again."""
+    """Forget where packages are, and search them again."""
     _locations.cache_clear()
 
 

@@ -42,7 +42,9 @@ class Comparison:
     def __post_init__(self) -> None:
         _check_one(self.piece, faster=self.faster, at_most=self.at_most)
         if self.repeats < LEAST_REPEATS:
-            raise ValueError(f"{self.piece}: {self.repeats} repeats are no median, take {LEAST_REPEATS}")
+            raise ValueError(
+                f"{self.piece}: {self.repeats} repeats are too few for a median, take {LEAST_REPEATS}"
+            )
 
     @property
     def target(self) -> str:

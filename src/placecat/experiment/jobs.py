@@ -22,7 +22,7 @@ Launch = Callable[[Sequence[Sequence[str]]], Any]
 
 @contextmanager
 def alone(folder: Path) -> Iterator[None]:
-    """Make the folder of a sweep and wait while another process runs it; if stopped, say how to go on."""
+    """Make the folder of a sweep and wait while another process runs it; if stopped, say how to continue."""
     folder.mkdir(parents=True, exist_ok=True)
     with lock.waiting(
         folder / ".lock", f"Another process runs this sweep ({folder}): this one waits for it."

@@ -103,8 +103,8 @@ def fit(
     labels = np.concatenate([truth[home] for home in train])
     own = None if temperatures is None else np.asarray(temperatures, dtype=np.float64)
     homes = np.concatenate([np.full(len(proba), home) for home, proba in train.items()])
+    tempered = together if own is None else temper(together, own)
     if method == "log_pool":
-        tempered = together if own is None else temper(together, own)
         return _fit_pool(tempered, labels, homes, own, shrinkage, smallest)
     if method != "das":
         # A vote has nothing to train, so its statistics need no cross-validation.
@@ -112,7 +112,7 @@ def fit(
         return Trained(vote, vote.predict_proba(together) if cross_validated else None, labels, {})
     if classifier is None:
         raise PlacecatError("integrator.classifier is missing: SVM-DAS needs one, such as nu_svm")
-    frames = _joined(together if own is None else temper(together, own))
+    frames = _joined(tempered)
     model = cues.fit(frames, labels, homes, classifier=classifier, classes=classes)
     held_out = None
     if cross_validated:

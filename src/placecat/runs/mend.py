@@ -1,4 +1,4 @@
-"""Repair of what a killed run left: a cut dvc.lock, DVC's locks, temporary files."""
+"""Repair of the leftovers of a killed run: a cut dvc.lock, DVC's locks, temporary files."""
 
 import os
 import re
@@ -30,7 +30,7 @@ _OF_PROCESS = re.compile(r"(?:joblib_memmapping_folder_|sem\.loky-)(\d+)[_-].*")
 
 
 def mend() -> list[str]:
-    """Repair what a killed run left; return what was done, one line each, for the user.
+    """Repair the leftovers of a killed run; return what was done, one line each, for the user.
 
     Needs :func:`placecat.runs.lock.alone`.
     """

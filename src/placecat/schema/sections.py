@@ -341,7 +341,7 @@ class Example(Section):
 
 
 class Figures(BaseModel):
-    """conf/figures; each figure has settings of its own."""
+    """conf/figures; each figure has its own settings."""
 
     model_config = ConfigDict(extra="allow", strict=True, allow_inf_nan=False)
     __pydantic_extra__: dict[str, Own]
