@@ -9,21 +9,8 @@ from placecat.errors import PlacecatError
 from placecat_bench.comparison import Comparison, Limit, Peer
 from placecat_bench.timing import median_seconds, time_in_turn
 
-COLUMNS = [
-    "piece",
-    "input",
-    "quantity",
-    "ours",
-    "peer",
-    "peer_version",
-    "theirs",
-    "ratio",
-    "low",
-    "high",
-    "target",
-    "met",
-    "spent",
-]
+COLUMNS = ["piece", "input", "quantity", "ours", "peer", "peer_version", "theirs", "ratio", "low", "high"]
+COLUMNS += ["target", "met", "spent"]
 _PART_REPEATS = 3
 
 

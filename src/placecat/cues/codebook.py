@@ -19,14 +19,7 @@ from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
 # Names of descriptors' settings, and of renamed values, in the text that seeds derive from.
 # Frozen, since another text gives another clustering: a renamed setting keeps its old name here.
 FROZEN = {
-    "kind": "kind",
-    "name": "name",
-    "y_pos": "y_pos",
-    "y_weight": "y_weight",
-    "color": "color",
-    "max_regions": "max_regions",
-    "tracked": "tracked",
-    "variant": "variant",
+    name: name for name in ("kind", "name", "y_pos", "y_weight", "color", "max_regions", "tracked", "variant")
 }
 RENAMED: dict[Any, str] = {}
 

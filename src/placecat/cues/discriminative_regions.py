@@ -74,12 +74,6 @@ def fit(
     words = codebook.words(train, clusters)
     active = activations(words, clusters, counts=train.counts)
     kept = discriminative_codewords(active, labels, keep)
-    inner = cues.fit(
-        only(train, words, kept),
-        labels,
-        homes,
-        classifier={**cue, "clusters": clusters},
-        classes=classes,
-        codebook=codebook,
-    )
+    regions, own = only(train, words, kept), {**cue, "clusters": clusters}
+    inner = cues.fit(regions, labels, homes, classifier=own, classes=classes, codebook=codebook)
     return DiscriminativeRegionsCue(codebook, kept, inner)

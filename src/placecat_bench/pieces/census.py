@@ -39,27 +39,21 @@ def entries(
     given = reduced_frames(width, height) if images is None else images
     text = f"{size(given[0])}, {cells}x{cells} cells"
     codes = [census(image) for image in given]
-    yield Comparison(
-        PIECE,
-        text,
-        PEER,
+    calls = (
         lambda: [ours(image, cells) for image in given],
         lambda: [theirs(image, cells) for image in given],
-        faster=40,
-        repeats=repeats,
-        parts={
-            "codes": lambda: [census(image) for image in given],
-            "histograms": lambda: [cell_histograms(some, cells) for some in codes],
-        },
     )
-    yield Limit(
-        PIECE,
-        text,
-        "largest difference of a share of the straight neighbours",
-        lambda: max(largest_difference(image, cells) for image in given),
-        at_most=1e-6,
-        peer=PEER,
-    )
+    parts = {
+        "codes": lambda: [census(image) for image in given],
+        "histograms": lambda: [cell_histograms(some, cells) for some in codes],
+    }
+    yield Comparison(PIECE, text, PEER, *calls, faster=40, repeats=repeats, parts=parts)
+
+    def largest() -> float:
+        return max(largest_difference(image, cells) for image in given)
+
+    quantity = "largest difference of a share of the straight neighbours"
+    yield Limit(PIECE, text, quantity, largest, at_most=1e-6, peer=PEER)
 
 
 def reduced_frames(width: int, height: int) -> list[Image]:

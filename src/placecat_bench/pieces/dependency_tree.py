@@ -9,6 +9,7 @@ that is ready. The log-likelihoods of all samples show that both learn the same.
 
 import warnings
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -35,24 +36,17 @@ def entries(
     codes = chained_codes(samples, grid, clusters)
     text = f"{grid} variables x {clusters} values x {samples}"
     yield _comparison(codes, clusters, text, faster=25, repeats=15)
-    yield Limit(
-        PIECE,
-        text,
-        "largest difference of a log-likelihood from pgmpy's",
-        lambda: largest_difference(codes, clusters),
-        at_most=1e-9,
-        peer=PEER,
-    )
+    quantity = "largest difference of a log-likelihood from pgmpy's"
+    difference = partial(largest_difference, codes, clusters)
+    yield Limit(PIECE, text, quantity, difference, at_most=1e-9, peer=PEER)
     few_codes = chained_codes(samples, few, 2)
     yield _comparison(few_codes, 2, f"{few} binary variables x {samples}", faster=500, repeats=5)
     many_codes = chained_codes(samples, many, 2)
-    yield Limit(
-        PIECE,
+    text, seconds = (
         f"{many} binary variables x {samples}",
-        "seconds",
-        lambda: median_seconds(lambda: ours(many_codes, 2), 5),
-        at_most=1,
+        partial(median_seconds, partial(ours, many_codes, 2), 5),
     )
+    yield Limit(PIECE, text, "seconds", seconds, at_most=1)
 
 
 def _comparison(
@@ -60,21 +54,14 @@ def _comparison(
 ) -> Comparison:
     table = pd.DataFrame(codes)
     information = mutual_information(codes, n_values)
-    return Comparison(
-        PIECE,
-        text,
-        PEER,
-        lambda: ours(codes, n_values),
-        lambda: theirs(table, n_values),
-        faster=faster,
-        repeats=repeats,
-        # Half a minute of pgmpy's.
-        warm_up=n_values > 2,
-        parts={
-            "mutual information": lambda: mutual_information(codes, n_values),
-            "spanning tree": lambda: maximum_spanning_tree(information, 0),
-        },
-    )
+    calls = partial(ours, codes, n_values), partial(theirs, table, n_values)
+    parts = {
+        "mutual information": lambda: mutual_information(codes, n_values),
+        "spanning tree": lambda: maximum_spanning_tree(information, 0),
+    }
+    # With two values pgmpy takes half a minute.
+    options: dict[str, Any] = {"faster": faster, "repeats": repeats, "warm_up": n_values > 2}
+    return Comparison(PIECE, text, PEER, *calls, **options, parts=parts)
 
 
 def chained_codes(samples: int, variables: int, n_values: int, seed: int = 0) -> NDArray[np.int32]:

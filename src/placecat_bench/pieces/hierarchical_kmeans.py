@@ -54,17 +54,9 @@ def _cut(points: NDArray[np.float32], n_clusters: int, faster: float) -> Iterato
     def relative_inertia() -> float:
         return inertia(points, centers.result("ours")) / inertia(points, centers.result("theirs"))
 
-    yield Comparison(
-        PIECE,
-        text,
-        PEER,
-        lambda: centers.call("ours"),
-        lambda: centers.call("theirs"),
-        faster=faster,
-        # Half a minute of FLANN's.
-        warm_up=False,
-        parts={"first split": lambda: ours(points, BRANCHING)},
-    )
+    parts = {"first split": lambda: ours(points, BRANCHING)}
+    # No warm-up: FLANN takes half a minute.
+    yield Comparison(PIECE, text, PEER, *centers.calls, faster=faster, warm_up=False, parts=parts)
     yield Limit(PIECE, text, "inertia by FLANN's", relative_inertia, at_most=1.02, peer=PEER)
 
 

@@ -5,6 +5,7 @@ and described one at a time. The descriptors are identical.
 """
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 
 import cv2
 import numpy as np
@@ -33,28 +34,18 @@ def entries(
     text = f"{count} regions of {size(pictures[0])}"
     given = with_regions(pictures, count)
     patches = [patches_of(*one) for one in given]
-    yield Comparison(
-        PIECE,
-        text,
-        PEER,
-        lambda: ours(given),
-        lambda: theirs(given),
-        faster=2,
-        repeats=repeats,
-        parts={
-            "cutting": lambda: [patches_of(*one) for one in given],
-            "resizing": lambda: [[resized(patch) for patch in some] for some in patches],
-            # The rest is OpenCV's, of all regions at once.
-        },
-    )
-    yield Limit(
-        PIECE,
-        text,
-        "largest difference of a value",
-        lambda: float(np.abs(np.concatenate(ours(given)) - np.concatenate(theirs(given))).max()),
-        at_most=0,
-        peer=PEER,
-    )
+    parts = {
+        "cutting": lambda: [patches_of(*one) for one in given],
+        "resizing": lambda: [[resized(patch) for patch in some] for some in patches],
+        # The rest is OpenCV's, of all regions at once.
+    }
+    calls = partial(ours, given), partial(theirs, given)
+    yield Comparison(PIECE, text, PEER, *calls, faster=2, repeats=repeats, parts=parts)
+
+    def largest_difference() -> float:
+        return float(np.abs(np.concatenate(ours(given)) - np.concatenate(theirs(given))).max())
+
+    yield Limit(PIECE, text, "largest difference of a value", largest_difference, at_most=0, peer=PEER)
 
 
 def ours(given: Sequence[Described]) -> list[NDArray[np.float32]]:

@@ -52,38 +52,29 @@ def entries(
     def gram() -> NDArray[Any]:
         return rbf_gram(known, BASE.gamma, BASE.gram_dtype)
 
-    yield Comparison(
-        PIECE,
-        f"fit {frames} x {features}, {homes} homes",
-        PEER,
-        lambda: models.call("ours"),
-        lambda: models.call("theirs"),
-        faster=16,
-        warm_up=False,
-        parts={
-            "Gram matrix": lambda: rbf_gram(known, BASE.gamma, BASE.gram_dtype),
-            "fits on it": lambda: ours(known, train, gram()),
-        },
-    )
+    parts = {
+        "Gram matrix": lambda: rbf_gram(known, BASE.gamma, BASE.gram_dtype),
+        "fits on it": lambda: ours(known, train, gram()),
+    }
+    text = f"fit {frames} x {features}, {homes} homes"
+    yield Comparison(PIECE, text, PEER, *models.calls, faster=16, warm_up=False, parts=parts)
     gram.cache_clear()
-    text = f"predict {new} x {features} from {frames}"
-    yield Comparison(
-        PIECE,
-        text,
-        PEER,
-        lambda: models.result("ours").predict_proba(unknown),
-        lambda: models.result("theirs").predict_proba(unknown_by_them),
-        faster=25,
-        parts={
-            "kernel values": lambda: rbf_cross(
-                unknown, models.result("ours").scorer_.support_vectors, models.result("ours").scorer_.gamma
-            )
-        },
-    )
+
+    def by_ours() -> NDArray[Any]:
+        return models.result("ours").predict_proba(unknown)
+
+    def by_theirs() -> NDArray[Any]:
+        return models.result("theirs").predict_proba(unknown_by_them)
+
+    def kernel_values() -> NDArray[Any]:
+        scorer = models.result("ours").scorer_
+        return rbf_cross(unknown, scorer.support_vectors, scorer.gamma)
 
     def largest_difference() -> float:
-        proba = models.result("ours").predict_proba(unknown)
-        return float(np.abs(proba - models.result("theirs").predict_proba(unknown_by_them)).max())
+        return float(np.abs(by_ours() - by_theirs()).max())
+
+    text = f"predict {new} x {features} from {frames}"
+    yield Comparison(PIECE, text, PEER, by_ours, by_theirs, faster=25, parts={"kernel values": kernel_values})
 
     quantity = "largest difference of a probability"
     yield Limit(PIECE, text, quantity, largest_difference, at_most=1e-3, peer=PEER)

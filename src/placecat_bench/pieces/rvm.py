@@ -48,9 +48,8 @@ def _beside_fastrvm(few: int, features: int) -> Iterator[Comparison | Limit]:
         return 100.0 * float(right["theirs"] - right["ours"])
 
     parts = {"Gram matrix": lambda: rbf_gram(X, GAMMA)}
-    # A minute of fastrvm's.
-    calls = partial(models.call, "ours"), partial(models.call, "theirs")
-    yield Comparison(PIECE, text, PEER, *calls, faster=1, warm_up=False, parts=parts)
+    # No warm-up: fastrvm takes a minute.
+    yield Comparison(PIECE, text, PEER, *models.calls, faster=1, warm_up=False, parts=parts)
     yield Limit(PIECE, text, "points of training accuracy behind fastrvm's", behind, at_most=1, peer=PEER)
 
 
@@ -60,14 +59,9 @@ def _alone(many: int, features: int) -> Limit:
     def slowest() -> float:
         return max(seconds(partial(ours, X, place == number)) for number in range(CLASSES))
 
-    return Limit(
-        PIECE,
-        f"{many} x {features}",
-        f"seconds, the slowest of {CLASSES} classes",
-        slowest,
-        at_most=60,
-        parts={"Gram matrix": lambda: rbf_gram(X, GAMMA)},
-    )
+    text, quantity = f"{many} x {features}", f"seconds, the slowest of {CLASSES} classes"
+    parts = {"Gram matrix": lambda: rbf_gram(X, GAMMA)}
+    return Limit(PIECE, text, quantity, slowest, at_most=60, parts=parts)
 
 
 def scaled_frames(n: int, features: int) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
