@@ -38,11 +38,7 @@ def data_version(stage: str = "sequences") -> str:
 
 
 def check_data(params: Mapping[str, Any]) -> None:
-    """Refuse features of other data than the settings (`params`) ask for.
-
-    Raises PlacecatError if ``dataset`` has changed since the stages `sequences` and `features` ran through
-    DVC.
-    """
+    """Refuse (PlacecatError) features of another ``dataset`` than `params` has, by the records of DVC."""
     version = data_version()
     stages = yaml.load(LOCK.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
     listed = stages["sequences"].get("params", {}).get("params.yaml", {}).get("dataset")

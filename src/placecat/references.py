@@ -15,10 +15,7 @@ _SECTIONS = (
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse settings that name a cue, codebook, descriptor, scheme, system or split that does not exist.
-
-    `params` are all settings. The PlacecatError names the file, the name and the existing ones.
-    """
+    """Refuse settings that name anything that does not exist; the PlacecatError names all that exist."""
     for where, kind, name, valid in _references(params):
         if str(name) not in valid:
             question, there = did_you_mean(name, valid), ", ".join(valid) or "none"

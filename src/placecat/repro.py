@@ -59,10 +59,7 @@ class Before:
         self._params, self._lock = _content(paths.PARAMS), _content(LOCK)
 
     def restore(self) -> None:
-        """Put it back if no stage has ended since, e.g. because the settings or the data were refused.
-
-        Once a stage has ended, the run continues with the new settings.
-        """
+        """Put it back unless a stage has ended since: then the run continues with the new settings."""
         if _content(LOCK) != self._lock or _content(paths.PARAMS) == self._params:
             return
         if self._params is None:
@@ -115,10 +112,7 @@ def _end(dvc: subprocess.Popen[bytes], number: int) -> int:
 
 
 def stages() -> list[str]:
-    """Names of the stages that `dvc repro` runs in a fresh clone.
-
-    Frozen stages, and those whose outputs are all kept in git, are left out: the latter may be up to date.
-    """
+    """The stages that `dvc repro` runs in a fresh clone: neither frozen nor with all outputs in git."""
 
     def is_cached(out: str | dict[str, dict[str, bool]]) -> bool:
         return isinstance(out, str) or any(options.get("cache", True) for options in out.values())

@@ -21,10 +21,7 @@ def load(path: Path = paths.PARAMS) -> dict[str, Any]:
 
 
 def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]:
-    """Read a YAML file that holds a mapping.
-
-    Raises PlacecatError, which ends in the remedy, if the file is missing, is not YAML or has no names.
-    """
+    """Read a YAML file that holds a mapping; for any other the PlacecatError may end in the remedy."""
     try:
         content = yaml.load(path.read_text(encoding="utf-8"), Loader=Loader)
     except FileNotFoundError:
@@ -51,10 +48,7 @@ def get(params: Mapping[str, Any], name: str) -> Any:
 
 
 def check(function: Callable[..., Any], settings: Mapping[str, Any], where: str) -> None:
-    """Refuse settings that `function` does not take by name.
-
-    The PlacecatError names the setting, the nearest valid one and all valid ones.
-    """
+    """Refuse settings that `function` does not take by name; the PlacecatError names all that it takes."""
     valid = [
         name
         for name, parameter in inspect.signature(function).parameters.items()

@@ -9,10 +9,7 @@ LEAST_REPEATS = 5
 
 @dataclass(frozen=True)
 class Peer:
-    """An alternative that a user could pick, e.g. "scikit-image: local_binary_pattern and histogram".
-
-    The version of `package`, its distribution, is recorded.
-    """
+    """An alternative, e.g. "scikit-image: local_binary_pattern", and its distribution, "scikit-image"."""
 
     name: str
     package: str

@@ -101,10 +101,7 @@ class Codebook:
         return cls(trees, of_sets=train.is_set)
 
     def words(self, frames: Descriptors, n_clusters: int) -> NDArray[np.int32]:
-        """Nearest cluster of each region or cell, in [0, n_clusters).
-
-        Returns (n, max_regions) with -1 as padding, or (n, cells).
-        """
+        """Nearest cluster of each region, (n, max_regions) padded with -1, or of each cell, (n, cells)."""
         if self.of_sets:
             words = np.full(frames.x.shape[:2], -1, dtype=np.int32)
             words[frames.valid()] = self.trees[0].assign(frames.rows(), n_clusters)

@@ -30,10 +30,7 @@ _OF_PROCESS = re.compile(r"(?:joblib_memmapping_folder_|sem\.loky-)(\d+)[_-].*")
 
 
 def mend() -> list[str]:
-    """Repair the leftovers of a killed run; return what was done, one line each, for the user.
-
-    Needs :func:`placecat.runs.lock.alone`.
-    """
+    """Repair the leftovers of a killed run, inside `lock.alone`; return what was done, one line each."""
     said = []
     if LOCK.exists():
         text = LOCK.read_text(encoding="utf-8", errors="replace")
@@ -51,10 +48,7 @@ def mend() -> list[str]:
 
 
 def keep() -> None:
-    """Copy the whole records of dvc.lock, and keep the earlier ones of the others.
-
-    Without a dvc.lock none are kept: somebody removed it for a fresh start.
-    """
+    """Copy the whole records of dvc.lock and keep the earlier ones of the others; none without a dvc.lock."""
     if not lock.TEMPORARY.is_dir():
         return
     if not LOCK.exists():

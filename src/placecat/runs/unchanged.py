@@ -22,10 +22,7 @@ def start(stage: str) -> None:
 
 
 def check() -> None:
-    """Refuse results if something has changed since :func:`start`; without a start do nothing.
-
-    The PlacecatError names the first path that was changed.
-    """
+    """Refuse results if something has changed since :func:`start`; the PlacecatError names the first path."""
     if _at_start is None:
         return
     stage, before = _at_start

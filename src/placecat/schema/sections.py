@@ -15,7 +15,6 @@ from placecat.ranges import Count, Index, NonNegative, PartShare, Pixels, Positi
 from placecat.schema.base import Keys, Own, Schemes, Section, Seeds
 from placecat.schema.names import Distinct, FileName, Folder, Key, Label, Text
 from placecat.schema.numbers import Level, Levels, Odd, Window
-from placecat.schema.toy import Toy
 
 
 class Dataset(Section):
@@ -347,6 +346,32 @@ class Figures(BaseModel):
     __pydantic_extra__: dict[str, Own]
 
     example: Example = Example()
+
+
+class Points(Section):
+    """Points of the circles."""
+
+    radius: Positive
+    inside: Annotated[float, Interval(gt=0, lt=0.785)]
+
+
+class Sensitivity(Section):
+    """Variants of the circles."""
+
+    seeds: Seeds
+    radii: Annotated[Distinct[Positive], MinLen(1)]
+    decisions: Annotated[Distinct[Literal["sign", "probability", "product"]], MinLen(1)]
+
+
+class Toy(Section):
+    """conf/toy."""
+
+    schemes: dict[Key, Own]
+    training: Count
+    testing: Count
+    seeds: Seeds
+    points: Points
+    sensitivity: Sensitivity
 
 
 class Params(Section):

@@ -50,10 +50,7 @@ def main() -> None:
 
 
 def measure(source: Source, options: Mapping[str, Any]) -> tuple[Measured, Quality]:
-    """Count the decisions of one result in all its test homes, and measure its distributions.
-
-    `options` are settings of :func:`placecat.evaluation.quality.home_quality`.
-    """
+    """Count the decisions of one result in its test homes, and measure the distributions (`home_quality`)."""
     labels = {home: listing.read_labels(source.listed(home)) for home in source.homes}
     parts = {home: listing.sequence_slices(source.listed(home)) for home in source.homes}
     confusion, quality = [], []

@@ -65,10 +65,7 @@ def _comparison(
 
 
 def chained_codes(samples: int, variables: int, n_values: int, seed: int = 0) -> NDArray[np.int32]:
-    """Draw codes, (samples, variables) int32 in [0, n_values), from a tree.
-
-    Half the samples of a variable repeat the value of an earlier one.
-    """
+    """Draw codes, (samples, variables) int32 in [0, n_values), half of which repeat an earlier variable's."""
     rng = np.random.default_rng(seed)
     codes = rng.integers(n_values, size=(samples, variables), dtype=np.int32)
     for variable in range(1, variables):

@@ -38,10 +38,7 @@ BASE = NuSVM(gamma=2.0, nu=0.2)
 def entries(
     *, frames: int = 8000, features: int = 1024, homes: int = 5, new: int = 2000
 ) -> Iterator[Comparison | Limit]:
-    """Yield the times of fit and prediction, and how far the probabilities are apart.
-
-    `new` frames of one more home are predicted.
-    """
+    """Yield the times of fit and prediction, and how far the probabilities of `new` frames are apart."""
     train, test = draw_frames(frames, features, range(homes)), draw_frames(new, features, [homes])
     scaling = KernelScaling("standard").fit(train.descriptors)
     known, unknown = scaling.transform(train.descriptors), scaling.transform(test.descriptors)

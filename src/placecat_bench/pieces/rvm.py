@@ -29,10 +29,7 @@ PLACE = 1
 
 
 def entries(*, few: int = 1600, many: int = 8000, features: int = 1024) -> Iterator[Comparison | Limit]:
-    """Yield time and accuracy on few frames, and the time of the slowest of five classes on many.
-
-    A frame is described by so many features.
-    """
+    """Yield time and accuracy on few frames, and the time of the slowest of five classes on many."""
     yield from _beside_fastrvm(few, features)
     yield _alone(many, features)
 

@@ -17,10 +17,7 @@ GROWTH_COLUMNS = ["stage", "item", "exponent", "r2", "last_exponent", "seconds",
 
 
 def commands(stages: Sequence[str], definition: Path = DEFINITION) -> dict[str, list[str]]:
-    """Give the command of each stage as in dvc.yaml, to run in the project's folder.
-
-    Raises PlacecatError for a stage that dvc.yaml does not have.
-    """
+    """Give the command of each stage as in dvc.yaml; a stage that is not there raises PlacecatError."""
     defined = defined_stages(definition)
     for stage in stages:
         if stage not in defined:
@@ -29,10 +26,7 @@ def commands(stages: Sequence[str], definition: Path = DEFINITION) -> dict[str, 
 
 
 def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frames: int) -> pd.DataFrame:
-    """Run stages, by :func:`commands`, in a folder and watch them; columns `COLUMNS`, one row per stage.
-
-    Raises PlacecatError if a stage fails.
-    """
+    """Run and watch stages in a folder: columns `COLUMNS`, a row each; raises PlacecatError if one fails."""
     rows = []
     for stage, command in steps.items():
         watched = watch(command, folder, folder / "logs" / f"{stage}.log")
