@@ -79,8 +79,8 @@ def check_writable(target: Path) -> None:
 
 
 def _temporary(target: Path) -> Path:
-    # The suffix stays last, since numpy and pandas choose formats by it. The name is unique: what a killed
-    # process leaves is removed by placecat.runs.mend.
+    # The suffix stays last, since numpy and pandas choose formats by it. The name is unique;
+    # placecat.runs.mend removes the leftovers of a killed process.
     return target.with_name(f".{target.stem}.{secrets.token_hex(4)}.partial{target.suffix}")
 
 

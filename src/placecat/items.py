@@ -78,7 +78,12 @@ def _outdated(stage: str, folder: Path, wanted: Mapping[str, Inputs]) -> Iterato
     for name, inputs in wanted.items():
         content = [code, json.dumps(inputs.settings, sort_keys=True), *map(checksum, inputs.paths)]
         made_from = hashlib.sha256("\n".join(content).encode()).hexdigest()
-        if not _is_made(folder / name, made_from):
+        manifest = _manifest(folder / name)
+        if (
+            manifest is None
+            or manifest["made_from"] != made_from
+            or manifest["files"] != _files_in(folder / name)
+        ):
             yield name, made_from
 
 
@@ -97,13 +102,6 @@ def keep_only(folder: Path, names: Collection[str]) -> None:
     for path in folder.iterdir():
         if path.name not in names:
             shutil.rmtree(path) if path.is_dir() else path.unlink()
-
-
-def _is_made(folder: Path, made_from: str) -> bool:
-    manifest = _manifest(folder)
-    return (
-        manifest is not None and manifest["made_from"] == made_from and manifest["files"] == _files_in(folder)
-    )
 
 
 def _manifest(folder: Path) -> dict[str, Any] | None:

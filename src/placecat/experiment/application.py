@@ -33,7 +33,7 @@ def main(arguments: Sequence[str]) -> None:
     given = get_args(arguments)
     overrides.check(given.overrides, several=True)
     if given.help:
-        # Of a sweep Hydra prints none.
+        # Hydra prints no help for a sweep.
         arguments = ["--help"]
     elif given.multirun:
         if given.cfg or given.info:

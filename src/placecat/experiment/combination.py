@@ -204,15 +204,13 @@ def _check_data(experiment: Experiment, kernel_rows: int) -> None:
         counts = {home: _counts(home, descriptor)[rows].sum() for home, (rows, _) in training.items()}
         most = int(max(sum(counts[part.home] for part in plan.cues) for plan in plans))
         if most > kernel_rows:
+            known = classifiers().items()
+            without = [name for name, own in known if not isinstance(_base(own), KernelMachine)]
             raise PlacecatError(
                 f"classifier {_name(classifier)} would train on {most} salient regions, and its Gram matrix "
                 "grows with their square: add ++classifier.max_rows=1000, use a classifier without a kernel "
-                f"({', '.join(_without_kernel())}), or raise limits.kernel_rows={kernel_rows}"
+                f"({', '.join(without)}), or raise limits.kernel_rows={kernel_rows}"
             )
-
-
-def _without_kernel() -> list[str]:
-    return [name for name, own in classifiers().items() if not isinstance(_base(own), KernelMachine)]
 
 
 def _counts(home: str, descriptor: Mapping[str, Any]) -> np.ndarray:

@@ -16,6 +16,7 @@ from placecat.experiment.combination import Experiment
 from placecat.experiment.made_from import is_finished, made_from
 from placecat.runs import lock
 
+_NO_RESULT = "no result"
 # Runs some jobs, given by their overrides.
 Launch = Callable[[Sequence[Sequence[str]]], Any]
 
@@ -71,7 +72,7 @@ def run(
             start(todo)
             break
         except TerminatedWorkerError:
-            # One job caused the death of all that ran with it: run each again alone.
+            # One job ended all that ran beside it: run each again alone.
             killed = [number for number in todo if failed(number) == output.KILLED]
             if not killed:
                 raise
@@ -81,9 +82,6 @@ def run(
             todo = [number for number in todo if failed(number) == _NO_RESULT]
     accuracies = [_result(folder, number)["accuracy"] for number in numbers]
     return [math.nan if accuracy is None else float(accuracy) for accuracy in accuracies]
-
-
-_NO_RESULT = "no result"
 
 
 def _result(folder: Path, number: int) -> dict[str, Any]:

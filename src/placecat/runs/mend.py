@@ -40,7 +40,7 @@ def mend() -> list[str]:
             again = f"; these stages run again: {', '.join(lost)}" if lost else ""
             said.append(f"{LOCK} was cut when a run was killed: its records are restored{again}.")
     keep()
-    # Nobody uses it: its entries are of killed processes.
+    # Its entries belong to killed processes.
     lock.DVC_IN_USE.unlink(missing_ok=True)
     for path in _leftovers():
         shutil.rmtree(path, ignore_errors=True) if path.is_dir() else path.unlink(missing_ok=True)

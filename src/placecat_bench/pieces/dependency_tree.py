@@ -99,7 +99,7 @@ def largest_difference(codes: NDArray[np.int32], n_values: int) -> float:
     found = ours(codes, n_values).predict_joint_log_likelihood(codes)[:, 0]
     expected = np.zeros(len(codes))
     for cpd in theirs(pd.DataFrame(codes), n_values).get_cpds():
-        # One row a value; one column a value of the parent, one in all for the root.
+        # One row per value; one column per value of the parent, a single column for the root.
         columns = codes[:, cpd.variables[1]] if len(cpd.variables) > 1 else 0
         expected += np.log(cpd.get_values()[codes[:, cpd.variables[0]], columns])
     return float(np.abs(found - expected).max())
