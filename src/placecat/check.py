@@ -7,10 +7,7 @@ from placecat import references, schema, signatures
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse settings that are unknown, missing or impossible, or that name something that does not exist.
-
-    `params` are all settings, or some of their sections. The PlacecatError names the first such setting.
-    """
+    """Refuse wrong or unknown settings, of all sections or some; the PlacecatError names the first one."""
     schema.check(params)
     references.check(params)
     signatures.check(params)

@@ -73,13 +73,11 @@ def assemble(
         y = (np.array(arrays["regions"][:, :limit, 1], np.float32) / np.float32(height)).reshape(-1)
     if color_name:
         color = np.array(arrays[f"local_{color_name}"][:, :limit], np.float32).reshape(n * m, -1)
-    joined = concatenate(
-        x.reshape(n * m, -1),
-        y,
-        color,
-        y_weight=float(descriptor["y_weight"]),
-        shape_spread=local.load(modules[name]).SPREAD,
-        color_spread=local.load(modules[color_name]).SPREAD if color_name else 1.0,
-    ).reshape(n, m, -1)
+    weights: dict[str, float] = {
+        "y_weight": float(descriptor["y_weight"]),
+        "shape_spread": local.load(modules[name]).SPREAD,
+        "color_spread": local.load(modules[color_name]).SPREAD if color_name else 1.0,
+    }
+    joined = concatenate(x.reshape(n * m, -1), y, color, **weights).reshape(n, m, -1)
     joined[np.arange(m)[None, :] >= counts[:, None]] = 0.0
     return Descriptors(joined, counts)

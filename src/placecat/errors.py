@@ -70,10 +70,7 @@ def exiting() -> Iterator[None]:
 
 
 def printable(text: str) -> str:
-    """Escape characters that control a terminal or cannot be shown, e.g. as ``\\x1b``; line ends stay.
-
-    Titles, labels and file names may hold such characters, and messages name them.
-    """
+    """Escape characters that control a terminal or cannot be shown, e.g. as ``\\x1b``; line ends stay."""
     if text.isprintable():
         return text
     return "".join(
@@ -88,10 +85,7 @@ def one_line(text: object) -> str:
 
 @contextmanager
 def reading(path: Path) -> Iterator[None]:
-    """Turn an error of the system in reading a user's file, e.g. a missing permission, into one message.
-
-    The PlacecatError names the file of the system's error, or `path`.
-    """
+    """Turn a system error in reading a user's file, e.g. a missing permission, into one PlacecatError."""
     try:
         yield
     except OSError as error:
@@ -102,7 +96,7 @@ def reading(path: Path) -> Iterator[None]:
 
 
 def is_refusal(error: OSError) -> bool:
-    """Whether the system refused to read or write, so that the user can fix it."""
+    """Whether the system refused to read or write, which the user can mend."""
     # NumPy reports the bytes written, without a reason.
     return error.errno in _REFUSED or (error.errno is None and "requested and" in str(error))
 

@@ -52,7 +52,7 @@ def replacing(target: Path) -> Iterator[Path]:
 
 
 def check_target(target: Path) -> None:
-    """Refuse a path without a name of its own (``.``, ``..``), or that is or contains the current folder."""
+    """Refuse a path that is or contains the current folder, or that names nothing (``.``, ``..``)."""
     if target.name in ("", ".", "..") or Path.cwd().is_relative_to(target.resolve()):
         raise PlacecatError(f"{target} is or contains a folder that is in use: give another name to write to")
 
@@ -79,8 +79,8 @@ def check_writable(target: Path) -> None:
 
 
 def _temporary(target: Path) -> Path:
-    # The suffix stays last, since numpy and pandas choose formats by it. The name is unique: what a killed
-    # process leaves is removed by placecat.runs.mend.
+    # The suffix stays last, since numpy and pandas choose formats by it. The name is unique;
+    # placecat.runs.mend removes the leftovers of a killed process.
     return target.with_name(f".{target.stem}.{secrets.token_hex(4)}.partial{target.suffix}")
 
 

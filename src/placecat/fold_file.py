@@ -1,6 +1,6 @@
 """Results of a cue or a system for one test home and seed: named arrays in one file, facts beside it.
 
-It is one file, since DVC takes about a millisecond per folder.
+DVC takes about a millisecond per folder, so the arrays are not a folder of files.
 """
 
 from collections.abc import Mapping

@@ -78,10 +78,11 @@ def _add_predict(commands: Commands) -> None:
     labels = "the true places (start,end,label), to compare with"
     predict.add_argument("--labels", type=Path, metavar="CSV", help=labels)
     dataset = "for home:NAME, choose another data set, e.g. dataset=my_homes; may be repeated"
-    several = {"action": "append", "default": []}
-    predict.add_argument("--set", dest="overrides", **several, metavar="OVERRIDE", help=dataset)
+    predict.add_argument(
+        "--set", dest="overrides", action="append", default=[], metavar="OVERRIDE", help=dataset
+    )
     ignored = "a label in CSV whose frames are not scored, like those of transition; may be repeated"
-    predict.add_argument("--ignore", **several, metavar="LABEL", help=ignored)
+    predict.add_argument("--ignore", action="append", default=[], metavar="LABEL", help=ignored)
     every = "take every Nth frame, which is faster; 1 by default"
     predict.add_argument("--every", type=int, default=1, metavar="N", help=every)
     seconds = "take only the first S seconds; a camera stops then"

@@ -1,4 +1,4 @@
-"""Settings inferred from other settings, so that a cue is one module and one file of conf/."""
+"""Settings inferred from others: with them a cue is one module and one file of conf/."""
 
 import inspect
 from collections.abc import Iterator
@@ -62,10 +62,7 @@ def codebooks(conf: Path) -> dict[str, dict[str, Any]]:
 
 
 def optional_descriptors(conf: Path) -> dict[str, list[str]]:
-    """List the descriptors that files of conf/optional add: ``local`` and ``holistic`` to names.
-
-    Raises PlacecatError for a file that is not YAML.
-    """
+    """List the descriptors that files of conf/optional add, by kind; PlacecatError if one is not YAML."""
     found: dict[str, list[str]] = {}
     for _, content in _read(conf, "optional"):
         for kind, own in (content.get("descriptors") or {}).items():

@@ -13,13 +13,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import yaml
-
-from placecat import files, parallel, settings
+from placecat import files, lockfile, parallel
 from placecat.runs import unchanged
 
 MANIFEST = "manifest.json"
-DEFINITION = Path("dvc.yaml")
 
 # The work for an item: the arguments of each call, and a function that writes the results to a folder.
 Work = tuple[Sequence[tuple[Any, ...]], Callable[[Path, list[Any]], None]]
@@ -81,7 +78,12 @@ def _outdated(stage: str, folder: Path, wanted: Mapping[str, Inputs]) -> Iterato
     for name, inputs in wanted.items():
         content = [code, json.dumps(inputs.settings, sort_keys=True), *map(checksum, inputs.paths)]
         made_from = hashlib.sha256("\n".join(content).encode()).hexdigest()
-        if not _is_made(folder / name, made_from):
+        manifest = _manifest(folder / name)
+        if (
+            manifest is None
+            or manifest["made_from"] != made_from
+            or manifest["files"] != _files_in(folder / name)
+        ):
             yield name, made_from
 
 
@@ -100,13 +102,6 @@ def keep_only(folder: Path, names: Collection[str]) -> None:
     for path in folder.iterdir():
         if path.name not in names:
             shutil.rmtree(path) if path.is_dir() else path.unlink()
-
-
-def _is_made(folder: Path, made_from: str) -> bool:
-    manifest = _manifest(folder)
-    return (
-        manifest is not None and manifest["made_from"] == made_from and manifest["files"] == _files_in(folder)
-    )
 
 
 def _manifest(folder: Path) -> dict[str, Any] | None:
@@ -148,8 +143,6 @@ def _of(checksums: Mapping[str, str]) -> str:
 
 def _code_of(stage: str) -> str:
     """Checksum of the code that dvc.yaml lists for a stage; "" in a folder without a pipeline."""
-    if not DEFINITION.is_file():
-        return ""
-    stages = yaml.load(DEFINITION.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
+    stages = lockfile.defined_stages()
     code = [Path(dep) for dep in stages.get(stage, {}).get("deps", []) if dep.startswith("src/")]
-    return _of({path.as_posix(): _of(_files_in(path)) for path in code})
+    return _of({path.as_posix(): _of(_files_in(path)) for path in code}) if stages else ""

@@ -96,10 +96,7 @@ def name_of(side: str) -> str:
 
 
 def read(side: str) -> Kept:
-    """Read a side: a folder of a project, "" for this one, or else a git revision.
-
-    Raises PlacecatError like :func:`read_folder` and :func:`read_revision`.
-    """
+    """Read a side: the folder of a project ("" for this one) or a git revision, with the errors of these."""
     return read_folder(Path(side)) if not side or is_folder(side) else read_revision(side)
 
 
@@ -113,10 +110,7 @@ def read_folder(root: Path = Path()) -> Kept:
 
 
 def read_revision(revision: str = HEAD) -> Kept:
-    """Read the results in a git revision, e.g. ``HEAD``, ``HEAD~1`` or a tag.
-
-    Raises PlacecatError without git, repository, revision, or tables in it.
-    """
+    """Read the results in a git revision, e.g. ``HEAD~1`` or a tag; PlacecatError if they are not there."""
     commit = commit_of(revision)
     wanted = [path.as_posix() for path in (*FOLDERS, paths.IN_TEXT, paths.FINDINGS, paths.PARAMS)]
     listed = _git("ls-tree", "-r", "-z", "--name-only", commit, "--", *wanted)
@@ -139,11 +133,11 @@ def about(revision: str) -> str:
 
 
 def _git(*arguments: str, message: str = "git failed") -> str:
-    """Output of a git command; if it fails, the message and what git says."""
+    """Output of a git command; if it fails, PlacecatError with the message and git's own."""
     try:
         done = subprocess.run(["git", *arguments], capture_output=True, check=False)
     except FileNotFoundError:
-        raise PlacecatError("git is not installed, so that no tables can be compared: install it") from None
+        raise PlacecatError("git is not installed, and tables are compared with it: install it") from None
     if done.returncode != 0:
         said = " ".join(done.stderr.decode("utf-8", errors="replace").split())
         raise PlacecatError(f"{message} ({said})" if said else message)

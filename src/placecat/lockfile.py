@@ -11,7 +11,17 @@ import yaml
 from placecat import paths, settings
 from placecat.errors import PlacecatError
 
-LOCK = Path("dvc.lock")
+LOCK, DEFINITION = Path("dvc.lock"), Path("dvc.yaml")
+
+
+def defined_stages(definition: Path = DEFINITION) -> dict[str, Any]:
+    """The stages of dvc.yaml by name; none in a folder without a pipeline."""
+    if not definition.is_file():
+        return {}
+    stages: dict[str, Any] = yaml.load(definition.read_text(encoding="utf-8"), Loader=settings.Loader)[
+        "stages"
+    ]
+    return stages
 
 
 def data_version(stage: str = "sequences") -> str:
@@ -28,11 +38,7 @@ def data_version(stage: str = "sequences") -> str:
 
 
 def check_data(params: Mapping[str, Any]) -> None:
-    """Refuse features of other data than the settings (`params`) ask for.
-
-    Raises PlacecatError if ``dataset`` has changed since the stages `sequences` and `features` ran through
-    DVC.
-    """
+    """Refuse (PlacecatError) features of another ``dataset`` than `params` has, by the records of DVC."""
     version = data_version()
     stages = yaml.load(LOCK.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
     listed = stages["sequences"].get("params", {}).get("params.yaml", {}).get("dataset")

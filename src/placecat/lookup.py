@@ -32,10 +32,7 @@ class _Definition(NamedTuple):
 
 
 def names(package: str, *defining: str) -> list[str]:
-    """List the modules of a package, e.g. ``placecat.learning``, that define the given names; sorted.
-
-    Raises PlacecatError for a module whose source is not Python.
-    """
+    """List the modules of a package that define some names, sorted; PlacecatError if one is not Python."""
     found = sorted(module.name for module in pkgutil.iter_modules(_locations(package)))
     return [name for name in found if _defines(package, name, defining)]
 
@@ -55,10 +52,7 @@ def require(package: str, name: object, what: str, *defining: str) -> str:
 
 
 def module(package: str, name: object, what: str, *defining: str) -> ModuleType:
-    """Import the module of a name; parameters and errors as for `require`.
-
-    Also raises PlacecatError for a module that cannot be imported.
-    """
+    """Import the module of a name; parameters as for `require`. PlacecatError also if the import fails."""
     # Called for every frame.
     there = sys.modules.get(f"{package}.{name}")
     if there is not None and all(hasattr(there, one) for one in defining):
@@ -71,10 +65,7 @@ def module(package: str, name: object, what: str, *defining: str) -> ModuleType:
 
 
 def estimator(package: str, name: object, what: str) -> str:
-    """Name the only class of a module that is a BaseEstimator of scikit-learn.
-
-    Parameters and errors are those of `require`; also raises PlacecatError unless there is exactly one.
-    """
+    """Name the only scikit-learn estimator of a module; as for `require`, and PlacecatError unless one."""
     full = f"{package}.{require(package, name, what)}"
     classes = [node for node in _statements(full).values() if isinstance(node, ast.ClassDef)]
     public = [
@@ -132,7 +123,7 @@ def keys(package: str, name: str, dictionary: str) -> list[str]:
 
 
 def forget() -> None:
-    """Forget where packages are, so that they are searched again."""
+    """Forget where packages are, and search them again."""
     _locations.cache_clear()
 
 

@@ -45,9 +45,7 @@ def unknown_setting(overrides: Sequence[str], content: Mapping[str, Any], where:
     "conf/a.yaml has no setting 'fsp'; did you mean 'fps'? (valid: fps, size)"
     >>> unknown_setting(["+size.depth=3"], content, "conf/a.yaml")
     """
-    from hydra.core.override_parser.overrides_parser import OverridesParser
-
-    for override in OverridesParser.create().parse_overrides(list(overrides)):
+    for override in map(_parsed, overrides):
         if override.is_add() or override.is_force_add():
             continue
         section: Any = content
@@ -73,14 +71,12 @@ def text(value: str) -> str:
     >>> text("home_1"), text("Flat A"), text("a,b"), text("12")
     ('home_1', 'Flat A', "'a,b'", "'12'")
     """
-    from hydra.core.override_parser.overrides_parser import OverridesParser
     from hydra.errors import HydraException
 
     try:
-        is_plain = OverridesParser.create().parse_override(f"name=[{value}]").value() == [value]
+        return value if _parsed(f"name=[{value}]").value() == [value] else _text(value)
     except HydraException:
-        is_plain = False
-    return value if is_plain else _text(value)
+        return _text(value)
 
 
 def for_shell(argument: str) -> str:
@@ -102,15 +98,19 @@ def _how(right: str, several: bool) -> str:
     return f"write {for_shell(right)}" + ("" if several else f", and with make {for_make(right)}")
 
 
-def _is_read(override: str, *, several: bool = False) -> bool:
+def _parsed(override: str) -> Any:
     from hydra.core.override_parser.overrides_parser import OverridesParser
+
+    return OverridesParser.create().parse_override(override)
+
+
+def _is_read(override: str, *, several: bool = False) -> bool:
     from hydra.errors import HydraException
 
     try:
-        parsed = OverridesParser.create().parse_override(override)
+        return not _parsed(override).is_sweep_override() or several
     except HydraException:
         return False
-    return several or not parsed.is_sweep_override()
 
 
 def _quoted(override: str) -> str | None:

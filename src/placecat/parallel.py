@@ -1,7 +1,4 @@
-"""Parallel loops over homes and folds, whose results and order never depend on the processes.
-
-They run on this machine, or on a cluster if :func:`placecat.compute.as_set` says so.
-"""
+"""Parallel loops, on this machine or a cluster, whose results and order never depend on the processes."""
 
 import os
 from collections.abc import Callable, Iterator, Sequence

@@ -69,11 +69,7 @@ VARIANT_FRAMES = "frames.npy"
 
 
 def sequences(home: str) -> Path:
-    """Folder of a home's frames and labels, from the stage `sequences` or `site_sequences`.
-
-    `home` is a home of the main data set, e.g. ``home_1``, or one of another, e.g.
-    ``university/north_2_cloudy_2``.
-    """
+    """Folder of the frames and labels of a home, ``home_1``, or of one of a split, ``university/north_2``."""
     return (SITE_SEQUENCES if "/" in home else SEQUENCES) / home
 
 

@@ -1,6 +1,6 @@
-"""Check that settings that name other settings name existing ones."""
+"""Check that the names in settings of cues, codebooks, systems and so on exist."""
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Any
 
 from placecat import paths
@@ -15,10 +15,7 @@ _SECTIONS = (
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse settings that name a cue, codebook, descriptor, scheme, system or split that does not exist.
-
-    `params` are all settings. The PlacecatError names the file, the name and the existing ones.
-    """
+    """Refuse settings that name anything that does not exist; the PlacecatError names all that exist."""
     for where, kind, name, valid in _references(params):
         if str(name) not in valid:
             question, there = did_you_mean(name, valid), ", ".join(valid) or "none"
@@ -26,64 +23,47 @@ def check(params: Mapping[str, Any]) -> None:
 
 
 def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
-    # A missing section has no references and is no target; the stage that reads it reports it.
+    # A missing section neither refers nor is referred to; the stage that reads it reports it.
     cues, codebooks, systems, filters, splits, descriptors, smoothing, tracking, protocol, dataset, model = (
         params.get(name) or {} for name in _SECTIONS
     )
+    judged = [name for name, cue in cues.items() if cue["cross_validate"]]
     for name, cue in cues.items():
-        where = _file("cue", name)
-        codebook = cue["codebook"]
+        where, codebook = _file("cue", name), cue["codebook"]
         if codebook is None:
             yield from _of_descriptor(where, cue.get("descriptor"), descriptors)
         else:
             yield where, "codebook", codebook, codebooks
-            for scheme in cue["schemes"]:
-                yield where, f"codebook {codebook} for the scheme", scheme, codebooks[codebook]["schemes"]
+            kind = f"codebook {codebook} for the scheme"
+            yield from _each(where, kind, cue["schemes"], codebooks[codebook]["schemes"])
     for name, codebook in codebooks.items():
         yield from _of_descriptor(_file("codebook", name), codebook.get("descriptor"), descriptors)
     for name, system in systems.items():
-        judged = [cue for cue in cues if cues[cue]["cross_validate"]]
-        why = [
-            reason
-            for reason, is_so in (
-                ("temperature: true", system["temperature"]),
-                ("method: log_pool", system["integrator"]["method"] == "log_pool"),
-            )
-            if is_so
-        ]
+        where = _file("system", name)
         for cue in system["cues"]:
-            yield _file("system", name), "cue", cue, cues
-            for reason in why:
-                yield f"{_file('system', name)} has {reason}", "cue with cross_validate", cue, judged
-            yield _file("system", name), f"cue {cue} with the scheme", system["scheme"], cues[cue]["schemes"]
+            yield where, "cue", cue, cues
+            if system["temperature"]:
+                yield f"{where} has temperature: true", "cue with cross_validate", cue, judged
+            if system["integrator"]["method"] == "log_pool":
+                yield f"{where} has method: log_pool", "cue with cross_validate", cue, judged
+            yield where, f"cue {cue} with the scheme", system["scheme"], cues[cue]["schemes"]
     for name, own in filters.items():
-        for cue in own["cues"]:
-            yield _file("filter", name), "cue", cue, cues
-        for system in own["systems"]:
-            yield _file("filter", name), "system", system, systems
-    for cue in smoothing.get("cues", []):
-        yield "smoothing.cues", "cue", cue, cues
-        yield "smoothing.cues", "cue with cross_validate", cue, [c for c in cues if cues[c]["cross_validate"]]
-    filtered = [
-        f"{name}/{result}" for name, own in filters.items() for result in own["cues"] + own["systems"]
-    ]
-    for result in smoothing.get("filtered", []):
-        yield "smoothing.filtered", "filtered result", result, filtered
-    for descriptor in tracking.get("descriptors", []):
-        yield "tracking.descriptors", "local descriptor", descriptor, descriptors.get("local", {})
+        yield from _each(_file("filter", name), "cue", own["cues"], cues)
+        yield from _each(_file("filter", name), "system", own["systems"], systems)
+    yield from _each("smoothing.cues", "cue", smoothing.get("cues", []), cues)
+    yield from _each("smoothing.cues", "cue with cross_validate", smoothing.get("cues", []), judged)
+    filtered = [f"{name}/{one}" for name, own in filters.items() for one in own["cues"] + own["systems"]]
+    yield from _each("smoothing.filtered", "filtered result", smoothing.get("filtered", []), filtered)
+    local = descriptors.get("local", {})
+    yield from _each("tracking.descriptors", "local descriptor", tracking.get("descriptors", []), local)
     for name, split in splits.items():
         where = _file("split", name)
         for kind, names in split["descriptors"].items():
-            for descriptor in names:
-                yield where, f"{kind} descriptor", descriptor, descriptors.get(kind, {})
+            yield from _each(where, f"{kind} descriptor", names, descriptors.get(kind, {}))
         for cue in dict.fromkeys(cue for system in split["systems"].values() for cue in system):
             yield where, "cue", cue, cues
-            own = cues[cue] if cues[cue]["codebook"] is None else codebooks[cues[cue]["codebook"]]
-            yield from _of_descriptor(
-                f"{where} integrates the cue {cue}, but in its descriptors",
-                own["descriptor"],
-                split["descriptors"],
-            )
+            whose = f"{where} integrates the cue {cue}, but in its descriptors"
+            yield from _of_descriptor(whose, _described(cues[cue], codebooks), split["descriptors"])
     extra = (protocol.get("extra") or {}).get("split") if "splits" in params else None
     if extra is not None:
         yield "protocol.extra.split", "split", extra, splits
@@ -92,13 +72,23 @@ def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
     if protocol and model:
         yield "model.seed", "seed of protocol.seeds", model["seed"], [str(seed) for seed in protocol["seeds"]]
     tested = protocol.get("test_homes", "all")
-    for home in [tested] if isinstance(tested, str) else tested:
-        yield "protocol.test_homes", "home", home, ["all", *dataset.get("homes", [])]
+    homes = ["all", *dataset.get("homes", [])]
+    yield from _each("protocol.test_homes", "home", [tested] if isinstance(tested, str) else tested, homes)
     for name, cue in cues.items():
         if cue["extra"] and extra is not None:
-            own = cue if cue["codebook"] is None else codebooks[cue["codebook"]]
             where = f"{_file('cue', name)} has extra: true, but in the descriptors of {_file('split', extra)}"
-            yield from _of_descriptor(where, own["descriptor"], splits[extra]["descriptors"])
+            yield from _of_descriptor(where, _described(cue, codebooks), splits[extra]["descriptors"])
+
+
+def _each(where: str, kind: str, names: Iterable[str], valid: Collection[str]) -> Iterator[_Reference]:
+    return ((where, kind, name, valid) for name in names)
+
+
+def _described(cue: Mapping[str, Any], codebooks: Mapping[str, Any]) -> Mapping[str, Any]:
+    """The descriptor of a cue, or of its codebook if it has one."""
+    own = cue if cue["codebook"] is None else codebooks[cue["codebook"]]
+    descriptor: Mapping[str, Any] = own["descriptor"]
+    return descriptor
 
 
 def _file(group: str, name: str) -> str:

@@ -8,13 +8,11 @@ from pathlib import Path
 from types import FrameType
 
 import psutil
-import yaml
 
 from placecat import files, paths
 from placecat.errors import PlacecatError
-from placecat.lockfile import LOCK
+from placecat.lockfile import LOCK, defined_stages
 from placecat.runs import lifeline, lock, mend
-from placecat.runs.unchanged import DEFINITION
 
 # Seconds for DVC and its stage to end after a terminal's Ctrl-C, which reaches them too.
 _CTRL_C = 3.0
@@ -61,10 +59,7 @@ class Before:
         self._params, self._lock = _content(paths.PARAMS), _content(LOCK)
 
     def restore(self) -> None:
-        """Put it back if no stage has ended since, e.g. because the settings or the data were refused.
-
-        Once a stage has ended, the run continues with the new settings.
-        """
+        """Put it back unless a stage has ended since: then the run continues with the new settings."""
         if _content(LOCK) != self._lock or _content(paths.PARAMS) == self._params:
             return
         if self._params is None:
@@ -117,18 +112,13 @@ def _end(dvc: subprocess.Popen[bytes], number: int) -> int:
 
 
 def stages() -> list[str]:
-    """Names of the stages that `dvc repro` runs in a fresh clone.
+    """The stages that `dvc repro` runs in a fresh clone: neither frozen nor with all outputs in git."""
 
-    Frozen stages, and those whose outputs are all kept in git, are left out: the latter may be up to date.
-    """
-    definition = yaml.safe_load(DEFINITION.read_text(encoding="utf-8"))["stages"]
+    def is_cached(out: str | dict[str, dict[str, bool]]) -> bool:
+        return isinstance(out, str) or any(options.get("cache", True) for options in out.values())
+
     return [
         name
-        for name, stage in definition.items()
-        if not stage.get("frozen", False) and any(map(_is_cached, stage["outs"]))
+        for name, stage in defined_stages().items()
+        if not stage.get("frozen", False) and any(map(is_cached, stage["outs"]))
     ]
-
-
-def _is_cached(out: str | dict[str, dict[str, bool]]) -> bool:
-    """Whether DVC keeps an output, not git."""
-    return isinstance(out, str) or any(options.get("cache", True) for options in out.values())

@@ -4,9 +4,6 @@ import hashlib
 
 
 def derive(*parts: str | int) -> int:
-    """Derive a seed in [0, 2**32), the same on every machine, from the names of a computation.
-
-    E.g. ``("codebook", "hog_y", "Home1+Home2")``. Order matters.
-    """
+    """Derive a seed in [0, 2**32) from names in order, e.g. ``("codebook", "hog_y", "Home1+Home2")``."""
     text = "\x1f".join(f"{type(part).__name__}:{part}" for part in parts)
     return int.from_bytes(hashlib.sha256(text.encode()).digest()[:4], "big")

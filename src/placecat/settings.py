@@ -1,5 +1,6 @@
 """Settings of params.yaml: read, look up, refuse unknown ones."""
 
+import copy
 import inspect
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -20,10 +21,7 @@ def load(path: Path = paths.PARAMS) -> dict[str, Any]:
 
 
 def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]:
-    """Read a YAML file that holds a mapping.
-
-    Raises PlacecatError, which ends in the remedy, if the file is missing, is not YAML or has no names.
-    """
+    """Read a YAML file that holds a mapping; for any other the PlacecatError may end in the remedy."""
     try:
         content = yaml.load(path.read_text(encoding="utf-8"), Loader=Loader)
     except FileNotFoundError:
@@ -50,10 +48,7 @@ def get(params: Mapping[str, Any], name: str) -> Any:
 
 
 def check(function: Callable[..., Any], settings: Mapping[str, Any], where: str) -> None:
-    """Refuse settings that `function` does not take by name.
-
-    The PlacecatError names the setting, the nearest valid one and all valid ones.
-    """
+    """Refuse settings that `function` does not take by name; the PlacecatError names all that it takes."""
     valid = [
         name
         for name, parameter in inspect.signature(function).parameters.items()
@@ -80,6 +75,25 @@ def call(function: Callable[..., Any], *args: Any, settings: Mapping[str, Any], 
     except TypeError as error:
         raise SettingError(f"{where}: {error}") from None
     return function(*args, **settings)
+
+
+def changed(content: Mapping[str, Any], overrides: Mapping[str, Any], who: str, where: str) -> dict[str, Any]:
+    """Copy nested settings with those of dotted names changed.
+
+    The PlacecatError for an unknown one says that `who`, e.g. ``table_12 changes``, names a setting that
+    `where` lacks.
+    """
+    result = copy.deepcopy(dict(content))
+    for name, value in overrides.items():
+        *parents, last = name.split(".")
+        place: Any = result
+        for part in parents:
+            place = place.get(part) if isinstance(place, dict) else None
+        if not isinstance(place, dict) or last not in place:
+            raise PlacecatError(f"{who} {name}, but {where} has no such setting")
+        # A copy, since a later override may change a part of it.
+        place[last] = copy.deepcopy(value)
+    return result
 
 
 def flatten(settings: Mapping[str, Any], prefix: str = "") -> dict[str, str]:

@@ -56,10 +56,7 @@ def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
 
 
 def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Those of some frames of a home, in order of time, for which a descriptor was computed.
-
-    A variant of the regions lacks some; all others are computed for all frames.
-    """
+    """Those of some frames, in order of time, that have a descriptor; a variant of regions lacks some."""
     if "variant" not in descriptor:
         return rows
     there: NDArray[np.int64] = np.intersect1d(rows, _described(folder_of(home, descriptor)))

@@ -1,7 +1,4 @@
-"""Times of the stages: measured by each stage, gathered by `placecat repro`, kept in git on request.
-
-They are neither outputs nor dependencies of a computing stage, so no result depends on them.
-"""
+"""Times of the stages, on which no result depends: measured, gathered by `placecat repro`, kept in git."""
 
 import os
 import uuid
@@ -30,10 +27,7 @@ def record(stage: str, seconds: float) -> None:
 
 
 def gather(call: str) -> pd.DataFrame:
-    """Read the times of the stages that ran in a call, named by :func:`new_call`.
-
-    Returns columns `COLUMNS`, one row per stage with its seconds of wall time, the longest first.
-    """
+    """Read the times of a call's stages: columns `COLUMNS`, with seconds of wall time, the longest first."""
     # Names with a leading dot are unfinished.
     records = [files.read_json(path) for path in paths.TIMES.glob("[!.]*.json")]
     table = pd.DataFrame([one for one in records if one["call"] == call], columns=COLUMNS)
@@ -53,10 +47,7 @@ def write(by_stage: pd.DataFrame, seconds: float, data: str, cores: int, *, is_c
 
 
 def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
-    """Times of the last full run as from :func:`gather`; and its cores, data, stages and total.
-
-    Raises PlacecatError if there was none.
-    """
+    """Times of the last full run, as from :func:`gather`, and its facts; PlacecatError if there was none."""
     try:
         content = files.read_json(paths.COMPLETE_TIMES)
     except FileNotFoundError:

@@ -4,6 +4,7 @@ import gc
 import statistics
 import time
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 
@@ -38,11 +39,12 @@ def median_seconds(call: Callable[[], Any], repeats: int) -> float:
 
 
 class Latest:
-    """Calls whose last results are kept, since some take minutes and are compared as well as timed."""
+    """Calls of ours and theirs whose last results are kept, since some take minutes and are compared too."""
 
-    def __init__(self, **calls: Callable[[], Any]) -> None:
-        self._calls = calls
+    def __init__(self, ours: Callable[[], Any], theirs: Callable[[], Any]) -> None:
+        self._calls = {"ours": ours, "theirs": theirs}
         self._results: dict[str, Any] = {}
+        self.calls = partial(self.call, "ours"), partial(self.call, "theirs")
 
     def call(self, name: str) -> None:
         """Make a call by its name."""

@@ -13,7 +13,7 @@ def main() -> None:
     kinds = tuple(sys.argv[1:]) or KINDS
     for kind in kinds:
         if kind not in KINDS:
-            sys.exit(f"placecat: {kind!r} is none of {', '.join(KINDS)}")
+            sys.exit(f"placecat: {kind!r} does not exist: choose from {', '.join(KINDS)}")
     with exiting(), compute.as_set():
         print(text(run(kinds)))
 

@@ -1,25 +1,15 @@
 """Candidates for settings, and the choice between them."""
 
-import copy
 import itertools
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 import pandas as pd
 
-from placecat.errors import PlacecatError
+from placecat import settings
 
-COLUMNS = [
-    "data",
-    "kind",
-    "name",
-    "candidate",
-    "test_home",
-    "accuracy",
-    "log_loss",
-    "test_accuracy",
-    "test_log_loss",
-]
+KEYS, NUMBERS = ["kind", "name", "candidate"], ["accuracy", "log_loss"]
+COLUMNS = ["data", *KEYS, "test_home", *NUMBERS, *(f"test_{name}" for name in NUMBERS)]
 
 
 def combinations(grids: Sequence[Mapping[str, Sequence[Any]]]) -> list[dict[str, Any]]:
@@ -35,16 +25,7 @@ def combinations(grids: Sequence[Mapping[str, Sequence[Any]]]) -> list[dict[str,
 
 def changed(config: Mapping[str, Any], overrides: Mapping[str, Any], where: str) -> dict[str, Any]:
     """Return a copy of the settings with those of dotted names changed; unknown ones raise PlacecatError."""
-    result = copy.deepcopy(dict(config))
-    for name, value in overrides.items():
-        *parents, last = name.split(".")
-        place: Any = result
-        for part in parents:
-            place = place.get(part) if isinstance(place, dict) else None
-        if not isinstance(place, dict) or last not in place:
-            raise PlacecatError(f"conf/choice.yaml tries {name}, but {where} has no such setting")
-        place[last] = value
-    return result
+    return settings.changed(config, overrides, "conf/choice.yaml tries", where)
 
 
 def label(overrides: Mapping[str, Any]) -> str:
@@ -61,12 +42,10 @@ def choose(table: pd.DataFrame, margin: float) -> pd.DataFrame:
     row per candidate: kind, name, candidate, accuracy, log_loss, chosen. Data sets weigh the same, and so do
     the test homes of each.
     """
-    keys = ["kind", "name", "candidate"]
-    numbers = ["accuracy", "log_loss"]
-    means = table.groupby([*keys, "data"], sort=False)[numbers].mean()
-    means = means.groupby(level=keys, sort=False).mean().reset_index()
+    means = table.groupby([*KEYS, "data"], sort=False)[NUMBERS].mean()
+    means = means.groupby(level=KEYS, sort=False).mean().reset_index()
     means["chosen"] = False
-    for _, part in means.groupby(keys[:2], sort=False):
+    for _, part in means.groupby(["kind", "name"], sort=False):
         good = part[part["accuracy"] >= part["accuracy"].max() - margin]
         means.loc[good["log_loss"].idxmin(), "chosen"] = True
     return means

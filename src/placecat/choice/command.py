@@ -8,7 +8,7 @@ from typing import Any
 import pandas as pd
 
 from placecat import conf_file, files, fold_file, parallel, paths, settings
-from placecat.choice.candidates import COLUMNS, changed, choose, combinations, label
+from placecat.choice.candidates import COLUMNS, NUMBERS, changed, choose, combinations, label
 from placecat.choice.judging import Judgement, judge_cue, judge_system, left_out, predict_unseen
 from placecat.choice.smoothing import judge_smoothing
 from placecat.errors import PlacecatError
@@ -70,12 +70,11 @@ def _judge(
         for (name, candidate, _), judgements in zip(tasks, done, strict=True)
         for judgement in judgements
     ]
-    frame = pd.DataFrame(judged, columns=["name", "candidate", "test_home", "home", "accuracy", "log_loss"])
+    frame = pd.DataFrame(judged, columns=["name", "candidate", "test_home", "home", *NUMBERS])
     rows = []
     for (name, candidate, test), part in frame.groupby(["name", "candidate", "test_home"], sort=False):
         is_test = part["home"] == test
-        numbers = ["accuracy", "log_loss"]
-        training, tested = part[~is_test][numbers].mean(), part[is_test][numbers].mean()
+        training, tested = part[~is_test][NUMBERS].mean(), part[is_test][NUMBERS].mean()
         rows.append((data, kind, name, candidate, test, *training, *tested))
     return rows
 

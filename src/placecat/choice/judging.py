@@ -70,14 +70,8 @@ def judge_system(system: Mapping[str, Any], plan: plans.Plan, seed: int, smalles
     if system["temperature"]:
         held_out = zip(*(read.arrays(name) for name in _HELD_OUT), strict=True)
         temperatures = [fit_temperature(proba, truth) for proba, truth in held_out]
-    integrator = fuse(
-        parts,
-        read.training(plan, parts, method),
-        plan.classes,
-        system["integrator"],
-        temperatures=temperatures,
-        cross_validated=False,
-    ).integrator
+    given = parts, read.training(plan, parts, method), plan.classes, system["integrator"]
+    integrator = fuse(*given, temperatures=temperatures, cross_validated=False).integrator
     tested = integrator.predict_proba(np.stack(read.arrays("test"), axis=1))
     judged = {plan.test: judge(plan.tested[0].labels(), tested, smallest)}
     for part in kept:

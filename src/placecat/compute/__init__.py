@@ -47,10 +47,7 @@ _choice: _Choice | None = None
 
 @contextmanager
 def as_set() -> Iterator[None]:
-    """Run the loops of a block where params.yaml says; without it they run on this machine.
-
-    The first loop connects to the cluster, the end of the block disconnects.
-    """
+    """Run the loops of a block where params.yaml says; the end of the block disconnects from a cluster."""
     global _choice
     before, _choice = _choice, _Choice()
     try:
@@ -89,8 +86,5 @@ def wanted_workers() -> int | None:
 
 
 def cluster() -> "Cluster | None":
-    """Return the cluster that loops run on; None for this machine.
-
-    Raises PlacecatError like :class:`placecat.compute.connection.Cluster`, or for an unknown setting.
-    """
+    """Return the cluster that loops run on, None for this machine; errors as for its `Cluster`."""
     return None if _choice is None else _choice.cluster

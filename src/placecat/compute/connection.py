@@ -145,7 +145,7 @@ def _result(future: Any) -> bytes:
         last = getattr(error.last_worker, "address", error.last_worker)
         raise PlacecatError(
             f"{error.allowed_failures + 1} workers died of the same task, the last one {last}: their logs "
-            "say why; if for want of memory, start fewer on a machine (--nworkers N of `placecat worker`)"
+            "say why; if memory ran out, start fewer on a machine (--nworkers N of `placecat worker`)"
         ) from None
 
 

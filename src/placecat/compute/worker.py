@@ -31,10 +31,7 @@ class Expected:
 
 
 def objection(expected: Expected, dask_worker: Any = None) -> str | None:
-    """Return why this worker must not compute: its name, the problem and the remedy; None if it may.
-
-    `dask_worker` is distributed's worker, which `Client.run` passes; None in a task.
-    """
+    """Return why this worker (of distributed) must not compute, with the remedy; None if it may."""
     if dask_worker is None:
         from distributed import get_worker
 

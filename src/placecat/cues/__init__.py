@@ -7,6 +7,7 @@ module; there is no list to extend.
 
 import logging
 from collections.abc import Mapping, Sequence
+from functools import partial
 from types import ModuleType
 from typing import Any
 
@@ -60,16 +61,8 @@ def fit(
         )
     module = _load(str(settings.get(classifier, "model")))
     options = {name: value for name, value in classifier.items() if name != "model"}
-    return settings.call(
-        module.fit,
-        train,
-        labels,
-        homes,
-        codebook,
-        classes,
-        settings=options,
-        where=f"classifier {classifier['model']}",
-    )
+    given, where = (train, labels, homes, codebook, classes), f"classifier {classifier['model']}"
+    return settings.call(module.fit, *given, settings=options, where=where)
 
 
 def cross_validate(
@@ -100,16 +93,10 @@ def cross_validate(
             ", ".join(names.tolist()),
         )
         folds = make_folds(index, None, CONSECUTIVE, _PARTS)
+    fit_one = partial(fit, classifier=classifier, classes=classes, codebook=codebook)
     proba = np.empty((len(train), len(classes)))
     for kept, held_out in folds:
-        model = fit(
-            train.take(kept),
-            labels[kept],
-            homes[kept],
-            classifier=classifier,
-            classes=classes,
-            codebook=codebook,
-        )
+        model = fit_one(train.take(kept), labels[kept], homes[kept])
         proba[held_out] = model.predict_proba(train.take(held_out))
     return proba
 

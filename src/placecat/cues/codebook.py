@@ -19,14 +19,7 @@ from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
 # Names of descriptors' settings, and of renamed values, in the text that seeds derive from.
 # Frozen, since another text gives another clustering: a renamed setting keeps its old name here.
 FROZEN = {
-    "kind": "kind",
-    "name": "name",
-    "y_pos": "y_pos",
-    "y_weight": "y_weight",
-    "color": "color",
-    "max_regions": "max_regions",
-    "tracked": "tracked",
-    "variant": "variant",
+    name: name for name in ("kind", "name", "y_pos", "y_weight", "color", "max_regions", "tracked", "variant")
 }
 RENAMED: dict[Any, str] = {}
 
@@ -108,10 +101,7 @@ class Codebook:
         return cls(trees, of_sets=train.is_set)
 
     def words(self, frames: Descriptors, n_clusters: int) -> NDArray[np.int32]:
-        """Nearest cluster of each region or cell, in [0, n_clusters).
-
-        Returns (n, max_regions) with -1 as padding, or (n, cells).
-        """
+        """Nearest cluster of each region, (n, max_regions) padded with -1, or of each cell, (n, cells)."""
         if self.of_sets:
             words = np.full(frames.x.shape[:2], -1, dtype=np.int32)
             words[frames.valid()] = self.trees[0].assign(frames.rows(), n_clusters)

@@ -1,7 +1,4 @@
-"""A model that uses only the regions whose codewords tell places apart.
-
-An addition: the thesis ends with the wish for fewer meaningless regions.
-"""
+"""An addition: a model that uses only the regions whose codewords tell places apart."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -36,10 +33,7 @@ class DiscriminativeRegionsCue:
 
 
 def only(frames: Descriptors, words: NDArray[np.int32], kept: NDArray[np.bool_]) -> Descriptors:
-    """Keep the regions of n frames whose codeword is chosen, in order.
-
-    `words` are (n, max_regions) codewords, -1 as padding; `kept` is the (N,) mask of the chosen codewords.
-    """
+    """Keep the regions whose codeword, (n, max_regions) and -1 as padding, the (N,) mask `kept` chooses."""
     taken = (words >= 0) & kept[words]
     counts = taken.sum(axis=1)
     x = np.zeros_like(frames.x)
@@ -74,12 +68,6 @@ def fit(
     words = codebook.words(train, clusters)
     active = activations(words, clusters, counts=train.counts)
     kept = discriminative_codewords(active, labels, keep)
-    inner = cues.fit(
-        only(train, words, kept),
-        labels,
-        homes,
-        classifier={**cue, "clusters": clusters},
-        classes=classes,
-        codebook=codebook,
-    )
+    regions, own = only(train, words, kept), {**cue, "clusters": clusters}
+    inner = cues.fit(regions, labels, homes, classifier=own, classes=classes, codebook=codebook)
     return DiscriminativeRegionsCue(codebook, kept, inner)

@@ -1,6 +1,7 @@
 """Places by the joint probability of a frame's codewords (thesis 3.3.2, Figure 10; 4.2 for cells)."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -14,14 +15,14 @@ from placecat.learning.activations import activations
 from placecat.ranges import Count
 
 
+@dataclass
 class JointProbabilityCue:
     """A joint model of 16 cell codewords (holistic) or N on-off activations (salient regions)."""
 
-    def __init__(self, codebook: Codebook, clusters: int, estimator: Any) -> None:
-        self.codebook = codebook
-        self.clusters = clusters
-        self.estimator = estimator
-        self.facts: dict[str, Any] = {}
+    codebook: Codebook
+    clusters: int
+    estimator: Any
+    facts: dict[str, Any] = field(default_factory=dict)
 
     def codes(self, frames: Descriptors) -> NDArray[Any]:
         """(n, variables) values of the random variables c_1 .. c_N of equation (10)."""

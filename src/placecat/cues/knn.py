@@ -1,6 +1,7 @@
 """The modified nearest-neighbour classifier on regions or on whole frames (thesis 3.3.1.1)."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -13,12 +14,12 @@ from placecat.errors import PlacecatError
 from placecat.ranges import Count
 
 
+@dataclass
 class NearestNeighboursCue:
     """Class frequencies of the nearest clusters, multiplied over a frame's regions."""
 
-    def __init__(self, estimator: Any) -> None:
-        self.estimator = estimator
-        self.facts: dict[str, Any] = {}
+    estimator: Any
+    facts: dict[str, Any] = field(default_factory=dict)
 
     def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
         """(n, n_classes) distributions over places."""

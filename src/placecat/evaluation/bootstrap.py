@@ -87,9 +87,7 @@ def paired_bootstrap(
         raise ValueError(f"{n_units} units have no interval; it takes 2 or more")
     drawn = np.random.default_rng(seed).multinomial(n_units, [1.0 / n_units] * n_units, size=resamples)
     estimate = float(statistic(np.full((1, n_units), 1.0 / n_units))[0])
-    arms = np.quantile(statistic(drawn / n_units), [(1.0 - level) / 2.0, (1.0 + level) / 2.0]) - estimate
-    low, high = estimate + stretch(n_units, level) * arms
-    return Interval(estimate, float(low), float(high))
+    return _stretched(estimate, statistic(drawn / n_units), level, stretch(n_units, level))
 
 
 def stratified_bootstrap(
@@ -141,9 +139,15 @@ def stratified_bootstrap(
         drawn = rng.multinomial(max(size - 1, 1), [1.0 / size] * size, size=resamples)
         weights[:, strata == stratum] = drawn / max(size - 1, 1)
     estimate = float(statistic((1.0 / sizes)[strata][None])[0])
-    arms = np.quantile(statistic(weights), [(1.0 - level) / 2.0, (1.0 + level) / 2.0]) - estimate
     upper = (1.0 + level) / 2.0
-    low, high = estimate + stats.t.ppf(upper, free) / stats.norm.ppf(upper) * arms
+    factor = float(stats.t.ppf(upper, free) / stats.norm.ppf(upper))
+    return _stretched(estimate, statistic(weights), level, factor)
+
+
+def _stretched(estimate: float, values: NDArray[np.float64], level: float, factor: float) -> Interval:
+    """The percentile interval of resampled values, both arms times a factor."""
+    arms = np.quantile(values, [(1.0 - level) / 2.0, (1.0 + level) / 2.0]) - estimate
+    low, high = estimate + factor * arms
     return Interval(estimate, float(low), float(high))
 
 

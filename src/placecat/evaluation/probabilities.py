@@ -94,10 +94,7 @@ def pooled(diagrams: Sequence[Reliability]) -> Reliability:
 
 
 def calibration_error(diagram: Reliability) -> float:
-    """Expected calibration error, the mean distance of accuracy and confidence (Guo et al. 2017, equation 3).
-
-    0 to 1; NaN if no frame is scored.
-    """
+    """Expected calibration error, 0 to 1 (Guo et al. 2017, equation 3); NaN if no frame is scored."""
     if not diagram.weight.any():
         return float("nan")
     return float(np.nansum(diagram.weight * np.abs(diagram.accuracy - diagram.confidence)))

@@ -71,14 +71,19 @@ def choose_threshold(homes: Sequence[Decided], risk: float) -> float:
 
 def select(homes: Sequence[Decided], thresholds: Sequence[float]) -> Selection:
     """Measure the decisions at or above a threshold in each home."""
-    left = np.array([_left(home, threshold) for home, threshold in zip(homes, thresholds, strict=True)])
-    some = left[left[:, 0] > 0]
-    if not len(some):
+    left = []
+    for home, threshold in zip(homes, thresholds, strict=True):
+        is_left = home.confidence >= threshold
+        left.append((home.weight[is_left].sum(), home.weight[is_left & home.wrong].sum()))
+    weight, wrong = np.array(left).T
+    some = weight > 0
+    if not some.any():
         return Selection(0.0, math.nan, math.nan)
+    weight_of_some, wrong_of_some = weight[some], wrong[some]
     return Selection(
-        float(left[:, 0].mean()),
-        float(some[:, 1].sum() / some[:, 0].sum()),
-        float((some[:, 1] / some[:, 0]).max()),
+        float(weight.mean()),
+        float(wrong_of_some.sum() / weight_of_some.sum()),
+        float((wrong_of_some / weight_of_some).max()),
     )
 
 
@@ -88,9 +93,3 @@ def select_unseen(homes: Mapping[str, Decided], risk: float) -> Selection:
         choose_threshold([other for name, other in homes.items() if name != home], risk) for home in homes
     ]
     return select(list(homes.values()), thresholds)
-
-
-def _left(home: Decided, threshold: float) -> tuple[float, float]:
-    """Weights of the decisions at or above a threshold, and of the wrong ones among them."""
-    is_left = home.confidence >= threshold
-    return float(home.weight[is_left].sum()), float(home.weight[is_left & home.wrong].sum())

@@ -1,12 +1,12 @@
 """Trials: the cues behind a table's cells, each with some settings changed."""
 
-import copy
 import itertools
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from placecat import settings
 from placecat.errors import PlacecatError
 
 AXES = ("group", "row", "column")
@@ -61,20 +61,8 @@ def expand(name: str, table: Mapping[str, Any], homes: list[str]) -> list[Trial]
     tested = tuple(home for _, home in homes_of(table, homes))
     trials = []
     for combination in itertools.product(*choices):
-        settings = copy.deepcopy(dict(table["trial"]))
+        own = dict(table["trial"])
         for _, overrides in combination:
-            for setting, value in overrides.items():
-                _override(settings, setting, value, name)
-        trials.append(Trial(trial_name(name, *(label for label, _ in combination)), settings, tested))
+            own = settings.changed(own, overrides, f"{name} changes", "its trial")
+        trials.append(Trial(trial_name(name, *(label for label, _ in combination)), own, tested))
     return trials
-
-
-def _override(settings: dict[str, Any], setting: str, value: Any, table: str) -> None:
-    *parents, last = setting.split(".")
-    place: Any = settings
-    for part in parents:
-        place = place.get(part) if isinstance(place, dict) else None
-    if not isinstance(place, dict) or last not in place:
-        raise PlacecatError(f"{table} changes {setting}, but its trial has no such setting")
-    # A copy, since a later override may change a part of it.
-    place[last] = copy.deepcopy(value)

@@ -33,7 +33,7 @@ def main(arguments: Sequence[str]) -> None:
     given = get_args(arguments)
     overrides.check(given.overrides, several=True)
     if given.help:
-        # Of a sweep Hydra prints none.
+        # Hydra prints no help for a sweep.
         arguments = ["--help"]
     elif given.multirun:
         if given.cfg or given.info:
@@ -54,10 +54,7 @@ def main(arguments: Sequence[str]) -> None:
 
 
 def folder_of(given: Sequence[str]) -> str:
-    """Name the folder of a sweep by its overrides, so that the same command finds it again.
-
-    Settings of ``hydra.launcher`` do not count.
-    """
+    """Name the folder of a sweep by its overrides, except ``hydra.``; the same command finds it again."""
     own = [one for one in given if not one.startswith(("hydra.", "hydra/launcher"))]
     keys = "-".join(re.sub(r"[^\w.]", "", one.partition("=")[0]) for one in own)
     return f"multirun/{keys[:_LONGEST]}-{hashlib.sha256(repr(own).encode()).hexdigest()[:8]}"

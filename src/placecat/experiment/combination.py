@@ -1,6 +1,5 @@
 """The meaning of one combination of settings, and checks that it can be computed."""
 
-import inspect
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -119,11 +118,8 @@ def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
 
 def _check_classifier(classifier: Mapping[str, Any]) -> bool:
     """Check everything that the classifier's own modules check; return whether it works on clusters."""
-    model = classifier.get("model")
-    fit = lookup.module(cues.__name__, model, "classifier.model", "fit").fit
-    # Keyword-only parameters are settings.
-    parameters = inspect.signature(fit).parameters.values()
-    valid = [one.name for one in parameters if one.kind is one.KEYWORD_ONLY]
+    model = lookup.require(cues.__name__, classifier.get("model"), "classifier.model", "fit")
+    valid = list(lookup.parameters(cues.__name__, model, "fit"))
     options = {name: value for name, value in classifier.items() if name != "model"}
     settings.refuse_unknown(options, valid, f"classifier {_name(classifier)}")
     base = _base(classifier)
@@ -208,15 +204,13 @@ def _check_data(experiment: Experiment, kernel_rows: int) -> None:
         counts = {home: _counts(home, descriptor)[rows].sum() for home, (rows, _) in training.items()}
         most = int(max(sum(counts[part.home] for part in plan.cues) for plan in plans))
         if most > kernel_rows:
+            known = classifiers().items()
+            without = [name for name, own in known if not isinstance(_base(own), KernelMachine)]
             raise PlacecatError(
                 f"classifier {_name(classifier)} would train on {most} salient regions, and its Gram matrix "
                 "grows with their square: add ++classifier.max_rows=1000, use a classifier without a kernel "
-                f"({', '.join(_without_kernel())}), or raise limits.kernel_rows={kernel_rows}"
+                f"({', '.join(without)}), or raise limits.kernel_rows={kernel_rows}"
             )
-
-
-def _without_kernel() -> list[str]:
-    return [name for name, own in classifiers().items() if not isinstance(_base(own), KernelMachine)]
 
 
 def _counts(home: str, descriptor: Mapping[str, Any]) -> np.ndarray:

@@ -55,10 +55,7 @@ def find(params: Mapping[str, Any], name: str) -> Data:
 
 
 def find_homes(data: Data, wanted: Any) -> tuple[str, ...]:
-    """Test homes in any spelling: only letters and digits count.
-
-    `wanted` is ``all``, a name or a list of names. For unknown ones the PlacecatError names all.
-    """
+    """Test homes, ``all`` or names whose letters and digits count; for others the PlacecatError names all."""
     if wanted == ALL:
         return tuple(data.by_test)
     spellings: dict[str, list[str]] = {}

@@ -60,7 +60,7 @@ def job(config: DictConfig) -> float:
         result = output.failure(
             f"{type(error).__name__}: {error} (an error of placecat: see {folder / output.TRACEBACK})"
         )
-    # A file of its own, since the result itself does not depend on time and place.
+    # In another file, since the result itself does not depend on time and place.
     files.write_json(folder / output.SECONDS, round(time.perf_counter() - start, 2))
     # Last: it marks the job as finished for a killed sweep.
     files.write_json(folder / output.RESULT, result | origin)

@@ -16,13 +16,14 @@ from placecat.experiment.combination import Experiment
 from placecat.experiment.made_from import is_finished, made_from
 from placecat.runs import lock
 
+_NO_RESULT = "no result"
 # Runs some jobs, given by their overrides.
 Launch = Callable[[Sequence[Sequence[str]]], Any]
 
 
 @contextmanager
 def alone(folder: Path) -> Iterator[None]:
-    """Make the folder of a sweep and wait while another process runs it; if stopped, say how to go on."""
+    """Make the folder of a sweep and wait while another process runs it; if stopped, say how to continue."""
     folder.mkdir(parents=True, exist_ok=True)
     with lock.waiting(
         folder / ".lock", f"Another process runs this sweep ({folder}): this one waits for it."
@@ -63,35 +64,28 @@ def run(
         # The number is set here, since Hydra counts only the jobs of this call.
         launch([[*lines[number - first], f"hydra.sweep.subdir={number}"] for number in some])
 
+    def failed(number: int) -> str | None:
+        return _result(folder, number).get(output.FAILED)
+
     while todo:
         try:
             start(todo)
             break
         except TerminatedWorkerError:
-            # One job caused the death of all that ran with it: run each again alone.
-            killed = [number for number in todo if _failed(folder, number) == output.KILLED]
+            # One job ended all that ran beside it: run each again alone.
+            killed = [number for number in todo if failed(number) == output.KILLED]
             if not killed:
                 raise
             for number in killed:
                 with suppress(TerminatedWorkerError):
                     start([number])
-            todo = [number for number in todo if _failed(folder, number) == _NO_RESULT]
-    return [_accuracy(folder, number) for number in numbers]
+            todo = [number for number in todo if failed(number) == _NO_RESULT]
+    accuracies = [_result(folder, number)["accuracy"] for number in numbers]
+    return [math.nan if accuracy is None else float(accuracy) for accuracy in accuracies]
 
 
-_NO_RESULT = "no result"
-
-
-def _failed(folder: Path, number: int) -> str | None:
+def _result(folder: Path, number: int) -> dict[str, Any]:
     try:
-        return output.read(folder / str(number)).get(output.FAILED)
+        return output.read(folder / str(number))
     except PlacecatError:
-        return _NO_RESULT
-
-
-def _accuracy(folder: Path, number: int) -> float:
-    try:
-        accuracy = output.read(folder / str(number))["accuracy"]
-    except PlacecatError:
-        return math.nan
-    return math.nan if accuracy is None else float(accuracy)
+        return output.failure(_NO_RESULT)

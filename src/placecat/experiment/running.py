@@ -31,14 +31,10 @@ def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
         outcomes = parallel.in_parallel(trial.judge, tasks, "experiment", n_jobs=workers)
     else:
         outcomes = [parallel.single_threaded(trial.judge, task) for task in tasks]
-    homes = {}
-    for home in experiment.homes:
-        own = [
-            (plan.tested[0].sequence, seed, found)
-            for (of, plan, seed), [(found, _)] in zip(keys, outcomes, strict=True)
-            if of == home
-        ]
-        homes[home] = _of_home(own)
+    by_home: dict[str, list[tuple[str, int | None, Outcome]]] = {home: [] for home in plans}
+    for (home, plan, seed), [(found, _)] in zip(keys, outcomes, strict=True):
+        by_home[home].append((plan.tested[0].sequence, seed, found))
+    homes = {home: _of_home(own) for home, own in by_home.items()}
     accuracies = [own["accuracy"] for own in homes.values() if own["accuracy"] is not None]
     return {
         "settings": experiment.described(),

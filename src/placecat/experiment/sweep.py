@@ -91,10 +91,7 @@ def _meant(config: DictConfig, line: Sequence[str], params: Mapping[str, Any]) -
 
 @contextmanager
 def begun(config: DictConfig, combinations: Sequence[dict[str, str]]) -> Iterator[Path]:
-    """Lock the folder of the sweep for this process and yield it; finished jobs in it stay.
-
-    Results are reported even if the block fails.
-    """
+    """Lock and yield the folder of the sweep; finished jobs in it stay, and even a failed block reports."""
     folder = Path(config.hydra.sweep.dir)
     with jobs.alone(folder):
         # It covers all jobs, and some may run again.

@@ -1,7 +1,4 @@
-"""Experiments in MLflow: one run each, those of a sweep below one parent.
-
-One process logs them at the end, so workers, on any machine, need no MLflow.
-"""
+"""Experiments in MLflow, logged by one process at the end: one run each, those of a sweep below a parent."""
 
 import hashlib
 import json

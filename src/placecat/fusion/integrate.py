@@ -1,4 +1,7 @@
-"""Integration of cues: SVM-DAS or a plain vote (thesis 3.3.3), or a log-opinion pool (an addition)."""
+"""Integration of cues: SVM-DAS or a plain vote (thesis 3.3.3), or a log-opinion pool (an addition).
+
+SVM-DAS is the discriminative accumulation scheme of Nilsback and Caputo, and Pronobis et al.
+"""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -10,7 +13,7 @@ from numpy.typing import NDArray
 from placecat import cues
 from placecat.cues import CueModel
 from placecat.errors import PlacecatError
-from placecat.fusion import das, log_pool, votes
+from placecat.fusion import log_pool, votes
 from placecat.fusion.temperature import temper
 
 METHODS = ("das", "vote_distribution", "vote_decision", "log_pool")
@@ -45,7 +48,7 @@ class Integrator:
             return log_pool.pool(proba, self.weights, self.smallest or log_pool.SMALLEST)
         if self.model is None:
             return getattr(votes, self.method)(proba)
-        return self.model.predict_proba(das.frames_of(proba))
+        return self.model.predict_proba(_joined(proba))
 
 
 @dataclass(frozen=True)
@@ -100,8 +103,8 @@ def fit(
     labels = np.concatenate([truth[home] for home in train])
     own = None if temperatures is None else np.asarray(temperatures, dtype=np.float64)
     homes = np.concatenate([np.full(len(proba), home) for home, proba in train.items()])
+    tempered = together if own is None else temper(together, own)
     if method == "log_pool":
-        tempered = together if own is None else temper(together, own)
         return _fit_pool(tempered, labels, homes, own, shrinkage, smallest)
     if method != "das":
         # A vote has nothing to train, so its statistics need no cross-validation.
@@ -109,12 +112,17 @@ def fit(
         return Trained(vote, vote.predict_proba(together) if cross_validated else None, labels, {})
     if classifier is None:
         raise PlacecatError("integrator.classifier is missing: SVM-DAS needs one, such as nu_svm")
-    frames = das.frames_of(together if own is None else temper(together, own))
+    frames = _joined(tempered)
     model = cues.fit(frames, labels, homes, classifier=classifier, classes=classes)
     held_out = None
     if cross_validated:
         held_out = cues.cross_validate(frames, labels, homes, classifier=classifier, classes=classes)
     return Trained(Integrator(method, model, own), held_out, labels, dict(model.facts))
+
+
+def _joined(proba: NDArray[np.float64]) -> cues.Descriptors:
+    """From (frames, cues, n_classes) to (frames, cues * n_classes) float32: the frames of SVM-DAS."""
+    return cues.Descriptors(np.ascontiguousarray(proba.reshape(len(proba), -1), dtype=np.float32))
 
 
 def _fit_pool(

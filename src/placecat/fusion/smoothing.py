@@ -10,13 +10,7 @@ from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 from placecat.fusion.delay import Delay
-from placecat.fusion.hmm import (
-    ForwardFilter,
-    above_zero,
-    emission_matrix,
-    likelihoods,
-    transition_matrix,
-)
+from placecat.fusion.hmm import ForwardFilter, above_zero, emission_matrix, likelihoods, transition_matrix
 
 # Times of frames are rounded: a step this close to one counts as one.
 _ROUNDING = 1e-6

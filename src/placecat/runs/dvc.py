@@ -43,10 +43,7 @@ def main() -> None:
 
 
 class _Left(logging.Filter):
-    """Adds to the line of a stage its number and the time that it and later stages may take.
-
-    `seconds` are earlier times of the stages; missing ones count 0.
-    """
+    """Adds to a stage's line its number and the time left, from the stages' earlier times in seconds."""
 
     def __init__(self, stages: Sequence[str], seconds: Mapping[str, float]) -> None:
         super().__init__()

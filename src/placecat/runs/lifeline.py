@@ -22,7 +22,7 @@ _watching = False
 
 
 def end_with(parent: int) -> None:
-    """Send this process SIGTERM once `parent` is gone, and kill it if it goes on. Later calls do nothing."""
+    """Send this process SIGTERM once `parent` is gone, and kill it if it stays. Later calls do nothing."""
     global _watching
     if not _watching:
         _watching = True

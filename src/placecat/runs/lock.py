@@ -19,10 +19,7 @@ _ENDING = 12.0
 
 @contextmanager
 def alone() -> Iterator[None]:
-    """Keep other runs, and changes of params.yaml, out of this folder during a block. Blocks may be nested.
-
-    Raises PlacecatError if `placecat repro` or DVC is already running here.
-    """
+    """Refuse other runs, and changes of params.yaml, during a block, with PlacecatError; it may be nested."""
     if not TEMPORARY.parent.is_dir():
         yield
         return

@@ -1,4 +1,4 @@
-"""Repair of what a killed run left: a cut dvc.lock, DVC's locks, temporary files."""
+"""Repair of the leftovers of a killed run: a cut dvc.lock, DVC's locks, temporary files."""
 
 import os
 import re
@@ -11,9 +11,8 @@ import psutil
 import yaml
 
 from placecat import files, settings
-from placecat.lockfile import LOCK
+from placecat.lockfile import LOCK, defined_stages
 from placecat.runs import lock
-from placecat.runs.unchanged import DEFINITION
 
 # A whole copy of the records so far: DVC writes dvc.lock in place, after each stage.
 COPY = lock.TEMPORARY / "dvc.lock.whole"
@@ -31,10 +30,7 @@ _OF_PROCESS = re.compile(r"(?:joblib_memmapping_folder_|sem\.loky-)(\d+)[_-].*")
 
 
 def mend() -> list[str]:
-    """Repair what a killed run left; return what was done, one line each, for the user.
-
-    Needs :func:`placecat.runs.lock.alone`.
-    """
+    """Repair the leftovers of a killed run, inside `lock.alone`; return what was done, one line each."""
     said = []
     if LOCK.exists():
         text = LOCK.read_text(encoding="utf-8", errors="replace")
@@ -44,7 +40,7 @@ def mend() -> list[str]:
             again = f"; these stages run again: {', '.join(lost)}" if lost else ""
             said.append(f"{LOCK} was cut when a run was killed: its records are restored{again}.")
     keep()
-    # Nobody uses it: its entries are of killed processes.
+    # Its entries belong to killed processes.
     lock.DVC_IN_USE.unlink(missing_ok=True)
     for path in _leftovers():
         shutil.rmtree(path, ignore_errors=True) if path.is_dir() else path.unlink(missing_ok=True)
@@ -52,10 +48,7 @@ def mend() -> list[str]:
 
 
 def keep() -> None:
-    """Copy the whole records of dvc.lock, and keep the earlier ones of the others.
-
-    Without a dvc.lock none are kept: somebody removed it for a fresh start.
-    """
+    """Copy the whole records of dvc.lock and keep the earlier ones of the others; none without a dvc.lock."""
     if not lock.TEMPORARY.is_dir():
         return
     if not LOCK.exists():
@@ -69,9 +62,9 @@ def keep() -> None:
 def _mended(text: str) -> tuple[str, list[str]]:
     """Content of dvc.lock, completed from the copy; and the stages whose records are in neither."""
     # A merge conflict is for a person to resolve.
-    if "\n<<<<<<< " in text or not DEFINITION.is_file():
+    stages = defined_stages()
+    if "\n<<<<<<< " in text or not stages:
         return text, []
-    stages = yaml.load(DEFINITION.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
     head, blocks = _blocks(text)
     kept_head, kept = _blocks(COPY.read_text(encoding="utf-8")) if COPY.exists() else ("", {})
     last = next(reversed(blocks), None)

@@ -8,12 +8,9 @@ import hashlib
 from collections.abc import Iterator
 from pathlib import Path
 
-import yaml
-
-from placecat import paths, settings
+from placecat import lockfile, paths, settings
 from placecat.errors import PlacecatError
 
-DEFINITION = Path("dvc.yaml")
 _at_start: tuple[str, dict[str, str]] | None = None
 
 
@@ -25,10 +22,7 @@ def start(stage: str) -> None:
 
 
 def check() -> None:
-    """Refuse results if something has changed since :func:`start`; without a start do nothing.
-
-    The PlacecatError names the first path that was changed.
-    """
+    """Refuse results if something has changed since :func:`start`; the PlacecatError names the first path."""
     if _at_start is None:
         return
     stage, before = _at_start
@@ -62,10 +56,7 @@ def state(stage: str) -> dict[str, str]:
 
 
 def _dependencies(stage: str) -> Iterator[str]:
-    if not DEFINITION.is_file():
-        return
-    stages = yaml.load(DEFINITION.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
-    for dep in stages.get(stage, {}).get("deps", []):
+    for dep in lockfile.defined_stages().get(stage, {}).get("deps", []):
         # A setting names those of the data set: ${dataset.root}.
         yield str(settings.get(settings.load(), dep[2:-1])) if dep.startswith("${") else dep
 

@@ -1,4 +1,4 @@
-"""The schema of params.yaml and of an experiment, so that wrong settings are refused at once."""
+"""The schema of params.yaml and of an experiment, which refuses wrong settings at once."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -28,11 +28,7 @@ def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
 
 
 def check_value(value: Any, adapter: TypeAdapter[Any], where: str) -> None:
-    """Refuse a value of another type or out of its range.
-
-    `adapter` is that of its type (see :func:`of_type`), `where` its dotted name in the PlacecatError, which
-    says what is right.
-    """
+    """Refuse a value of a wrong type or range, by :func:`of_type`, in the setting of a dotted name."""
     try:
         adapter.validate_python(value)
     except ValidationError as error:

@@ -11,7 +11,7 @@ _Item = TypeVar("_Item", bound=Hashable)
 # A file name has 255 bytes; some are left for prefix and ending.
 _LONGEST_NAME, _LONGEST_TEXT = 200, 4000
 _KEY = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_-]*")
-# Values of `protocol.test_homes` that are no names.
+# Values of `protocol.test_homes` that do not name a home.
 _RESERVED = ("all",)
 
 

@@ -11,21 +11,10 @@ from annotated_types import Interval, MinLen
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from placecat import lookup
-from placecat.ranges import (
-    Count,
-    Index,
-    NonNegative,
-    PartShare,
-    Pixels,
-    Positive,
-    Seed,
-    Share,
-    Two,
-)
+from placecat.ranges import Count, Index, NonNegative, PartShare, Pixels, Positive, Seed, Share, Two
 from placecat.schema.base import Keys, Own, Schemes, Section, Seeds
 from placecat.schema.names import Distinct, FileName, Folder, Key, Label, Text
 from placecat.schema.numbers import Level, Levels, Odd, Window
-from placecat.schema.toy import Toy
 
 
 class Dataset(Section):
@@ -351,12 +340,38 @@ class Example(Section):
 
 
 class Figures(BaseModel):
-    """conf/figures; each figure has settings of its own."""
+    """conf/figures; each figure has its own settings."""
 
     model_config = ConfigDict(extra="allow", strict=True, allow_inf_nan=False)
     __pydantic_extra__: dict[str, Own]
 
     example: Example = Example()
+
+
+class Points(Section):
+    """Points of the circles."""
+
+    radius: Positive
+    inside: Annotated[float, Interval(gt=0, lt=0.785)]
+
+
+class Sensitivity(Section):
+    """Variants of the circles."""
+
+    seeds: Seeds
+    radii: Annotated[Distinct[Positive], MinLen(1)]
+    decisions: Annotated[Distinct[Literal["sign", "probability", "product"]], MinLen(1)]
+
+
+class Toy(Section):
+    """conf/toy."""
+
+    schemes: dict[Key, Own]
+    training: Count
+    testing: Count
+    seeds: Seeds
+    points: Points
+    sensitivity: Sensitivity
 
 
 class Params(Section):

@@ -1,4 +1,4 @@
-"""The first settings of a search, so that its result is at least as good."""
+"""The first settings of a search, which make its result at least as good."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any

@@ -19,25 +19,16 @@ def main() -> None:
     with files.replacing(paths.FIGURES) as folder:
         folder.mkdir(parents=True)
         for name in figures.names():
-            file: str | None = f"{name}.png"
-            reason: str | None = None
+            entry = {"name": name, "number": figures.number(name), "title": figures.caption(name)}
             try:
                 figures.render(name, of_run, folder / f"{name}.png")
+                entries.append(entry | {"file": f"{name}.png", "reason": None})
             except SettingError:
                 raise
             except PlacecatError as error:
                 # A figure that the data cannot give is left out.
                 logging.warning("%s is left out: %s", name, error)
-                file, reason = None, str(error)
-            entries.append(
-                {
-                    "name": name,
-                    "number": figures.number(name),
-                    "file": file,
-                    "title": figures.caption(name),
-                    "reason": reason,
-                }
-            )
+                entries.append(entry | {"file": None, "reason": str(error)})
         files.write_json(folder / "figures.json", entries)
 
 

@@ -12,10 +12,7 @@ def main() -> None:
     """Write reports/findings.csv and reports/findings_comparisons.csv."""
     params = settings.load()
     findings, comparisons = ledger(
-        definitions.findings(),
-        settings.get(params, "verdict"),
-        read_results(params),
-        read_published(),
+        definitions.findings(), settings.get(params, "verdict"), read_results(params), read_published()
     )
     files.write_csv(paths.FINDINGS, findings)
     files.write_csv(paths.COMPARISONS, comparisons)

@@ -50,13 +50,9 @@ def apply(system: Mapping[str, Any], plan: plans.Plan, seed: int | None) -> dict
     read = CueResults(system, plan.test, seed)
     method = system["integrator"]["method"]
     parts = fused_parts(plan, method=method, extra=system["extra"])
-    trained = fuse(
-        parts,
-        read.training(plan, parts, method),
-        plan.classes,
-        system["integrator"],
-        temperatures=read.temperatures() if system["temperature"] else None,
-    )
+    temperatures = read.temperatures() if system["temperature"] else None
+    given = parts, read.training(plan, parts, method), plan.classes, system["integrator"]
+    trained = fuse(*given, temperatures=temperatures)
     return {
         "facts": trained.facts,
         "test": trained.integrator.predict_proba(np.stack(read.arrays("test"), axis=1)),

@@ -25,10 +25,7 @@ def main() -> None:
     drops; and probabilities.csv, of the main pipeline and the splits.
     """
     params = settings.load()
-    rows: list[Any] = []
-    by_stay: list[Any] = []
-    untested: list[Any] = []
-    qualities: list[Any] = []
+    rows, by_stay, untested, qualities = ([] for _ in range(4))
     for name, source in sources(params).items():
         measured, quality = measure(source, settings.get(params, "probabilities"))
         rows += score_rows(name, measured)
@@ -53,32 +50,21 @@ def main() -> None:
 
 
 def measure(source: Source, options: Mapping[str, Any]) -> tuple[Measured, Quality]:
-    """Count the decisions of one result in all its test homes, and measure its distributions.
-
-    `options` are settings of :func:`placecat.evaluation.quality.home_quality`.
-    """
-    seeds = source.seeds()
+    """Count the decisions of one result in its test homes, and measure the distributions (`home_quality`)."""
     labels = {home: listing.read_labels(source.listed(home)) for home in source.homes}
     parts = {home: listing.sequence_slices(source.listed(home)) for home in source.homes}
     confusion, quality = [], []
-    for seed in seeds:
-        probas = {home: source.array(home, seed) for home in source.homes}
-        confusion.append(
-            [
-                confusion_matrix(labels[home], proba.argmax(axis=1), len(source.classes))
-                for home, proba in probas.items()
-            ]
-        )
-        quality.append(
-            [
-                settings.call(
-                    home_quality, labels[home], proba, parts[home], settings=options, where="probabilities"
-                )
-                for home, proba in probas.items()
-            ]
-        )
-    counted = Measured(source.homes, seeds, source.classes, np.array(confusion))
-    return counted, gather(source.homes, seeds, quality)
+    for seed in source.seeds():
+        counts, numbers = [], []
+        for home in source.homes:
+            proba, own = source.array(home, seed), labels[home]
+            counts.append(confusion_matrix(own, proba.argmax(axis=1), len(source.classes)))
+            given = own, proba, parts[home]
+            numbers.append(settings.call(home_quality, *given, settings=options, where="probabilities"))
+        confusion.append(counts)
+        quality.append(numbers)
+    counted = Measured(source.homes, source.seeds(), source.classes, np.array(confusion))
+    return counted, gather(source.homes, source.seeds(), quality)
 
 
 def measure_stays(source: Source) -> Measured:

@@ -20,10 +20,7 @@ def main() -> None:
 
 
 def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
-    """List and check every home of a data set, as in conf/dataset, into one folder of `target` per home.
-
-    `setting` is the name of the data set in params.yaml, for messages.
-    """
+    """List and check the homes of a data set into folders of `target`; messages call it `setting`."""
     root = Path(dataset["root"])
     if not root.is_dir():
         raise PlacecatError(

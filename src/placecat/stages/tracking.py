@@ -61,7 +61,7 @@ def main() -> None:
 
 
 def _settings(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, Any]:
-    """The settings of the numbers in a table, so that a change elsewhere does not supersede it."""
+    """The settings of the numbers in a table; a change elsewhere does not supersede it."""
     shown: dict[str, Any] = {"protocol": params["protocol"]}
     if "trial" in table:
         return shown | {

@@ -1,7 +1,4 @@
-"""The pieces, one module each: its generator ``entries()`` yields the measurements.
-
-Their inputs are not held together.
-"""
+"""The pieces, one module each, whose generator ``entries()`` yields the measurements one by one."""
 
 from collections.abc import Callable, Iterator
 

@@ -7,6 +7,7 @@ depth 1 on as many bins, all samples in every round and full steps.
 """
 
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import cv2
@@ -35,15 +36,9 @@ def entries(*, frames: int = 8000, features: int = 256, rounds: int = 50) -> Ite
     X, positive = drawn.descriptors, drawn.place == 0
     text = f"{frames} x {features}, {rounds} rounds"
     base = GentleAdaBoost(rounds)
-    yield Comparison(
-        PIECE,
-        text,
-        PEER,
-        lambda: ours(X, positive, rounds),
-        lambda: theirs(X, positive, rounds),
-        faster=4,
-        parts={"bins of the features": lambda: base.prepare(X)},
-    )
+    calls = partial(ours, X, positive, rounds), partial(theirs, X, positive, rounds)
+    parts = {"bins of the features": partial(base.prepare, X)}
+    yield Comparison(PIECE, text, PEER, *calls, faster=4, parts=parts)
 
     def behind() -> float:
         decisions = theirs(X, positive, rounds).predict(X, flags=_SUM)[1][:, 0]

@@ -45,10 +45,7 @@ class Home:
         )
 
     def walk(self) -> list[Stretch]:
-        """Put the stretches in random order, each place followed by a transition while there are any.
-
-        Their lengths are random too; the walk is always the same for the same home.
-        """
+        """Put stretches of random lengths in random order, transitions between them; fixed for each home."""
         rng = np.random.default_rng(seeds.derive("scale", "walk", self.name))
         places: list[tuple[str, int]] = []
         transitions: list[tuple[str, int]] = []
@@ -70,11 +67,7 @@ class Home:
 
 
 def read_homes(content: Mapping[str, Any]) -> list[Home]:
-    """Read the homes of conf/scale.yaml.
-
-    A home has ``floors`` and ``labels``, a label to ``[frames, stretches]``; other content raises
-    PlacecatError.
-    """
+    """Read the homes of conf/scale.yaml: ``floors`` and ``labels``; other content raises PlacecatError."""
     homes = []
     for name, own in content.items():
         try:

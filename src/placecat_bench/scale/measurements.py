@@ -5,24 +5,20 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pandas as pd
-import yaml
 
 from placecat.errors import PlacecatError
+from placecat.lockfile import DEFINITION, defined_stages
 from placecat_bench.scale import growth
 from placecat_bench.scale.watching import watch
 
 # `item` is "": stages once ran for each home or cue, and the files in git have its column.
 COLUMNS = ["size", "frames", "stage", "item", "seconds", "cpu_seconds", "peak_gib"]
 GROWTH_COLUMNS = ["stage", "item", "exponent", "r2", "last_exponent", "seconds", "peak_gib"]
-DEFINITION = Path("dvc.yaml")
 
 
 def commands(stages: Sequence[str], definition: Path = DEFINITION) -> dict[str, list[str]]:
-    """Give the command of each stage as in dvc.yaml, to run in the project's folder.
-
-    Raises PlacecatError for a stage that dvc.yaml does not have.
-    """
-    defined = yaml.safe_load(definition.read_text(encoding="utf-8"))["stages"]
+    """Give the command of each stage as in dvc.yaml; a stage that is not there raises PlacecatError."""
+    defined = defined_stages(definition)
     for stage in stages:
         if stage not in defined:
             raise PlacecatError(f"dvc.yaml has no stage {stage!r}: it has {', '.join(defined)}")
@@ -30,10 +26,7 @@ def commands(stages: Sequence[str], definition: Path = DEFINITION) -> dict[str, 
 
 
 def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frames: int) -> pd.DataFrame:
-    """Run stages, by :func:`commands`, in a folder and watch them; columns `COLUMNS`, one row per stage.
-
-    Raises PlacecatError if a stage fails.
-    """
+    """Run and watch stages in a folder: columns `COLUMNS`, a row each; raises PlacecatError if one fails."""
     rows = []
     for stage, command in steps.items():
         watched = watch(command, folder, folder / "logs" / f"{stage}.log")

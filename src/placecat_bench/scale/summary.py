@@ -11,10 +11,7 @@ from placecat_bench.scale.watching import GIB
 
 
 def facts(measured: pd.DataFrame, own: Mapping[str, Any]) -> dict[str, Any]:
-    """Sum up measurements with columns `placecat_bench.scale.measurements.COLUMNS`.
-
-    `own` is the content of conf/scale.yaml.
-    """
+    """Sum up measurements with columns `measurements.COLUMNS`; `own` is the content of conf/scale.yaml."""
     most = measured[measured["frames"] == measured["frames"].max()]
     highest = most.loc[most["peak_gib"].idxmax()]
     peak = float(highest["peak_gib"])
