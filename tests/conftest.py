@@ -7,7 +7,11 @@ import hypothesis
 import pytest
 from filelock import FileLock
 
-import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
+# pytest has a process for each core: more threads would wait for each other. NumPy reads this on import.
+for _name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"):
+    os.environ.setdefault(_name, "1")
+
+import placecat.stages  # noqa: E402, F401  before NumPy: it chooses the kernels of OpenBLAS
 
 # Helpers of the tests: modules without tests in these folders.
 for _folder in (
