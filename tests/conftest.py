@@ -7,7 +7,11 @@ import hypothesis
 import pytest
 from filelock import FileLock
 
-import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
+# pytest has a process for each core: more threads would wait for each other. NumPy reads this on import.
+for _name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"):
+    os.environ.setdefault(_name, "1")
+
+import placecat.stages  # noqa: E402, F401  before NumPy: it chooses the kernels of OpenBLAS
 
 # Helpers of the tests: modules without tests in these folders.
 for _folder in (
@@ -35,19 +39,38 @@ hypothesis.settings.register_profile("placecat", max_examples=40, deadline=None)
 hypothesis.settings.load_profile("placecat")
 
 
+@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """Mark what is slow; the longest group comes first, then the others, and last what waits for it."""
+    """Mark what is slow, put the tests of a module together that share its fixtures, and order all.
+
+    The longest group comes first, then the other groups, then what waits for the longest, then modules whose
+    tests are together, and last single tests, which keep both workers busy to the end.
+    """
+    turns = {}
     for item in items:
         if SLOW & set(getattr(item, "fixturenames", ())):
             item.add_marker("slow")
-    items.sort(key=_turn)
+        turns[item] = _turn(item)
+        if turns[item] == 4 and _has_fixture_of_module(item):
+            # One worker for all: each worker would make the fixture anew.
+            item.add_marker(pytest.mark.xdist_group(item.nodeid.partition("::")[0]))
+            turns[item] = 3
+    items.sort(key=turns.get)
 
 
 def _turn(item):
     groups = {mark.args[0] for mark in item.iter_markers("xdist_group")}
     if "later" in groups:
-        return 3
-    return 0 if "pipeline" in groups else 1 if groups else 2
+        return 2
+    return 0 if "pipeline" in groups else 1 if groups else 4
+
+
+def _has_fixture_of_module(item):
+    """Whether a test needs a fixture of its module that is made once."""
+    module = item.nodeid.partition("::")[0]
+    fixtures = getattr(item, "_fixtureinfo", None)
+    of_name = fixtures.name2fixturedefs if fixtures else {}
+    return any(one.scope == "module" and one.baseid == module for all_ in of_name.values() for one in all_)
 
 
 @pytest.fixture

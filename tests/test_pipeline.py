@@ -45,7 +45,7 @@ def test_every_stage_runs_once_and_every_cell_has_a_number_or_a_reason(reproduce
         assert table["note"].str.len().min() > 10
         assert table["measured"].dropna().between(0, 100).all()
         for ending in ("md", "tex"):
-            assert (folder / f"reports/tables/{name}.{ending}").stat().st_size > 300
+            assert (folder / f"reports/tables/{name}.{ending}").stat().st_size > 250
         if name.startswith("addition"):
             continue
         number = int(name[-2:])
@@ -145,12 +145,13 @@ def test_the_videos_are_checked_and_never_rendered(reproduced, tmp_path):
 # It only reads what was reproduced, so the other worker can do it.
 @pytest.mark.xdist_group("later")
 def test_two_runs_from_nothing_give_the_same_bytes(reproduced, tmp_path):
-    """On another number of workers, and whatever kernels OpenBLAS would choose by itself, too."""
+    """On more workers, with more threads, and whatever kernels OpenBLAS would choose by itself, too."""
     folder, _, _ = reproduced
     again = copy_project(tmp_path)
     # The page has the checksum of the data, which DVC writes there.
     shutil.copy(folder / "dvc.lock", again)
-    run(again, "python", ROOT / "tests/every_stage.py", PLACECAT_WORKERS="2", OPENBLAS_CORETYPE="")
+    other = {"PLACECAT_WORKERS": "2", "OPENBLAS_NUM_THREADS": "2", "OMP_NUM_THREADS": "2"}
+    run(again, "python", ROOT / "tests/every_stage.py", OPENBLAS_CORETYPE="", **other)
     computed = (
         "features",
         "tracks",

@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from sklearn.metrics.pairwise import rbf_kernel
-from threadpoolctl import threadpool_info
+from threadpoolctl import threadpool_info, threadpool_limits
 
 from placecat.errors import PlacecatError
 from placecat.learning import kernels
@@ -74,12 +74,13 @@ def test_expansion_without_vectors_is_its_intercept():
 
 
 def test_blas_limit_is_restored_after_nested_use():
-    before = [info["num_threads"] for info in threadpool_info() if info["user_api"] == "blas"]
-    with single_blas_thread(), single_blas_thread():
-        inside = [info["num_threads"] for info in threadpool_info() if info["user_api"] == "blas"]
-    after = [info["num_threads"] for info in threadpool_info() if info["user_api"] == "blas"]
-    assert set(inside) == {1}
-    assert after == before
+    def threads():
+        return {info["num_threads"] for info in threadpool_info() if info["user_api"] == "blas"}
+
+    with threadpool_limits(limits=2, user_api="blas"):
+        with single_blas_thread(), single_blas_thread():
+            assert threads() == {1}
+        assert threads() == {2}
 
 
 @pytest.mark.parametrize(
