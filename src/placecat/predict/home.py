@@ -1,7 +1,6 @@
 """A home of a data set as footage: all its floors, with the labels that the data set has."""
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,7 @@ from placecat import settings
 from placecat.errors import PlacecatError
 from placecat.footage.frames import read_frames
 from placecat.predict.frame import Damage, Frame, Source
-from placecat.sequences import open_home, place_labels, settings_of
+from placecat.sequences import open_home_of, place_labels
 
 PREFIX = "home:"
 """Prefix of a source of this kind; the name of the home follows."""
@@ -46,12 +45,7 @@ class DataSetHome(Source):
                 f"{PREFIX}{name}: {dataset['title']} has no such home, but {', '.join(dataset['homes'])}; "
                 "--set dataset=... --set dataset.root=PATH chooses other data"
             )
-        layout, camera = dataset["layout"], dataset["camera"]
-        given = {setting: dataset[setting] for setting in settings_of(layout) if setting in dataset}
-        given["camera"] = camera if isinstance(camera, str) else camera.get(name, "")
-        if fps is not None:
-            given["fps"] = fps
-        self._home = home = open_home(layout, Path(dataset["root"]), name, **given)
+        self._home = home = open_home_of(dataset, name, **{} if fps is None else {"fps": fps})
         self._dataset = dataset
         self.name = name
         self.title = str(dataset["title"])
