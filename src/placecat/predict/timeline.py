@@ -20,20 +20,13 @@ COLUMNS = 2000
 UNLABELLED = "#ffffff"
 WIDTH, HEIGHT, ROW = 6.5, 1.75, 0.3
 LINE = 96
-"""Characters of the title in a line: what fits in most cases."""
+"""Characters of the title that fit in a line in most cases."""
 
 
 def draw(prediction: Prediction, title: str, truth: NDArray[np.int16] | None = None) -> Figure:
-    """Draw the timeline.
+    """Draw the timeline of a prediction of at least one frame.
 
-    Parameters
-    ----------
-    prediction
-        At least one frame.
-    title
-        Above the picture.
-    truth
-        (n,) class indices of the frames, -1 for unlabelled frames; None draws no such strip.
+    `truth` are (n,) class indices of the frames, -1 for unlabelled frames; None draws no such strip.
     """
     colors = palette.place_colors(prediction.classes)
     strips: dict[str, NDArray[np.integer]] = {} if truth is None else {"label": truth}

@@ -20,20 +20,14 @@ _EXAMPLE = "living_room"
 
 
 def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], list[str]]) -> list[Panorama]:
-    """Read the table of a source.
+    """Read the table in the folder of a source, a panorama per row.
 
     Parameters
     ----------
-    root
-        The folder of the source.
     settings
         Those of conf/panoramas.yaml: `table` and `labels`.
     files
         From the cell `file` to the pictures of a panorama, relative to `root`.
-
-    Returns
-    -------
-    One panorama per row.
 
     Raises
     ------
