@@ -158,7 +158,7 @@ ONE = "files/rgbd/session_1/alma/bathroom1/subsession_1"
         ("UPDATE rh2_old2new_rgbd_files SET new_file_2 = 'x_depth.png'", r"has no picture \*_intensity"),
         ("UPDATE rh2_old2new_rgbd_files SET new_path = '../../..'", r"'\.\./.*' is not a path below"),
         ("UPDATE rh2_old2new_rgbd_files SET new_path = '/etc'", r"'/etc/.*' is not a path below"),
-        ("UPDATE rh2_old2new_rgbd_files SET new_path = 'elsewhere'", r"elsewhere/.*: the picture is missing"),
+        ("UPDATE rh2_old2new_rgbd_files SET new_path = 'elsewhere'", r"elsewhere/.*: the frame is missing"),
     ],
 )
 def test_a_damaged_database(copied: Path, statements: str, message: str) -> None:
@@ -197,7 +197,7 @@ def test_files_that_are_no_database(copied: Path) -> None:
 
 def test_missing_pictures(copied: Path) -> None:
     (copied / ONE / "100002_intensity.png").unlink()
-    with pytest.raises(PlacecatError, match=rf"{ONE}/100002_intensity\.png: the picture is missing"):
+    with pytest.raises(PlacecatError, match=rf"{ONE}/100002_intensity\.png: the frame is missing"):
         open_home("robot_at_home", copied, "alma")
     open_home("robot_at_home", copied, "alma", camera="RGBD_2")
     shutil.rmtree(copied / "files/rgbd")

@@ -138,21 +138,10 @@ class Categorizer:
     def load(
         cls, path: str | Path, *, classes: Sequence[str] | None = None, resize: bool = False
     ) -> Categorizer:
-        """Read a trained system from its file.
+        """Read a trained system from a file of `placecat train`, or of the stage `model`.
 
-        Parameters
-        ----------
-        path
-            Written by `placecat train`, or by the stage `model`.
-        classes
-            The places that the caller expects, in this order; None takes those of the model.
-        resize
-            See :class:`Categorizer`.
-
-        Raises
-        ------
-        PlacecatError
-            If the file is missing, damaged, of another version, or has other classes.
+        With `classes` it must have these, in this order. Raises PlacecatError if it does not, or if it is
+        missing, damaged, or of another version.
         """
         system = model_file.read(Path(path))
         known = list(system.card["classes"])

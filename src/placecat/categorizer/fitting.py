@@ -16,17 +16,7 @@ LEAST = 0.5
 
 @dataclass(frozen=True)
 class Fit:
-    """How every frame is cut and scaled.
-
-    Attributes
-    ----------
-    source
-        (width, height) of the footage.
-    kept
-        (width, height) of the middle that is kept.
-    target
-        (width, height) that it is scaled to.
-    """
+    """How frames are cut and scaled: (width, height) of the footage, of the kept middle, and at last."""
 
     source: Size
     kept: Size

@@ -92,19 +92,9 @@ class Recording:
         return first.size
 
     def timing(self, fps: float | None = None, setting: str = "dataset.fps") -> timing.Timing:
-        """Find the times of all frames.
+        """The times of all frames: those of the file or, where these are wrong, by `fps` frames a second.
 
-        Parameters
-        ----------
-        fps
-            Frames a second, for a file whose times are wrong; None takes the times of the file.
-        setting
-            What sets `fps`, for messages.
-
-        Raises
-        ------
-        PlacecatError
-            If the file does not say when its frames are shown, or gives times that cannot be right.
+        The PlacecatError for a file with no times, or with impossible ones, names the `setting` of `fps`.
         """
         if fps is not None:
             return timing.even(self.count, fps)

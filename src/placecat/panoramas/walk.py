@@ -1,33 +1,21 @@
 """A walk through the rooms of a floor: the order of rooms and panoramas, and the time in each."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import cycle
+from typing import NamedTuple
 
 import numpy as np
 
 
-@dataclass(frozen=True)
-class Room:
-    """A room and its panoramas, by their numbers."""
+class Room(NamedTuple):
+    """The label of a room and the numbers of its panoramas."""
 
     label: str
     panoramas: tuple[int, ...]
 
 
-@dataclass(frozen=True)
-class Part:
-    """Frames in which the view stays in one panorama.
-
-    Attributes
-    ----------
-    stay
-        Number of the stay that it belongs to, from 0.
-    room, panorama
-        Numbers.
-    frames
-        At least one.
-    """
+class Part(NamedTuple):
+    """A number of frames, at least one, in one panorama; the others are numbers, stays from 0."""
 
     stay: int
     room: int
@@ -49,7 +37,7 @@ def walk(
 ) -> list[Part]:
     """Walk through the rooms of a floor.
 
-    The first round enters every room, the following ones those that are visited again. No room follows itself.
+    The first round enters every room, the next ones those that are visited again. No room follows itself.
     Rooms of a label in `ways` are only passed through: one of them lies between any two others. If there are
     too many ways for the walk to pass, it enters the rest like other rooms.
 

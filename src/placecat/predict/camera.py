@@ -52,18 +52,15 @@ class Camera(Source):
         self.name = name
         self.arrived = 0
         if isinstance(address, int):
+            question = "is it connected, and not in use? Other cameras are camera:1, camera:2, ..."
             self._capture = cv2.VideoCapture(address)
             self._capture.set(cv2.CAP_PROP_FRAME_WIDTH, size[0])
             self._capture.set(cv2.CAP_PROP_FRAME_HEIGHT, size[1])
         else:
+            question = "is the address right, and the stream running?"
             self._capture = cv2.VideoCapture(address, cv2.CAP_FFMPEG)
         if not self._capture.isOpened():
-            raise PlacecatError(
-                f"{title} cannot be opened: is it connected, and used by no other program? Other "
-                "cameras are camera:1, camera:2, ..."
-                if isinstance(address, int)
-                else f"{title} cannot be opened: is the address right, and the stream running?"
-            )
+            raise PlacecatError(f"{title} cannot be opened: {question}")
         done, first = self._capture.read()
         if not done or first is None:
             self._capture.release()

@@ -115,12 +115,9 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
 def keep(folder: Path, new: Path) -> dict[str, str]:
     """Copy files that were added to a prediction, or edited, into the complete one that replaces it.
 
-    Returns
-    -------
-    dict
-        Name of each such file or folder to the name of its copy: the same or, if the new prediction has that,
-        ``NAME.edited.csv``, ``NAME.edited_2.csv``, ... The summary does not list the copy, so that the next
-        prediction keeps it, too.
+    Returns the name of each such file or folder and that of its copy: the same or, if the new prediction has
+    that, ``NAME.edited.csv``, ``NAME.edited_2.csv``, ... The summary does not list the copy, so that the next
+    prediction keeps it, too.
     """
     summary = _summary(folder)
     kept: dict[str, str] = {}

@@ -31,7 +31,7 @@ def without_password(text: str) -> str:
 def open_source(
     text: str, *, fps: float | None, usual_fps: float, size: tuple[int, int], topic: str | None = None
 ) -> Source:
-    """Open footage.
+    """Open footage; a PlacecatError if it cannot be read.
 
     Parameters
     ----------
@@ -46,11 +46,6 @@ def open_source(
         (width, height) that a camera is asked for.
     topic
         Of a bag's pictures; None takes the only one.
-
-    Raises
-    ------
-    PlacecatError
-        If it is none of these, or cannot be read.
     """
     if fps is not None and not SLOWEST <= fps <= FASTEST:
         raise PlacecatError(f"--fps is {fps:g}: give {SLOWEST:g} to {FASTEST:g}")

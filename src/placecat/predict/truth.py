@@ -18,27 +18,11 @@ UNSCORED = "transition"
 
 
 def read(path: Path, timing: Timing, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16]:
-    """Read the labels of all frames of the footage.
+    """Read the labels of all frames of footage, see `placecat.sequences.labels.read_label_csv`.
 
-    Parameters
-    ----------
-    path
-        A label CSV (`placecat.sequences.labels.read_label_csv`).
-    timing
-        Times of the frames.
-    classes
-        Classes of the model.
-    ignored
-        Labels beside `UNSCORED` of frames that are not scored.
-
-    Returns
-    -------
-    (count,) int16 class indices, -1 for frames that are not scored.
-
-    Raises
-    ------
-    PlacecatError
-        If the file does not fit, or has a label that is neither a class nor ignored.
+    Frames with a label in `ignored`, or `UNSCORED`, are not scored. Returns (frames,) int16 indices in the
+    model's `classes`, -1 for frames that are not scored. Raises PlacecatError if the file does not fit the
+    times, or has a label that is neither a class nor ignored.
     """
     with reading(path):
         if not path.is_file():

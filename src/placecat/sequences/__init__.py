@@ -47,26 +47,11 @@ def settings_of(layout: str) -> list[str]:
 
 
 def list_homes(layout: str, root: Path | str, **settings: Any) -> list[str]:
-    """Name the homes under a folder.
+    """Name the homes in a folder, at least one, in natural order (Home2 before Home10).
 
-    Parameters
-    ----------
-    layout
-        One of `layouts`.
-    root
-        The folder that holds the homes.
-    **settings
-        As for :func:`open_home`; those that do not matter here are passed over.
-
-    Returns
-    -------
-    In natural order (Home2 before Home10), at least one.
-
-    Raises
-    ------
-    PlacecatError
-        If the layout or a setting is unknown, or the folder is missing, cannot be read or holds no home of
-        this layout.
+    The parameters are those of :func:`open_home`; settings that only matter there are passed over. Raises
+    PlacecatError if the layout or a setting is unknown, or the folder is missing, not readable or holds no
+    home of this layout.
     """
     reader = _reader(layout)
     _refuse_unknown(layout, settings)

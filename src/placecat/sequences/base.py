@@ -8,6 +8,8 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from placecat.footage.pictures import read_image, turned
+
 COLUMNS = ("sequence", "number", "source", "position", "seconds", "label")
 """The columns of `Home.frames`."""
 TURN = "turn"
@@ -100,3 +102,19 @@ def frame_table(
         "label": list(label),
     }
     return pd.DataFrame(columns | ({TURN: np.int32(turn)} if turn else {}))
+
+
+def home_of_pictures(
+    name: str,
+    root: Path,
+    fps: float,
+    camera: str,
+    frames: pd.DataFrame,
+    label_files: Mapping[str, str],
+    label_lines: Sequence[int] | NDArray[np.int32],
+) -> Home:
+    """A home whose frames are image files; the first of them gives the size."""
+    turn = int(frames[TURN][0]) if TURN in frames else 0
+    height, width = turned(read_image(root / frames["source"][0]), turn).shape[:2]
+    lines = np.asarray(label_lines, dtype=np.int32)
+    return Home(name, root, fps, camera, width, height, frames, label_files, lines)

@@ -12,7 +12,6 @@ References
 A. Pronobis, B. Caputo, COLD: The CoSy Localization Database. IJRR 28(5), 2009.
 """
 
-import os
 import re
 from pathlib import Path
 from typing import NamedTuple
@@ -21,13 +20,12 @@ import numpy as np
 import pandas as pd
 
 from placecat.errors import PlacecatError
-from placecat.footage.pictures import read_image
-from placecat.sequences.base import Home, frame_table
+from placecat.sequences.base import Home, frame_table, home_of_pictures
 from placecat.sequences.folders import (
+    check_listed,
     data_folder,
     frame_rate,
     home_folder,
-    inside,
     natural,
     relative,
     some_homes,
@@ -71,7 +69,13 @@ def read_home(
     tables, lines = [], []
     for sequence in folders:
         entries = read_places(sequence / LABEL_FILE)
-        _check_images(sequence, images, entries)
+        folder, file = sequence / images, sequence / LABEL_FILE
+        if not folder.is_dir():
+            raise PlacecatError(
+                f"{folder}: the folder of images is missing; restore it, or correct dataset.images."
+            )
+        listed = {one.image: f"{file} line {one.line}" for one in entries}
+        check_listed(folder, sequence, str(file), listed, "restore it, or remove the line")
         where = sequence.relative_to(root).as_posix()
         sources = [f"{where}/{images}/{one.image}" for one in entries]
         # Differences of whole microseconds: exact, unlike those of seconds since 1970.
@@ -82,18 +86,8 @@ def read_home(
     frames = pd.concat(tables, ignore_index=True)
     steps = np.diff(frames["seconds"])[np.diff(frames["number"]) > 0]
     rate = frame_rate(fps, name, 1.0 / float(np.median(steps)) if len(steps) else None)
-    height, width = read_image(root / frames["source"][0]).shape[:2]
-    return Home(
-        name=name,
-        root=root,
-        fps=rate,
-        camera=camera,
-        width=width,
-        height=height,
-        frames=frames,
-        label_files={path.name: f"{path.relative_to(root).as_posix()}/{LABEL_FILE}" for path in folders},
-        label_lines=np.array(lines, dtype=np.int32),
-    )
+    label_files = {path.name: f"{path.relative_to(root).as_posix()}/{LABEL_FILE}" for path in folders}
+    return home_of_pictures(name, root, rate, camera, frames, label_files, lines)
 
 
 class Entry(NamedTuple):
@@ -151,22 +145,3 @@ def read_places(file: Path) -> list[Entry]:
 def _sequences(site: Path) -> list[Path]:
     # Not with glob, which passes over folders that it may not read.
     return [folder for folder in site.iterdir() if (folder / LABEL_FILE).is_file()]
-
-
-def _check_images(sequence: Path, images: str, entries: list[Entry]) -> None:
-    folder = sequence / images
-    if not folder.is_dir():
-        raise PlacecatError(
-            f"{folder}: the folder of images is missing; restore it, or correct dataset.images."
-        )
-    file = sequence / LABEL_FILE
-    inside(folder, sequence, str(file))
-    links = {entry.name: entry.is_symlink() for entry in os.scandir(folder)}
-    for image, _, _, line in entries:
-        if image not in links:
-            raise PlacecatError(
-                f"{folder / image}: the frame is missing ({file} line {line}); restore it, or remove the "
-                "line."
-            )
-        if links[image]:
-            inside(folder / image, sequence, f"{file} line {line}")

@@ -7,9 +7,9 @@ unlabelled.
 from pathlib import Path
 
 from placecat.errors import PlacecatError
-from placecat.footage.pictures import SUFFIXES, has_pictures, list_frames, read_image
+from placecat.footage.pictures import SUFFIXES, has_pictures, list_frames
 from placecat.footage.timing import even
-from placecat.sequences.base import Home, frame_table
+from placecat.sequences.base import Home, frame_table, home_of_pictures
 from placecat.sequences.folders import data_folder, frame_rate, home_folder, some_homes
 from placecat.sequences.labels import find_labels
 
@@ -31,16 +31,7 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
     rate = frame_rate(fps, name)
     timing = even(len(images), rate)
     labels = find_labels(root, [f"{name}.csv", f"{name}/labels.csv"], timing, "the folder")
-    height, width = read_image(path / images[0]).shape[:2]
     sources = [f"{name}/{image}" for image in images]
-    return Home(
-        name=name,
-        root=root,
-        fps=rate,
-        camera=camera,
-        width=width,
-        height=height,
-        frames=frame_table("1", sources, -1, range(1, len(images) + 1), timing.seconds, labels.names),
-        label_files={} if labels.file is None else {"1": labels.file},
-        label_lines=labels.lines,
-    )
+    frames = frame_table("1", sources, -1, range(1, len(images) + 1), timing.seconds, labels.names)
+    label_files = {} if labels.file is None else {"1": labels.file}
+    return home_of_pictures(name, root, rate, camera, frames, label_files, labels.lines)

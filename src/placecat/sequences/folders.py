@@ -1,6 +1,7 @@
 """Checks of all layouts: folders, the names in them, and the frame rate."""
 
-from collections.abc import Collection, Iterable
+import os
+from collections.abc import Collection, Iterable, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,20 @@ def inside(path: Path, folder: Path, origin: str) -> None:
         raise PlacecatError(
             f"{origin}: {path} is a link that leads out of {folder}; put the data itself there."
         )
+
+
+def check_listed(folder: Path, limit: Path, origin: str, listed: Mapping[str, str], remedy: str) -> None:
+    """Refuse frames of a folder that are missing, or links that lead out of the folder `limit`.
+
+    `origin` is the file that lists the frames, `listed` the places in it by the frames' names.
+    """
+    inside(folder, limit, origin)
+    links = {entry.name: entry.is_symlink() for entry in os.scandir(folder)} if folder.is_dir() else {}
+    for name, where in listed.items():
+        if name not in links:
+            raise PlacecatError(f"{folder / name}: the frame is missing ({where}); {remedy}.")
+        if links[name]:
+            inside(folder / name, limit, where)
 
 
 def data_folder(root: Path) -> Path:

@@ -5,7 +5,6 @@ import csv
 import math
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
@@ -26,19 +25,8 @@ MOST_BYTES = 16 << 20
 """Of a label file: our choice, above 500,000 rows."""
 
 
-@dataclass(frozen=True)
-class Segment:
-    """Consecutive frames with one label.
-
-    Attributes
-    ----------
-    start, end
-        First and last frame, from 1, both included.
-    label
-        As written.
-    line
-        Where it stands in the label file, from 1.
-    """
+class Segment(NamedTuple):
+    """Consecutive frames, `start` to `end` (from 1, both included), with one label, in a line of a file."""
 
     start: int
     end: int
@@ -144,21 +132,10 @@ class Labels(NamedTuple):
 
 
 def find_labels(root: Path, names: Sequence[str], timing: Timing, sequence: str) -> Labels:
-    """Read the label CSV that has one of these names; without one every frame is unlabelled.
+    """Read the label CSV that has one of these names, relative to `root`; without one no frame has a label.
 
-    Parameters
-    ----------
-    root
-        The folder that the names are relative to.
-    timing
-        Of all frames.
-    sequence
-        As for :func:`read_label_csv`.
-
-    Raises
-    ------
-    PlacecatError
-        If there are two, or as :func:`read_label_csv`.
+    `timing` is of all frames; `sequence` and errors are as for :func:`read_label_csv`. Two such files are an
+    error, too.
     """
     files, count = label_csvs(root, *names), len(timing.seconds)
     if len(files) > 1:

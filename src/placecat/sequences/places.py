@@ -28,11 +28,9 @@ def place_labels(
     ----------
     labels
         The ``label`` column of `Home.frames`, or rows of it with their index. A missing value, as pandas
-        reads an empty cell, is no label.
-    classes
-        The classes in use; a label's number is its place in this list.
-    ignored
-        Labels that are no class.
+        reads an empty cell, is an empty label.
+    classes, ignored
+        The classes in use, whose places in this list are the numbers of labels, and labels without a class.
     aliases
         Other spellings and codes: label to class or to ignored label. An alias precedes a class of the same
         name.

@@ -11,7 +11,6 @@ improved usability tools. SoftwareX 23, 101490, 2023.
 Definitions of the tables: https://github.com/goyoambrosio/RobotAtHome2 (``robotathome/transition``).
 """
 
-import os
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 from pathlib import Path
@@ -21,10 +20,9 @@ import numpy as np
 
 from placecat.errors import PlacecatError, did_you_mean
 from placecat.footage.names import natural, relative
-from placecat.footage.pictures import read_image, turned
 from placecat.ranges import OneOf, Positive
-from placecat.sequences.base import Home, frame_table
-from placecat.sequences.folders import data_folder, frame_rate, inside, some_homes
+from placecat.sequences.base import Home, frame_table, home_of_pictures
+from placecat.sequences.folders import check_listed, data_folder, frame_rate, some_homes
 from placecat.sequences.labels import shown
 from placecat.sequences.sqlite_file import Columns, SqliteFile, opened
 
@@ -125,26 +123,10 @@ def read_home(
     _check_pictures(file, root, folder, sources)
     numbers, seconds, median = _times(frames, longest_gap)
     rate = frame_rate(fps, name, median)
-    height, width = turned(read_image(root / sources[0]), turn).shape[:2]
-    return Home(
-        name=name,
-        root=root,
-        fps=rate,
-        camera=camera,
-        width=width,
-        height=height,
-        frames=frame_table(
-            [one.session for one in frames],
-            sources,
-            -1,
-            numbers,
-            seconds if fps is None else (np.array(numbers) - 1) / rate,
-            [one.room for one in frames],
-            turn,
-        ),
-        label_files={},
-        label_lines=np.zeros(len(frames), dtype=np.int32),
-    )
+    sessions, rooms = [one.session for one in frames], [one.room for one in frames]
+    times = seconds if fps is None else (np.array(numbers) - 1) / rate
+    table = frame_table(sessions, sources, -1, numbers, times, rooms, turn)
+    return home_of_pictures(name, root, rate, camera, table, {}, [0] * len(frames))
 
 
 def _number(rows: Iterable[tuple[int, str]], name: str, missing: str, setting: str) -> int:
@@ -213,10 +195,4 @@ def _check_pictures(file: Path, root: Path, folder: Path, sources: list[str]) ->
     for path in (root / source for source in sources):
         wanted.setdefault(path.parent, []).append(path.name)
     for place, names in wanted.items():
-        inside(place, folder, str(file))
-        links = {entry.name: entry.is_symlink() for entry in os.scandir(place)} if place.is_dir() else {}
-        for name in names:
-            if name not in links:
-                raise PlacecatError(f"{place / name}: the picture is missing ({file} lists it); restore it.")
-            if links[name]:
-                inside(place / name, folder, str(file))
+        check_listed(place, folder, str(file), dict.fromkeys(names, f"{file} lists it"), "restore it")

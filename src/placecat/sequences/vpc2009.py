@@ -18,8 +18,7 @@ import numpy as np
 import pandas as pd
 
 from placecat.errors import PlacecatError
-from placecat.footage.pictures import read_image
-from placecat.sequences.base import Home, frame_table
+from placecat.sequences.base import Home, frame_table, home_of_pictures
 from placecat.sequences.folders import data_folder, frame_rate, home_folder, inside, some_homes
 from placecat.sequences.labels import Segment, check_segments, expand_segments, read_text, shown, whole
 
@@ -31,19 +30,7 @@ _FRAME = re.compile(r"([0-9]{1,10})\.jpe?g", re.IGNORECASE)
 
 @dataclass(frozen=True)
 class Floor:
-    """The labels of one floor.
-
-    Attributes
-    ----------
-    name
-        Its folder.
-    count
-        Number of frames that the label file declares.
-    line
-        Line of that number.
-    segments
-        In order, covering frames 1 to `count`.
-    """
+    """A floor: its folder, the declared number of frames, that number's line, and the segments in order."""
 
     name: str
     count: int
@@ -74,18 +61,8 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
         tables.append(frame_table(floor.name, sources, -1, range(1, floor.count + 1), seconds, labels))
         lines.append(floor_lines)
     frames = pd.concat(tables, ignore_index=True)
-    height, width = read_image(root / frames["source"][0]).shape[:2]
-    return Home(
-        name=name,
-        root=root,
-        fps=rate,
-        camera=camera,
-        width=width,
-        height=height,
-        frames=frames,
-        label_files={floor.name: f"{name}/{LABEL_FILE}" for floor in floors},
-        label_lines=np.concatenate(lines),
-    )
+    label_files = {floor.name: f"{name}/{LABEL_FILE}" for floor in floors}
+    return home_of_pictures(name, root, rate, camera, frames, label_files, np.concatenate(lines))
 
 
 def read_floors(file: Path) -> list[Floor]:
