@@ -243,7 +243,7 @@ class Categorizer:
         return time, time - self._last
 
     def _try(self) -> None:
-        """Name the place of noise, and forget it: all parts fit one another, and the frames."""
+        """Try all parts together on a frame of noise, and forget it."""
         frame = np.random.default_rng(0).integers(0, 256, _TRIAL, np.uint8)
         decision = self._decide(frame, None, 0.0)
         for proba in (*decision.cues.values(), decision.integrated, decision.hmm, decision.proba):

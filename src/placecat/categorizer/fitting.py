@@ -16,7 +16,7 @@ LEAST = 0.5
 
 @dataclass(frozen=True)
 class Fit:
-    """How frames are cut and scaled: (width, height) of the footage, of the kept middle, and at last."""
+    """How frames are cut and scaled: (width, height) of the footage, of the kept middle, of the result."""
 
     source: Size
     kept: Size

@@ -19,7 +19,7 @@ HeldOut = Mapping[str, NDArray[np.float64]]
 
 
 def of_stages(params: Mapping[str, Any], name: str, seed: int) -> HeldOut:
-    """Read what the stage `smoothing` left of a system in each home that is tested."""
+    """Read the output of the stage `smoothing` for a system in each tested home."""
     homes = protocol.tested_homes(
         settings.get(params, "dataset.homes"), settings.get(params, "protocol.test_homes")
     )

@@ -35,7 +35,7 @@ TURNS = {90: cv2.ROTATE_90_CLOCKWISE, 180: cv2.ROTATE_180, 270: cv2.ROTATE_90_CO
 """Degrees clockwise, as :func:`turned` takes them."""
 
 _NUMBER = re.compile(r"[0-9]+")
-# One point only: 1.2.3 is no decimal number.
+# With one point only: 1.2.3 is not a decimal number.
 _DECIMAL = re.compile(r"(?<![0-9.])([0-9]+)\.([0-9]+)(?!\.?[0-9])")
 _PNG = b"\x89PNG\r\n\x1a\n"
 _JPEG = b"\xff\xd8\xff"

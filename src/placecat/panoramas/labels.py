@@ -1,4 +1,4 @@
-"""Files beside the frames of a home: its label file, and the panorama that each frame looks into."""
+"""Files beside the frames of a home: its labels, and a table of the panorama of each frame."""
 
 from collections.abc import Mapping, Sequence
 from itertools import groupby

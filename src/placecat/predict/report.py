@@ -41,7 +41,7 @@ def shares(prediction: Prediction) -> list[str]:
 
 
 def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str]:
-    """Lines: accuracy, and a table of labelled places (rows) and decisions (columns); what is named."""
+    """Lines: accuracy, a table of labelled places (rows) and decisions (columns), and the named share."""
     if agreement["accuracy"] is None:
         return ["No categorized frame has a label of the model's places: nothing is scored."]
     rows = [list(map(str, row)) for row in agreement["confusion"]]

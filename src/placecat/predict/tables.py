@@ -1,4 +1,4 @@
-"""A prediction as CSV."""
+"""A prediction as CSV files."""
 
 from pathlib import Path
 

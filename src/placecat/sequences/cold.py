@@ -102,7 +102,7 @@ class Entry(NamedTuple):
 def code(label: str) -> str | None:
     """The code in a label, without the number and the part of the building (``-A`` or ``-B``) at its end.
 
-    ``2PO1-A`` gives ``2PO``, a two-person office. None for what is not a label of COLD.
+    ``2PO1-A`` gives ``2PO``, a two-person office. None for other labels than those of COLD.
     """
     match = _LABEL.fullmatch(label)
     return match[1] if match else None

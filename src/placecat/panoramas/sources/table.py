@@ -74,7 +74,7 @@ def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], l
 
 
 def _adding(room: str, settings: Mapping[str, Any]) -> str:
-    """The override that adds a room to a label and keeps what it has."""
+    """The override that adds a room to the rooms of a label."""
     labels = settings["labels"]
     label = _EXAMPLE if _EXAMPLE in labels else min(labels, default=_EXAMPLE)
     names = ",".join(map(overrides.text, [*labels.get(label, []), room]))
