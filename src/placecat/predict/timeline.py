@@ -87,13 +87,10 @@ def _confidence(axes: Axes, prediction: Prediction, end: float) -> None:
     axes.set_yticks([0.0, 0.5, 1.0], ["0", "0.5", "1"])
     axes.set_ylabel("confidence")
     axes.set_xlim(0.0, end)
-    axes.xaxis.set_major_locator(MaxNLocator(8, steps=_steps(end), integer=end > 8))
+    # Numbers of seconds that are round on a clock.
+    steps = [1, 1.5, 2, 3, 6, 10] if end > 60 else [1, 2, 5, 10]
+    axes.xaxis.set_major_locator(MaxNLocator(8, steps=steps, integer=end > 8))
     axes.xaxis.set_major_formatter(
         FuncFormatter(lambda value, _: clock(value) if end > 8 else f"{value:g} s")
     )
     axes.set_xlabel(f"time ({lines})" if end <= 60 else f"time, min:s ({lines})")
-
-
-def _steps(end: float) -> list[float]:
-    """Ticks at numbers of seconds that are round on a clock."""
-    return [1, 1.5, 2, 3, 6, 10] if end > 60 else [1, 2, 5, 10]
