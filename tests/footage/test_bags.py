@@ -14,9 +14,9 @@ from placecat.footage.bags import Bag, is_bag
 
 def shown(recording):
     return [
-        (number, decoded(image))
-        for number, picture in recording.pictures()
-        if (image := recording.image(number, picture)) is not None
+        (frame.number, decoded(image))
+        for frame in recording.pictures()
+        if (image := frame.image()) is not None
     ]
 
 
@@ -166,7 +166,9 @@ def damage(path, kind):
 def test_a_damaged_bag_gives_one_message(tmp_path, kind, damaged):
     path = walk(tmp_path / kind, count=4)
     damage(path, damaged)
-    refused(r"not a readable bag \(.+\); restore it, or mend it with `(rosbag|ros2 bag|mcap) re", path)
+    mending = {".bag": "rosbag reindex", ".mcap": "mcap recover", ".db3": "sqlite3 FILE .recover"}
+    command = mending.get(path.suffix, "ros2 bag reindex")
+    refused(rf"not a readable bag \(.+\); restore it, or mend it with `{command}`", path)
 
 
 @pytest.mark.parametrize("kind", KINDS)

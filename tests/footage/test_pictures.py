@@ -153,7 +153,7 @@ def test_a_picture_damaged_in_the_middle_or_cut_is_refused(kind, options, tmp_pa
             "not a readable image",
         ),
         (png((b"tEXt", b""), header(5, 5), (b"IEND", b"")), "not a readable image"),
-        (encoded(".png", np.full((9, 9), 700, np.uint16)), "gray with 16 bits, as depth pictures are"),
+        (encoded(".png", np.full((9, 9), 700, np.uint16)), "gray with 16 bits, like a depth picture"),
         (encoded(".png", np.full((9, 9, 4), 100, np.uint8)), "parts of it are transparent"),
         (
             png(
@@ -162,7 +162,7 @@ def test_a_picture_damaged_in_the_middle_or_cut_is_refused(kind, options, tmp_pa
                 (b"IDAT", zlib.compress(bytes(4))),
                 (b"IEND", b""),
             ),
-            "an animated picture",
+            "the picture is animated",
         ),
         (simplejpeg.encode_jpeg(np.zeros((9, 9, 4), np.uint8), colorspace="CMYK"), "its colours are"),
         (encoded(".webp"), "neither JPEG nor PNG"),
@@ -210,4 +210,4 @@ def test_files_that_may_not_be_read_give_one_message(tmp_path, monkeypatch):
 def test_a_file_larger_than_any_frame_is_not_read(tmp_path):
     with (tmp_path / "1.jpg").open("wb") as file:
         file.truncate(pictures.MOST_BYTES + 1)
-    refused(r"1\.jpg: 256 MB are no frame", read_image, tmp_path / "1.jpg")
+    refused(r"1\.jpg: 256 MB is too large for a frame", read_image, tmp_path / "1.jpg")

@@ -163,8 +163,17 @@ def test_a_layout_has_its_own_settings(tmp_path):
     """Camera, turn and observations reach the layout, as they do in the stage `sequences`."""
     seen = make(tmp_path / "robot", lambda home, room, number: np.full((6, 8, 3), number % 256, np.uint8))
     dataset = yaml.safe_load((ROOT / "conf/dataset/robot_at_home.yaml").read_text())
-    chosen = {"root": str(tmp_path / "robot"), "camera": "RGBD_2", "turn": 90, "observations": "all"}
+    chosen = {
+        "root": str(tmp_path / "robot"),
+        "camera": {"alma": "RGBD_2"},
+        "turn": 90,
+        "observations": "all",
+    }
     source = DataSetHome("alma", dataset | chosen, None)
+    with pytest.raises(
+        PlacecatError, match=r"dataset\.camera names none for alma: add dataset\.camera\.alma"
+    ):
+        DataSetHome("alma", dataset | chosen | {"camera": {"anto": "RGBD_2"}}, None)
     images = [frame.image for frame in source.frames(1)]
     expected_numbers = [
         number for number, one in enumerate(seen) if (one.home, one.camera) == ("alma", "RGBD_2")

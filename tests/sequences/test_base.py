@@ -56,7 +56,7 @@ class TestOpenHome:
 
     def test_unknown_setting(self, tmp_path: Path) -> None:
         with pytest.raises(
-            PlacecatError, match=r"dataset.lens is no setting of the layout 'video'; it takes fps, camera"
+            PlacecatError, match=r"dataset.lens: the layout 'video' has no such setting; it takes fps, camera"
         ):
             open_home("video", tmp_path, "Home1", lens="wide")
 
@@ -83,7 +83,7 @@ class TestOpenHome:
     @pytest.mark.parametrize("layout", layouts())
     @pytest.mark.parametrize("name", ["../Home1", "/etc", "a/../../b", "", "."])
     def test_name_leads_out(self, layout: str, name: str, tmp_path: Path) -> None:
-        with pytest.raises(PlacecatError, match=r"dataset.homes: .*is no path below the data folder"):
+        with pytest.raises(PlacecatError, match=r"dataset.homes: .*is not a path below the data folder"):
             open_home(layout, tmp_path, name, fps=5.0)
 
 
@@ -186,7 +186,7 @@ class TestReadFrames:
     def test_paths_stay_below_the_root(self, source: str, tmp_path: Path) -> None:
         write_image(tmp_path / "secret.png", 1)
         (tmp_path / "root").mkdir()
-        with pytest.raises(PlacecatError, match=r"frame list: .* is no path below the data folder"):
+        with pytest.raises(PlacecatError, match=r"frame list: .* is not a path below the data folder"):
             list(read_frames(tmp_path / "root", rows([source], [-1])))
 
 

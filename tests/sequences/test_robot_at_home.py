@@ -109,10 +109,15 @@ def test_pictures_are_turned_clockwise(made: tuple[Path, list[Seen]], turn: int)
 def test_the_places_of_both_are_settings(made: tuple[Path, list[Seen]], copied: Path) -> None:
     (copied / "rh.db").rename(copied / "other.db")
     (copied / "files").rename(copied / "pictures")
+    assert list_homes("robot_at_home", copied, database="other.db", camera="RGBD_2") == list(HOMES)
+    with pytest.raises(PlacecatError, match=r"no home here; expected rh\.db of Robot@Home2"):
+        list_homes("robot_at_home", copied)
+    with pytest.raises(PlacecatError, match=r"dataset\.data: the layout 'robot_at_home' has no such setting"):
+        list_homes("robot_at_home", copied, data="other.db")
     home = read_home(copied, "anto", database="other.db", pictures="pictures/rgbd")
     assert home.frames["label"].tolist() == read_home(made[0], "anto").frames["label"].tolist()
     for setting in ("database", "pictures"):
-        with pytest.raises(PlacecatError, match=rf"dataset\.{setting}: '\.\./x' is no path below"):
+        with pytest.raises(PlacecatError, match=rf"dataset\.{setting}: '\.\./x' is not a path below"):
             read_home(copied, "anto", **{"database": "other.db", setting: "../x"})  # type: ignore[arg-type]
 
 
@@ -151,9 +156,9 @@ ONE = "files/rgbd/session_1/alma/bathroom1/subsession_1"
         ("DELETE FROM rh_home_sessions", r"refers to 0, which rh_home_sessions does not have"),
         ("DELETE FROM rh2_old2new_rgbd_files WHERE id = 100000", r"100000 of rh_lblrgbd has no picture"),
         ("UPDATE rh2_old2new_rgbd_files SET new_file_2 = 'x_depth.png'", r"has no picture \*_intensity"),
-        ("UPDATE rh2_old2new_rgbd_files SET new_path = '../../..'", r"'\.\./.*' is no path below"),
-        ("UPDATE rh2_old2new_rgbd_files SET new_path = '/etc'", r"'/etc/.*' is no path below"),
-        ("UPDATE rh2_old2new_rgbd_files SET new_path = 'elsewhere'", r"elsewhere/.*: the picture is missing"),
+        ("UPDATE rh2_old2new_rgbd_files SET new_path = '../../..'", r"'\.\./.*' is not a path below"),
+        ("UPDATE rh2_old2new_rgbd_files SET new_path = '/etc'", r"'/etc/.*' is not a path below"),
+        ("UPDATE rh2_old2new_rgbd_files SET new_path = 'elsewhere'", r"elsewhere/.*: the frame is missing"),
     ],
 )
 def test_a_damaged_database(copied: Path, statements: str, message: str) -> None:
@@ -192,7 +197,7 @@ def test_files_that_are_no_database(copied: Path) -> None:
 
 def test_missing_pictures(copied: Path) -> None:
     (copied / ONE / "100002_intensity.png").unlink()
-    with pytest.raises(PlacecatError, match=rf"{ONE}/100002_intensity\.png: the picture is missing"):
+    with pytest.raises(PlacecatError, match=rf"{ONE}/100002_intensity\.png: the frame is missing"):
         open_home("robot_at_home", copied, "alma")
     open_home("robot_at_home", copied, "alma", camera="RGBD_2")
     shutil.rmtree(copied / "files/rgbd")

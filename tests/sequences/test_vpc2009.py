@@ -134,8 +134,8 @@ END = "-1 -1 end\n"
         ),
         ("1/\n9\n9 1 a\n" + END * 2, r"line 3: the segment ends at frame 1, before it starts at 9"),
         ("1/\n9\n1 9 a\n-1 -1 end\n2/\n5\n6 9 a\n" + END * 2, r"line 7: frames 1 to 5 of floor 2/"),
-        ("1/\n9\n1 4,5 a\n" + END * 2, r"line 3: '4,5' is no whole number"),
-        ("1/\nnine\n1 9 a\n" + END * 2, r"line 2: 'nine' is no whole number"),
+        ("1/\n9\n1 4,5 a\n" + END * 2, r"line 3: '4,5' is not a whole number"),
+        ("1/\nnine\n1 9 a\n" + END * 2, r"line 2: 'nine' is not a whole number"),
         (
             "1/\n9 frames\n1 9 a\n" + END * 2,
             r"line 2: '9 frames' where the number of frames of floor 1/ belongs",

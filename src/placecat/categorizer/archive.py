@@ -1,4 +1,4 @@
-"""A zip archive that ends with a checksum of all before it; what it holds is checked before it is read."""
+"""A zip archive that ends with a checksum of all before it; members are checked before they are read."""
 
 import hashlib
 import io
@@ -17,10 +17,10 @@ from numpy.typing import NDArray
 from placecat import files
 from placecat.errors import PlacecatError
 
-# It is the comment of the archive, the last that a zip file has, so that other programs can open it.
+# The checksum is the archive's comment, the end of a zip file, so that other programs can open it.
 _MARK = b"placecat sha256 "
 _DIGITS = 2 * hashlib.sha256().digest_size
-# What `array_content` writes before the values; NumPy's own reader takes more, and evaluates it.
+# The header that `array_content` writes; NumPy's own reader takes others, and evaluates them.
 _HEADER = re.compile(
     rb"\x93NUMPY\x01\x00..\{'descr': '([<|][biufU][0-9]{1,6})', 'fortran_order': False, "
     rb"'shape': \(((?:[0-9]{1,15}(?:,|, )?){0,8})\), \} *\n",
@@ -43,13 +43,7 @@ def write(path: Path, members: Mapping[str, bytes]) -> None:
 
 @contextmanager
 def opened(path: Path) -> Iterator["Archive"]:
-    """Open an archive whose checksum is right.
-
-    Raises
-    ------
-    PlacecatError
-        If it cannot be opened, is not such an archive, or has changed since it was written.
-    """
+    """Open an archive; a PlacecatError if it cannot be opened, is not one, or was changed later."""
     try:
         if not path.is_file():
             raise PlacecatError(f"there is no model {path}: `make repro` or `placecat train` makes one")
@@ -57,7 +51,7 @@ def opened(path: Path) -> Iterator["Archive"]:
             _check_seal(path, file)
             try:
                 archive = zipfile.ZipFile(file)
-            # What the module raises for bad numbers in headers.
+            # The module raises these for bad numbers in headers.
             except (zipfile.BadZipFile, NotImplementedError, OSError, ValueError) as error:
                 raise PlacecatError(f"{path} is not a placecat model, or is damaged: {error}") from None
             with archive:
@@ -69,10 +63,7 @@ def opened(path: Path) -> Iterator["Archive"]:
 class Archive:
     """The members of an archive.
 
-    Raises
-    ------
-    PlacecatError
-        If members are compressed, encrypted, named twice, or claim more bytes in total than the file has.
+    A PlacecatError if they are compressed, encrypted, named twice, or claim more bytes than the file has.
     """
 
     def __init__(self, path: Path, archive: zipfile.ZipFile) -> None:
@@ -80,7 +71,7 @@ class Archive:
         self._archive = archive
         infos = archive.infolist()
         self.names = [info.filename for info in infos]
-        # A small file cannot unpack to a huge one: all is stored as it is, and no byte is read twice.
+        # A small file cannot unpack to a huge one: members are not compressed, and no byte is read twice.
         for info in infos:
             if info.compress_type != zipfile.ZIP_STORED or info.flag_bits & 1:
                 raise self.damaged(f"its member {info.filename!r} is compressed or encrypted")
@@ -100,23 +91,14 @@ class Archive:
             raise self.damaged(f"it has no member {name}")
         try:
             return self._archive.read(name)
-        except (
-            zipfile.BadZipFile,
-            NotImplementedError,
-            EOFError,
-            OSError,
-            ValueError,
-            RuntimeError,
-        ) as error:
+        # NotImplementedError is a RuntimeError.
+        except (zipfile.BadZipFile, EOFError, OSError, ValueError, RuntimeError) as error:
             raise self.damaged(f"its member {name} cannot be read ({error})") from None
 
     def array(self, name: str) -> NDArray[np.generic]:
         """Read a member that is an array (``.npy``) of numbers, truth values or text, never with pickle.
 
-        Raises
-        ------
-        PlacecatError
-            If it is not such an array, or its header does not fit its bytes.
+        Raises PlacecatError if it is not such an array, or its header does not fit its bytes.
         """
         content = self.content(name)
         header = _HEADER.match(content)
@@ -135,7 +117,7 @@ class Archive:
 
 
 def array_content(array: NDArray[np.generic]) -> bytes:
-    """What :meth:`Archive.array` reads."""
+    """An array as :meth:`Archive.array` reads it."""
     buffer = io.BytesIO()
     # ascontiguousarray makes a vector of a number.
     plain = np.ascontiguousarray(array).reshape(array.shape)

@@ -1,4 +1,4 @@
-"""The model card: what a person should know before trusting a trained system."""
+"""The model card: facts that a person should know before trusting a trained system."""
 
 import platform
 from collections.abc import Mapping
@@ -7,9 +7,9 @@ from typing import Any
 
 from placecat import __version__
 
-# Of the model file. Raise it when what is stored changes its meaning.
+# Of the model file. Raise it when stored values change their meaning.
 FORMAT = 5
-# What the last bits of a result may depend on.
+# The last bits of a result may depend on these.
 LIBRARIES = ("numpy", "opencv-python-headless", "scikit-learn", "scipy")
 
 
@@ -19,13 +19,13 @@ def make_card(**known: Any) -> dict[str, Any]:
     Parameters
     ----------
     **known
-        JSON types only. ``title``: what the system is. ``data``: ``title``, a ``note`` on it or None,
-        ``version`` (DVC's checksum), ``homes`` that trained it, those ``left_out``, and the number of
-        training ``frames`` of the cues and of the integration. ``classes``, ``frame_sizes``, ``fps``: places;
-        (width, height) and frames/s of the training footage. ``accuracy``: percent by home, each measured by
-        a system of the same settings that had not seen the home; may be empty. ``unknown``: from
-        :func:`placecat.categorizer.held_out.unknown`; None if that was not measured. ``settings``: all that
-        the system was trained with.
+        JSON types only. ``title``: of the system. ``data``: ``title``, a ``note`` on it or None, ``version``
+        (DVC's checksum), ``homes`` that trained it, those ``left_out``, and the number of training ``frames``
+        of the cues and of the integration. ``classes``, ``frame_sizes``, ``fps``: places; (width, height) and
+        frames/s of the training footage. ``accuracy``: percent by home, each measured by a system of the same
+        settings that had not seen the home; may be empty. ``unknown``: from
+        :func:`placecat.categorizer.held_out.unknown`; None if that was not measured. ``settings``: all those
+        of the training.
 
     Returns
     -------
@@ -37,7 +37,7 @@ def make_card(**known: Any) -> dict[str, Any]:
 
 
 def unknown_text(card: Mapping[str, Any]) -> str:
-    """Say in a line when the system says `unknown`, and what was measured of that."""
+    """Say in a line when the system says `unknown`, with the measurements of that."""
     unknown = card.get("unknown")
     if unknown is None:
         return "It never says `unknown`: how often it is wrong in homes that it has not seen is not measured."

@@ -1,4 +1,4 @@
-"""Feed a frame, get a distribution over places (thesis, Figure 1); causal."""
+"""From each frame to a distribution over places (thesis, Figure 1); causal."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from placecat.fusion.smoothing import Smoother, check_elapsed
 from placecat.vision.frame import check, describe_frame
 from placecat.vision.tracking import RegionTracker
 
-# Height, width and channels of the frame that a model is tried with.
+# Height, width and channels of the frame that tries a model.
 _TRIAL = (256, 256, 3)
 
 
@@ -43,20 +43,18 @@ class Decision:
         After the hidden Markov model and the delay (thesis 3.4).
     hmm
         Before the delay.
-    integrated
-        Of this frame alone, all cues together (3.3.3).
-    cues
-        Of this frame alone, cue by cue.
+    integrated, cues
+        Of this frame alone: all cues together (3.3.3), and cue by cue.
     regions
         (n, 4) float32, the salient regions: x, y (pixels of the frame, as it was resized), scale, strength;
         strongest first. The tracked ones if any cue follows regions.
     is_known
-        Whether `confidence` is at least the system's threshold, see :attr:`Categorizer.threshold`.
+        Whether `confidence` is at least :attr:`Categorizer.threshold`.
     seconds
         When the frame was taken, see :meth:`Categorizer.update`.
     about
-        The time that `proba` is about, at or before `seconds`: the mean of the times of the frames whose
-        distributions the delay has mixed, with their weights in it.
+        The time to which `proba` refers, at or before `seconds`: the mean of the times of the frames that the
+        delay has mixed, with their weights in it.
     """
 
     place: str
@@ -79,7 +77,7 @@ class Decision:
 class Categorizer:
     """Name the place of every frame of a video or a camera.
 
-    Gives the numbers of the batch pipeline, bit for bit, if NumPy's OpenBLAS runs the same kernels (the
+    The numbers are those of the batch pipeline, bit for bit, if NumPy's OpenBLAS runs the same kernels (the
     pipeline asks for those of Haswell: ``OPENBLAS_CORETYPE=Haswell``, before NumPy is imported).
 
     Parameters
@@ -87,8 +85,7 @@ class Categorizer:
     system
         From `placecat.categorizer.train`, or see :meth:`load`.
     resize
-        Whether frames of other sizes are scaled, and cut to the shape that it knows, as
-        :func:`placecat.categorizer.fitting.fit` says.
+        Whether :func:`placecat.categorizer.fitting.fit` scales and cuts frames of other sizes.
 
     Attributes
     ----------
@@ -97,7 +94,7 @@ class Categorizer:
     frame_sizes
         (width, height) of the frames it was trained on; others are refused unless `resize`.
     card
-        What is known of the system: data, accuracy, settings, versions.
+        Facts about the system: data, accuracy, settings, versions.
     threshold
         Least confidence of a decision that is known: chosen on training homes so that at most a share
         ``model.risk`` of such decisions is wrong. 0 if that was not measured, infinite if no confidence is
@@ -141,21 +138,10 @@ class Categorizer:
     def load(
         cls, path: str | Path, *, classes: Sequence[str] | None = None, resize: bool = False
     ) -> Categorizer:
-        """Read a trained system from its file.
+        """Read a trained system from a file of `placecat train`, or of the stage `model`.
 
-        Parameters
-        ----------
-        path
-            Written by `placecat train`, or by the stage `model`.
-        classes
-            The places that the caller expects, in this order; None takes what the model has.
-        resize
-            See :class:`Categorizer`.
-
-        Raises
-        ------
-        PlacecatError
-            If the file is missing, damaged, of another version, or has other classes.
+        With `classes` it must have these, in this order. Raises PlacecatError if it does not, or if it is
+        missing, damaged, or of another version.
         """
         system = model_file.read(Path(path))
         known = list(system.card["classes"])
@@ -168,7 +154,7 @@ class Categorizer:
             categorizer = cls(system, resize=resize)
             with np.errstate(all="ignore"):
                 categorizer._try()
-        # Whatever goes wrong with a file that someone may have made by hand.
+        # Anything may go wrong with a file that was made by hand.
         except Exception as error:
             said = " ".join(str(error).split())[:300]
             raise PlacecatError(f"{path} is damaged, or is not a placecat model: {said}") from None
@@ -198,7 +184,7 @@ class Categorizer:
     ) -> Decision:
         """Take the next frame.
 
-        Without `seconds` and `time` it comes one frame at `frame_rate` after the last. A frame that comes
+        Without `seconds` and `time` it comes one period of `frame_rate` after the last. A frame that comes
         twice, at the same time, adds no evidence.
 
         Parameters
@@ -206,11 +192,10 @@ class Categorizer:
         frame
             (height, width, 3) uint8 BGR, as OpenCV gives it, upright, of one of `frame_sizes`.
         seconds
-            Time since the last frame, at or above 0; of the first frame, the time that it stands for, and the
-            decision's time is 0.
+            Time since the last frame, at or above 0; for the first frame, which has the time 0, its duration.
         time
-            When it was taken, in seconds of any clock that does not go back; the first frame stands for one
-            at `frame_rate`.
+            When it was taken, in seconds of any clock that does not go back; the first frame lasts one period
+            of `frame_rate`.
 
         Raises
         ------
@@ -230,13 +215,13 @@ class Categorizer:
     def visits(self) -> list[Visit]:
         """List the stays so far: runs of frames with one name, including ``unknown``, in order.
 
-        A stay ends when the next begins; the last ends with the last frame. Times are those of the frames,
-        after which the place was decided: late by the delay.
+        A stay ends when the next begins; the last ends with the last frame. Times are those of the frames
+        after which the place was decided, so they are late by the delay.
         """
         return self._visits.until(self._last)
 
     def _moment(self, seconds: float | None, time: float | None) -> tuple[float, float | None]:
-        """When the frame was taken, and the seconds that it stands for."""
+        """When the frame was taken, and how many seconds it lasts."""
         for given in (seconds, time):
             if given is not None and not isinstance(given, Real):
                 raise PlacecatError(f"the time of a frame is {given!r}: give it as a number of seconds")
@@ -258,7 +243,7 @@ class Categorizer:
         return time, time - self._last
 
     def _try(self) -> None:
-        """Name the place of noise, and forget it: all parts fit one another, and the frames."""
+        """Try all parts together on a frame of noise, and forget it."""
         frame = np.random.default_rng(0).integers(0, 256, _TRIAL, np.uint8)
         decision = self._decide(frame, None, 0.0)
         for proba in (*decision.cues.values(), decision.integrated, decision.hmm, decision.proba):
@@ -316,7 +301,7 @@ class Categorizer:
         return self._fits[size](frame)
 
     def _describe(self, frame: NDArray[np.uint8]) -> tuple[dict[str, NDArray[Any]], dict[str, NDArray[Any]]]:
-        """Features of the frame's own regions and of the followed ones, with one frame as the first axis."""
+        """Features of the frame's own and of the followed regions; the first axis has one frame."""
         arrays = describe_frame(frame, self._vision)
         followed: dict[str, NDArray[Any]] = {}
         if self._tracker is not None:
@@ -329,20 +314,15 @@ class Categorizer:
                 "local": self._track_vision["local"],
             }
             followed = describe_frame(frame, settings, regions=regions)
-        return _batch(arrays), _batch(followed)
-
-
-def _batch(arrays: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
-    return {name: array[None] for name, array in arrays.items()}
+        first, second = ({name: array[None] for name, array in own.items()} for own in (arrays, followed))
+        return first, second
 
 
 def _only(vision: dict[str, Any], descriptors: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    """The settings of the vision, with the descriptors that are wanted only."""
-    wanted = {
-        kind: {own["name"] for own in descriptors if own["kind"] == kind} for kind in ("local", "holistic")
+    """The settings of the vision without other descriptors."""
+    wanted = {(own["kind"], own["name"]) for own in descriptors}
+    wanted |= {("local", own["color"]) for own in descriptors if own.get("color")}
+    return vision | {
+        kind: {name: own for name, own in vision[kind].items() if (kind, name) in wanted}
+        for kind in ("local", "holistic")
     }
-    wanted["local"] |= {own["color"] for own in descriptors if own.get("color")}
-    chosen = {
-        kind: {name: own for name, own in vision[kind].items() if name in wanted[kind]} for kind in wanted
-    }
-    return vision | chosen

@@ -1,4 +1,4 @@
-"""Checks of a model file beyond its objects: the card, the settings, and how the parts fit together."""
+"""Checks of a model file beyond its objects: the card, the settings, and whether the parts fit."""
 
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
@@ -12,7 +12,7 @@ from placecat.errors import PlacecatError
 from placecat.schema.base import Section
 from placecat.vision.frame import check as check_vision
 
-# More would need more memory than a frame should: no setting of the vision is near it.
+# Of a setting of the vision: more would need too much memory; real settings are far below.
 _MOST = 4096
 _SIDE = Annotated[int, Field(ge=1, le=2**14)]
 _Name = Annotated[str, StringConstraints(min_length=1, max_length=1000)]

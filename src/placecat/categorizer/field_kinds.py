@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-# The sizes that one object's fields share, by a letter; the first field to name one sets it.
+# The sizes that the fields of an object share, by a letter; the first field with a letter sets its size.
 Sizes = dict[str, int]
 # Raises ValueError if a value is wrong.
 Field = Callable[[Any, Sizes], None]
@@ -26,7 +26,7 @@ def number(low: float = -_LARGE, high: float = _LARGE, *, above: float = -math.i
 
 
 def whole(low: int = 0, high: int = _LARGE, *, side: str = "") -> Field:
-    """A whole number; the size that a `side` means, if it has a name."""
+    """A whole number, which is the size of a `side` that is named."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if type(value) is not int or not low <= value <= high:
@@ -71,20 +71,10 @@ def array(
     below: str = "",
     nan: bool = False,
 ) -> Field:
-    """An array of some sides.
+    """An array; each side is a number, the letter of a size, or None for any length.
 
-    Parameters
-    ----------
-    kind
-        ``i``, ``f`` or ``b``: whole numbers, floating-point numbers, truth values.
-    *sides
-        A number, the letter of a size, or None for any length.
-    low, high
-        Of its values, which are finite.
-    below
-        The letter of a size that all values are below.
-    nan
-        Whether NaN may be among the values.
+    `kind` has letters of ``i``, ``u``, ``f`` and ``b``: whole numbers, floating-point numbers, truth values.
+    Values are finite, `low` to `high`, and below the size with the letter `below`; `nan` allows NaN as well.
     """
 
     def field(value: Any, sizes: Sizes) -> None:

@@ -35,19 +35,9 @@ from placecat.learning.two_class import SIGMOID_WEIGHTS, SIGMOIDS
 
 
 def check(class_name: str, state: Mapping[str, Any]) -> None:
-    """Refuse the fields of an object that do not fit its class or one another.
+    """Refuse attributes that do not fit a class, such as ``NuSVM``, or one another.
 
-    Parameters
-    ----------
-    class_name
-        As ``NuSVM``.
-    state
-        Its attributes.
-
-    Raises
-    ------
-    PlacecatError
-        Naming the class and the attribute.
+    The PlacecatError names the class and the attribute.
     """
     fields = FIELDS.get(class_name)
     if fields is None:
@@ -75,7 +65,7 @@ def _probabilities(*sides: str) -> Field:
 
 
 def _classes(value: Any, sizes: Sizes) -> None:
-    """Class numbers: all of them, since columns of probabilities are found by them."""
+    """All class numbers, since they are the columns of probabilities."""
     array("iu", "K")(value, sizes)
     if not np.array_equal(value, np.arange(len(value))):
         raise ValueError("are not the numbers from 0")
@@ -290,7 +280,7 @@ def _fit_pairs(state: Mapping[str, Any], sizes: Sizes) -> bool:
     )
 
 
-# What sides alone do not say.
+# Relations beyond equal sides.
 RELATIONS: dict[str, Callable[[Mapping[str, Any], Sizes], bool]] = {
     "SmoothingModel": lambda state, _: all(
         _are_distributions(state[name]) for name in ("transition", "emission")

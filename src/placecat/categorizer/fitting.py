@@ -11,39 +11,22 @@ from placecat.errors import PlacecatError
 
 Size = tuple[int, int]
 LEAST = 0.5
-"""Share of a frame that has to be left after cutting; less would not be the same view."""
+"""Share of a frame that has to be left after cutting; less would be another view."""
 
 
 @dataclass(frozen=True)
 class Fit:
-    """How every frame is cut and scaled.
-
-    Attributes
-    ----------
-    source
-        (width, height) of the footage.
-    kept
-        (width, height) of the middle that is kept.
-    target
-        (width, height) that it is scaled to.
-    """
+    """How frames are cut and scaled: (width, height) of the footage, of the kept middle, of the result."""
 
     source: Size
     kept: Size
     target: Size
 
     def __call__(self, frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
-        """Cut and scale.
+        """Cut and scale a frame, (H, W, 3) uint8, to (H', W', 3) of the size `target`.
 
-        Parameters
-        ----------
-        frame
-            (H, W, 3) uint8 of the size `source`; of another, where a phone was turned, the middle of the
-            shape of `target` is taken.
-
-        Returns
-        -------
-        (H', W', 3) uint8 of the size `target`; the frame itself if that is its size.
+        A frame of another size than `source`, where a phone was turned, is cut to its middle of the shape of
+        `target`. A frame of the size `target` is returned itself.
         """
         size = (frame.shape[1], frame.shape[0])
         if size != self.source:
@@ -62,7 +45,7 @@ class Fit:
 
 
 def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
-    """Choose how frames become those of a size that the model knows.
+    """Choose how frames of footage are cut and scaled to a size that the model knows.
 
     Parameters
     ----------
@@ -71,8 +54,8 @@ def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
     known
         The model's sizes, at least one.
     resize
-        Whether other sizes may be made to fit: the frame is scaled, INTER_AREA; if its aspect ratio differs,
-        its middle is taken. Of several sizes, that which keeps most of the frame, then the nearest in size.
+        Whether other sizes may be made to fit: the frame is scaled, and cut to its middle if its aspect ratio
+        differs. The chosen size keeps most of the frame; of several, it is the nearest.
 
     Raises
     ------
@@ -99,7 +82,7 @@ def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
 
 
 def _middle(source: Size, target: Size) -> Size:
-    """The largest part of the shape of `target`; a difference below a pixel in a hundred is not cut."""
+    """The largest part with the shape of `target`; a difference below one percent is not cut."""
     width = min(source[0], round(source[1] * target[0] / target[1]))
     height = min(source[1], round(source[0] * target[1] / target[0]))
     if width >= 0.99 * source[0] and height >= 0.99 * source[1]:

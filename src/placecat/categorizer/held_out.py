@@ -14,12 +14,12 @@ from placecat.training import plan as plans
 from placecat.training import protocol
 from placecat.training import system as systems
 
-# Of each home the (frames, n_classes) distributions after the delay.
+# Home to its (frames, n_classes) distributions after the delay.
 HeldOut = Mapping[str, NDArray[np.float64]]
 
 
 def of_stages(params: Mapping[str, Any], name: str, seed: int) -> HeldOut:
-    """Read what the stage `smoothing` left of a system in each home that is tested."""
+    """Read the output of the stage `smoothing` for a system in each tested home."""
     homes = protocol.tested_homes(
         settings.get(params, "dataset.homes"), settings.get(params, "protocol.test_homes")
     )
@@ -28,20 +28,9 @@ def of_stages(params: Mapping[str, Any], name: str, seed: int) -> HeldOut:
 
 
 def by_training(params: Mapping[str, Any], name: str, without: Sequence[str], seed: int) -> HeldOut:
-    """For each training home, train a system that also leaves it out, and apply it there.
+    """For each home that is not in `without`, train the system `name` without it, and apply it there.
 
-    With no home in `without` it gives what the stages leave, to the bit.
-
-    Parameters
-    ----------
-    name
-        Of the system.
-    without
-        Homes that have no part in it.
-
-    Returns
-    -------
-    Nothing if too few homes train for that.
+    With no home in `without` it gives the outputs of the stages, to the bit; with too few homes, nothing.
     """
     homes = [home for home in settings.get(params, "dataset.homes") if home not in without]
     scheme = settings.get(params, f"systems.{name}.scheme")

@@ -48,7 +48,7 @@ def write(path: Path, system: TrainedSystem) -> None:
 
 
 def is_model(path: Path) -> bool:
-    """Whether a file says that it is a trained system, of whatever version, whole or damaged."""
+    """Whether a file says that it is a trained system, of any version, whole or damaged."""
     try:
         with zipfile.ZipFile(path) as file:
             return _CARD in file.namelist()
@@ -57,12 +57,9 @@ def is_model(path: Path) -> bool:
 
 
 def read(path: Path) -> TrainedSystem:
-    """Read a trained system. Nothing in the file is executed, and nothing built before it is checked.
+    """Read a trained system. Nothing in the file is executed, and nothing is built before it is checked.
 
-    Raises
-    ------
-    PlacecatError
-        If the file is missing, cannot be opened, is damaged, no model, or of another version.
+    Raises PlacecatError if the file is missing, damaged, not a model, of another version, or not readable.
     """
     with archive.opened(path) as members:
         card = _json(members, _CARD)

@@ -1,6 +1,6 @@
 """Trained models as JSON and arrays, and back, without pickle.
 
-A model is what its attributes are: numbers, text, arrays, containers of these, and objects of classes that
+A model consists of its attributes: numbers, text, arrays, containers of these, and objects of classes that
 `placecat.learning`, `placecat.cues` and `placecat.fusion` define. No code is called to rebuild one.
 """
 
@@ -16,24 +16,15 @@ from placecat.categorizer import fields
 from placecat.errors import PlacecatError
 
 _PACKAGES = (learning, cues, fusion)
-# What stands for anything that JSON has no type for.
+# The key of a mapping that stands for a type that JSON lacks.
 _KIND = "$"
 
 
 def to_plain(value: Any, arrays: list[NDArray[Any]]) -> Any:
-    """Write a value as JSON types.
+    """Write a value as JSON types; arrays are appended to `arrays`, and referred to by their index.
 
-    Parameters
-    ----------
-    value
-        As the module says. Attributes that a class lists as ``TRAINING_ONLY`` are left out.
-    arrays
-        Arrays are appended here, and referred to by their index.
-
-    Raises
-    ------
-    TypeError
-        If the value is, or holds, anything else.
+    Attributes that a class lists as ``TRAINING_ONLY`` are left out. Raises TypeError for a value that is, or
+    holds, anything but the parts of a model.
     """
     if value is None or isinstance(value, bool | int | str):
         return value
@@ -60,13 +51,7 @@ def to_plain(value: Any, arrays: list[NDArray[Any]]) -> Any:
 
 
 def from_plain(plain: Any, arrays: Sequence[NDArray[Any]]) -> Any:
-    """Inverse of :func:`to_plain`.
-
-    Raises
-    ------
-    PlacecatError
-        If something is described that a trained model cannot hold, or whose parts do not fit one another.
-    """
+    """Inverse of :func:`to_plain`; a PlacecatError for parts that a model cannot hold, or that do not fit."""
     if plain is None or isinstance(plain, bool | int | float | str):
         return plain
     if isinstance(plain, list):

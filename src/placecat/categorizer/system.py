@@ -10,17 +10,7 @@ from placecat.fusion.smoothing import SmoothingModel
 
 @dataclass(frozen=True)
 class TrainedCue:
-    """One cue.
-
-    Attributes
-    ----------
-    name
-        Its name in conf/cue.
-    descriptor
-        What it sees, as for :func:`placecat.cue_input.check`.
-    model
-        What it has learned.
-    """
+    """A cue: its name in conf/cue, its descriptor (:func:`placecat.cue_input.check`), and its model."""
 
     name: str
     descriptor: dict[str, Any]
@@ -34,7 +24,7 @@ class TrainedSystem:
     Attributes
     ----------
     card
-        What is known of it, JSON types only: see :mod:`placecat.categorizer.card`.
+        Facts about it, JSON types only: see :mod:`placecat.categorizer.card`.
     vision
         Settings of :func:`placecat.vision.frame.describe_frame` for the frame's own regions.
     tracking

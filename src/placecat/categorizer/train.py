@@ -1,4 +1,4 @@
-"""Train a system on homes whose features the stages have computed, to be applied to other footage."""
+"""Train a system for other footage, on homes whose features the stages have computed."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -19,21 +19,18 @@ from placecat.training.integration import fused_parts
 def train_command(system: str | None, without: Sequence[str], seed: int | None, output: Path | None) -> int:
     """Train a system, measure it in homes that it has not seen, and write it: `placecat train`.
 
+    Returns 0; mistakes raise PlacecatError.
+
     Parameters
     ----------
     system
         One of conf/system; None for ``model.system``.
     without
-        Homes that are left out of all training; none to train on all.
+        Homes that are left out of all training.
     seed
         One of ``protocol.seeds``; None for ``model.seed``.
     output
         None for data/model.placecat, or data/models/SYSTEM-without-HOME.placecat with a home left out.
-
-    Returns
-    -------
-    int
-        0; mistakes raise PlacecatError.
     """
     params = settings.load()
     name = system if system is not None else str(settings.get(params, "model.system"))
@@ -67,8 +64,9 @@ def train(
 ) -> TrainedSystem:
     """Train a system on all homes, or on all but some.
 
-    Without one home it is what the stages apply to that home, to the bit. Its card has nothing measured, see
-    :func:`measured`.
+    Without one home it equals the system that the stages apply to that home, to the bit. Its card has no
+    measurements, see :func:`measured`. Raises PlacecatError for an unknown system, home or seed, for too few
+    homes, and for features that were not computed.
 
     Parameters
     ----------
@@ -76,15 +74,8 @@ def train(
         All settings.
     name
         Of the system.
-    without
-        The homes that are left out.
-    seed
+    without, seed
         As for :func:`train_command`.
-
-    Raises
-    ------
-    PlacecatError
-        An unknown system, home or seed; too few homes; features that were not computed.
     """
     seed = int(settings.get(params, "model.seed")) if seed is None else seed
     seeds = settings.get(params, "protocol.seeds")
@@ -94,12 +85,17 @@ def train(
         )
     system, scheme = systems.System.of(params, name), settings.get(params, f"systems.{name}.scheme")
     plan = plans.of_release(params, scheme, without, extra=system.extra)
-    trained = systems.train(plan, system, seed)
-    # Settings of the vision.
+    return assemble(params, system, systems.train(plan, system, seed), _card(params, name, plan, seed))
+
+
+def assemble(
+    params: Mapping[str, Any], system: systems.System, trained: systems.Trained, card: dict[str, Any]
+) -> TrainedSystem:
+    """Join the trained parts of a system, its settings of the vision, and its card."""
     sections = {section: settings.get(params, section) for section in ("attention", "regions", "information")}
     cues = tuple(TrainedCue(cue, dict(own.descriptor), own.model) for cue, own in trained.cues.items())
     return TrainedSystem(
-        card=_card(params, name, plan, seed),
+        card=card,
         vision=sections | system.descriptors(params),
         tracking=_tracking(params, cues),
         cues=cues,
@@ -109,13 +105,7 @@ def train(
 
 
 def measured(system: TrainedSystem, params: Mapping[str, Any], decisions: held_out.HeldOut) -> TrainedSystem:
-    """Give a system with what was measured in homes that it had not seen in its card.
-
-    Parameters
-    ----------
-    decisions
-        In its training homes, by systems of the same settings.
-    """
+    """Add measurements to the card of a system, from decisions of like systems in homes they had not seen."""
     risk, shown = (settings.get(params, f"model.{setting}") for setting in ("risk", "risks_shown"))
     facts = {
         "accuracy": held_out.accuracies(decisions),

@@ -1,4 +1,4 @@
-"""Stays: runs of frames of one name, as they come."""
+"""Stays: runs of frames of one place."""
 
 from dataclasses import dataclass, replace
 
@@ -36,7 +36,7 @@ class VisitLog:
         self._visits: list[Visit] = []
 
     def add(self, place: str, confidence: float, seconds: float, *, begins: bool = False) -> None:
-        """Take the next frame: its place's name, its confidence, its time, and whether a cut is before it."""
+        """Take the next frame: its place's name, its confidence, its time, and whether a cut precedes it."""
         if begins or not self._visits or self._visits[-1].place != place:
             self._visits = [*self.until(seconds), Visit(place, seconds, seconds, confidence, 1)]
             return

@@ -1,1 +1,1 @@
-"""The first minute: five homes train a system, which then walks through a sixth."""
+"""A first minute: five homes train a system, which then walks through a sixth."""

@@ -1,4 +1,4 @@
-"""``placecat demo``: train on thinned frames of five homes, walk through the sixth, show what came out."""
+"""``placecat demo``: train on thinned frames of five homes, walk through the sixth, show the results."""
 
 import shutil
 import time
@@ -30,7 +30,7 @@ from placecat.progress import Progress
 OUTPUT = Path("predictions/demo")
 PAGE, TIMELINE, CLIP, TABLE = "index.html", "timeline.png", "annotated.webm", "accuracy.csv"
 FILES = (PAGE, TIMELINE, CLIP, TABLE, tables.FRAMES)
-# How many times as fast as the walk the clip runs.
+# The clip runs so many times as fast as the walk.
 PACE = 10.0
 _WORK = "work"
 
@@ -38,10 +38,7 @@ _WORK = "work"
 def demo_command() -> int:
     """Run the demo in the project's folder, print its table and where to look.
 
-    Returns
-    -------
-    int
-        0; mistakes raise PlacecatError and leave nothing behind.
+    Returns 0; mistakes raise PlacecatError and leave nothing behind.
     """
     start = time.perf_counter()
     _check(OUTPUT)
@@ -54,31 +51,28 @@ def demo_command() -> int:
         work = temporary / _WORK
         work.mkdir(parents=True)
         with chdir(work):
-            _say(f"Reading every {training.EVERY}th frame of {len(homes) + 1} homes from {relative}.")
+            print(
+                f"Reading every {training.EVERY}th frame of {len(homes) + 1} homes from {relative}.",
+                flush=True,
+            )
             params = training.thin_homes(params, root)
-            _say(f"Training the five-cue system on {len(homes)} of them.")
+            print(f"Training the five-cue system on {len(homes)} of them.", flush=True)
             system = training.train(params, tested)
-            _say(f"Walking through {tested}, which the system has never seen.")
+            print(f"Walking through {tested}, which the system has never seen.", flush=True)
             table = _walk(params, system, tested, temporary)
         shutil.rmtree(work)
         table = table.join(complete)
         files.write_csv(temporary / TABLE, table.rename_axis("result").reset_index())
         page.write(temporary / PAGE, table, tested, len(homes), temporary / TIMELINE, temporary / CLIP)
-    print(f"\nAccuracy in {tested}, percent (mean over the places; a guess has {_chance(params):.0f}):\n")
+    chance = 100 / len(params["dataset"]["classes"])
+    print(f"\nAccuracy in {tested}, percent (mean over the places; a guess has {chance:.0f}):\n")
     print(table.to_string(float_format="%.0f", na_rep="-"))
     print(f"\nA few frames teach little: {page.COMPLETE} trains on all and tests every home.\n")
-    for name, what in (
-        (TIMELINE, "the walk over time"),
-        (CLIP, "the annotated clip"),
-        (PAGE, "all on one page"),
-    ):
-        print(f"  {OUTPUT / name}: {what}")
+    print(f"  {OUTPUT / TIMELINE}: the walk over time")
+    print(f"  {OUTPUT / CLIP}: the annotated clip")
+    print(f"  {OUTPUT / PAGE}: all on one page")
     print(f"\nIt took {time.perf_counter() - start:.0f} s.")
     return 0
-
-
-def _say(text: str) -> None:
-    print(text, flush=True)
 
 
 def _check(folder: Path) -> None:
@@ -92,17 +86,16 @@ def _check(folder: Path) -> None:
 
 
 def _walk(params: Mapping[str, Any], system: Any, home: str, folder: Path) -> pd.DataFrame:
-    """Write timeline, clip and frames of the tested home; give the accuracy of each cue and of the system."""
+    """Write timeline, clip and frames of the tested home; return the accuracy of cues and system."""
     dataset = params["dataset"]
     categorizer = Categorizer(system)
     source = Folder(training.FRAMES / home, dataset["fps"])
-    count = source.exact_count()
     labels = truth.read(
-        training.FRAMES / f"{home}.csv", count, source.fps, categorizer.classes, dataset["ignored"]
+        training.FRAMES / f"{home}.csv", source.timing, categorizer.classes, dataset["ignored"]
     )
     chosen = fit(source.size, categorizer.frame_sizes, resize=False)
     by_cue: dict[str, list[int]] = {name: [] for name in params["systems"][training.SYSTEM]["cues"]}
-    with Progress(description=home, total=count, unit="frames") as progress:
+    with Progress(description=home, total=len(labels), unit="frames") as progress:
 
         def show(frame: Frame, decision: Decision, speed: Speed) -> None:
             for name, proba in decision.cues.items():
@@ -154,7 +147,3 @@ def _complete_run(params: Mapping[str, Any], home: str) -> pd.DataFrame:
     cues = params["systems"][training.SYSTEM]["cues"]
     names = {f"cues/{name}/{training.SCHEME}" if name in cues else name: titles[name] for name in titles}
     return accuracy.reindex(list(names)).rename(index=names).to_frame(column)
-
-
-def _chance(params: Mapping[str, Any]) -> float:
-    return 100 / len(params["dataset"]["classes"])

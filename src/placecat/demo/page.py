@@ -9,26 +9,14 @@ from placecat import files
 from placecat.report.embed import embed
 from placecat.templates import environment
 
-# What trains on all frames.
+# The command that trains on all frames.
 COMPLETE = "make repro"
 
 
 def write(
     target: Path, table: pd.DataFrame, home: str, training_homes: int, timeline: Path, clip: Path
 ) -> None:
-    """Write the page.
-
-    Parameters
-    ----------
-    table
-        Percent, one row per result.
-    home
-        Name of the tested home.
-    training_homes
-        How many homes the system learned from.
-    timeline, clip
-        A PNG and a WebM, which the page holds.
-    """
+    """Write the page about the tested `home`, with a table in percent, a PNG and a WebM."""
     rows = [
         (name, ["" if pd.isna(value) else f"{value:.0f}" for value in values])
         for name, *values in table.itertuples()

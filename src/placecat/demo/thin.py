@@ -12,22 +12,8 @@ from placecat.sequences.labels import FRAME_HEADER, read_label_csv
 def thin(root: Path, home: str, every: int, target: Path) -> float:
     """Write the first of each `every` frames of a home, in the layout `folder`.
 
-    Parameters
-    ----------
-    root
-        Folder of ``HOME.mp4`` and ``HOME.csv``.
-    target
-        Gets the folder ``HOME`` with JPEG files, and ``HOME.csv``.
-
-    Returns
-    -------
-    float
-        Frames a second that are left.
-
-    Raises
-    ------
-    PlacecatError
-        A video or its labels are missing or damaged.
+    From ``root/HOME.mp4`` and ``root/HOME.csv`` it makes the folder ``target/HOME`` of JPEG files and
+    ``target/HOME.csv``. Returns the frames a second that are left. Damaged files raise PlacecatError.
     """
     recording = Recording(root / f"{home}.mp4")
     fps = recording.timing().fps

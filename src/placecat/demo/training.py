@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import Any
 
 from placecat import parallel, paths
-from placecat.categorizer.system import TrainedCue, TrainedSystem
+from placecat.categorizer.system import TrainedSystem
+from placecat.categorizer.train import assemble
 from placecat.demo.thin import thin
 from placecat.listing import frame_size
 from placecat.stages.features import describe, feature_options, plan
@@ -17,19 +18,14 @@ from placecat.training import system as systems
 EVERY = 10
 SYSTEM, SCHEME, SEED = "das_551_best", "5-5-1", 0
 FRAMES = Path("frames")
-# Cues learn from every other of the thinned frames, the integration from those between.
+# Cues learn from every second thinned frame, the integration from the others.
 _FRAMES = {"cue_frames": {"offset": 0, "step": 2}, "integration_frames": {"offset": 1, "step": 2}}
 
 
 def thin_homes(params: Mapping[str, Any], root: Path) -> dict[str, Any]:
-    """Write every 10th frame of all homes to the current folder; give the settings for these frames.
+    """Write every 10th frame of all homes to the current folder; return the settings for these frames.
 
-    Parameters
-    ----------
-    params
-        All settings, of a data set in the layout ``video``.
-    root
-        Its folder.
+    `params` are all settings, of a data set in the layout ``video``; `root` is its folder.
     """
     homes = list(params["dataset"]["homes"])
     tasks = [(root, home, EVERY, FRAMES.absolute()) for home in homes]
@@ -43,15 +39,7 @@ def thin_homes(params: Mapping[str, Any], root: Path) -> dict[str, Any]:
 
 
 def train(params: Mapping[str, Any], tested: str) -> TrainedSystem:
-    """Train the five-cue system on all homes but one.
-
-    Parameters
-    ----------
-    params
-        From :func:`thin_homes`.
-    tested
-        The home that is left out.
-    """
+    """Train the five-cue system with settings of :func:`thin_homes` on all homes but the `tested` one."""
     system = systems.System.of(params, SYSTEM)
     options = feature_options(params, system.descriptors(params))
     dataset = params["dataset"]
@@ -62,15 +50,7 @@ def train(params: Mapping[str, Any], tested: str) -> TrainedSystem:
     trained = systems.train(fold, system, SEED)
     title = f"{params['systems'][SYSTEM]['title']}, with smoothing; every {EVERY}th frame"
     card = {"title": title, "classes": dataset["classes"], "frame_sizes": [frame_size(training[0])]}
-    sections = {section: params[section] for section in ("attention", "regions", "information")}
-    return TrainedSystem(
-        card=card,
-        vision=sections | system.descriptors(params),
-        tracking=None,
-        cues=tuple(TrainedCue(name, dict(cue.descriptor), cue.model) for name, cue in trained.cues.items()),
-        integrator=trained.integrator,
-        smoothing=trained.smoothing,
-    )
+    return assemble(params, system, trained, card)
 
 
 def _describe(homes: Sequence[str], options: Mapping[str, Any]) -> None:

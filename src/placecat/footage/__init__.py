@@ -1,1 +1,1 @@
-"""Pictures out of files, with their times."""
+"""Frames of files, with their times."""

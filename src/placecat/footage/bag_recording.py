@@ -1,6 +1,7 @@
-"""The pictures of one topic of a bag, with their numbers and times, and what of them is lost."""
+"""The frames of one topic of a bag, with their numbers and times, and which are lost."""
 
 from collections.abc import Generator
+from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
@@ -14,16 +15,40 @@ from placecat.footage.image_messages import Damaged
 from placecat.footage.recording import Size, are, named
 
 MOST_LATE = 1.0
-"""Seconds by which a frame may be earlier than one before it, and is left out; more is a clock that was set.
-Our choice."""
+"""Seconds by which a late frame may be earlier than one before it. More shows that the clock was set. Our
+choice."""
 _NANOSECOND = Fraction(1, 10**9)
+
+
+@dataclass(frozen=True, eq=False)
+class BagFrame:
+    """A frame of a bag, not decoded; numbers are from 1."""
+
+    number: int
+    _picture: Picture
+    _recording: "BagRecording"
+
+    def image(self) -> NDArray[np.uint8] | None:
+        """Decode it: (H, W, 3) uint8, BGR; None if it is lost."""
+        try:
+            return self._picture.image()
+        except Damaged as error:
+            self._recording.lose(self.number, str(error))
+            return None
+
+    @property
+    def size(self) -> Size | None:
+        """(width, height) in pixels; None if it is lost."""
+        image = self.image()
+        return None if image is None else (image.shape[1], image.shape[0])
 
 
 class BagRecording:
     """Frames of a bag: the pictures of a topic, in the order of their stamps.
 
     Opening it passes over the topic once. A frame whose stamp is not later than that of one before it came
-    late or twice: it is left out and has no number.
+    late or twice: it is left out and has no number. Raises PlacecatError if the bag cannot be read, the topic
+    is not one of pictures, or its times cannot be right.
 
     Parameters
     ----------
@@ -42,7 +67,7 @@ class BagRecording:
     topic
         The topic.
     count
-        Number of frames, those included that turn out to be lost.
+        Number of frames, including those that turn out to be lost.
     timing
         Their times.
     positions
@@ -52,13 +77,12 @@ class BagRecording:
     start
         Nanoseconds since 1970, by the clock of the stamps, of the first frame.
     lost
-        Numbers, from 1, of the frames that :meth:`image` could not decode.
-
-    Raises
-    ------
-    PlacecatError
-        If the bag cannot be read, the topic is not one of pictures, or its times cannot be right.
+        Numbers, from 1, of the frames that could not be decoded.
+    damaged
+        None: a picture is decoded without errors, or lost.
     """
+
+    damaged: tuple[int, ...] = ()
 
     def __init__(
         self, path: Path, topic: str | None = None, fps: float | None = None, *, settings: str = "--"
@@ -83,30 +107,25 @@ class BagRecording:
         self.count, self.start = len(self.positions), int(stamps[0])
         self.timing = self._timing(stamps, fps, f"{settings}fps")
 
-    def pictures(self) -> Generator[tuple[int, Picture], None, None]:
-        """Pass over the frames without decoding pixels: each with its number, from 1."""
+    def pictures(self) -> Generator[BagFrame, None, None]:
+        """Pass over the frames without decoding pixels."""
         self.lost, self._why = [], ""
         number = 0
         for picture in self._bag.pictures(self.topic):
             if number < self.count and picture.number - 1 == self.positions[number]:
                 number += 1
-                yield number, picture
+                yield BagFrame(number, picture, self)
 
-    def image(self, number: int, picture: Picture) -> NDArray[np.uint8] | None:
-        """Decode a frame of :meth:`pictures`: (H, W, 3) uint8, BGR; None if it is lost."""
-        try:
-            return picture.image()
-        except Damaged as error:
-            self.lost.append(number)
-            self._why = self._why or str(error)
-            return None
+    def lose(self, number: int, why: str) -> None:
+        """Note that a frame cannot be decoded; the first reason is kept."""
+        self.lost.append(number)
+        self._why = self._why or why
 
     def size(self) -> Size:
         """(width, height) of the first frame that can be decoded, in pixels; PlacecatError if none can."""
-        for number, picture in self.pictures():
-            image = self.image(number, picture)
-            if image is not None:
-                return image.shape[1], image.shape[0]
+        for frame in self.pictures():
+            if (size := frame.size) is not None:
+                return size
         raise PlacecatError(f"{self.path}: no picture on {self.topic} can be decoded: {self._why}")
 
     def note(self) -> str:

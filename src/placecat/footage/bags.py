@@ -1,13 +1,13 @@
 """A bag of ROS 1 or ROS 2: its topics, and the pictures and strings in it.
 
-It is read by rosbags. Messages are decoded by the definitions that rosbags brings; out of those in a bag,
-which come from outside, it would make Python code.
+rosbags reads it, and decodes messages by its own definitions. Those in a bag come from outside, and rosbags
+would make Python code of them.
 """
 
 from collections.abc import Collection, Generator, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -19,12 +19,13 @@ from placecat.footage.image_messages import compressed_image, raw_image
 
 ROS_1, SINGLE = ".bag", (".mcap", ".db3")
 IMAGE, COMPRESSED, STRING = "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage", "std_msgs/msg/String"
-# What mends a bag whose end is missing, by its ending; "" is a folder.
+_PICTURES = (IMAGE, COMPRESSED)
+# How to mend a bag whose end is missing, by its ending; "" is a folder.
 _MENDING = {
-    ROS_1: "rosbag reindex",
-    ".mcap": "mcap recover",
-    ".db3": "ros2 bag reindex",
-    "": "ros2 bag reindex",
+    ROS_1: "`rosbag reindex`",
+    ".mcap": "`mcap recover`",
+    ".db3": "`sqlite3 FILE .recover`",
+    "": "`ros2 bag reindex`, and a damaged file in it with `mcap recover` or `sqlite3 FILE .recover`",
 }
 
 
@@ -42,11 +43,11 @@ class Picture:
     Attributes
     ----------
     number
-        From 1, of the bag's messages with pictures, on whatever topic, in the order of their reception.
+        From 1, among the bag's messages with pictures on all topics, in the order of their reception.
     topic
         Its topic.
     received, stamp
-        Nanoseconds: when the bag received it, and what its header says.
+        Nanoseconds: when the bag received it, and the time in its header.
     """
 
     number: int
@@ -65,6 +66,8 @@ class Picture:
 class Bag:
     """A bag, opened for each pass over its messages.
 
+    Raises PlacecatError if rosbags is not installed, or cannot read the bag.
+
     Parameters
     ----------
     path
@@ -76,51 +79,37 @@ class Bag:
         Topic to the type and the number of its messages, sorted.
     count
         Number of messages with pictures.
-
-    Raises
-    ------
-    PlacecatError
-        If rosbags is not installed, or the bag is damaged or of a kind that it does not read.
     """
 
     def __init__(self, path: Path) -> None:
         self.path = path
+        self._is_ros1 = path.suffix.lower() == ROS_1
         topics: dict[str, tuple[str, int]] = {}
         with self._opened() as reader, self._explained():
             for one in reader.connections:
                 _, count = topics.get(one.topic, ("", 0))
                 topics[str(one.topic)] = (str(one.msgtype), count + int(one.msgcount))
         self.topics = dict(sorted(topics.items()))
-        self.count = sum(count for kind, count in self.topics.values() if kind in (IMAGE, COMPRESSED))
+        self.count = sum(count for kind, count in self.topics.values() if kind in _PICTURES)
 
     def topic_of_pictures(self, topic: str | None, setting: str) -> str:
-        """Choose the topic of the frames: `topic`, or by None the only one with pictures.
+        """Check the topic of the frames; by None choose the only one with pictures.
 
-        Parameters
-        ----------
-        setting
-            What sets the topic, for messages.
-
-        Raises
-        ------
-        PlacecatError
-            If the bag has no such topic, or several with pictures and none is given.
+        The PlacecatError for an unknown topic, or for several if none is given, names the `setting`.
         """
-        having = [
-            name for name, (kind, count) in self.topics.items() if kind in (IMAGE, COMPRESSED) and count
-        ]
         if topic is not None:
-            self.require(topic, (IMAGE, COMPRESSED), setting)
+            self.require(topic, _PICTURES, setting)
             return topic
-        if len(having) == 1:
-            return having[0]
-        if having:
+        having = [name for name, (kind, count) in self.topics.items() if kind in _PICTURES and count]
+        if len(having) > 1:
             raise PlacecatError(
                 f"{self.path}: several topics have pictures; choose one with {setting}: {', '.join(having)}."
             )
-        raise PlacecatError(
-            f"{self.path}: no topic has pictures ({IMAGE} or {COMPRESSED}); it has {self._listed()}."
-        )
+        if not having:
+            raise PlacecatError(
+                f"{self.path}: no topic has pictures ({IMAGE} or {COMPRESSED}); it has {self._listed()}."
+            )
+        return having[0]
 
     def require(self, topic: str, kinds: Collection[str], setting: str) -> None:
         """Refuse a topic that the bag does not have, or that is of another type or empty."""
@@ -139,14 +128,11 @@ class Bag:
             raise PlacecatError(f"{self.path}: the topic {topic!r} has no message; correct {setting}.")
 
     def pictures(self, topic: str | None = None) -> Generator[Picture, None, None]:
-        """Pass over the messages with pictures, in the order of their reception, without decoding pixels.
+        """Pass over the pictures of all topics or of one, in the order of their reception.
 
-        Parameters
-        ----------
-        topic
-            Give those of this topic only; they keep their numbers.
+        Pixels are not decoded. The pictures of one topic keep the numbers that they have among all.
         """
-        for number, (connection, received, raw) in enumerate(self._messages((IMAGE, COMPRESSED)), 1):
+        for number, (connection, received, raw) in enumerate(self._messages(_PICTURES), 1):
             if topic is None or connection.topic == topic:
                 name = f"{self.path}, picture {number} ({connection.topic})"
                 with self._explained():
@@ -178,10 +164,8 @@ class Bag:
                 yield message
 
     def _decoded(self, raw: bytes, kind: str) -> Any:
-        store = _store(self.path.suffix.lower() == ROS_1)
-        if self.path.suffix.lower() == ROS_1:
-            return store.deserialize_ros1(raw, kind)
-        return store.deserialize_cdr(raw, kind)
+        store = _store(self._is_ros1)
+        return store.deserialize_ros1(raw, kind) if self._is_ros1 else store.deserialize_cdr(raw, kind)
 
     @contextmanager
     def _opened(self) -> Iterator[Any]:
@@ -193,8 +177,7 @@ class Bag:
                 "pip install -e '.[robot]'"
             ) from None
         with self._explained():
-            is_first = self.path.suffix.lower() == ROS_1
-            reader = rosbag1.Reader(self.path) if is_first else rosbag2.Reader(self.path)
+            reader = rosbag1.Reader(self.path) if self._is_ros1 else rosbag2.Reader(self.path)
             reader.open()
         try:
             yield reader
@@ -203,7 +186,7 @@ class Bag:
 
     @contextmanager
     def _explained(self) -> Iterator[None]:
-        """One message for what rosbags says of damage, also where it trips over it."""
+        """Turn any error into one message: rosbags may fail anywhere on a damaged bag."""
         try:
             yield
         except PermissionError as error:
@@ -214,13 +197,13 @@ class Bag:
             said = " ".join(str(error).split())[:300].rstrip(".") or type(error).__name__
             mending = _MENDING["" if self.path.is_dir() else self.path.suffix.lower()]
             raise PlacecatError(
-                f"{self.path}: not a readable bag ({said}); restore it, or mend it with `{mending}`."
+                f"{self.path}: not a readable bag ({said}); restore it, or mend it with {mending}."
             ) from None
 
 
-@lru_cache
-def _store(is_first: bool) -> Any:
-    """Definitions of ROS 1 or ROS 2; those of pictures and strings are the same in all of its versions."""
+@cache
+def _store(is_ros1: bool) -> Any:
+    """Definitions of ROS 1 or ROS 2, whose versions agree on pictures and strings."""
     from rosbags.typesys import Stores, get_typestore
 
-    return get_typestore(Stores.ROS1_NOETIC if is_first else Stores.ROS2_HUMBLE)
+    return get_typestore(Stores.ROS1_NOETIC if is_ros1 else Stores.ROS2_HUMBLE)

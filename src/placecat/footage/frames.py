@@ -1,6 +1,7 @@
 """The frames of a home, decoded."""
 
 from collections.abc import Iterator
+from contextlib import ExitStack, closing
 from pathlib import Path
 from typing import Any
 
@@ -20,9 +21,9 @@ def read_frames(
 ) -> Iterator[NDArray[np.uint8]]:
     """Decode frames in the order of the rows.
 
-    A video or a bag is read from its start (`placecat.footage.recording`, `placecat.footage.bags`) and frames
-    between rows are passed over; a row that lies before the last one starts again. The file is never asked to
-    seek: containers answer with a nearby frame without saying so. Rows in increasing position cost one pass.
+    A video or a bag is read from its start, over the frames between rows; a row before the last one starts
+    again. Rows in increasing position cost one pass. The file is never asked to seek: containers answer with
+    a nearby frame without saying so.
 
     Parameters
     ----------
@@ -44,17 +45,16 @@ def read_frames(
     """
     root = Path(home_root)
     turns = frames["turn"] if "turn" in frames else [0] * len(frames)
-    video: _Video | None = None
-    try:
+    with ExitStack() as opened:
+        video: _Video | None = None
         for source, position, turn in zip(frames["source"], frames["position"], turns, strict=True):
             path = root / relative(source, "frame list")
             if position < 0:
                 image = read_image(path)
             else:
                 if video is None or video.path != path:
-                    if video is not None:
-                        video.close()
-                    video = _Video(path)
+                    opened.close()
+                    video = opened.enter_context(closing(_Video(path)))
                 image = video.read(int(position))
             image = turned(image, int(turn))
             height, width = image.shape[:2]
@@ -66,13 +66,10 @@ def read_frames(
                     f"{size[0]}x{size[1]}; a home needs one frame size: convert the frame or take it out."
                 )
             yield image
-    finally:
-        if video is not None:
-            video.close()
 
 
 class _Video:
-    """A video or a bag read forwards, from its start again to go back."""
+    """A video or a bag that is read forwards; to go back, from its start."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -88,11 +85,8 @@ class _Video:
         if self._last is not None and number < self._last.number:
             self.close()
             self._pictures, self._last = self._recording.pictures(), None
-        while self._last is None or self._last.number < number:
-            following = next(self._pictures, None)
-            if following is None:
-                break
-            self._last = following
+        if self._last is None or self._last.number < number:
+            self._last = next((one for one in self._pictures if one.number >= number), None)
         if self._last is None or self._last.number != number:
             count = self._recording.count
             why = f"it ends after {count}" if number > count else "it is damaged there"

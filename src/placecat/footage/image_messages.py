@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
-from placecat.footage.pictures import MOST_BYTES, MOST_PIXELS, decode_image
+from placecat.footage.pictures import MOST_BYTES, check_size, decode_image
 
 
 class Damaged(PlacecatError):
@@ -15,7 +15,7 @@ class Damaged(PlacecatError):
 
 
 class Image(Protocol):
-    """A sensor_msgs/Image, of whatever library; ``data`` is a buffer of bytes."""
+    """A sensor_msgs/Image of any library; ``data`` is a buffer of bytes."""
 
     width: int
     height: int
@@ -25,21 +25,21 @@ class Image(Protocol):
 
 
 class CompressedImage(Protocol):
-    """A sensor_msgs/CompressedImage, of whatever library."""
+    """A sensor_msgs/CompressedImage of any library."""
 
     format: str
     data: Any
 
 
 class _Encoding(NamedTuple):
-    """Bytes of a pixel in a row, OpenCV's conversion to BGR, and rows of data for two rows of pixels."""
+    """Bytes of a pixel in a row, OpenCV's conversion to BGR, and rows of data per two rows of pixels."""
 
     width: int
     conversion: int | None
     rows: int = 2
 
 
-# Of sensor_msgs/image_encodings, with 8 bits a channel. OpenCV calls UYVY by its bytes, ROS yuv422.
+# Those of sensor_msgs/image_encodings with 8 bits per channel. OpenCV calls UYVY by its bytes, ROS yuv422.
 _ENCODINGS = {
     "bgr8": _Encoding(3, None),
     "8UC3": _Encoding(3, None),
@@ -64,25 +64,14 @@ ENCODINGS = tuple(_ENCODINGS)
 
 
 def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
-    """Decode a sensor_msgs/Image.
-
-    Parameters
-    ----------
-    message
-        Its encoding is one of `ENCODINGS`; its sizes are not trusted.
-    name
-        What errors call it.
-
-    Returns
-    -------
-    (height, width, 3) uint8, BGR.
+    """Decode a sensor_msgs/Image, which errors call `name`, to (height, width, 3) uint8, BGR.
 
     Raises
     ------
     Damaged
         If the sizes do not fit each other or the data.
     PlacecatError
-        If the encoding is not read, or the picture is larger than
+        If the encoding is not one of `ENCODINGS`, or the picture is larger than
         `placecat.footage.pictures.MOST_PIXELS`.
     """
     width, height, step, encoding = message.width, message.height, message.step, message.encoding
@@ -92,10 +81,7 @@ def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
             f"{name}: pictures of the encoding {encoding!r} are not read; give another topic, or convert "
             f"them to one of {', '.join(ENCODINGS)}."
         )
-    if width * height > MOST_PIXELS:
-        raise PlacecatError(
-            f"{name}: {width}x{height} pixels are more than {MOST_PIXELS // 10**6} million; scale it down."
-        )
+    check_size(name, width, height)
     kind = _ENCODINGS[encoding]
     rows, row = height * kind.rows // 2, width * kind.width
     if not (width and height and row <= step and rows * step <= len(data)):
@@ -111,30 +97,19 @@ def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
         return cv2.cvtColor(pixels, kind.conversion)  # type: ignore[return-value]
     except cv2.error:
         raise Damaged(
-            f"{name}: no picture of {encoding} has {width}x{height} pixels; record it again."
+            f"{name}: a picture in {encoding} cannot have {width}x{height} pixels; record it again."
         ) from None
 
 
 def compressed_image(message: CompressedImage, name: str) -> NDArray[np.uint8]:
-    """Decode a sensor_msgs/CompressedImage, whatever it calls itself, if it is a JPEG or PNG.
+    """Decode a sensor_msgs/CompressedImage, which errors call `name`, to (H, W, 3) uint8, BGR.
 
-    Parameters
-    ----------
-    name
-        What errors call it.
-
-    Returns
-    -------
-    (H, W, 3) uint8, BGR.
-
-    Raises
-    ------
-    Damaged
-        If it is cut off, damaged, or no JPEG or PNG of a kind that is read.
+    Its content decides, not its format. Raises Damaged if it is cut off, damaged, or not a JPEG or PNG that
+    :func:`placecat.footage.pictures.decode_image` takes.
     """
     content = memoryview(message.data)
     if content.nbytes > MOST_BYTES:
-        raise Damaged(f"{name}: {content.nbytes / 1e6:.0f} MB are no picture; record it again.")
+        raise Damaged(f"{name}: {content.nbytes / 1e6:.0f} MB is too large for a picture; record it again.")
     try:
         return decode_image(content.tobytes(), f"{name} (format {message.format!r})")
     except PlacecatError as error:

@@ -13,14 +13,11 @@ def natural(name: str) -> tuple[tuple[tuple[int, int, str], ...], str]:
 
 
 def relative(name: str, origin: str) -> PurePosixPath:
-    """Check that a POSIX path stays below the folder it is relative to, by its text.
+    """Check by its text that a POSIX path stays below the folder that it is relative to.
 
-    Raises
-    ------
-    PlacecatError
-        If it is empty, absolute, or holds ``..``; `origin` says where it was written.
+    Raises PlacecatError, which begins with `origin`, if it is empty, absolute, or holds ``..``.
     """
     path = PurePosixPath(name)
     if not path.parts or path.is_absolute() or ".." in path.parts or "\\" in name or "\0" in name:
-        raise PlacecatError(f"{origin}: {name!r} is no path below the data folder; correct it.")
+        raise PlacecatError(f"{origin}: {name!r} is not a path below the data folder; correct it.")
     return path

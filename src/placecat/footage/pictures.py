@@ -1,7 +1,7 @@
-"""Pictures: which files of a folder are its frames, in which order, and their pixels.
+"""Frames in files: which files of a folder are frames, their order, and their pixels.
 
-A frame is a JPEG or PNG file. What else a folder may hold is refused where it could be meant as frames, since
-it would be missing without a word.
+A frame is a JPEG or PNG file. A picture of another kind is refused: it may be meant as a frame, and would be
+missing without a word.
 """
 
 import re
@@ -21,39 +21,12 @@ from placecat.footage.names import natural
 
 SUFFIXES = (".jpeg", ".jpg", ".png")
 """File name endings taken for a frame, in either case."""
-# Endings of pictures that are not read: they lose more, take longer, or need libraries that few have.
-OTHERS = (
-    *(
-        ".apng",
-        ".arw",
-        ".avif",
-        ".bmp",
-        ".cr2",
-        ".cr3",
-        ".dib",
-        ".dng",
-        ".exr",
-        ".gif",
-        ".hdr",
-        ".heic",
-        ".heif",
-    ),
-    *(
-        ".jfif",
-        ".jp2",
-        ".jpe",
-        ".jxl",
-        ".nef",
-        ".pbm",
-        ".pgm",
-        ".pnm",
-        ".ppm",
-        ".tga",
-        ".tif",
-        ".tiff",
-        ".webp",
-    ),
+# Endings of pictures that are not read: these lose more, take longer, or need libraries that few have.
+_OTHERS = (
+    ".apng .arw .avif .bmp .cr2 .cr3 .dib .dng .exr .gif .hdr .heic .heif .jfif .jp2 .jpe .jxl .nef .pbm .pgm"
+    " .pnm .ppm .tga .tif .tiff .webp"
 )
+OTHERS = tuple(_OTHERS.split())
 # Decoding takes up to 12 bytes a pixel (progressive JPEG), so this keeps below 1 GB.
 MOST_PIXELS = 50_000_000
 MOST_BYTES = 256_000_000
@@ -62,7 +35,7 @@ TURNS = {90: cv2.ROTATE_90_CLOCKWISE, 180: cv2.ROTATE_180, 270: cv2.ROTATE_90_CO
 """Degrees clockwise, as :func:`turned` takes them."""
 
 _NUMBER = re.compile(r"[0-9]+")
-# One point only: 1.2.3 is no decimal number.
+# With one point only: 1.2.3 is not a decimal number.
 _DECIMAL = re.compile(r"(?<![0-9.])([0-9]+)\.([0-9]+)(?!\.?[0-9])")
 _PNG = b"\x89PNG\r\n\x1a\n"
 _JPEG = b"\xff\xd8\xff"
@@ -83,17 +56,17 @@ def list_frames(folder: Path) -> list[str]:
     Parameters
     ----------
     folder
-        An existing folder; what is hidden in it or below it is not looked at.
+        An existing folder; hidden files and folders in it are passed over.
 
     Returns
     -------
-    File names; empty if there is none.
+    File names, perhaps none.
 
     Raises
     ------
     PlacecatError
-        If the folder cannot be read, has pictures of kinds that are not read, or two pictures of one frame:
-        the same name with two endings, or the same numbers with other words, such as colour and depth.
+        If the folder cannot be read, has pictures of other kinds, or two pictures of one frame: the same name
+        with two endings, or the same numbers with other words, such as colour and depth.
     """
     paths = _visible(folder)
     others = sorted(path.name for path in paths if path.suffix.lower() in OTHERS)
@@ -104,7 +77,7 @@ def list_frames(folder: Path) -> list[str]:
         )
     names = in_order(path.name for path in paths if path.suffix.lower() in SUFFIXES)
     numbers = [tuple(_NUMBER.findall(Path(name).stem)) for name in names]
-    # Where all have the same, they count nothing.
+    # Numbers that all names share count nothing.
     are_counted = len(set(numbers)) > 1
     seen: dict[object, str] = {}
     for name, own in zip(names, numbers, strict=True):
@@ -122,7 +95,7 @@ def in_order(names: Iterable[str]) -> list[str]:
     """Sort file names as `list_frames` does."""
     files = list(names)
     decimals = [found[2] for name in files for found in _DECIMAL.finditer(Path(name).stem)]
-    # Of one length both orders are the same.
+    # Decimals of one length have the same order either way.
     are_decimals = not any(len(digits) > 1 and digits.endswith("0") for digits in decimals)
     if not are_decimals or len({len(digits) for digits in decimals}) < 2:
         return sorted(files, key=natural)
@@ -139,12 +112,9 @@ def read_image(path: Path) -> NDArray[np.uint8]:
 
     Gray pictures are given in three equal channels.
 
-    Raises
-    ------
-    PlacecatError
-        If the file is missing, cannot be opened, is no JPEG or PNG, is damaged or cut off, or is larger than
-        `MOST_BYTES` or `MOST_PIXELS`; for depth pictures (gray with 16 bits), transparent, animated and CMYK
-        ones.
+    Raises PlacecatError for a file that is missing, cannot be opened, is neither JPEG nor PNG, is damaged or
+    cut off, or is larger than `MOST_BYTES` or `MOST_PIXELS`, and for depth pictures (gray, 16 bits),
+    transparent, animated and CMYK ones.
     """
     try:
         status = path.stat()
@@ -152,7 +122,7 @@ def read_image(path: Path) -> NDArray[np.uint8]:
             raise PlacecatError(f"{path}: the frame cannot be opened (not a file).")
         if status.st_size > MOST_BYTES:
             raise PlacecatError(
-                f"{path}: {status.st_size / 1e6:.0f} MB are no frame; take it out or convert it."
+                f"{path}: {status.st_size / 1e6:.0f} MB is too large for a frame; take it out or convert it."
             )
         content = path.read_bytes()
     except FileNotFoundError:
@@ -177,23 +147,9 @@ def decode_image(content: bytes, path: Path | str) -> NDArray[np.uint8]:
 
 
 def turned(image: NDArray[np.uint8], degrees: int) -> NDArray[np.uint8]:
-    """Turn a picture.
+    """Turn a picture, (H, W, 3) uint8, clockwise by 0, 90, 180 or 270 degrees; others are a PlacecatError.
 
-    Parameters
-    ----------
-    image
-        (H, W, 3) uint8.
-    degrees
-        Clockwise: 0, 90, 180 or 270.
-
-    Returns
-    -------
-    (H, W, 3) uint8, or (W, H, 3) by 90 and 270 degrees; `image` itself by 0.
-
-    Raises
-    ------
-    PlacecatError
-        For any other angle.
+    Returns (H, W, 3) uint8, or (W, H, 3) by 90 and 270 degrees; `image` itself by 0.
     """
     if degrees == 0:
         return image
@@ -209,28 +165,28 @@ def _visible(folder: Path) -> list[Path]:
         raise PlacecatError(f"{folder}: the folder cannot be read ({error.strerror}).") from None
 
 
-def _damaged(path: Path | str, size: int, why: str) -> PlacecatError:
-    return PlacecatError(
-        f"{path}: not a readable image ({size} bytes; {why}); restore the file, or take it out."
-    )
-
-
-def _check_size(path: Path | str, width: int, height: int) -> None:
-    """Before memory is taken for what the header says."""
+def check_size(path: Path | str, width: int, height: int) -> None:
+    """Refuse a picture of more than `MOST_PIXELS`, before memory is taken for it."""
     if width * height > MOST_PIXELS:
         raise PlacecatError(
             f"{path}: {width}x{height} pixels are more than {MOST_PIXELS // 10**6} million; scale it down."
         )
 
 
+def _damaged(path: Path | str, size: int, why: str) -> PlacecatError:
+    return PlacecatError(
+        f"{path}: not a readable image ({size} bytes; {why}); restore the file, or take it out."
+    )
+
+
 def _check_jpeg(path: Path | str, content: bytes) -> None:
-    """Refuse damage that OpenCV passes over: it fills in what it cannot decode."""
+    """Refuse damage that OpenCV passes over, since it fills in what it cannot decode."""
     try:
         height, width, colors, _ = simplejpeg.decode_jpeg_header(content)
-        _check_size(path, width, height)
+        check_size(path, width, height)
         if colors in ("CMYK", "YCCK"):
-            raise PlacecatError(f"{path}: its colours are {colors}, those of print; convert it to RGB.")
-        # All is decoded, but to an eighth of the width and height, in gray: a fifth of the time.
+            raise PlacecatError(f"{path}: its colours are {colors}, for printing; convert it to RGB.")
+        # This decodes all to gray and an eighth of the width and height, in a fifth of the time.
         simplejpeg.decode_jpeg(content, "GRAY", min_height=1, min_width=1, min_factor=8)
     except PlacecatError:
         raise
@@ -239,7 +195,7 @@ def _check_jpeg(path: Path | str, content: bytes) -> None:
 
 
 def _check_png(path: Path | str, content: bytes) -> None:
-    """Refuse chunks whose checksum is wrong, and kinds of PNG that are no frames."""
+    """Refuse chunks with a wrong checksum, and kinds of PNG that cannot be frames."""
     kinds: set[bytes] = set()
     at = len(_PNG)
     while b"IEND" not in kinds:
@@ -252,13 +208,13 @@ def _check_png(path: Path | str, content: bytes) -> None:
         kinds.add(content[at + 4 : at + 8])
         at = end + 4
     width, height, depth, color = struct.unpack_from(">IIBB", content, len(_PNG) + 8)
-    _check_size(path, width, height)
+    check_size(path, width, height)
     if depth == 16 and color in (0, 4):
         raise PlacecatError(
-            f"{path}: gray with 16 bits, as depth pictures are; take them out of the folder, or convert it."
+            f"{path}: gray with 16 bits, like a depth picture; take it out of the folder, or convert it."
         )
     if b"acTL" in kinds:
-        raise PlacecatError(f"{path}: an animated picture; take it out, or save its frames one by one.")
+        raise PlacecatError(f"{path}: the picture is animated; take it out, or save its frames one by one.")
     if (color in (4, 6) or b"tRNS" in kinds) and _is_transparent(content):
         raise PlacecatError(f"{path}: parts of it are transparent; save it without transparency.")
 

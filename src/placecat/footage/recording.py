@@ -1,4 +1,4 @@
-"""A video file: its frames with the numbers and times that the file gives them, and what of it is lost."""
+"""A video file: its frames with the numbers and times that the file gives them, and which are lost."""
 
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager
@@ -24,7 +24,7 @@ Size = tuple[int, int]
 MOST_PIXELS = 2**26
 """Of a frame; 8K video has half as many."""
 _FLATTEST = 4.0
-# A file is what it holds: lists of other files and addresses, which FFmpeg would follow, are none of these.
+# FFmpeg would follow lists of other files and addresses: they are left out.
 _FORMATS = "asf,avi,flv,h264,hevc,m4v,matroska,mov,mpeg,mpegts,mpegvideo,ogg"
 _OPENING = {"format_whitelist": _FORMATS, "protocol_whitelist": "file"}
 # BT.2020 with a curve that swscale converts (phones' HDR), to BT.709.
@@ -62,22 +62,15 @@ class Recording:
     """A video file, read by FFmpeg from its start.
 
     Opening it passes over its packets without decoding them: every packet of the video is a frame with
-    its time. A frame that cannot be decoded is lost; those after it keep their numbers and times.
-
-    Parameters
-    ----------
-    path
-        The file.
+    its time. A frame that cannot be decoded is lost; those after it keep their numbers and times. Raises
+    PlacecatError if the file is missing or is not a video.
 
     Attributes
     ----------
     count
-        Number of frames, those included that turn out to be lost.
-
-    Raises
-    ------
-    PlacecatError
-        If the file is missing or is not a video.
+        Number of frames, including those that turn out to be lost.
+    positions
+        (count,) int64: 0, 1, ...
     """
 
     def __init__(self, path: Path) -> None:
@@ -99,28 +92,16 @@ class Recording:
         return first.size
 
     def timing(self, fps: float | None = None, setting: str = "dataset.fps") -> timing.Timing:
-        """Find the times of all frames.
+        """The times of all frames: those of the file or, where these are wrong, by `fps` frames a second.
 
-        Parameters
-        ----------
-        fps
-            Frames a second, for a file whose times are wrong; None takes the times of the file.
-        setting
-            What sets `fps`, for messages.
-
-        Raises
-        ------
-        PlacecatError
-            If the file does not say when its frames are shown, or that cannot be.
+        The PlacecatError for a file with no times, or with impossible ones, names the `setting` of `fps`.
         """
         if fps is not None:
             return timing.even(self.count, fps)
-        found = None
         if self._ticks is not None:
             found = timing.measure(self._ticks, self._tick, self._last, self._rates)
         else:
-            said = [rate for rate in self._rates if rate is not None and 0 < rate <= timing.MOST_RATE]
-            found = timing.even(self.count, float(said[0])) if said else None
+            found = timing.usual(self.count, self._rates)
         if found is None:
             texts = ", ".join(sorted({f"{float(rate):g}" for rate in self._rates if rate})) or "none"
             raise PlacecatError(
@@ -153,12 +134,12 @@ class Recording:
 
     @property
     def lost(self) -> list[int]:
-        """Numbers of the frames that the last pass went over and did not get."""
+        """Numbers of the frames that the last pass could not decode."""
         return sorted(set(range(1, self._reached + 1)) - self._seen)
 
     @property
     def damaged(self) -> list[int]:
-        """Numbers of the frames that the last pass got, but with errors."""
+        """Numbers of the frames that the last pass decoded with errors."""
         return sorted(self._erroneous & self._seen)
 
     def note(self) -> str:
@@ -204,15 +185,13 @@ class Recording:
 
     @contextmanager
     def _opened(self) -> Iterator[tuple[av.container.InputContainer, VideoStream]]:
-        # Its errors are counted, and not shown.
+        # FFmpeg's errors are counted, not printed.
         av.logging.set_level(av.logging.PANIC)
         try:
             container = av.open(str(self.path.absolute()), options=_OPENING, metadata_errors="replace")
-        except OSError as error:
-            if isinstance(error, PermissionError):
-                raise PlacecatError(f"{self.path}: the video cannot be opened ({error.strerror}).") from None
-            raise self._unreadable() from None
-        except (av.FFmpegError, ValueError):
+        except PermissionError as error:
+            raise PlacecatError(f"{self.path}: the video cannot be opened ({error.strerror}).") from None
+        except (OSError, av.FFmpegError, ValueError):
             raise self._unreadable() from None
         with container:
             stream = self._stream(container)
@@ -230,7 +209,7 @@ class Recording:
         return PlacecatError(f"{self.path}: the video has no readable frame; restore or convert it.")
 
     def _stream(self, container: av.container.InputContainer) -> VideoStream:
-        """The first video; the cover of a file of music is none."""
+        """The first video; the cover of a music file does not count."""
         videos = [one for one in container.streams.video if not streams.is_cover(one)]
         if not videos:
             if container.streams.video:
@@ -257,7 +236,7 @@ class Recording:
     def _read_index(self, container: av.container.InputContainer, stream: VideoStream) -> None:
         """Find the timestamps of all frames, and whether the file is whole."""
         name = container.format.name
-        # Those that are cut off by the file itself do not count.
+        # Frames that an edit list cuts off do not count.
         entries = [entry for entry in stream.index_entries if not entry.is_discard] if "mov" in name else []
         announced = stream.frames if name == "avi" else len(entries)
         stamps: list[tuple[int | None, int | None]] = []
@@ -277,8 +256,9 @@ class Recording:
         if not stamps:
             raise self._empty()
         self.count, self._tick = len(stamps), stream.time_base or Fraction(1)
+        self.positions = np.arange(self.count)
         shown, coded = zip(*stamps, strict=True)
-        # AVI has the times of coding only.
+        # AVI only has the times of coding.
         is_known = name != "avi" and streams.are_times(shown) and streams.run_forward(coded)
         self._numbers = {pts: number for number, pts in enumerate(sorted(shown), 1)} if is_known else {}
         times = shown if is_known else coded
@@ -299,7 +279,7 @@ class Recording:
                 self._unread.append(f"it ends {until - furthest:.1f} s early: it may be cut off")
 
     def _decoded(self) -> Generator[Picture, None, None]:
-        """One pass, without the frames that one before it gave; _Damaged at an error if several at once."""
+        """One pass, without the frames that an earlier one gave; _Damaged at an error in fast decoding."""
         given, last = self._reached, 0
         with self._opened() as (container, stream):
             codec = stream.codec_context
@@ -333,7 +313,7 @@ class Recording:
 
 
 def are(numbers: list[int]) -> str:
-    """Give the verb for frames of these numbers."""
+    """The verb for frames of these numbers."""
     return "are" if len(numbers) > 1 else "is"
 
 

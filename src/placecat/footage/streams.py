@@ -11,13 +11,13 @@ _PATIENCE = 100
 
 
 def packets(container: av.container.InputContainer, stream: VideoStream | None = None) -> Iterator[av.Packet]:
-    """The packets of a file, those of one stream if it is given; damaged places are passed over."""
+    """The packets of a file or of one of its streams; damaged places are passed over."""
     failures = 0
     while failures < _PATIENCE:
         try:
             for packet in container.demux(stream) if stream is not None else container.demux():
                 failures = 0
-                # To the decoder an empty one would be the end.
+                # An empty packet would end the decoding.
                 if packet.size:
                     yield packet
         except av.FFmpegError:
@@ -27,13 +27,13 @@ def packets(container: av.container.InputContainer, stream: VideoStream | None =
 
 
 def is_frame(packet: av.Packet, stream: VideoStream) -> bool:
-    """Whether a packet is shown: not if it is cut off by the file itself, or only refers to others."""
+    """Whether a packet is shown: not if an edit list cuts it off, or if other frames only refer to it."""
     is_hidden = stream.codec_context.name in ("vp8", "libvpx") and not memoryview(packet)[0] & 0x10
     return not packet.is_discard and not is_hidden
 
 
 def is_cover(stream: VideoStream) -> bool:
-    """Whether a stream is the picture that belongs to a file of music."""
+    """Whether a stream is the cover picture of a music file."""
     return bool(stream.disposition & av.stream.Disposition.attached_pic)
 
 
@@ -49,7 +49,7 @@ def run_forward(stamps: tuple[int | None, ...]) -> bool:
 
 
 def drain(stream: VideoStream) -> None:
-    """Wait for the decoder's threads: one that reports an error while Python closes it waits for ever."""
+    """Let the decoder's threads end: one that reports an error while Python closes it waits for ever."""
     for _ in range(_PATIENCE):
         try:
             if not stream.codec_context.is_open or not stream.codec_context.decode(None):

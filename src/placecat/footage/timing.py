@@ -10,12 +10,11 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 MOST_RATE = 500.0
-"""Frames a second above which a rate is taken for a mistake: headers have 1,000 or 90,000, which are units of
-time; slow motion is filmed at 240."""
+"""Frames a second; a header with more, such as 1,000 or 90,000, gives units of time. Slow motion has 240."""
 LONGEST = 3600.0
-"""Seconds between two frames above which timestamps are taken for damaged."""
+"""Seconds between two frames; timestamps with a longer gap are damaged."""
 
-# Seconds: of a file that was copied from one that has milliseconds.
+# Seconds, in a file that was copied from one with milliseconds.
 _ROUNDING = 0.001
 
 
@@ -40,10 +39,21 @@ class Timing:
     fps: float
     is_even: bool
 
+    @property
+    def starts(self) -> NDArray[np.float64] | None:
+        """(n + 1,) seconds at which each frame starts and the last one ends; None if they come evenly."""
+        return None if self.is_even else np.append(self.seconds, self.end)
+
 
 def even(count: int, fps: float) -> Timing:
     """Times of frames of one rate."""
     return Timing(np.arange(count) / fps, count / fps, fps, True)
+
+
+def usual(count: int, rates: Sequence[Fraction | None]) -> Timing | None:
+    """Times of frames of the first plausible rate; None if no rate is plausible."""
+    said = _plausible(rates)
+    return even(count, float(said[0])) if said else None
 
 
 def measure(
@@ -51,8 +61,8 @@ def measure(
 ) -> Timing | None:
     """Find the times and the rate of frames.
 
-    Containers round times, some to milliseconds: times that are a multiple of a rate's period up to that are
-    of that rate, so that frames that come evenly have the times that their numbers have.
+    Containers round times, some to milliseconds. Times that are multiples of a rate's period up to such
+    rounding are of that rate, so that frames that come evenly get the times that their numbers give.
 
     Parameters
     ----------
@@ -70,17 +80,16 @@ def measure(
     Timing or None
         None if there is no plausible rate.
     """
-    said = [rate for rate in rates if rate is not None and 0 < rate <= MOST_RATE]
     if len(ticks) == 1:
-        return even(1, float(said[0])) if said else None
+        return usual(1, rates)
     times = (ticks - ticks[0]) * float(tick)
     steps = np.diff(times)
-    # Of a phone in the dark, or a picture that stood still, the rest.
+    # Longer steps come from a phone in the dark, or a picture that stood still.
     period = float(steps[steps <= 2 * np.quantile(steps, 0.25)].mean())
     if period * MOST_RATE < 1 - 1e-9:
         return None
     rounding = 1.01 * max(float(tick), min(_ROUNDING, period / 10))
-    for rate in map(float, said):
+    for rate in map(float, _plausible(rates)):
         numbers = np.rint(times * rate)
         is_grid = (np.diff(numbers) >= 1).all() and abs(period * rate - 1) < 0.2
         if is_grid and (np.abs(times - numbers / rate) <= rounding).all():
@@ -94,17 +103,7 @@ def measure(
 def check_gaps(found: Timing, title: str, setting: str) -> None:
     """Refuse times with a gap of more than `LONGEST` between two frames.
 
-    Parameters
-    ----------
-    title
-        The file, for the message.
-    setting
-        What sets the frame rate, for the message.
-
-    Raises
-    ------
-    PlacecatError
-        Naming the frame after the longest gap.
+    The PlacecatError names the frame after the gap, the file (`title`) and what sets the rate (`setting`).
     """
     steps = np.diff(found.seconds)
     if len(steps) and steps.max() > LONGEST:
@@ -112,3 +111,7 @@ def check_gaps(found: Timing, title: str, setting: str) -> None:
             f"{title}: frame {int(steps.argmax()) + 2} comes {steps.max() / 3600:.3g} hours after the one "
             f"before: its times are damaged; give the frame rate with {setting}."
         )
+
+
+def _plausible(rates: Sequence[Fraction | None]) -> list[Fraction]:
+    return [rate for rate in rates if rate is not None and 0 < rate <= MOST_RATE]

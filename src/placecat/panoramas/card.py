@@ -21,18 +21,10 @@ def card(
     settings: Mapping[str, Any],
     folder: str,
 ) -> str:
-    """Write the card.
+    """Write the card of homes, by the looks of their floors.
 
-    Parameters
-    ----------
-    plans
-        Home to floor to looks.
-    panoramas
-        All of the source, whether a frame shows them or not.
-    settings
-        Those of conf/panoramas.yaml.
-    folder
-        Name of the source's folder.
+    `panoramas` are all of the source, also those in no frame; `settings` are those of conf/panoramas.yaml;
+    `folder` is the name of the source's folder.
     """
     looks = [look for floors in plans.values() for own in floors.values() for look in own]
     by_home = {_plain(home): counts(floors) for home, floors in plans.items()}
@@ -59,5 +51,5 @@ def card(
 
 
 def _plain(text: str) -> str:
-    """A name that ends no cell and no code."""
+    """A name that can stand in a cell of a table and in code."""
     return one_line(text).replace("|", "/").replace("`", "'")

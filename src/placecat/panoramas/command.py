@@ -18,26 +18,18 @@ from placecat.settings import read_yaml
 
 SETTINGS = paths.CONF / "panoramas.yaml"
 LOOKS = "looks.csv"
-# The data set that reads what is written.
+# The data set that reads the homes.
 DATASET = "my_homes"
-# Panoramas in no frame that are named on the terminal; the card names all.
+# Of the panoramas in no frame the terminal names so many; the card names all.
 _NAMED = 5
 
 Plans = Mapping[str, Mapping[str, Sequence[Look]]]
 
 
 def read_settings(changes: Sequence[str] = (), path: Path = SETTINGS) -> dict[str, Any]:
-    """Read conf/panoramas.yaml.
+    """Read conf/panoramas.yaml, with Hydra overrides such as ``fps=10.0``.
 
-    Parameters
-    ----------
-    changes
-        Hydra overrides, e.g. ``fps=10.0``.
-
-    Raises
-    ------
-    PlacecatError
-        If it is missing, or has an unknown setting, lacks one, or has one of the wrong kind.
+    Raises PlacecatError if it is missing, or has an unknown setting, lacks one, or has one of the wrong kind.
     """
     content = conf_file.read(path, list(Panoramas.model_fields), changes)
     schema.check(content, Panoramas)
@@ -45,21 +37,10 @@ def read_settings(changes: Sequence[str] = (), path: Path = SETTINGS) -> dict[st
 
 
 def import_command(source: Path, destination: Path, changes: Sequence[str]) -> int:
-    """Turn panoramas into homes, and print what to do with them.
+    """Turn the panoramas of a folder into homes, and print the next command.
 
-    Parameters
-    ----------
-    source
-        The folder of the panoramas.
-    destination
-        A new folder; nothing stands there before all is written.
-    changes
-        As for :func:`read_settings`.
-
-    Returns
-    -------
-    int
-        0; mistakes raise PlacecatError and leave nothing behind.
+    The `destination` is a new folder, which appears when all is written; `changes` are as for
+    :func:`read_settings`. Returns 0; mistakes raise PlacecatError and leave nothing behind.
     """
     settings = read_settings(changes)
     classes = read_yaml(paths.CONF / "dataset" / f"{DATASET}.yaml")["classes"]
@@ -74,7 +55,7 @@ def import_command(source: Path, destination: Path, changes: Sequence[str]) -> i
             files.write_text(temporary / home / LABEL_FILE, label_file(floors))
             files.write_csv(temporary / home / LOOKS, looks_table(floors))
         files.write_text(temporary / card.FILE, card.card(plans, panoramas, settings, source.resolve().name))
-        # It may have come meanwhile.
+        # Another program may have made it meanwhile.
         _refuse_existing(destination)
     _print(destination, plans, classes, settings, panoramas)
     return 0
@@ -130,7 +111,7 @@ def _print(
         print(f"{len(absent)} of {_number(len(panoramas), 'panorama')} {verb} in no frame: {some}")
         print("More visits or a smaller longest_look show more of them.")
     print(f"{one_line(destination)}/{card.FILE} says how they were made.")
-    # More than two of them train beside the one that is tested and the one that is left out.
+    # One home is tested, one is left out, and two or more train.
     if len(plans) < 4:
         print("At least four homes are needed to train and test: add some.")
     else:
@@ -152,5 +133,5 @@ def _next(destination: Path, homes: Sequence[str], fps: float, *, is_complete: b
     if not is_complete:
         chosen.append("dataset.require_all_classes=false")
     words = " ".join(shlex.quote(one) for one in chosen)
-    # make's shell reads SET once more.
+    # The shell of make reads SET again.
     return f"placecat repro {words}" if set(words) & set('"$`\\') else f'make repro SET="{words}"'

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 FACES = ("front", "right", "back", "left", "up", "down")
 """The order of pictures in :func:`prepare`."""
-# Of each face the directions to the right, down and outwards, in the coordinates of placecat.panoramas.rays.
+# The directions to the right, down and outwards of each face, in the coordinates of placecat.panoramas.rays.
 _AXES = np.array(
     [
         [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
@@ -24,25 +24,17 @@ _AXES = np.array(
     ],
     dtype=np.float64,
 )
-# Pixels added around each face, so that interpolation goes on across its edges.
+# Pixels added around each face, for interpolation across its edges.
 _BORDER = 1
 # Faces lie in one picture in rows of three.
 _IN_ROW = 3
 
 
 def prepare(faces: Sequence[NDArray[np.uint8]], focal: float) -> NDArray[np.uint8]:
-    """Make the faces of a cube ready for :func:`look`.
+    """Make the faces of a cube, six (N, N, 3) uint8 in the order of `FACES`, ready for :func:`look`.
 
-    Parameters
-    ----------
-    faces
-        Six (N, N, 3) uint8, in the order of `FACES`.
-    focal
-        As for :func:`placecat.panoramas.sphere.prepare`.
-
-    Returns
-    -------
-    (2 (N' + 2), 3 (N' + 2), 3) uint8: the faces, each with a border of what its neighbours show.
+    `focal` is as for :func:`placecat.panoramas.sphere.prepare`. Returns (2 (N' + 2), 3 (N' + 2), 3) uint8:
+    the faces, each with a border of pixels of its neighbours.
     """
     side = min(len(faces[0]), int(np.ceil(2 * focal)))
     if side < len(faces[0]):
@@ -62,21 +54,12 @@ def prepare(faces: Sequence[NDArray[np.uint8]], focal: float) -> NDArray[np.uint
 
 
 def look(prepared: NDArray[np.uint8], rays: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """Give what is seen along rays, by bilinear interpolation.
+    """The view along rays, by bilinear interpolation: (h, w, 3) uint8.
 
-    Parameters
-    ----------
-    prepared
-        From :func:`prepare`.
-    rays
-        (h, w, 3) directions, as :func:`placecat.panoramas.rays.view_rays` gives them.
-
-    Returns
-    -------
-    (h, w, 3) uint8.
+    `prepared` is from :func:`prepare`; `rays` are (h, w, 3), from :func:`placecat.panoramas.rays.view_rays`.
     """
     tile = len(prepared) // 2
-    # The face that a ray meets is the one that it goes along farthest.
+    # A ray meets the face whose outward direction is nearest.
     outwards = rays @ _AXES[:, 2].T
     face = outwards.argmax(axis=-1)
     depth = np.take_along_axis(outwards, face[..., None], axis=-1)

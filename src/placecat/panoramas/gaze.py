@@ -1,4 +1,4 @@
-"""How the view turns within a panorama: from one direction to the next, as smoothly as a hand moves.
+"""Turns of the view in a panorama: from one direction to the next, as smoothly as a hand moves.
 
 References
 ----------
@@ -23,29 +23,23 @@ def gaze(
     rest: Sequence[float],
     rng: np.random.Generator,
 ) -> NDArray[np.float64]:
-    """Turn the view about for some frames.
+    """Turn the view for some frames, at least one.
 
     Parameters
     ----------
-    frames
-        At least one.
-    fps
-        Frames a second.
     fov, tilt
         Least and largest horizontal field of view, which stays constant, and tilt, in degrees.
-    turn
-        Least and largest turn to the left or to the right, in degrees.
-    speed
-        Least and largest mean speed of a turn, in degrees a second.
+    turn, speed
+        Least and largest turn to either side, in degrees, and its mean speed, in degrees a second.
     rest
         Shortest and longest rest between two turns, in seconds.
     rng
-        Source of every choice: the same path for every `fps`.
+        Source of every choice: the same path for every `fps`, the frames a second.
 
     Returns
     -------
     (frames, 3) float64
-        Pan, tilt and field of view in degrees. Pan goes on beyond 360.
+        Pan, tilt and field of view in degrees. Pan may exceed 360.
 
     Examples
     --------

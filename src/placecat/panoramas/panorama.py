@@ -16,14 +16,14 @@ class Panorama:
     home, floor
         Names of folders.
     room
-        A name of the room that is its own on the floor.
+        A name that no other room of the floor has.
     label
-        What kind of room it is.
+        The kind of room.
     files
         One equirectangular picture, or six faces of a cube in the order of `placecat.panoramas.cube.FACES`:
         POSIX paths relative to the folder of the source.
     origin
-        The file, and the line if there is one, that lists it, for messages.
+        The file, and the line if there is one, that lists it; for messages.
     """
 
     home: str
@@ -35,7 +35,7 @@ class Panorama:
 
 
 def kind(name: str) -> str:
-    """Give what a room is called without its number: in small letters, words joined by ``_``.
+    """The name of a room without its number: in small letters, words joined by ``_``.
 
     Examples
     --------
@@ -46,6 +46,6 @@ def kind(name: str) -> str:
 
 
 def labels_by_kind(labels: Mapping[str, Iterable[str]]) -> dict[str, str]:
-    """Give the label of every `kind` of room that the setting `labels` names."""
+    """The label of every `kind` of room that the setting `labels` names."""
     named = {kind(name): label for label, names in labels.items() for name in names}
     return named | {kind(label): label for label in labels}

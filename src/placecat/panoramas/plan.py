@@ -1,4 +1,4 @@
-"""Which frame of a home looks where: its walk, floor by floor."""
+"""The walk of a view through a home, floor by floor: where each frame looks."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ class Look:
     Attributes
     ----------
     panorama
-        Into which.
+        The panorama.
     stay
         Number of the stay on this floor, from 0.
     first
@@ -45,19 +45,10 @@ class Look:
 
 
 def plan(panoramas: Sequence[Panorama], settings: Mapping[str, Any]) -> dict[str, list[Look]]:
-    """Plan the walk through a home.
+    """Plan the walk through a home by its panoramas and the settings of conf/panoramas.yaml.
 
-    Parameters
-    ----------
-    panoramas
-        Those of one home.
-    settings
-        Those of conf/panoramas.yaml. Seeds are derived from the names of home and floor and from `walk`.
-
-    Returns
-    -------
-    dict
-        Floor to its looks in order, floors in natural order.
+    Seeds are derived from the names of home and floor and from the setting `walk`. Returns floor to its looks
+    in order, floors in natural order.
     """
     floors: dict[str, list[Look]] = {}
     for floor in sorted({one.floor for one in panoramas}, key=natural):
@@ -71,13 +62,13 @@ def plan(panoramas: Sequence[Panorama], settings: Mapping[str, Any]) -> dict[str
 def unseen(
     panoramas: Sequence[Panorama], plans: Mapping[str, Mapping[str, Sequence[Look]]]
 ) -> list[Panorama]:
-    """Give the panoramas that no look of any home shows, in their order."""
+    """The panoramas that no look of any home shows, in their order."""
     shown = {look.panorama for floors in plans.values() for looks in floors.values() for look in looks}
     return [one for one in panoramas if one not in shown]
 
 
 def seed(home: str, floor: str, number: int) -> int:
-    """Give the seed of a walk by the names of home and floor, and its number."""
+    """The seed of a walk by the names of home and floor, and its number."""
     return derive("panoramas", home, floor, number)
 
 

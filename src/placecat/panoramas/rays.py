@@ -1,4 +1,4 @@
-"""Where the pixels of a view look: a pinhole camera that is turned on the spot.
+"""Directions of the pixels of a view: a pinhole camera that turns on the spot.
 
 Directions are (x, y, z): x to the right, y down, z ahead, for the camera of a view that is neither panned nor
 tilted.
@@ -9,14 +9,9 @@ from numpy.typing import NDArray
 
 
 def focal_length(fov: float, width: int) -> float:
-    """Give the focal length in pixels.
+    """The focal length in pixels of a view, `width` pixels wide.
 
-    Parameters
-    ----------
-    fov
-        Horizontal field of view in degrees, above 0 and below 180.
-    width
-        Of the view, in pixels.
+    `fov` is its horizontal field of view in degrees, above 0 and below 180.
 
     Examples
     --------
@@ -27,20 +22,10 @@ def focal_length(fov: float, width: int) -> float:
 
 
 def view_rays(pan: float, tilt: float, fov: float, width: int, height: int) -> NDArray[np.float64]:
-    """Give the direction in which each pixel's centre looks.
+    """The direction of each pixel's centre: (height, width, 3) float64, not of unit length.
 
-    Parameters
-    ----------
-    pan, tilt
-        In degrees; pan is positive to the right, tilt upwards.
-    fov
-        As for :func:`focal_length`.
-    width, height
-        Of the view, in pixels; pixels are square, and the middle of the view looks along the axis.
-
-    Returns
-    -------
-    (height, width, 3) float64, not of unit length.
+    `pan` is positive to the right, `tilt` upwards, both in degrees; `fov` is as for :func:`focal_length`.
+    Pixels are square, and the axis goes through the middle of the view.
 
     Examples
     --------

@@ -15,7 +15,7 @@ from placecat.panoramas.rays import focal_length, view_rays
 def render(
     files: tuple[Path, ...], origin: str, path: NDArray[np.float64], width: int, height: int, quality: int
 ) -> list[bytes]:
-    """Look into a panorama.
+    """Look into a panorama: a JPEG file per frame.
 
     Parameters
     ----------
@@ -25,14 +25,8 @@ def render(
         Where they are listed, for messages.
     path
         (frames, 3) float64: pan, tilt and horizontal field of view in degrees.
-    width, height
-        Of a frame, in pixels.
-    quality
-        Of the JPEG files, 1 to 100.
-
-    Returns
-    -------
-    A JPEG file a frame.
+    width, height, quality
+        Of a frame: pixels, and JPEG quality from 1 to 100.
 
     Raises
     ------

@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-# Pixels added on every side, so that interpolation goes on across the seam and the poles.
+# Pixels added on every side, for interpolation across the seam and the poles.
 _BORDER = 1
 
 
@@ -14,24 +14,15 @@ def fits(height: int, width: int) -> bool:
 
 
 def prepare(picture: NDArray[np.uint8], focal: float) -> NDArray[np.uint8]:
-    """Make a panorama ready for :func:`look`.
+    """Make a panorama, (H, 2 H, 3) uint8, ready for :func:`look`: (H' + 2, 2 H' + 2, 3) uint8 with a border.
 
-    Parameters
-    ----------
-    picture
-        (H, 2 H, 3) uint8.
-    focal
-        Focal length of the longest view, in pixels. A panorama with more pixels an angle than this view
-        has in its middle is scaled down, since bilinear interpolation alone would skip pixels.
-
-    Returns
-    -------
-    (H' + 2, 2 H' + 2, 3) uint8: what continues it on all sides is added.
+    `focal` is the largest focal length of the views, in pixels. A panorama with more pixels per angle than
+    this view has in its middle is scaled down, since bilinear interpolation alone would skip pixels.
     """
     side = int(np.ceil(np.pi * focal))
     if side < len(picture):
         picture = cv2.resize(picture, (2 * side, side), interpolation=cv2.INTER_AREA)  # type: ignore[assignment]
-    # Beyond a pole the other half of the same row follows.
+    # The other half of the same row lies beyond a pole.
     half = picture.shape[1] // 2
     rows = [np.roll(picture[:1], half, axis=1), picture, np.roll(picture[-1:], half, axis=1)]
     whole = np.concatenate(rows)
@@ -39,18 +30,9 @@ def prepare(picture: NDArray[np.uint8], focal: float) -> NDArray[np.uint8]:
 
 
 def look(prepared: NDArray[np.uint8], rays: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """Give what is seen along rays, by bilinear interpolation.
+    """The view along rays, by bilinear interpolation: (h, w, 3) uint8.
 
-    Parameters
-    ----------
-    prepared
-        From :func:`prepare`.
-    rays
-        (h, w, 3) directions, as :func:`placecat.panoramas.rays.view_rays` gives them.
-
-    Returns
-    -------
-    (h, w, 3) uint8.
+    `prepared` is from :func:`prepare`; `rays` are (h, w, 3), from :func:`placecat.panoramas.rays.view_rays`.
     """
     height, width = (size - 2 * _BORDER for size in prepared.shape[:2])
     x, y, z = np.moveaxis(rays, -1, 0)

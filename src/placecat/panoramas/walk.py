@@ -1,33 +1,21 @@
-"""A walk through the rooms of a floor: which room when, for how long, and which of its panoramas."""
+"""A walk through the rooms of a floor: the order of rooms and panoramas, and the time in each."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import cycle
+from typing import NamedTuple
 
 import numpy as np
 
 
-@dataclass(frozen=True)
-class Room:
-    """A room and its panoramas, by their numbers."""
+class Room(NamedTuple):
+    """The label of a room and the numbers of its panoramas."""
 
     label: str
     panoramas: tuple[int, ...]
 
 
-@dataclass(frozen=True)
-class Part:
-    """Frames in which the view stays in one panorama.
-
-    Attributes
-    ----------
-    stay
-        Number of the stay that it belongs to, from 0.
-    room, panorama
-        Numbers.
-    frames
-        At least one.
-    """
+class Part(NamedTuple):
+    """A number of frames, at least one, in one panorama; the others are numbers, stays from 0."""
 
     stay: int
     room: int
@@ -49,10 +37,9 @@ def walk(
 ) -> list[Part]:
     """Walk through the rooms of a floor.
 
-    Every room is entered once in the first round, in the following ones those that are visited again. No room
-    follows itself. Rooms of a label in `ways` are only passed through: one of them lies between any
-    two others. Those that a walk might not come through, since there are too many of them, are entered as
-    the others are.
+    The first round enters every room, the next ones those that are visited again. No room follows itself.
+    Rooms of a label in `ways` are only passed through: one of them lies between any two others. If there are
+    too many ways for the walk to pass, it enters the rest like other rooms.
 
     Parameters
     ----------
@@ -65,11 +52,11 @@ def walk(
     ways
         Labels of rooms that a person passes.
     stays, other_stays
-        Label to the mean length of a stay and its standard deviation, in seconds, which a gamma distribution
-        has; of all other labels.
+        Mean and standard deviation, in seconds, of a stay, which has a gamma distribution: by label, and for
+        all other labels.
     shortest_stay, longest_look
-        In seconds. A stay that is longer than `longest_look` is shared by several panoramas of the room, as
-        far as it has them.
+        In seconds. The panoramas of a room share a stay that is longer than `longest_look`, if there are
+        several.
     rng
         Source of every choice.
 

@@ -16,26 +16,15 @@ from placecat.vision.regions import radius
 
 Color = tuple[int, int, int]
 LEAST_HEIGHT, MOST_HEIGHT = 480, 540
-"""Smaller frames are enlarged, for the text to be readable; larger ones reduced, since OpenCV's MPEG-4 is
-large (about 0.1 MB a frame at this size) and has no setting for it."""
+"""Smaller frames are enlarged, so that the text is readable; larger ones are reduced, for a smaller video."""
 _PAPER, _INK, _GREY, _LIGHT = (255, 255, 255), (34, 34, 34), (120, 120, 120), (232, 232, 232)
 _RIM, _REGION = (30, 30, 30), (120, 235, 255)
 
 
 class Annotator:
-    """Draws frames of one size.
+    """Draws frames of one size, (width, height).
 
-    Parameters
-    ----------
-    classes
-        Places.
-    size
-        (width, height) of the frames.
-
-    Attributes
-    ----------
-    size
-        (width, height) of the pictures; both even, as videos need them.
+    The attribute `size` is the (width, height) of the pictures; both are even, as videos need them.
     """
 
     def __init__(self, classes: Sequence[str], size: tuple[int, int]) -> None:
@@ -53,21 +42,7 @@ class Annotator:
         self.size = (width + self._panel + (width + self._panel) % 2, height + height % 2)
 
     def __call__(self, frame: Frame, decision: Decision, label: str | None = None) -> NDArray[np.uint8]:
-        """Draw a frame.
-
-        Parameters
-        ----------
-        frame
-            Its image has the size that the annotator was made for.
-        decision
-            What the system made of it.
-        label
-            The true place, if it is known.
-
-        Returns
-        -------
-        (height, width, 3) uint8, BGR.
-        """
+        """Draw a frame of the given size, with the true place if it is known: (h, w, 3) uint8, BGR."""
         picture = np.full((self.size[1], self.size[0], 3), 255, np.uint8)
         image = cv2.resize(frame.image, (self._width, self._height), interpolation=self._method)
         self._regions(image, decision.regions)  # type: ignore[arg-type]
@@ -121,7 +96,7 @@ class Annotator:
         thick, thin = max(2, round(0.3 * row)), max(1, round(0.09 * row))
         for number, name in enumerate(self._classes):
             y = top + number * row
-            # The most that a long name may take is what the number leaves.
+            # A long name is cut where the number begins.
             is_best = name == decision.place
             write(
                 picture[:, : right - 3 * size], palette.place_title(name), (left, y), size, _INK, bold=is_best

@@ -12,45 +12,39 @@ from placecat.errors import PlacecatError
 from placecat.footage.timing import MOST_RATE
 from placecat.predict.frame import Frame, Source
 
-# Assumed of a camera that does not say, or says what cannot be, as streams do (90,000).
+# Assumed for a camera that gives no rate or an impossible one, such as the 90,000 of streams.
 USUAL_FPS = 30.0
-# Failures to read in a row after which a camera counts as gone, and the wait after each, in seconds.
+# A camera is gone after so many failures to read in a row; the pause after each is in seconds.
 _FAILURES, _PAUSE = 10, 0.05
 PATIENCE = 10.0
-"""Seconds without a frame after which a camera counts as gone."""
+"""Seconds without a frame after which a camera is gone."""
 
 
 class Camera(Source):
     """Frames as they come.
 
-    A thread reads all that the camera delivers, so that no queue of old frames builds up in the driver, and
-    keeps the newest. The footage ends when the camera stops delivering.
+    A thread reads all that the camera delivers and keeps the newest, so that no queue of old frames builds up
+    in the driver. The footage ends when the camera stops delivering. Raises PlacecatError if it cannot be
+    opened or gives no frame.
 
     Parameters
     ----------
     address
         Number of a camera, or address of a stream.
-    name
-        For the folder of results.
+    name, title
+        For the folder of results, and for messages.
     fps
         Frames a second; None takes what the camera says.
     size
-        (width, height) that a numbered camera is asked for; what it gives may differ.
-    title
-        For messages.
+        (width, height) that a numbered camera is asked for; its frames may have another.
 
     Attributes
     ----------
     arrived
         Frames that the camera delivered until the last one was taken.
-
-    Raises
-    ------
-    PlacecatError
-        If it cannot be opened or gives no frame.
     """
 
-    is_live = True
+    is_live, timing = True, None
 
     def __init__(
         self, address: int | str, name: str, fps: float | None, size: tuple[int, int], *, title: str
@@ -58,18 +52,15 @@ class Camera(Source):
         self.name = name
         self.arrived = 0
         if isinstance(address, int):
+            question = "is it connected, and not in use? Other cameras are camera:1, camera:2, ..."
             self._capture = cv2.VideoCapture(address)
             self._capture.set(cv2.CAP_PROP_FRAME_WIDTH, size[0])
             self._capture.set(cv2.CAP_PROP_FRAME_HEIGHT, size[1])
         else:
+            question = "is the address right, and the stream running?"
             self._capture = cv2.VideoCapture(address, cv2.CAP_FFMPEG)
         if not self._capture.isOpened():
-            raise PlacecatError(
-                f"{title} cannot be opened: is it connected, and used by no other program? Other "
-                "cameras are camera:1, camera:2, ..."
-                if isinstance(address, int)
-                else f"{title} cannot be opened: is the address right, and the stream running?"
-            )
+            raise PlacecatError(f"{title} cannot be opened: {question}")
         done, first = self._capture.read()
         if not done or first is None:
             self._capture.release()
@@ -83,7 +74,7 @@ class Camera(Source):
         self._is_over = False
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Wait for frames that were not taken yet; `every` is for files."""
+        """Wait for each new frame; `every` is for files."""
         thread = threading.Thread(target=self._read, name="camera", daemon=True)
         thread.start()
         start: float | None = None
@@ -105,7 +96,7 @@ class Camera(Source):
                 self._capture.release()
 
     def _wait(self) -> None:
-        # In short waits, since a long one does not answer Ctrl-C on every system.
+        # On some systems Ctrl-C does not end a long wait.
         until = time.monotonic() + PATIENCE
         while self._newest is None and not self._is_over and time.monotonic() < until:
             self._news.wait(0.2)
@@ -127,11 +118,3 @@ class Camera(Source):
                 else:
                     self._is_over = True
                 self._news.notify_all()
-
-    def count(self) -> int | None:
-        """Not known."""
-        return None
-
-    def exact_count(self) -> int:
-        """Refuse: a camera's frames cannot be labelled before they are taken."""
-        raise PlacecatError("--labels is for files: a camera's frames have no labels yet")

@@ -25,14 +25,14 @@ from placecat.predict.home import PREFIX, DataSetHome, data_set
 from placecat.predict.notes import notes
 from placecat.predict.prediction import Prediction
 from placecat.predict.run import Speed, Wish, run, true_label
-from placecat.predict.sources import BagSource, Folder, open_source, without_password
+from placecat.predict.sources import Folder, open_source, without_password
 from placecat.progress import Progress
 
 TIMELINE, SPEED = "timeline.png", "speed.json"
 ANNOTATED = "annotated"
-# What the terminal shows of the segments; the file has all.
+# Segments on the terminal; the file has all.
 SHOWN_SEGMENTS = 12
-# Frames of which one is taken.
+# The largest --every.
 MOST_EVERY = 1_000_000
 
 
@@ -58,18 +58,30 @@ class Options:
 
     @property
     def exports(self) -> dict[str, Path]:
-        """Ending to the file that is wanted."""
-        wanted = {".mcap": self.mcap, ".rrd": self.rerun}
-        return {ending: path for ending, path in wanted.items() if path is not None}
+        """The files that are wanted, by their options."""
+        return {option: path for option in exports.OPTIONS if (path := getattr(self, option)) is not None}
+
+
+@dataclass(frozen=True)
+class _Job:
+    """The footage, the system and how frames are fitted to it; the labels of all frames, if there are any."""
+
+    options: Options
+    source: Source
+    categorizer: Categorizer
+    fit: Fit
+    labels: NDArray[np.int16] | None
+
+    @property
+    def title(self) -> str | None:
+        """The title of the system."""
+        return self.categorizer.card.get("title")
 
 
 def predict_command(options: Options) -> int:
     """Apply a trained system to footage, write the results and print a summary.
 
-    Returns
-    -------
-    int
-        0; mistakes raise PlacecatError and leave nothing behind.
+    Returns 0; mistakes raise PlacecatError and leave nothing behind.
     """
     _check(options)
     _quiet()
@@ -82,11 +94,10 @@ def predict_command(options: Options) -> int:
     chosen = fit(source.size, categorizer.frame_sizes, resize=options.resize)
     if options.labels is None:
         labels = source.truth(categorizer.classes, options.ignore)
+    elif source.timing is None:
+        raise PlacecatError("--labels is for files: a camera's frames have no labels yet")
     else:
-        count = source.exact_count()
-        labels = truth.read(
-            options.labels, count, source.fps, categorizer.classes, options.ignore, source.starts()
-        )
+        labels = truth.read(options.labels, source.timing, categorizer.classes, options.ignore)
     read = [options.model, *([options.labels] if options.labels else [])]
     read += [Path(options.source)] if Path(options.source).exists() else []
     with destination.reserved(
@@ -98,7 +109,7 @@ def predict_command(options: Options) -> int:
         force=options.force,
     ) as folder:
         exports.check(options.exports, folder, read, force=options.force)
-        _write(folder, options, source, chosen, categorizer, labels)
+        _write(folder, _Job(options, source, categorizer, chosen, labels))
     return 0
 
 
@@ -114,18 +125,12 @@ def _open(options: Options, categorizer: Categorizer) -> Source:
     )
 
 
-def _write(
-    folder: Path,
-    options: Options,
-    source: Source,
-    chosen: Fit,
-    categorizer: Categorizer,
-    labels: NDArray[np.int16] | None,
-) -> None:
+def _write(folder: Path, job: _Job) -> None:
     """Predict into a folder, and print a summary."""
-    _announce(options, source, chosen, categorizer)
+    _announce(job)
+    options, source, categorizer, labels = job.options, job.source, job.categorizer, job.labels
     with (
-        exports.opened(options.exports, categorizer.classes, chosen.target, source.start) as exported,
+        exports.opened(options.exports, categorizer.classes, job.fit.target, source.start) as exported,
         files.replacing(folder) as temporary,
     ):
         temporary.mkdir()
@@ -139,7 +144,7 @@ def _write(
                 progress.set_postfix_str(f"{decision.place} {decision.confidence:.0%}", refresh=False)
                 progress.update()
 
-            prediction, speed, was_stopped = run(categorizer, source, chosen, wish, show)
+            prediction, speed, was_stopped = run(categorizer, source, job.fit, wish, show)
         if was_stopped:
             print("Stopped; the results so far are written.")
         shown = None if labels is None else labels[prediction.numbers - 1]
@@ -148,10 +153,10 @@ def _write(
         tables.write_segments(temporary / tables.SEGMENTS, prediction)
         tables.write_visits(temporary / tables.VISITS, prediction)
         with house_style():
-            title = f"{source.name}: {categorizer.card.get('title', 'places')}"
+            title = f"{source.name}: {job.title or 'places'}"
             save(timeline.draw(prediction, title, shown), temporary / TIMELINE)
         files.write_json(temporary / SPEED, _speed(speed, source))
-        content = _summary(options, source, chosen, categorizer, prediction, agreement)
+        content = _summary(job, prediction, agreement)
         content["files"] = sorted([*(path.name for path in temporary.iterdir()), destination.SUMMARY])
         content |= destination.checksums(temporary, tables.TABLES)
         files.write_json(temporary / destination.SUMMARY, content)
@@ -159,7 +164,7 @@ def _write(
     for name, copy in kept.items():
         note = f"{one_line(name)} was added or edited: it is kept as {one_line(folder / copy)}"
         print(f"placecat: note: {note}", file=sys.stderr)
-    _print(folder, options, source, prediction, speed, content)
+    _print(folder, job, prediction, speed, content)
 
 
 def _check(options: Options) -> None:
@@ -182,18 +187,19 @@ def _quiet() -> None:
     """One message of ours, instead of several of FFmpeg's and OpenCV's."""
     os.environ.setdefault("OPENCV_FFMPEG_LOGLEVEL", "-8")
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
-    # Of a title in letters that the font of the timeline lacks.
+    # For a title in letters that the font of the timeline lacks.
     warnings.filterwarnings("ignore", message="Glyph .* missing from font")
 
 
-def _announce(options: Options, source: Source, chosen: Fit, categorizer: Categorizer) -> None:
-    print(f"{categorizer.card.get('title', options.model)}: {', '.join(categorizer.classes)}")
+def _announce(job: _Job) -> None:
+    options, source, categorizer = job.options, job.source, job.categorizer
+    print(f"{job.title or options.model}: {', '.join(categorizer.classes)}")
     if note := categorizer.card["data"].get("note"):
         print(note)
     print(unknown_text(categorizer.card))
-    if chosen.source != chosen.target:
-        print(f"Frames: {chosen}.")
-    if isinstance(source, BagSource):
+    if job.fit.source != job.fit.target:
+        print(f"Frames: {job.fit}.")
+    if source.topic:
         print(f"Topic: {source.topic}.")
     if isinstance(source, Folder) and options.fps is None:
         print(f"A folder has no frame rate: {source.fps:g} frames/s, as the model's footage (--fps sets it).")
@@ -205,13 +211,10 @@ def _announce(options: Options, source: Source, chosen: Fit, categorizer: Catego
 
 def _total(source: Source, wish: Wish) -> int | None:
     """Number of frames to categorize, probably; None if it is not known."""
-    total = source.count()
-    if total is not None and wish.seconds is not None:
-        if (starts := source.starts()) is None:
-            total = min(total, int(np.ceil(wish.seconds * source.fps)))
-        else:
-            total = int(np.searchsorted(starts[:-1], wish.seconds))
-    return None if total is None else -(-total // wish.every)
+    if source.timing is None:
+        return None
+    taken = np.searchsorted(source.timing.seconds, np.inf if wish.seconds is None else wish.seconds)
+    return -(-int(taken) // wish.every)
 
 
 def _speed(speed: Speed, source: Source) -> dict[str, float]:
@@ -223,56 +226,40 @@ def _speed(speed: Speed, source: Source) -> dict[str, float]:
     }
 
 
-def _summary(
-    options: Options,
-    source: Source,
-    chosen: Fit,
-    categorizer: Categorizer,
-    prediction: Prediction,
-    agreement: dict[str, Any] | None,
-) -> dict[str, Any]:
-    card, damage = categorizer.card, source.damage()
-    # Of whole footage nothing.
+def _summary(job: _Job, prediction: Prediction, agreement: dict[str, Any] | None) -> dict[str, Any]:
+    card, damage = job.categorizer.card, job.source.damage()
+    # Left out for whole footage.
     odd = {
         "lost_frames": list(damage.lost),
         "damaged_frames": list(damage.damaged),
         "turned_frames": list(prediction.turned),
-        "notes": notes(source, prediction, categorizer),
+        "notes": notes(job.source, prediction, job.categorizer),
     }
     return {
-        "source": without_password(options.source),
-        "camera": source.is_live,
+        "source": without_password(job.options.source),
+        "camera": job.source.is_live,
         "model": {name: card.get(name) for name in ("title", "placecat", "data")},
-        "classes": list(categorizer.classes),
-        "every": options.every,
-        "frame_size": list(chosen.source),
-        "kept": list(chosen.kept),
-        "scaled_to": list(chosen.target),
+        "classes": list(job.categorizer.classes),
+        "every": job.options.every,
+        "frame_size": list(job.fit.source),
+        "kept": list(job.fit.kept),
+        "scaled_to": list(job.fit.target),
         **{name: value for name, value in odd.items() if value},
     } | report.facts(prediction, agreement)
 
 
-def _print(
-    folder: Path,
-    options: Options,
-    source: Source,
-    prediction: Prediction,
-    speed: Speed,
-    content: dict[str, Any],
-) -> None:
-    """Print what the summary holds, the notes first."""
+def _print(folder: Path, job: _Job, prediction: Prediction, speed: Speed, content: dict[str, Any]) -> None:
+    """Print the summary, its notes first."""
     for note in content.get("notes", []):
         print(f"placecat: note: {note}", file=sys.stderr)
-    print("\nShare of time:")
-    print("\n".join(report.shares(prediction)))
-    print("\nSegments:")
-    print("\n".join(report.segment_lines(prediction, SHOWN_SEGMENTS)))
+    print("\nShare of time:", *report.shares(prediction), sep="\n")
+    print("\nSegments:", *report.segment_lines(prediction, SHOWN_SEGMENTS), sep="\n")
     if (agreement := content["agreement"]) is not None:
-        print()
-        print("\n".join(report.confusions(prediction.classes, agreement)))
+        print("", *report.confusions(prediction.classes, agreement), sep="\n")
+    source = job.source
     dropped = source.arrived - speed.frames if isinstance(source, Camera) else None
-    print(f"\n{len(prediction.numbers)} frames: ", end="")
-    print(report.speed_text(speed, options.every, source.fps, dropped=dropped))
+    text = report.speed_text(speed, job.options.every, source.fps, dropped=dropped)
+    print(f"\n{len(prediction.numbers)} frames: {text}")
     print(f"{one_line(folder)}: {', '.join(sorted(path.name for path in folder.iterdir()))}")
-    for path in options.exports.values():
+    for path in job.options.exports.values():
         print(one_line(path))

@@ -1,4 +1,4 @@
-"""The folder of results, and what in it may be replaced."""
+"""The folder of results: which of its files may be replaced."""
 
 import json
 import shutil
@@ -22,37 +22,27 @@ _CHECKED = "sha256"
 def reserved(
     output: Path | None, name: str, source: str, read: list[Path], *, is_live: bool, force: bool
 ) -> Iterator[Path]:
-    """Give the folder to write, to this prediction alone.
+    """Reserve the folder to write for this prediction alone; parameters as for :func:`check`.
 
-    It is `output`, or predictions/NAME; of a camera the first of NAME, NAME_2, ... that does not exist and
-    that no other prediction is going to write.
-
-    Parameters
-    ----------
-    source, read, force
-        As for :func:`check`.
-
-    Raises
-    ------
-    PlacecatError
-        As :func:`check`, or if another prediction is writing it.
+    It is `output`, or predictions/NAME; for a camera the first of NAME, NAME_2, ... that does not exist and
+    that no other prediction writes. Errors are those of :func:`check`, and one for a folder in use.
     """
     # A file may be called `...mp4`.
     name = name if name.strip(". ") else "footage"
     is_numbered = is_live and output is None
     for number in count(1):
         folder = output or Path("predictions") / (name if number == 1 else f"{name}_{number}")
-        # What a link leads to is written, and the link stays.
+        # The target of a link is written, and the link stays.
         folder = folder.resolve() if folder.is_symlink() else folder
         if is_numbered and folder.exists():
             continue
         check(folder, source, read, force=force)
         is_new = not folder.parent.exists()
-        # The system takes it back if this process is killed.
+        # The system releases it if this process is killed.
         lock = FileLock(folder.with_name(f".{folder.name}.lock"))
         try:
             folder.parent.mkdir(parents=True, exist_ok=True)
-            # To the lock, what cannot be written is held by somebody.
+            # Otherwise the lock would take a file that cannot be written for one that is held.
             Path(lock.lock_file).touch()
             lock.acquire(timeout=0)
         except Timeout:
@@ -78,24 +68,19 @@ def reserved(
 
 
 def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
-    """Refuse to replace what cannot be made again.
+    """Refuse to replace files that cannot be made again; the PlacecatError names what is in the way.
 
     Parameters
     ----------
     folder
-        Where results will stand.
+        Of the results.
     source
-        What is predicted, as the user gave it.
+        The footage, as the user gave it.
     read
-        Files and folders that are read: they may not be in there.
+        Files and folders that are read: they may not be in the folder.
     force
-        Replace a prediction of another source or one that was edited (:func:`keep`). What is not a prediction
-        is never replaced.
-
-    Raises
-    ------
-    PlacecatError
-        Naming what is in the way.
+        Replace a prediction of another source or one that was edited (:func:`keep`). Other things than a
+        prediction are never replaced.
     """
     files.check_target(folder)
     for path in read:
@@ -128,21 +113,11 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
 
 
 def keep(folder: Path, new: Path) -> dict[str, str]:
-    """Copy what was added to a prediction, or edited, into the one that replaces it.
+    """Copy files that were added to a prediction, or edited, into the complete one that replaces it.
 
-    Parameters
-    ----------
-    folder
-        The prediction that is there, if any.
-    new
-        The new one, complete.
-
-    Returns
-    -------
-    dict
-        Name of each such file or folder to the name of its copy: the same or, if the new prediction has that,
-        ``NAME.edited.csv``, ``NAME.edited_2.csv``, ... The summary does not list it, so that the next
-        prediction keeps it, too.
+    Returns the name of each such file or folder and that of its copy: the same or, if the new prediction has
+    that, ``NAME.edited.csv``, ``NAME.edited_2.csv``, ... The summary does not list the copy, so that the next
+    prediction keeps it, too.
     """
     summary = _summary(folder)
     kept: dict[str, str] = {}

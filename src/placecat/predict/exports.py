@@ -6,12 +6,16 @@ from pathlib import Path
 
 from placecat import files
 from placecat.errors import PlacecatError
-from placecat.predict import mcap_file, rerun_file
 from placecat.predict.mcap_file import McapFile
 from placecat.predict.rerun_file import RerunFile
 
 Export = McapFile | RerunFile
-_KINDS = {".mcap": ("--mcap", mcap_file), ".rrd": ("--rerun", rerun_file)}
+# By option: the ending of the file, and its kind.
+_KINDS: dict[str, tuple[str, type[McapFile] | type[RerunFile]]] = {
+    "mcap": (".mcap", McapFile),
+    "rerun": (".rrd", RerunFile),
+}
+OPTIONS = tuple(_KINDS)
 
 
 def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, force: bool) -> None:
@@ -20,7 +24,7 @@ def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, for
     Parameters
     ----------
     wanted
-        Ending (``.mcap``, ``.rrd``) to the file.
+        One of `OPTIONS` to the file.
     folder
         Of the results: it will be replaced.
     read
@@ -33,18 +37,18 @@ def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, for
     PlacecatError
         If a package is missing, a name ends otherwise, or something is in the way.
     """
-    for ending, path in wanted.items():
-        option, module = _KINDS[ending]
-        module.require()
+    for option, path in wanted.items():
+        ending, kind = _KINDS[option]
+        kind.require()
+        given = f"--{option} is {path}"
         if path.suffix != ending:
-            raise PlacecatError(f"{option} is {path}: give a name that ends with {ending}")
-        for other in read:
-            if path.resolve().is_relative_to(other.resolve()):
-                raise PlacecatError(f"{option} is {path}, which is read: give another name")
+            raise PlacecatError(f"{given}: give a name that ends with {ending}")
+        if any(path.resolve().is_relative_to(other.resolve()) for other in read):
+            raise PlacecatError(f"{given}, which is read: give another name")
         if path.resolve().is_relative_to(folder.resolve()):
-            raise PlacecatError(f"{option} is {path}, in {folder}, which is replaced: give another name")
+            raise PlacecatError(f"{given}, in {folder}, which is replaced: give another name")
         if path.exists() and not force:
-            raise PlacecatError(f"{option} is {path}, which exists: give another name, or --force")
+            raise PlacecatError(f"{given}, which exists: give another name, or --force")
         files.check_writable(path)
 
 
@@ -54,23 +58,14 @@ def opened(
 ) -> Iterator[list[Export]]:
     """Open what :func:`check` accepts; the files get their names if the block succeeds.
 
-    Parameters
-    ----------
-    wanted
-        As for :func:`check`.
-    classes
-        Places.
-    size
-        (width, height) of the frames that are added.
-    start
-        Nanoseconds since 1970 of the first frame; 0 if it is not known.
+    `size` is the (width, height) of the frames, `start` the nanoseconds since 1970 of the first; 0 if that is
+    not known.
     """
     with ExitStack() as stack:
         exports: list[Export] = []
-        for ending, path in wanted.items():
+        for option, path in wanted.items():
             temporary = stack.enter_context(files.replacing(path))
-            if ending == ".mcap":
-                exports.append(stack.enter_context(McapFile(temporary, path.stem, classes, size, start)))
-            else:
-                exports.append(stack.enter_context(RerunFile(temporary, path.stem, classes, start)))
+            export: Export = _KINDS[option][1](temporary, path.stem, classes, size, start)
+            stack.enter_context(export)
+            exports.append(export)
         yield exports

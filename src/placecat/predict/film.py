@@ -1,4 +1,4 @@
-"""Pictures into a video."""
+"""Writes pictures into a video."""
 
 from fractions import Fraction
 from pathlib import Path
@@ -22,19 +22,8 @@ _CODECS = {
 class Film:
     """A video file that is being written.
 
-    Parameters
-    ----------
-    path
-        Ends with .mp4 (H.264) or .webm (VP8).
-    fps
-        Frames a second.
-    size
-        (width, height), both even.
-
-    Raises
-    ------
-    PlacecatError
-        If this FFmpeg cannot write it, or, at the end of a ``with`` block, did not write all of it.
+    `path` ends with .mp4 (H.264) or .webm (VP8), `fps` are frames a second, `size` is (width, height), both
+    even. Raises PlacecatError if this FFmpeg cannot write it or, at the end of a ``with`` block, all of it.
     """
 
     def __init__(self, path: Path, fps: float, size: tuple[int, int]) -> None:
@@ -56,14 +45,9 @@ class Film:
         self._stream.pix_fmt = "yuv420p"
 
     def add(self, picture: NDArray[np.uint8], seconds: float) -> None:
-        """Add a picture.
+        """Add a picture, (height, width, 3) uint8, BGR, up to the seconds at which it was taken.
 
-        Parameters
-        ----------
-        picture
-            (height, width, 3) uint8, BGR.
-        seconds
-            When it was taken: it is repeated up to this time, so that the film runs in real time.
+        It is repeated up to then, so that the film runs in real time.
         """
         for _ in range(round(seconds * self._fps) + 1 - self._count):
             self._write(VideoFrame.from_ndarray(picture, "bgr24"))

@@ -1,11 +1,14 @@
-"""Footage, and one frame."""
+"""Footage and its frames."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from placecat.footage.timing import Timing
 
 
 @dataclass(frozen=True, eq=False)
@@ -15,7 +18,7 @@ class Frame:
     Attributes
     ----------
     number
-        From 1; in a camera's footage, of the frames that were taken.
+        From 1; for a camera, among the frames that were taken.
     seconds
         Since the first frame.
     file
@@ -23,7 +26,7 @@ class Frame:
     image
         (H, W, 3) uint8, BGR.
     begins
-        Whether there is a cut before it, after which the system starts again.
+        Whether a cut precedes it, after which the system starts again.
     """
 
     number: int
@@ -38,19 +41,8 @@ def nanoseconds(seconds: float) -> int:
     return round(seconds * 1e9)
 
 
-@dataclass(frozen=True)
-class Damage:
-    """Lost and damaged frames of footage.
-
-    Attributes
-    ----------
-    lost
-        Numbers of frames that cannot be decoded.
-    damaged
-        Numbers of frames that were decoded with errors.
-    note
-        In words; may be empty.
-    """
+class Damage(NamedTuple):
+    """Numbers of the frames that cannot be decoded, of those that were decoded with errors, and a note."""
 
     lost: Sequence[int] = ()
     damaged: Sequence[int] = ()
@@ -64,56 +56,39 @@ class Source(ABC):
     ----------
     name
         For the folder of results.
-    is_live
-        Whether frames that are not taken in time are lost.
     fps
         Frames a second of the footage.
     size
         (width, height) in pixels of its first frame; others may differ if a phone was turned.
+    timing
+        Times of all frames, lost ones included; None for a camera.
+    is_live
+        Whether frames that are not taken in time are lost.
     reached
         Number of the last frame that was looked at, from 1; 0 before the first.
     start
         Nanoseconds since 1970 of the first frame; 0 if the footage does not say.
+    topic
+        The topic of a bag; "" otherwise.
     """
 
     name: str
     fps: float
     size: tuple[int, int]
+    timing: Timing | None
     is_live = False
     reached = 0
     start = 0
+    topic = ""
 
     @abstractmethod
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first of each `every` frames; of a camera all, as they come."""
-
-    @abstractmethod
-    def count(self) -> int | None:
-        """Number of frames, probably; None if it is not known."""
-
-    @abstractmethod
-    def exact_count(self) -> int:
-        """Number of frames, which may take a pass over them.
-
-        Raises
-        ------
-        PlacecatError
-            Of a camera.
-        """
-
-    def starts(self) -> NDArray[np.float64] | None:
-        """Seconds at which each frame starts and the last one ends; None if they come evenly or live."""
-        return None
+        """Decode the first of each `every` frames or, if that is lost, the next; of a camera, all."""
 
     def truth(self, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16] | None:
-        """(frames,) indices in `classes`, -1 for frames that are not scored; None if it has no labels.
+        """(frames,) indices in the model's `classes`, -1 for frames that are not scored; None without labels.
 
-        Parameters
-        ----------
-        classes
-            Classes of the model.
-        ignored
-            Labels of frames that are not scored.
+        The labels in `ignored` are not scored.
         """
         return None
 

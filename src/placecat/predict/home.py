@@ -1,7 +1,6 @@
 """A home of a data set as footage: all its floors, with the labels that the data set has."""
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,32 +10,30 @@ from numpy.typing import NDArray
 from placecat import settings
 from placecat.errors import PlacecatError
 from placecat.footage.frames import read_frames
+from placecat.footage.timing import Timing
 from placecat.predict.frame import Damage, Frame, Source
-from placecat.sequences import open_home, place_labels, settings_of
+from placecat.sequences import open_home_of, place_labels
 
 PREFIX = "home:"
-"""Prefix of a source of this kind; the name of the home follows."""
+"""A source of this kind begins so; the name of the home follows."""
 
 
 class DataSetHome(Source):
     """Frames of a home, one floor after the other.
 
-    Each floor, or other stretch without a cut, restarts the system; time continues from the last one.
+    The system restarts on each floor, or after another cut; time continues from the last floor.
 
     Parameters
     ----------
     name
-        One of the data set's homes.
+        A home of the data set; a PlacecatError if it is unknown or cannot be read.
     dataset
         As in conf/dataset.
     fps
         Frames a second; None takes those of the data set.
-
-    Raises
-    ------
-    PlacecatError
-        If there is no such home, or it cannot be read.
     """
+
+    timing: Timing
 
     def __init__(self, name: str, dataset: Mapping[str, Any], fps: float | None) -> None:
         if not name:
@@ -46,12 +43,7 @@ class DataSetHome(Source):
                 f"{PREFIX}{name}: {dataset['title']} has no such home, but {', '.join(dataset['homes'])}; "
                 "--set dataset=... --set dataset.root=PATH chooses other data"
             )
-        layout, camera = dataset["layout"], dataset["camera"]
-        given = {setting: dataset[setting] for setting in settings_of(layout) if setting in dataset}
-        given["camera"] = camera if isinstance(camera, str) else camera.get(name, "")
-        if fps is not None:
-            given["fps"] = fps
-        self._home = home = open_home(layout, Path(dataset["root"]), name, **given)
+        self._home = home = open_home_of(dataset, name, **{} if fps is None else {"fps": fps})
         self._dataset = dataset
         self.name = name
         self.title = str(dataset["title"])
@@ -62,11 +54,10 @@ class DataSetHome(Source):
         seconds = home.frames["seconds"].to_numpy(np.float64).copy()
         for first in np.flatnonzero(self._begins)[1:]:
             seconds[first:] += seconds[first - 1] + 1 / home.fps - seconds[first]
-        self._seconds = seconds
+        self.timing = Timing(seconds, float(seconds[-1] + 1 / home.fps), home.fps, home.is_even)
 
     def frames(self, every: int) -> Iterator[Frame]:
         """Decode the first of each `every` frames of a floor."""
-        self.reached = 0
         place = np.arange(len(self._begins))
         rows = np.flatnonzero((place - np.maximum.accumulate(np.where(self._begins, place, 0))) % every == 0)
         table = self._home.frames.iloc[rows]
@@ -76,31 +67,16 @@ class DataSetHome(Source):
         ):
             self.reached = row + 1
             file = source if position < 0 else ""
-            yield Frame(row + 1, float(self._seconds[row]), file, image, begins=bool(self._begins[row]))
+            seconds = float(self.timing.seconds[row])
+            yield Frame(row + 1, seconds, file, image, begins=bool(self._begins[row]))
         self.reached = len(self._begins)
-
-    def count(self) -> int:
-        """Number of frames on all floors."""
-        return len(self._begins)
-
-    exact_count = count
-
-    def starts(self) -> NDArray[np.float64] | None:
-        """Seconds at which each frame starts and the last one ends; None if they come evenly."""
-        return None if self._home.is_even else np.append(self._seconds, self._seconds[-1] + 1 / self.fps)
 
     def damage(self) -> Damage:
         """Which of its frames are lost or damaged."""
         return Damage(self._home.lost, self._home.damaged, self._home.note)
 
     def truth(self, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16]:
-        """(frames,) class indices of the model, -1 for frames that are not scored.
-
-        Raises
-        ------
-        PlacecatError
-            If the data set has a class that the model does not know and that is not among `ignored`.
-        """
+        """As `Source.truth`; a PlacecatError for a class that neither the model knows nor `ignored` has."""
         own = [name for name in self._dataset["classes"] if name not in ignored]
         labels = place_labels(
             self._home.frames["label"],

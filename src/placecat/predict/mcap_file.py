@@ -14,21 +14,21 @@ from placecat.predict.annotate import Annotator
 from placecat.predict.frame import Frame, nanoseconds
 
 PICTURE, PROBABILITIES, PLACE = "/placecat/image/compressed", "/placecat/classification", "/placecat/place"
-"""Topics: the annotated picture and all probabilities of each frame; the place or `unknown`
-when it changes, latched."""
+"""Topics: of each frame the annotated picture and all probabilities; of each change, latched, the place or
+`unknown`."""
 JPEG_QUALITY = 90
 """Of pictures, from 0 to 100. Our choice."""
 
 _IMAGE, _STRING = "sensor_msgs/msg/CompressedImage", "std_msgs/msg/String"
 _HYPOTHESIS, _CLASSIFICATION = "vision_msgs/msg/ObjectHypothesis", "vision_msgs/msg/Classification"
-# Of vision_msgs 4, which rosbags does not bring.
+# Those of vision_msgs 4, which rosbags lacks.
 _DEFINITIONS = {
     _HYPOTHESIS: "string class_id\nfloat64 score\n",
     _CLASSIFICATION: "std_msgs/Header header\nvision_msgs/ObjectHypothesis[] results\n",
 }
-# Of the bag's format: the newest that ROS 2 Humble reads as well.
+# The newest version of the bag's format that ROS 2 Humble reads.
 _VERSION = 8
-# Bytes of the file's name are in the file.
+# The file is written in a folder, since it contains its own name.
 _WORK = ".folder"
 
 
@@ -37,22 +37,20 @@ class McapFile:
 
     Parameters
     ----------
-    path
-        The file.
-    name
-        What the file will be called, without its ending.
+    path, name
+        The file, and its final name without the ending.
     classes
         Places.
     size
         (width, height) of the frames that are added.
     start
         Nanoseconds since 1970 of the first frame.
-
-    Raises
-    ------
-    PlacecatError
-        If rosbags is not installed.
     """
+
+    @staticmethod
+    def require() -> None:
+        """Refuse to write MCAP without rosbags."""
+        _rosbags()
 
     def __init__(
         self, path: Path, name: str, classes: tuple[str, ...], size: tuple[int, int], start: int
@@ -112,28 +110,11 @@ class McapFile:
 
 
 def jpeg(picture: NDArray[np.uint8], quality: int) -> NDArray[np.uint8]:
-    """Code a picture.
-
-    Parameters
-    ----------
-    picture
-        (H, W, 3) uint8, BGR.
-    quality
-        From 0 to 100.
-
-    Returns
-    -------
-    (n,) uint8.
-    """
+    """Encode a picture, (H, W, 3) uint8, BGR, with a quality from 0 to 100, as (n,) uint8."""
     done, coded = cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, quality])
     if not done:
         raise RuntimeError("OpenCV cannot write JPEG")
     return coded.ravel().astype(np.uint8, copy=False)
-
-
-def require() -> None:
-    """Refuse to write MCAP without rosbags."""
-    _rosbags()
 
 
 def _rosbags() -> tuple[Any, Any]:
@@ -155,7 +136,7 @@ def _quality(*, is_latched: bool) -> Any:
     """Quality of service: a latched topic gives its last message to later subscribers."""
     from rosbags.interfaces import Qos, QosDurability, QosHistory, QosLiveliness, QosReliability, QosTime
 
-    # What ROS 2 has where nothing is asked for.
+    # The defaults of ROS 2.
     forever = QosTime(2147483647, 4294967295)
     return Qos(
         history=QosHistory.KEEP_LAST,

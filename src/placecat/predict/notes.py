@@ -14,17 +14,7 @@ SLOW = 0.95
 
 
 def notes(source: Source, prediction: Prediction, categorizer: Categorizer) -> list[str]:
-    """List what a person should know, each in a line.
-
-    Parameters
-    ----------
-    source
-        After its frames were read.
-    prediction
-        Of these frames.
-    categorizer
-        That made it.
-    """
+    """List what a person should know, one line each, after the frames of the source were read."""
     found = [source.damage().note, _turned(prediction), _trained(source, categorizer)]
     return [note for note in [*found, _slow(prediction, categorizer)] if note]
 
@@ -34,7 +24,7 @@ def _turned(prediction: Prediction) -> str:
         return ""
     return (
         f"{len(prediction.turned)} frames from frame {prediction.turned[0]} on have another size than the "
-        "first (the phone was turned?): of them the middle is taken"
+        "first (was the phone turned?): their middle is taken"
     )
 
 

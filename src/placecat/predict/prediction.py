@@ -21,7 +21,7 @@ class Prediction:
     fps
         Frames a second of the footage.
     length
-        Frames of the footage that were passed, from 1: at least as many as were categorized.
+        Number of the last frame of the footage that was passed, from 1.
     numbers
         (n,) int64, number of each frame in the footage, from 1.
     seconds
@@ -39,7 +39,7 @@ class Prediction:
     threshold
         Least confidence of a decision that is known.
     cuts
-        Indices of the frames that a cut is before: the next floor.
+        Indices of the frames after a cut, such as a new floor.
     """
 
     classes: tuple[str, ...]

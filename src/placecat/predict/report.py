@@ -11,12 +11,9 @@ from placecat.predict.run import Speed
 
 
 def facts(prediction: Prediction, agreement: Mapping[str, Any] | None) -> dict[str, Any]:
-    """Facts for the summary; they hold no times of the run, so that they can be reproduced.
+    """Facts for the summary, without times of the run, so that they can be reproduced.
 
-    Parameters
-    ----------
-    agreement
-        From `placecat.predict.truth.agreement`, if there are labels.
+    `agreement` is from `placecat.predict.truth.agreement`; None without labels.
     """
     return {
         "frames": len(prediction.numbers),
@@ -44,7 +41,7 @@ def shares(prediction: Prediction) -> list[str]:
 
 
 def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str]:
-    """Lines: accuracy, and a table of labelled places (rows) and decisions (columns); what is named."""
+    """Lines: accuracy, a table of labelled places (rows) and decisions (columns), and the named share."""
     if agreement["accuracy"] is None:
         return ["No categorized frame has a label of the model's places: nothing is scored."]
     rows = [list(map(str, row)) for row in agreement["confusion"]]
@@ -69,29 +66,16 @@ def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str
 
 
 def speed_text(speed: Speed, every: int, fps: float, *, dropped: int | None = None) -> str:
-    """The frame rate against the footage's own.
+    """The frame rate in relation to that of the footage, `fps`, of which one of `every` frames was taken.
 
-    Parameters
-    ----------
-    every
-        One frame of so many was categorized.
-    fps
-        Of the footage.
-    dropped
-        Frames of a camera that were not taken.
+    `dropped` is the number of frames of a camera that were not taken.
     """
-    ratio = speed.rate / speed.wanted
+    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} taken of the footage's"
     text = (
-        f"{speed.rate:.1f} frames/s (the categorizer alone {speed.categorizer_rate:.1f}), {ratio:.2f} times "
+        f"{speed.rate:.1f} frames/s (the categorizer alone {speed.categorizer_rate:.1f}), "
+        f"{speed.rate / speed.wanted:.2f} times the {footage} {fps:.4g}"
     )
-    text += (
-        f"the footage's {fps:.4g}"
-        if every == 1
-        else f"the {speed.wanted:.4g} taken of the footage's {fps:.4g}"
-    )
-    if dropped is not None:
-        text += f"; {dropped} frames came meanwhile and were dropped"
-    return text
+    return text if dropped is None else f"{text}; {dropped} frames came meanwhile and were dropped"
 
 
 def segment_lines(prediction: Prediction, most: int) -> list[str]:

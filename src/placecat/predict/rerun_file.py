@@ -17,7 +17,7 @@ from placecat.vision.regions import radius
 IMAGE, REGIONS, PROBABILITIES, PLACE = "camera/image", "camera/image/regions", "probabilities", "place"
 """Entities; each class has one of its own below `PROBABILITIES`."""
 FRAME, TIME = "frame", "time"
-"""Timelines: the number of the frame, and its time: since 1970 or, if that is not known, since the start."""
+"""Timelines: the number of the frame, and its time since 1970 or, if that is not known, since the start."""
 LEAST_FREE = 64_000_000
 """Bytes that must be free on the disk: Rerun waits for ever on a full one. Our choice."""
 _REGION = (255, 235, 120)
@@ -26,30 +26,22 @@ _REGION = (255, 235, 120)
 class RerunFile:
     """A recording that is being written; for a ``with`` block.
 
-    Its bytes differ from run to run: Rerun writes when each message was logged.
-
-    Parameters
-    ----------
-    path
-        The file.
-    name
-        What the recording is called.
-    classes
-        Places.
-    start
-        Nanoseconds since 1970 of the first frame; 0 if it is not known.
-
-    Raises
-    ------
-    PlacecatError
-        If Rerun is not installed.
+    Its bytes differ from run to run: Rerun writes when each message was logged. The parameters are those of
+    :class:`placecat.predict.mcap_file.McapFile`; any size will do, and a `start` of 0 is not known.
     """
 
-    def __init__(self, path: Path, name: str, classes: tuple[str, ...], start: int) -> None:
+    def __init__(
+        self, path: Path, name: str, classes: tuple[str, ...], size: tuple[int, int], start: int
+    ) -> None:
         self._rerun = _rerun()
         self._path, self._name, self._start = path, name, start
         self._entities = {one: self._rerun.new_entity_path([PROBABILITIES, one]) for one in classes}
         self._place: str | None = None
+
+    @staticmethod
+    def require() -> None:
+        """Refuse to write a recording without Rerun."""
+        _rerun()
 
     def __enter__(self) -> "RerunFile":
         import rerun.blueprint as views
@@ -94,11 +86,6 @@ class RerunFile:
             self._place = decision.name
             text = palette.place_title(decision.name)
             log(PLACE, rerun.TextLog(text if not label else f"{text} (label: {palette.place_title(label)})"))
-
-
-def require() -> None:
-    """Refuse to write a recording without Rerun."""
-    _rerun()
 
 
 def _rerun() -> Any:

@@ -1,4 +1,4 @@
-"""Categorize footage and write a folder of results."""
+"""Categorize footage frame by frame."""
 
 import time
 from collections.abc import Callable
@@ -26,14 +26,12 @@ class Speed:
 
     Attributes
     ----------
-    frames
-        That were categorized.
-    seconds
-        In all: decoding, categorizing, drawing.
-    categorizing
-        Seconds of it in the categorizer.
     wanted
         Frames to categorize in a second of footage.
+    frames
+        Number of categorized frames.
+    seconds, categorizing
+        In all (decoding, categorizing, drawing), and in the categorizer.
     """
 
     wanted: float
@@ -67,7 +65,7 @@ class Wish:
     truth
         (frames of the footage,) class indices to write into the video, -1 for none.
     pace
-        How many times as fast as the footage the video runs.
+        The video runs so many times as fast as the footage.
     """
 
     every: int = 1
@@ -82,12 +80,12 @@ def run(
 ) -> tuple[Prediction, Speed, bool]:
     """Categorize footage.
 
-    Ctrl-C ends a camera's footage there; otherwise it is passed on.
+    Ctrl-C ends the footage of a camera, but is raised for other footage.
 
     Parameters
     ----------
     system
-        Fresh: it has seen no frame.
+        Has seen no frame.
     fit
         Makes frames of the size that the system takes.
     shown
@@ -95,12 +93,7 @@ def run(
 
     Returns
     -------
-    prediction
-        At least one frame.
-    speed
-        How fast it went.
-    was_stopped
-        Whether Ctrl-C ended it.
+    The prediction of at least one frame, the speed, and whether Ctrl-C ended it.
 
     Raises
     ------
@@ -150,8 +143,8 @@ def run(
         raise PlacecatError("no frame was taken: give a longer --seconds")
     numbers, seconds, names, proba, integrated = zip(*rows, strict=True)
     last = source.reached if wish.seconds is None else numbers[-1]
-    starts = source.starts()
-    end = None if starts is None else min(float(starts[-1]), wish.seconds or np.inf)
+    timing = source.timing
+    end = None if timing is None or timing.is_even else min(timing.end, wish.seconds or np.inf)
     prediction = Prediction(
         classes=system.classes,
         fps=source.fps,
@@ -170,7 +163,7 @@ def run(
 
 
 def true_label(truth: NDArray[np.int16] | None, number: int, classes: tuple[str, ...]) -> str | None:
-    """Name the true place of a frame by its number: "" if it is not scored, None without labels."""
+    """The true place of a frame: "" if it is not scored, None without labels."""
     if truth is None:
         return None
     place = int(truth[number - 1])

@@ -1,4 +1,4 @@
-"""Footage to predict: a video file, a folder of images, or a camera, frame by frame."""
+"""Footage to predict: a video, a bag, a folder of images, or a camera."""
 
 import re
 from collections.abc import Iterator
@@ -12,11 +12,12 @@ from placecat.footage.bag_recording import BagRecording
 from placecat.footage.bags import is_bag
 from placecat.footage.pictures import SUFFIXES, list_frames, read_image
 from placecat.footage.recording import Recording
+from placecat.footage.timing import Timing, even
 from placecat.predict.camera import Camera
 from placecat.predict.frame import Damage, Frame, Source
 from placecat.sequences import video
 
-# Frames a second that are possible: our choice, of which the upper one is that of dataset.fps.
+# Frames a second. The upper limit is that of dataset.fps; the lower one is our choice.
 SLOWEST, FASTEST = 0.001, 1000.0
 _CAMERA = re.compile(r"camera(?::([0-9]{1,4}))?")
 _STREAM = re.compile(r"(rtsps?|https?)://.+", re.IGNORECASE)
@@ -30,13 +31,13 @@ def without_password(text: str) -> str:
 def open_source(
     text: str, *, fps: float | None, usual_fps: float, size: tuple[int, int], topic: str | None = None
 ) -> Source:
-    """Open footage.
+    """Open footage; a PlacecatError if it cannot be read.
 
     Parameters
     ----------
     text
         A video file, a folder of images, a bag, ``camera`` or ``camera:NUMBER``, or the address of a stream
-        (rtsp, http). A file or folder is taken before a camera of its name.
+        (rtsp, http). A file or folder precedes a camera of its name.
     fps
         Frames a second; None takes what the footage says.
     usual_fps
@@ -45,18 +46,13 @@ def open_source(
         (width, height) that a camera is asked for.
     topic
         Of a bag's pictures; None takes the only one.
-
-    Raises
-    ------
-    PlacecatError
-        If it is none of these, or cannot be read.
     """
     if fps is not None and not SLOWEST <= fps <= FASTEST:
         raise PlacecatError(f"--fps is {fps:g}: give {SLOWEST:g} to {FASTEST:g}")
     path = Path(text)
     with reading(path):
         if is_bag(path):
-            return BagSource(path, fps, topic)
+            return _bag(path, fps, topic)
     if topic is not None:
         raise PlacecatError(f"--topic is for bags, but there is no bag {without_password(text)}")
     if _STREAM.fullmatch(text):
@@ -66,7 +62,7 @@ def open_source(
         if path.is_dir():
             return Folder(path, fps if fps is not None else usual_fps)
         if path.is_file():
-            return Video(path, fps)
+            return _video(path, fps)
     camera = _CAMERA.fullmatch(text)
     if camera:
         number = int(camera[1] or 0)
@@ -79,96 +75,59 @@ def open_source(
     )
 
 
-class Video(Source):
-    """A video file, decoded from its start as the stages decode it."""
+def _bag(path: Path, fps: float | None, topic: str | None) -> "Recorded":
+    recording = BagRecording(path, topic, fps)
+    return Recorded(path.resolve().name if path.is_dir() else path.stem, recording, recording.timing)
 
-    def __init__(self, path: Path, fps: float | None) -> None:
-        if path.suffix.lower() not in video.SUFFIXES:
-            raise PlacecatError(
-                f"{path}: not a video by its ending ({', '.join(video.SUFFIXES)}); convert it, e.g. "
-                f"`ffmpeg -i {path.name} {path.stem}.mp4`; images go into a folder"
-            )
-        self.name = path.stem
-        self._recording = Recording(path)
-        self._timing = self._recording.timing(fps, "--fps")
-        self.fps = self._timing.fps
-        self.size = self._recording.size()
+
+def _video(path: Path, fps: float | None) -> "Recorded":
+    if path.suffix.lower() not in video.SUFFIXES:
+        raise PlacecatError(
+            f"{path}: not a video by its ending ({', '.join(video.SUFFIXES)}); convert it, e.g. "
+            f"`ffmpeg -i {path.name} {path.stem}.mp4`; images go into a folder"
+        )
+    recording = Recording(path)
+    return Recorded(path.stem, recording, recording.timing(fps, "--fps"))
+
+
+class Recorded(Source):
+    """A video or a bag, decoded from its start as the stages decode it."""
+
+    timing: Timing
+
+    def __init__(self, name: str, recording: Recording | BagRecording, timing: Timing) -> None:
+        self.name, self._recording = name, recording
+        self.timing, self.fps, self.size = timing, timing.fps, recording.size()
+        if isinstance(recording, BagRecording):
+            self.topic, self.start = recording.topic, recording.start
 
     def frames(self, every: int) -> Iterator[Frame]:
         """Decode the first of each `every` frames; if that is lost, the next."""
-        self.reached, last = 0, -1
+        last = -1
         for picture in self._recording.pictures():
             self.reached = number = picture.number
-            if (number - 1) // every > last:
+            if (number - 1) // every > last and (image := picture.image()) is not None:
                 last = (number - 1) // every
-                yield Frame(number, float(self._timing.seconds[number - 1]), "", picture.image())
+                yield Frame(number, float(self.timing.seconds[number - 1]), "", image)
         self.reached = self._recording.count
-
-    def count(self) -> int:
-        """Number of frames, lost ones included."""
-        return self._recording.count
-
-    exact_count = count
-
-    def starts(self) -> NDArray[np.float64] | None:
-        """Seconds at which each frame starts and the last one ends; None if they come evenly."""
-        return None if self._timing.is_even else np.append(self._timing.seconds, self._timing.end)
 
     def damage(self) -> Damage:
         """Which of the frames so far are lost or damaged."""
         return Damage(self._recording.lost, self._recording.damaged, self._recording.note())
 
 
-class BagSource(Source):
-    """A bag, by the times of its pictures."""
-
-    def __init__(self, path: Path, fps: float | None, topic: str | None) -> None:
-        self.name = path.resolve().name if path.is_dir() else path.stem
-        self._recording = BagRecording(path, topic, fps)
-        self.topic = self._recording.topic
-        self.start = self._recording.start
-        self.fps = self._recording.timing.fps
-        self.size = self._recording.size()
-
-    def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first of each `every` frames; if that is lost, the next."""
-        self.reached, last = 0, -1
-        for number, picture in self._recording.pictures():
-            self.reached = number
-            if (number - 1) // every > last:
-                image = self._recording.image(number, picture)
-                if image is not None:
-                    last = (number - 1) // every
-                    yield Frame(number, float(self._recording.timing.seconds[number - 1]), "", image)
-
-    def count(self) -> int:
-        """Number of frames, lost ones included."""
-        return self._recording.count
-
-    exact_count = count
-
-    def starts(self) -> NDArray[np.float64] | None:
-        """Seconds at which each frame starts and the last one ends; None if they come evenly."""
-        times = self._recording.timing
-        return None if times.is_even else np.append(times.seconds, times.end)
-
-    def damage(self) -> Damage:
-        """Which of the frames so far are lost."""
-        return Damage(self._recording.lost, note=self._recording.note())
-
-
 class Folder(Source):
     """JPEG and PNG files, as the layout `folder` lists them."""
 
+    timing: Timing
+
     def __init__(self, path: Path, fps: float) -> None:
-        self._images = list_frames(path)
+        self._images, self._path = list_frames(path), path
         if not self._images:
             raise PlacecatError(
                 f"{path}: no images here ({', '.join(SUFFIXES)}); give a folder of frames, or a video"
             )
-        self.name = path.resolve().name
-        self.fps = fps
-        self._path = path
+        self.name, self.fps, self.timing = path.resolve().name, fps, even(len(self._images), fps)
         first = read_image(path / self._images[0])
         self.size = (first.shape[1], first.shape[0])
 
@@ -188,9 +147,3 @@ class Folder(Source):
                 f"{self.size[0]}x{self.size[1]}; convert it or take it out"
             )
         return image
-
-    def count(self) -> int:
-        """Number of images."""
-        return len(self._images)
-
-    exact_count = count

@@ -1,4 +1,4 @@
-"""A prediction as CSV."""
+"""A prediction as CSV files."""
 
 from pathlib import Path
 
@@ -16,14 +16,14 @@ TABLES = (FRAMES, SEGMENTS, VISITS)
 def write_frames(path: Path, prediction: Prediction) -> None:
     """Write one row per frame: the decision and its confidence, all probabilities, those of the frame alone.
 
-    ``name`` is the place, or ``unknown`` if the confidence is too low.
-    Probabilities have as many digits as it takes to read back the same number, to the bit.
+    ``name`` is the place, or ``unknown`` if the confidence is too low. Probabilities have enough digits to
+    read back the same number, to the bit.
     """
     classes = prediction.classes
     columns = {
         "frame": prediction.numbers,
         "seconds": [f"{seconds:.3f}" for seconds in prediction.seconds],
-        # As objects: names that are not UTF-8 are not text to pandas.
+        # As objects, since pandas takes only UTF-8 for text.
         **({"file": pd.Series(prediction.names, dtype=object)} if prediction.names else {}),
         "place": [classes[place] for place in prediction.decision],
         "confidence": prediction.confidence,
@@ -53,5 +53,5 @@ def write_visits(path: Path, prediction: Prediction) -> None:
 
 
 def _write(path: Path, table: pd.DataFrame) -> None:
-    # File names may be in any coding: what is not UTF-8 is shown as \xNN.
+    # File names may be in any coding: bytes that are not UTF-8 are shown as \xNN.
     table.to_csv(path, index=False, lineterminator="\n", errors="backslashreplace")

@@ -20,20 +20,13 @@ COLUMNS = 2000
 UNLABELLED = "#ffffff"
 WIDTH, HEIGHT, ROW = 6.5, 1.75, 0.3
 LINE = 96
-"""Characters of the title in a line: what fits in most cases."""
+"""Characters of the title that fit in a line in most cases."""
 
 
 def draw(prediction: Prediction, title: str, truth: NDArray[np.int16] | None = None) -> Figure:
-    """Draw the timeline.
+    """Draw the timeline of a prediction of at least one frame.
 
-    Parameters
-    ----------
-    prediction
-        At least one frame.
-    title
-        Above the picture.
-    truth
-        (n,) class indices of the frames, -1 for unlabelled frames; None draws no such strip.
+    `truth` are (n,) class indices of the frames, -1 for unlabelled frames; None draws no such strip.
     """
     colors = palette.place_colors(prediction.classes)
     strips: dict[str, NDArray[np.integer]] = {} if truth is None else {"label": truth}
@@ -94,13 +87,10 @@ def _confidence(axes: Axes, prediction: Prediction, end: float) -> None:
     axes.set_yticks([0.0, 0.5, 1.0], ["0", "0.5", "1"])
     axes.set_ylabel("confidence")
     axes.set_xlim(0.0, end)
-    axes.xaxis.set_major_locator(MaxNLocator(8, steps=_steps(end), integer=end > 8))
+    # Numbers of seconds that are round on a clock.
+    steps = [1, 1.5, 2, 3, 6, 10] if end > 60 else [1, 2, 5, 10]
+    axes.xaxis.set_major_locator(MaxNLocator(8, steps=steps, integer=end > 8))
     axes.xaxis.set_major_formatter(
         FuncFormatter(lambda value, _: clock(value) if end > 8 else f"{value:g} s")
     )
     axes.set_xlabel(f"time ({lines})" if end <= 60 else f"time, min:s ({lines})")
-
-
-def _steps(end: float) -> list[float]:
-    """Ticks at numbers of seconds that are round on a clock."""
-    return [1, 1.5, 2, 3, 6, 10] if end > 60 else [1, 2, 5, 10]

@@ -9,49 +9,25 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError, reading
 from placecat.evaluation.accuracy import class_accuracies, confusion_matrix, home_accuracy
 from placecat.evaluation.selection import decided, select
+from placecat.footage.timing import Timing
 from placecat.predict.prediction import Prediction
 from placecat.sequences.labels import read_label_csv
 
 UNSCORED = "transition"
-"""Never a mistake in a label file: frames between places."""
+"""The label of frames between places, which every label file may have."""
 
 
-def read(
-    path: Path,
-    count: int,
-    fps: float,
-    classes: Sequence[str],
-    ignored: Collection[str],
-    starts: NDArray[np.float64] | None = None,
-) -> NDArray[np.int16]:
-    """Read the labels of all frames of the footage.
+def read(path: Path, timing: Timing, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16]:
+    """Read the labels of all frames of footage, see `placecat.sequences.labels.read_label_csv`.
 
-    Parameters
-    ----------
-    path
-        A label CSV (`placecat.sequences.labels.read_label_csv`).
-    count, fps
-        Number of frames, and frames a second.
-    classes
-        Classes of the model.
-    ignored
-        Labels beside `UNSCORED` of frames that are not scored.
-    starts
-        Times of frames that do not come evenly (`placecat.sequences.labels.read_label_csv`).
-
-    Returns
-    -------
-    (count,) int16 class indices, -1 for frames that are not scored.
-
-    Raises
-    ------
-    PlacecatError
-        If the file does not fit, or has a label that is neither a class nor ignored.
+    Frames with a label in `ignored`, or `UNSCORED`, are not scored. Returns (frames,) int16 indices in the
+    model's `classes`, -1 for frames that are not scored. Raises PlacecatError if the file does not fit the
+    times, or has a label that is neither a class nor ignored.
     """
     with reading(path):
         if not path.is_file():
             raise PlacecatError(f"{path}: no such label file; correct --labels, or leave it out")
-    labels, lines = read_label_csv(path, count, fps, "the footage", starts)
+    labels, lines = read_label_csv(path, len(timing.seconds), timing.fps, "the footage", timing.starts)
     numbers = {UNSCORED: -1} | dict.fromkeys(ignored, -1) | {name: i for i, name in enumerate(classes)}
     for label, line in zip(labels, lines, strict=True):
         if label not in numbers:
@@ -68,7 +44,7 @@ def agreement(prediction: Prediction, truth: NDArray[np.int16]) -> dict[str, obj
     Parameters
     ----------
     truth
-        (n,) class indices of these frames, -1 for those that are not scored.
+        (n,) class indices of these frames, -1 for frames that are not scored.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""A folder of frames a home, with a label CSV: ``<name>/*.jpg`` and ``<name>.csv`` or ``<name>/labels.csv``.
+"""A folder of frames per home, with labels: ``<name>/*.jpg`` and ``<name>.csv`` or ``<name>/labels.csv``.
 
 Frames are JPEG or PNG files, see `placecat.footage.pictures.list_frames`. Without a CSV every frame is
 unlabelled.
@@ -6,13 +6,12 @@ unlabelled.
 
 from pathlib import Path
 
-import numpy as np
-
 from placecat.errors import PlacecatError
-from placecat.footage.pictures import SUFFIXES, has_pictures, list_frames, read_image
-from placecat.sequences.base import Home, frame_table
+from placecat.footage.pictures import SUFFIXES, has_pictures, list_frames
+from placecat.footage.timing import even
+from placecat.sequences.base import Home, frame_table, home_of_pictures
 from placecat.sequences.folders import data_folder, frame_rate, home_folder, some_homes
-from placecat.sequences.labels import label_csvs, read_label_csv
+from placecat.sequences.labels import find_labels
 
 
 def list_homes(root: Path) -> list[str]:
@@ -30,25 +29,9 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
             f"{path}: no frames here ({', '.join(SUFFIXES)}); correct dataset.homes or dataset.root."
         )
     rate = frame_rate(fps, name)
-    files = label_csvs(root, f"{name}.csv", f"{name}/labels.csv")
-    if len(files) > 1:
-        raise PlacecatError(f"{root / files[0]}: {root / files[1]} labels the same home; remove one.")
-    if files:
-        labels, lines = read_label_csv(root / files[0], len(images), rate, "the folder")
-    else:
-        labels, lines = [""] * len(images), np.zeros(len(images), dtype=np.int32)
-    height, width = read_image(path / images[0]).shape[:2]
-    numbers = np.arange(1, len(images) + 1)
-    return Home(
-        name=name,
-        root=root,
-        fps=rate,
-        camera=camera,
-        width=width,
-        height=height,
-        frames=frame_table(
-            "1", [f"{name}/{image}" for image in images], -1, numbers.tolist(), (numbers - 1) / rate, labels
-        ),
-        label_files={"1": files[0]} if files else {},
-        label_lines=lines,
-    )
+    timing = even(len(images), rate)
+    labels = find_labels(root, [f"{name}.csv", f"{name}/labels.csv"], timing, "the folder")
+    sources = [f"{name}/{image}" for image in images]
+    frames = frame_table("1", sources, -1, range(1, len(images) + 1), timing.seconds, labels.names)
+    label_files = {} if labels.file is None else {"1": labels.file}
+    return home_of_pictures(name, root, rate, camera, frames, label_files, labels.lines)

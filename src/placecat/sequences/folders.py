@@ -1,5 +1,7 @@
-"""The folders of a data set, the names in them, and the frame rate: what every layout checks."""
+"""Checks of all layouts: folders, the names in them, and the frame rate."""
 
+import os
+from collections.abc import Collection, Iterable, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -9,26 +11,28 @@ from placecat.footage.names import natural, relative
 
 
 def inside(path: Path, folder: Path, origin: str) -> None:
-    """Refuse an existing path that, links followed, leaves a folder.
+    """Refuse a path that leads out of a folder by a symbolic link.
 
-    Parameters
-    ----------
-    path
-        A path whose name was read from a file.
-    folder
-        The folder it may not leave.
-    origin
-        Where the name was written, for the message.
-
-    Raises
-    ------
-    PlacecatError
-        If a symbolic link leads out of the folder.
+    The PlacecatError begins with `origin`, the place where the path was written.
     """
     if not path.resolve().is_relative_to(folder.resolve()):
         raise PlacecatError(
             f"{origin}: {path} is a link that leads out of {folder}; put the data itself there."
         )
+
+
+def check_listed(folder: Path, limit: Path, origin: str, listed: Mapping[str, str], remedy: str) -> None:
+    """Refuse frames of a folder that are missing, or links that lead out of the folder `limit`.
+
+    `origin` is the file that lists the frames, `listed` the places in it by the frames' names.
+    """
+    inside(folder, limit, origin)
+    links = {entry.name: entry.is_symlink() for entry in os.scandir(folder)} if folder.is_dir() else {}
+    for name, where in listed.items():
+        if name not in links:
+            raise PlacecatError(f"{folder / name}: the frame is missing ({where}); {remedy}.")
+        if links[name]:
+            inside(folder / name, limit, where)
 
 
 def data_folder(root: Path) -> Path:
@@ -39,10 +43,7 @@ def data_folder(root: Path) -> Path:
 def home_folder(root: Path, name: str) -> Path:
     """Find the folder of one home below the folder of its data set; the name may hold slashes.
 
-    Raises
-    ------
-    PlacecatError
-        If either folder is missing or the name leads out of `root`.
+    Raises PlacecatError if either folder is missing or the name leads out of `root`.
     """
     folder = data_folder(root) / relative(name, "dataset.homes")
     return _existing(folder, "correct dataset.homes or dataset.root.")
@@ -55,13 +56,20 @@ def _existing(folder: Path, advice: str) -> Path:
     return folder
 
 
-def some_homes(homes: list[str], root: Path, expected: str) -> list[str]:
+def by_name(paths: Iterable[Path]) -> dict[str, Path]:
+    """Files by their names without endings, folders by their names, in natural order; no two may be alike."""
+    named: dict[str, Path] = {}
+    for path in sorted(paths, key=lambda one: natural(one.name)):
+        first = named.setdefault(path.name if path.is_dir() else path.stem, path)
+        if first != path:
+            raise PlacecatError(f"{path}: {first.name} has the same name; rename or remove one.")
+    return named
+
+
+def some_homes(homes: Collection[str], root: Path, expected: str) -> list[str]:
     """Sort home names in natural order.
 
-    Raises
-    ------
-    PlacecatError
-        If there are none below `root`; the message says what is `expected` of a home of this layout.
+    Without any the PlacecatError says which files of this layout are `expected` below `root`.
     """
     if not homes:
         raise PlacecatError(
@@ -71,21 +79,9 @@ def some_homes(homes: list[str], root: Path, expected: str) -> list[str]:
 
 
 def frame_rate(fps: float | None, home: str, known: float | None = None) -> float:
-    """Settle the frame rate of a home, in frames a second.
+    """The frame rate of a home, in frames a second: `fps` or, if that is None, `known` from its files.
 
-    Parameters
-    ----------
-    fps
-        The setting; None to use what the files say.
-    home
-        Name of the home, for the message.
-    known
-        What the files say, if they do.
-
-    Raises
-    ------
-    PlacecatError
-        If neither gives a positive rate.
+    Raises PlacecatError unless that is a positive rate.
     """
     rate = known if fps is None else fps
     if rate is None or not np.isfinite(rate) or rate <= 0:

@@ -5,38 +5,28 @@ import csv
 import math
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
+from placecat.footage.timing import Timing
 
 FRAME_HEADER = ("start", "end", "label")
 """CSV columns for intervals in frames, from 1, both ends included (as in VPC-2009)."""
 SECOND_HEADER = ("start_seconds", "end_seconds", "label")
 """CSV columns for intervals in seconds from 0, the end excluded."""
-# More than the frames of any footage.
+# Above the number of frames of any footage.
 _WHOLE = re.compile(r"-?[0-9]{1,10}")
 _MOST_FRAMES = 1e10
 MOST_BYTES = 16 << 20
-"""Of a file of labels: our choice, above 500,000 rows."""
+"""Of a label file: our choice, above 500,000 rows."""
 
 
-@dataclass(frozen=True)
-class Segment:
-    """Consecutive frames with one label.
-
-    Attributes
-    ----------
-    start, end
-        First and last frame, from 1, both included.
-    label
-        As written.
-    line
-        Where it stands in the label file, from 1.
-    """
+class Segment(NamedTuple):
+    """Consecutive frames, `start` to `end` (from 1, both included), with one label, in a line of a file."""
 
     start: int
     end: int
@@ -45,20 +35,13 @@ class Segment:
 
 
 def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence: str, counted: str) -> None:
-    """Check that segments cover frames 1 to `count` once, in order.
+    """Check that segments, in the order of the file, cover frames 1 to `count` once.
 
     Parameters
     ----------
-    segments
-        In the order of the file.
-    count
-        Number of frames in the sequence.
-    file
-        The label file, for the message.
-    sequence
-        What the frames belong to, for the message (``floor 1``, ``the video``).
-    counted
-        Where the count comes from, for the message (``line 2``, ``the video``).
+    file, sequence, counted
+        For messages: the label file, what the frames belong to (``floor 1``, ``the video``), and where the
+        count comes from (``line 2``).
 
     Raises
     ------
@@ -107,12 +90,7 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
 def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.int32]]:
     """Spread segments that `check_segments` accepts over frames.
 
-    Returns
-    -------
-    labels : list of str
-        One a frame.
-    lines : numpy.ndarray
-        (frames,) int32, the line of each frame's segment.
+    Returns the label of each frame, and the line of its segment, (frames,) int32.
     """
     lengths = [segment.end - segment.start + 1 for segment in segments]
     labels = [segment.label for segment, length in zip(segments, lengths, strict=True) for _ in range(length)]
@@ -120,23 +98,9 @@ def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.
 
 
 def label_csvs(root: Path, *names: str) -> list[str]:
-    """Find label files whose ending may be in either case.
+    """Find label files, named ``....csv`` relative to `root`; the ending may be in either case.
 
-    Parameters
-    ----------
-    root
-        The folder that the names are relative to.
-    *names
-        File names that end in ``.csv``.
-
-    Returns
-    -------
-    Those that exist, as they are spelt on disk.
-
-    Raises
-    ------
-    PlacecatError
-        If two are spelt as one name.
+    Returns those that exist, as they are spelt on disk. Raises PlacecatError if two differ in case only.
     """
     found = []
     for name in names:
@@ -147,6 +111,38 @@ def label_csvs(root: Path, *names: str) -> list[str]:
             raise PlacecatError(f"{wanted.with_name(own[0])}: {own[1]} labels the same home; remove one.")
         found += [wanted.with_name(one).relative_to(root).as_posix() for one in own]
     return found
+
+
+class Labels(NamedTuple):
+    """The labels of n frames.
+
+    Attributes
+    ----------
+    names
+        (n,) labels; "" for none.
+    lines
+        (n,) int32, the line of the label file that gave each; 0 for none.
+    file
+        The label file, relative to the folder of the homes; None for none.
+    """
+
+    names: list[str]
+    lines: NDArray[np.int32]
+    file: str | None
+
+
+def find_labels(root: Path, names: Sequence[str], timing: Timing, sequence: str) -> Labels:
+    """Read the label CSV that has one of these names, relative to `root`; without one no frame has a label.
+
+    `timing` is of all frames; `sequence` and errors are as for :func:`read_label_csv`. Two such files are an
+    error, too.
+    """
+    files, count = label_csvs(root, *names), len(timing.seconds)
+    if len(files) > 1:
+        raise PlacecatError(f"{root / files[0]}: {root / files[1]} labels the same home; remove one.")
+    if not files:
+        return Labels([""] * count, np.zeros(count, np.int32), None)
+    return Labels(*read_label_csv(root / files[0], count, timing.fps, sequence, timing.starts), files[0])
 
 
 def read_label_csv(
@@ -167,16 +163,13 @@ def read_label_csv(
     fps
         Frames a second; used only for times.
     sequence
-        ``the video`` or ``the folder``, for the messages.
+        ``the video`` or ``the folder``, for messages.
     starts
         (count + 1,) seconds at which each frame starts and the last one ends; None if they come evenly.
 
     Returns
     -------
-    labels : list of str
-        (count,) labels with surrounding spaces removed.
-    lines : numpy.ndarray
-        (count,) int32, the line of each frame's row.
+    The label of each frame without surrounding spaces, and the line of its row, (count,) int32.
 
     Raises
     ------
@@ -209,18 +202,14 @@ def read_label_csv(
 
 
 def read_text(path: Path) -> str:
-    """Read a label file without its byte order mark.
+    """Read a label file, which is UTF-8, without its byte order mark.
 
-    It is UTF-8; bytes that are not show as U+FFFD, for free text at the end of real files is in any coding.
-
-    Raises
-    ------
-    PlacecatError
-        If it is missing, cannot be opened, or is empty.
+    Other bytes become U+FFFD, since real files end with free text in any coding. Raises PlacecatError if the
+    file is missing, too large, empty, UTF-16, or cannot be opened.
     """
     try:
         if path.is_file() and path.stat().st_size > MOST_BYTES:
-            raise PlacecatError(f"{path}: larger than {MOST_BYTES >> 20} MB; this is not a file of labels.")
+            raise PlacecatError(f"{path}: larger than {MOST_BYTES >> 20} MB; this is not a label file.")
         content = path.read_bytes()
     except FileNotFoundError:
         raise PlacecatError(
@@ -239,10 +228,7 @@ def read_text(path: Path) -> str:
 def read_rows(path: Path) -> list[tuple[int, list[str]]]:
     """Read a CSV: the line and the cells of each row that is not empty.
 
-    Raises
-    ------
-    PlacecatError
-        As `read_text`, or if it is not UTF-8 or no CSV, naming the line.
+    Raises PlacecatError as `read_text`, or, naming the line, if the file is not UTF-8 or not a CSV.
     """
     lines = read_text(path).splitlines()
     for number, line in enumerate(lines, start=1):
@@ -260,18 +246,15 @@ def read_rows(path: Path) -> list[tuple[int, list[str]]]:
 def whole(text: str, path: Path, line: int) -> int:
     """Read a whole number: up to ten digits with an optional minus sign.
 
-    Raises
-    ------
-    PlacecatError
-        If it is anything else; `path` and `line` say where it stands.
+    For anything else the PlacecatError names the `path` and the `line`.
     """
     if not _WHOLE.fullmatch(text):
-        raise PlacecatError(f"{path} line {line}: {shown(text)} is no whole number; write a frame number.")
+        raise PlacecatError(f"{path} line {line}: {shown(text)} is not a whole number; write a frame number.")
     return int(text)
 
 
 def shown(text: str) -> str:
-    """What a message shows of a text from a file: its beginning."""
+    """A text from a file as messages show it, shortened if it is long."""
     return repr(text) if len(text) <= 80 else f"{text[:80]!r}... ({len(text)} characters)"
 
 
@@ -289,7 +272,7 @@ def _from_seconds(
         except ValueError:
             seconds = math.nan
         if not (seconds >= 0 and seconds * fps < _MOST_FRAMES):
-            raise PlacecatError(f"{path} line {line}: {shown(cell)} is no time; write seconds from 0.")
+            raise PlacecatError(f"{path} line {line}: {shown(cell)} is not a time; write seconds from 0.")
         bounds.append(_boundary(seconds, starts, fps))
     if bounds[1] <= bounds[0]:
         raise PlacecatError(
@@ -300,9 +283,9 @@ def _from_seconds(
 
 
 def _boundary(seconds: float, starts: NDArray[np.float64], fps: float) -> int:
-    """Number of frames before the boundary that is nearest; behind the end, as if the frames went on."""
+    """Number of frames before the nearest boundary; after the end, as if more frames followed."""
     if seconds > starts[-1]:
-        # A day at most: no file of labels is meant to be longer by more.
+        # A label file may be too long by a day at most.
         return len(starts) - 1 + math.floor(min(seconds - float(starts[-1]), 86400.0) * fps + 0.5)
     after = int(np.searchsorted(starts, seconds))
     return after - 1 if after and seconds - starts[after - 1] < starts[after] - seconds else after

@@ -1,4 +1,4 @@
-"""Label names as class numbers, and the mistakes in them."""
+"""From the names of labels to class numbers."""
 
 import difflib
 from collections.abc import Mapping, Sequence
@@ -28,16 +28,14 @@ def place_labels(
     ----------
     labels
         The ``label`` column of `Home.frames`, or rows of it with their index. A missing value, as pandas
-        reads an empty cell, is no label.
-    classes
-        The classes in use; a label's number is its place in this list.
-    ignored
-        Labels that are no class.
+        reads an empty cell, is an empty label.
+    classes, ignored
+        The classes in use, whose places in this list are the numbers of labels, and labels without a class.
     aliases
-        Other spellings and codes: label to class or to ignored label. An alias goes before a class of its
+        Other spellings and codes: label to class or to ignored label. An alias precedes a class of the same
         name.
     home
-        The home the labels belong to, for the place in the error message.
+        The home of the labels, for messages.
 
     Returns
     -------
@@ -64,21 +62,9 @@ def place_labels(
 
 
 def require_classes(labels: NDArray[np.int16], classes: Sequence[str], home: str) -> None:
-    """Check that a home shows every class.
+    """Check that a home shows every class; the PlacecatError names those without a frame.
 
-    Parameters
-    ----------
-    labels
-        (frames,) int16 from `place_labels`.
-    classes
-        The classes in use.
-    home
-        Name of the home, for the message.
-
-    Raises
-    ------
-    PlacecatError
-        If a class has no frame, naming it.
+    `labels` are (frames,) int16 from `place_labels`, `home` is a name.
     """
     present = np.bincount(labels[labels >= 0], minlength=len(classes)) > 0
     absent = [name for name, there in zip(classes, present, strict=True) if not there]

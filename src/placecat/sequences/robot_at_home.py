@@ -1,8 +1,8 @@
 """Robot@Home2: the database ``rh.db`` and the pictures ``files/rgbd``, as they come from the archive.
 
-A robot with four cameras drove through five homes. A home is a sequence a session, frames of one camera in
-order of time. The label of a frame is the type of its room, e.g. ``livingroom``; which class it stands for is
-the data set's ``aliases`` setting. Recordings that run through several rooms have the type ``fullhouse``.
+A robot with four cameras drove through five homes. A home has one sequence per session: the frames of one
+camera in order of time. The label of a frame is the type of its room, e.g. ``livingroom``; the data set's
+setting ``aliases`` gives the class of each type. Recordings of several rooms have the type ``fullhouse``.
 
 References
 ----------
@@ -11,7 +11,6 @@ improved usability tools. SoftwareX 23, 101490, 2023.
 Definitions of the tables: https://github.com/goyoambrosio/RobotAtHome2 (``robotathome/transition``).
 """
 
-import os
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 from pathlib import Path
@@ -21,21 +20,20 @@ import numpy as np
 
 from placecat.errors import PlacecatError, did_you_mean
 from placecat.footage.names import natural, relative
-from placecat.footage.pictures import read_image, turned
 from placecat.ranges import OneOf, Positive
-from placecat.sequences.base import Home, frame_table
-from placecat.sequences.folders import data_folder, frame_rate, inside, some_homes
+from placecat.sequences.base import Home, frame_table, home_of_pictures
+from placecat.sequences.folders import check_listed, data_folder, frame_rate, some_homes
 from placecat.sequences.labels import shown
 from placecat.sequences.sqlite_file import Columns, SqliteFile, opened
 
 DATABASE, PICTURES = "rh.db", "files/rgbd"
 OBSERVATIONS = {"labelled": ("rh_lblrgbd",), "all": ("rh_lblrgbd", "rh_raw")}
-"""The setting `observations`: those with labelled objects, or those also that its makers discarded."""
+"""The setting `observations`: those with labelled objects, or also those that the makers discarded."""
 FILES = "rh2_old2new_rgbd_files"
 COLOR = "_intensity.png"
 """End of the name of a colour picture; the others are depths and labels."""
 TICKS = 10_000_000
-"""Of the database's clock, a second."""
+"""Per second, of the database's clock."""
 
 _NAMED: Columns = {"id": int, "name": str}
 _OBSERVED: Columns = {
@@ -65,13 +63,14 @@ class _Observation(NamedTuple):
     picture: str
 
 
-def list_homes(root: Path) -> list[str]:
-    """Name the homes of the database ``rh.db``; see `placecat.sequences.list_homes`."""
+def list_homes(root: Path, *, database: str = DATABASE) -> list[str]:
+    """Name the homes of the database, relative to `root`; see `placecat.sequences.list_homes`."""
+    file = data_folder(root) / relative(database, "dataset.database")
     homes: list[str] = []
-    if (data_folder(root) / DATABASE).exists():
-        with opened(root / DATABASE, _TABLES) as database:
-            homes = [name for _, name in database.rows("rh_homes")]
-    return some_homes(homes, root, f"{DATABASE} of Robot@Home2")
+    if file.exists():
+        with opened(file, _TABLES) as data:
+            homes = [name for _, name in data.rows("rh_homes")]
+    return some_homes(homes, root, f"{database} of Robot@Home2")
 
 
 def read_home(
@@ -86,13 +85,13 @@ def read_home(
     database: str = DATABASE,
     pictures: str = PICTURES,
 ) -> Home:
-    """Read what one camera saw of one home, a sequence a session; see `placecat.sequences.open_home`.
+    """Read the frames of one camera in one home, a sequence per session; see `placecat.sequences.open_home`.
 
     Parameters
     ----------
     fps
-        None takes the times of the database, and the rate of the median time between frames; a number puts
-        an even rate in their place.
+        None takes the times of the database, and the rate of the median time between frames; a number
+        replaces them by an even rate.
     camera
         ``RGBD_1`` to ``RGBD_4``.
     observations
@@ -124,30 +123,14 @@ def read_home(
     _check_pictures(file, root, folder, sources)
     numbers, seconds, median = _times(frames, longest_gap)
     rate = frame_rate(fps, name, median)
-    height, width = turned(read_image(root / sources[0]), turn).shape[:2]
-    return Home(
-        name=name,
-        root=root,
-        fps=rate,
-        camera=camera,
-        width=width,
-        height=height,
-        frames=frame_table(
-            [one.session for one in frames],
-            sources,
-            -1,
-            numbers,
-            seconds if fps is None else (np.array(numbers) - 1) / rate,
-            [one.room for one in frames],
-            turn,
-        ),
-        label_files={},
-        label_lines=np.zeros(len(frames), dtype=np.int32),
-    )
+    sessions, rooms = [one.session for one in frames], [one.room for one in frames]
+    times = seconds if fps is None else (np.array(numbers) - 1) / rate
+    table = frame_table(sessions, sources, -1, numbers, times, rooms, turn)
+    return home_of_pictures(name, root, rate, camera, table, {}, [0] * len(frames))
 
 
 def _number(rows: Iterable[tuple[int, str]], name: str, missing: str, setting: str) -> int:
-    """The number that a table gives a name."""
+    """The number of a name in a table."""
     numbers = {named: number for number, named in rows}
     if name not in numbers:
         question, there = did_you_mean(name, numbers), shown(", ".join(numbers))
@@ -167,7 +150,7 @@ def _observations(data: SqliteFile, file: Path, table: str, home: int, sensor: i
     for number, session, room, ticks, *_ in data.rows(table, home_id=home, sensor_id=sensor):
         where = f"{file}: observation {number} of {table}"
         if number not in pictures:
-            # The labelled ones are there twice, and have their pictures by the number in the other table.
+            # Labelled observations are also in this table; their pictures have the number in the other.
             if table == "rh_raw":
                 continue
             raise PlacecatError(f"{where} has no picture *{COLOR} in {FILES}; restore the file.")
@@ -189,7 +172,7 @@ def _known(named: Mapping[int, _Named], number: int, where: str, table: str) -> 
 
 def _times(frames: list[_Observation], longest_gap: float) -> tuple[list[int], list[float], float | None]:
     """Number each frame in its session; give its seconds, and the rate of the median step."""
-    # Of whole ticks, which are exact, unlike seconds since 1601.
+    # Whole ticks are exact, unlike seconds since 1601.
     longest = round(longest_gap * TICKS)
     numbers, ticks, steps = [1], [0], []
     for before, one in pairwise(frames):
@@ -212,10 +195,4 @@ def _check_pictures(file: Path, root: Path, folder: Path, sources: list[str]) ->
     for path in (root / source for source in sources):
         wanted.setdefault(path.parent, []).append(path.name)
     for place, names in wanted.items():
-        inside(place, folder, str(file))
-        links = {entry.name: entry.is_symlink() for entry in os.scandir(place)} if place.is_dir() else {}
-        for name in names:
-            if name not in links:
-                raise PlacecatError(f"{place / name}: the picture is missing ({file} lists it); restore it.")
-            if links[name]:
-                inside(place / name, folder, str(file))
+        check_listed(place, folder, str(file), dict.fromkeys(names, f"{file} lists it"), "restore it")

@@ -1,4 +1,4 @@
-"""SQLite files of others: opened for reading only, their tables and the types of their values checked."""
+"""SQLite files from outside: opened for reading only, with checked tables and types of values."""
 
 import sqlite3
 from collections.abc import Iterator, Mapping
@@ -11,7 +11,7 @@ from placecat.errors import PlacecatError
 from placecat.sequences.labels import shown
 
 Columns = Mapping[str, type | UnionType]
-"""Column name to what its values are: int, str, or either with None."""
+"""Column name to the type of its values: int, str, or either with None."""
 MOST_BYTES = 1 << 20
 """Of a row: our choice, far above a path or a name."""
 
@@ -23,13 +23,7 @@ class SqliteFile:
         self._path, self._connection, self._tables = path, connection, tables
 
     def rows(self, table: str, **equal: int) -> Iterator[tuple[Any, ...]]:
-        """Read the expected columns of a table, of rows whose columns have these values.
-
-        Raises
-        ------
-        PlacecatError
-            If a value is of another type.
-        """
+        """Read the expected columns of the rows that have these values; another type is a PlacecatError."""
         columns = self._tables[table]
         condition = " AND ".join(f"{name} = ?" for name in equal) or "TRUE"
         query = f"SELECT {', '.join(columns)} FROM {table} WHERE {condition}"
@@ -45,27 +39,18 @@ class SqliteFile:
 
 @contextmanager
 def opened(path: Path, tables: Mapping[str, Columns]) -> Iterator[SqliteFile]:
-    """Open a database for reading only; no file is written beside it.
+    """Open a database to read some columns of some tables; no file is written beside it.
 
-    Parameters
-    ----------
-    path
-        The file.
-    tables
-        The tables to be read, with their columns.
-
-    Raises
-    ------
-    PlacecatError
-        If the file is missing, being written to, damaged or no database, or lacks a table or a column.
+    Raises PlacecatError if the file is missing, damaged, not a database, or in use by a program that writes,
+    or lacks a table or a column.
     """
     if not path.is_file():
         raise PlacecatError(f"{path}: the database is missing; restore it, or correct dataset.root.")
     for ending in ("-journal", "-wal"):
         if Path(f"{path}{ending}").exists():
             raise PlacecatError(
-                f"{path}: a program is writing to it, or was stopped then ({path.name}{ending}); close the "
-                "program, or restore the file."
+                f"{path}: a program is writing to it, or was stopped while it wrote ({path.name}{ending}); "
+                "close the program, or restore the file."
             )
     try:
         # Without `immutable`, SQLite may write beside a file that it only reads.
@@ -80,7 +65,7 @@ def opened(path: Path, tables: Mapping[str, Columns]) -> Iterator[SqliteFile]:
 
 
 def _check(path: Path, connection: sqlite3.Connection, tables: Mapping[str, Columns]) -> None:
-    # No view, which could compute without an end.
+    # Views do not count: a view may compute without an end.
     there = {name for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
     for table, columns in tables.items():
         if table not in there:

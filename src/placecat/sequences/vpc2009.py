@@ -1,8 +1,8 @@
-"""The VPC-2009 home data base: ``HomeN/<floor>/%08d.jpg`` and ``HomeN/label.txt``.
+"""The VPC-2009 home database: ``HomeN/<floor>/%08d.jpg`` and ``HomeN/label.txt``.
 
 The label file lists floors one after the other, each as its folder, its number of frames, its segments
 (``first last label``, from 1 on every floor, both ends included) and an end line; a second end line ends
-the labels. What follows it is free text. Columns are set apart by any run of spaces or tabs.
+the labels, and free text may follow. Spaces or tabs separate columns.
 
 References
 ----------
@@ -15,11 +15,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
+import pandas as pd
 
 from placecat.errors import PlacecatError
-from placecat.footage.pictures import read_image
-from placecat.sequences.base import Home, frame_table
+from placecat.sequences.base import Home, frame_table, home_of_pictures
 from placecat.sequences.folders import data_folder, frame_rate, home_folder, inside, some_homes
 from placecat.sequences.labels import Segment, check_segments, expand_segments, read_text, shown, whole
 
@@ -31,19 +30,7 @@ _FRAME = re.compile(r"([0-9]{1,10})\.jpe?g", re.IGNORECASE)
 
 @dataclass(frozen=True)
 class Floor:
-    """The labels of one floor.
-
-    Attributes
-    ----------
-    name
-        Its folder.
-    count
-        Number of frames that the label file declares.
-    line
-        Line of that number.
-    segments
-        In order, covering frames 1 to `count`.
-    """
+    """A floor: its folder, the declared number of frames, that number's line, and the segments in order."""
 
     name: str
     count: int
@@ -65,41 +52,23 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
     folder = home_folder(root, name)
     rate = frame_rate(fps, name)
     file = folder / LABEL_FILE
-    sequences: list[str] = []
-    numbers: list[int] = []
-    sources: list[str] = []
-    labels: list[str] = []
-    lines: list[NDArray[np.int32]] = []
-    for floor in read_floors(file):
-        images = _images(folder, floor, file)
-        sources += [f"{name}/{floor.name}/{image}" for image in images]
-        sequences += [floor.name] * floor.count
-        numbers += range(1, floor.count + 1)
-        floor_labels, floor_lines = expand_segments(floor.segments)
-        labels += floor_labels
+    floors = read_floors(file)
+    tables, lines = [], []
+    for floor in floors:
+        sources = [f"{name}/{floor.name}/{image}" for image in _images(folder, floor, file)]
+        labels, floor_lines = expand_segments(floor.segments)
+        seconds = np.arange(floor.count) / rate
+        tables.append(frame_table(floor.name, sources, -1, range(1, floor.count + 1), seconds, labels))
         lines.append(floor_lines)
-    height, width = read_image(root / sources[0]).shape[:2]
-    seconds = (np.array(numbers) - 1) / rate
-    return Home(
-        name=name,
-        root=root,
-        fps=rate,
-        camera=camera,
-        width=width,
-        height=height,
-        frames=frame_table(sequences, sources, -1, numbers, seconds, labels),
-        label_files=dict.fromkeys(sequences, f"{name}/{LABEL_FILE}"),
-        label_lines=np.concatenate(lines),
-    )
+    frames = pd.concat(tables, ignore_index=True)
+    label_files = {floor.name: f"{name}/{LABEL_FILE}" for floor in floors}
+    return home_of_pictures(name, root, rate, camera, frames, label_files, np.concatenate(lines))
 
 
 def read_floors(file: Path) -> list[Floor]:
     """Read a ``label.txt``: its floors in the order of the file, at least one.
 
-    Raises
-    ------
-    PlacecatError
-        For anything but floors and end lines before the second end line, naming the line.
+    Raises PlacecatError, naming the line, for anything but floors before the second end line.
     """
     floors: list[Floor] = []
     name, count, count_line = "", 0, 0

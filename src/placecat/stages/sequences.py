@@ -10,7 +10,7 @@ import pandas as pd
 
 from placecat import files, paths, settings
 from placecat.errors import PlacecatError
-from placecat.sequences import Home, open_home, place_labels, require_classes, settings_of
+from placecat.sequences import Home, open_home_of, place_labels, require_classes
 from placecat.stages import run
 
 
@@ -29,25 +29,12 @@ def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
         )
     if not dataset["homes"]:
         raise PlacecatError(f"{setting}.homes is empty: name the homes to use")
-    layout = dataset["layout"]
-    given = {name: dataset[name] for name in settings_of(layout) if name in dataset}
     with files.replacing(target) as folder:
         for name in dataset["homes"]:
-            home = open_home(layout, root, name, **given | {"camera": _camera(dataset["camera"], name)})
+            home = open_home_of(dataset, name)
             if home.note:
                 print(f"placecat: note: {home.note}", file=sys.stderr)
             _write(folder / name, home, dataset)
-
-
-def _camera(camera: str | dict[str, str], home: str) -> str:
-    """The camera of a home, from one name for all or one per home."""
-    if isinstance(camera, str):
-        return camera
-    if home not in camera:
-        raise PlacecatError(
-            f"dataset.camera names none for {home}: add dataset.camera.{home}, or name one for all"
-        )
-    return camera[home]
 
 
 def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:

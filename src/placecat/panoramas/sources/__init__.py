@@ -17,25 +17,10 @@ _HOME, _ROOM = schema.of_type(FileName), schema.of_type(Label)
 
 
 def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
-    """List the panoramas of a source.
+    """List the panoramas of a source in a folder, by the settings of conf/panoramas.yaml.
 
-    Parameters
-    ----------
-    root
-        Its folder.
-    settings
-        Those of conf/panoramas.yaml.
-
-    Returns
-    -------
-    list of Panorama
-        At least one, in the order of the source; their pictures exist and are not decoded.
-
-    Raises
-    ------
-    PlacecatError
-        If the source or one of its files is unknown, missing or wrong; the message names the file, and the
-        line if there is one.
+    There is at least one; their pictures exist and are not decoded. Raises PlacecatError if the source or one
+    of its files is unknown, missing or wrong; the message names the file, and the line if there is one.
     """
     source = lookup.module(__name__, settings["source"], "source", "read")
     if not root.is_dir():

@@ -20,20 +20,14 @@ _EXAMPLE = "living_room"
 
 
 def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], list[str]]) -> list[Panorama]:
-    """Read the table of a source.
+    """Read the table in the folder of a source, a panorama per row.
 
     Parameters
     ----------
-    root
-        The folder of the source.
     settings
         Those of conf/panoramas.yaml: `table` and `labels`.
     files
         From the cell `file` to the pictures of a panorama, relative to `root`.
-
-    Returns
-    -------
-    One panorama per row.
 
     Raises
     ------
@@ -80,7 +74,7 @@ def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], l
 
 
 def _adding(room: str, settings: Mapping[str, Any]) -> str:
-    """The override that adds a room to a label and keeps what it has."""
+    """The override that adds a room to the rooms of a label."""
     labels = settings["labels"]
     label = _EXAMPLE if _EXAMPLE in labels else min(labels, default=_EXAMPLE)
     names = ",".join(map(overrides.text, [*labels.get(label, []), room]))

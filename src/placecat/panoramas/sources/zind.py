@@ -21,7 +21,7 @@ from placecat.panoramas.sources.table import FLOOR
 
 DATA = "zind_data.json"
 MOST_BYTES = 64 << 20
-"""Of a home's data: our choice. Its sample has 0.1 MB."""
+"""Of a home's data: our choice. The sample of the data set has 0.1 MB."""
 _LEVELS = ("floor", "complete room", "partial room", "panorama")
 
 
