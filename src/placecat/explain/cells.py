@@ -1,4 +1,4 @@
-"""Every cell of every table, and every number in the text, with all that explains it."""
+"""Every cell of every table, and every number in the text, with its explanation."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -41,11 +41,11 @@ class Explained:
     id
         As the page counts, e.g. ``table_26.9.3``; see :mod:`placecat.explain.numbering`.
     table, title
-        Name of the table, ``in_text`` for a number in the text, and what it is called.
+        Name of the table, ``in_text`` for a number in the text, and its title.
     group, row, column
-        Labels; of a number in the text its name, quantity and home.
+        Labels; for a number in the text its name, quantity and home.
     home
-        The only home or sequence that it is of, "all" for several.
+        Its only home or sequence, "all" for several.
     measured, published, spread, seeds
         As in the table.
     unit
@@ -53,11 +53,11 @@ class Explained:
     measurement
         Its values and origins.
     notes
-        What is said of it.
+        Notes on it.
     data
-        Title of the data set, and what the published number was measured on ("" if nothing was published).
+        Titles of the data sets of the measured and of the published number, "" if nothing was published.
     made
-        How each of the results was made that it was read off.
+        How each of its results was made.
     trained
         Test home to the frames of each plan, once each.
     findings
@@ -90,7 +90,7 @@ class Explained:
 
     @property
     def origins(self) -> tuple[Origin, ...]:
-        """The results that it was read off."""
+        """The results behind it."""
         return self.measurement.origins
 
     @property
@@ -146,24 +146,22 @@ class Explaining:
         for row in table.cells.to_dict("records"):
             key = (row["group"], row["row"], row["column"])
             one = measurements[key]
-            if in_percent(own) or _column_of(one.origins) not in ("log_loss",):
-                unit = "points" if len(one.origins) > 1 else "percent"
-            else:
+            unit = "points" if len(one.origins) > 1 else "percent"
+            if not in_percent(own) and one.origins and one.origins[0].part == "log_loss":
                 unit = "nats"
             yield self._cell(ids[key], name, title, key, row, one, unit, data)
 
     def _of_text(self) -> Iterator[Explained]:
         measurements = self._origins[in_text.NAME]
-        title = "Number in the text"
         for position, row in enumerate(self._texts.to_dict("records"), start=1):
             key = (row["name"], row["quantity"], row["home"])
             one = measurements[key]
             data = str(next((note.text for note in row["notes"] if note.is_of_the_table), ""))
             number = numbering.number_in_text(position, in_text.NAME)
-            titled = f"{title}, section {row['section']}"
+            title = f"Number in the text, section {row['section']}"
             unit = _unit_in_text(row["quantity"], one.origins)
             where = (data.removeprefix("measured on "), "")
-            yield self._cell(number, in_text.NAME, titled, key, row, one, unit, where)
+            yield self._cell(number, in_text.NAME, title, key, row, one, unit, where)
 
     def _cell(
         self,
@@ -233,10 +231,6 @@ class Explaining:
         return found
 
 
-def _column_of(origins: Sequence[Origin]) -> str:
-    return origins[0].part if origins else ""
-
-
 def _unit_in_text(quantity: str, origins: Sequence[Origin]) -> str:
     if not origins or origins[0].result.startswith(RECORD):
         return ""
@@ -246,7 +240,7 @@ def _unit_in_text(quantity: str, origins: Sequence[Origin]) -> str:
 
 
 def quantity(origin: Origin, home: str) -> str:
-    """Say what was measured of a result, e.g. "accuracy in home_3: the mean over its places ..."."""
+    """Describe the measured quantity of a result, e.g. "accuracy in home_3: mean over the places ..."."""
     where = f" in {home}" if home != ALL_HOMES else ""
     if origin.part in MEASURES:
         text = f"{MEASURES[origin.part].lower()} of the distributions"
@@ -258,6 +252,5 @@ def quantity(origin: Origin, home: str) -> str:
         text = f"accuracy{where}: mean over the places of the share of frames that are named rightly"
     if origin.result.startswith(RECORD):
         text = "read off a record"
-    return (
-        text if home != ALL_HOMES or len(origin.homes) < 2 else f"{text}; mean over {', '.join(origin.homes)}"
-    )
+    several = home == ALL_HOMES and len(origin.homes) > 1
+    return f"{text}; mean over {', '.join(origin.homes)}" if several else text

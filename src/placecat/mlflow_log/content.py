@@ -53,18 +53,11 @@ def table_run(
     written: Sequence[Path],
     made: Callable[[str], Made],
 ) -> TableRun:
-    """Gather all of one table, from its configuration and its filled `cells`.
+    """Gather the content of one table, from its definition and its filled `cells`.
 
-    Parameters
-    ----------
-    dataset
-        What the table is measured on (:func:`placecat.thesis.tables.dataset_of`).
-    settings
-        Flat settings that the numbers depend on.
-    written
-        The table's own files, e.g. its CSV.
-    made
-        Says how a result was made, by its name.
+    `dataset` is that of the table (:func:`placecat.thesis.tables.dataset_of`); `settings` are flat, only
+    those that its numbers depend on; `written` are its own files, e.g. its CSV; `made` describes how a result
+    was made, by its name.
     """
     # The title of an addition says that it is one.
     title = f"{label(table)}: {table['title'].removeprefix(f'{label(table)}: ')}"
@@ -103,7 +96,7 @@ def table_run(
 
 
 def figures_run(folder: Path) -> TableRun:
-    """All figures that the stage `figures` drew into a folder, as one run."""
+    """All figures of the stage `figures` in a folder, as one run."""
     entries = files.read_json(folder / "figures.json")
     drawn = [folder / Path(entry["file"]).name for entry in entries if entry["file"]]
     lines = [
@@ -157,7 +150,7 @@ def _row_run(
     quality: Mapping[str, float],
     how: Mapping[str, Made],
 ) -> RowRun:
-    # In a list of runs of many tables.
+    # The list of runs shows those of many tables.
     of_table = table["name"].replace("_0", "_").replace("_", " ").capitalize()
     name = ": ".join(filter(None, (of_table, ", ".join(filter(None, labels)))))
     shown = {"table": label(table), "group": labels[0], "row": labels[1], "result": ", ".join(how)}
@@ -184,7 +177,7 @@ def _write_row(folder: Path, name: str, decisions: Mapping[str, Measured]) -> li
 
 
 def _write_counts(folder: Path, parts: Sequence[pd.DataFrame], labels: list[str]) -> list[Path]:
-    """Write tables of counts as one, the labels first; gives its path, of no tables nothing."""
+    """Write tables of counts as one file, the labels first; returns its path, nothing without tables."""
     if not parts:
         return []
     whole = pd.concat(parts)
@@ -211,9 +204,9 @@ def _results(
 
 
 def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, float]]:
-    """How good the probabilities of each row's result are, by group and row; of a table of one result by "".
+    """Quality of the probabilities of each row's result, by group and row; both are "" for a single result.
 
-    A table that shows just that has it in its cells, and that of trials has nothing.
+    Empty for a table that shows these numbers itself, and for trials, which have none.
     """
     if not in_percent(table):
         return {}
@@ -225,9 +218,9 @@ def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str]
 
 
 def _metrics(cells: pd.DataFrame, percent: bool) -> dict[str, float]:
-    """Metrics by column first: the user interface then has a section of charts for the averages of all rows.
+    """Metrics by column: the user interface then has a section of charts for the averages of all rows.
 
-    It lists them in this order: the averages on top.
+    It lists them in this order, the averages on top.
     """
     measured = cells[np.isfinite(cells["measured"])]
     measured = measured.sort_values("column", key=lambda column: column != AVERAGE, kind="stable")
@@ -236,7 +229,7 @@ def _metrics(cells: pd.DataFrame, percent: bool) -> dict[str, float]:
 
 
 def _measure(column: str, percent: bool) -> str:
-    """E.g. "Home 1" as ``accuracy/home_1``, "Average" as ``accuracy``; of no percentages ``log_loss``."""
+    """E.g. "Home 1" as ``accuracy/home_1``, "Average" as ``accuracy``; ``log_loss`` if not in percent."""
     if not percent:
         return _slug(column)
     return "accuracy" if column in (AVERAGE, "") else key("accuracy", _slug(column))
@@ -270,7 +263,7 @@ def _description(
 
 
 def _cut(text: str) -> str:
-    """Whole lines, as many as MLflow takes."""
+    """As many whole lines as MLflow takes."""
     if len(text) <= _LONGEST_DESCRIPTION:
         return text
     return text[: text.rindex("\n", 0, _LONGEST_DESCRIPTION - 40)] + "\n\n*The rest is in the artifacts.*\n"

@@ -10,13 +10,7 @@ from markupsafe import Markup, escape
 
 from placecat.explain.cells import Table
 from placecat.report.embed import embed
-from placecat.report.grid import (
-    Cell,
-    make_cell,
-    number_text,
-    seeds_sentence,
-    shown_table,
-)
+from placecat.report.grid import Cell, make_cell, number_text, seeds_sentence, shown_table
 from placecat.report.sections import arrange
 from placecat.report.shading import legend, shade
 from placecat.report.summary import (

@@ -16,21 +16,15 @@ from placecat.report.page import page_templates, shown_picture
 from placecat.side_by_side.figures import Figures, read_figures
 from placecat.thesis.tables import label, tables_of
 
-# Settings that say where and how a run computes, not what.
+# Settings of the computation, on which results do not depend.
 _NOT_SHOWN = ("compute", "reproducibility")
 
 
 def write(target: Path, old: str, new: str, lines: Sequence[str]) -> list[str]:
-    """Write the page; gives lines that say so, and which figures are missing.
+    """Write the page to an HTML file; returns lines that name the file and the missing figures.
 
-    Parameters
-    ----------
-    target
-        An HTML file.
-    old, new
-        The sides, as :func:`placecat.kept_in_git.read` takes them.
-    lines
-        What :func:`placecat.kept_in_git.compare` says of them.
+    `old` and `new` are the sides, as :func:`placecat.kept_in_git.read` takes them; `lines` are those of
+    :func:`placecat.kept_in_git.compare`.
     """
     files.check_file(target)
     drawn = [read_figures(side) for side in (old, new)]
@@ -50,14 +44,8 @@ def page_html(
 ) -> str:
     """Render the page from the old and the new side.
 
-    Parameters
-    ----------
-    names
-        For each side its ``name`` and ``about``, a line about its commit or "".
-    kept, drawn
-        Their results and figures.
-    lines
-        What to say first.
+    `names` has for each side its ``name`` and ``about``, a line about its commit or ""; `kept` and `drawn`
+    are their results and figures; `lines` come first on the page.
     """
     templates = page_templates()
     templates.loader = ChoiceLoader([PackageLoader("placecat.side_by_side"), templates.loader])

@@ -10,15 +10,7 @@ from placecat import seeds
 from placecat.errors import NotComputable
 from placecat.evaluation.bootstrap import Interval
 from placecat.evaluation.tail import share_below
-from placecat.evaluation.verdict import (
-    FAILS,
-    HOLDS,
-    UNDECIDED,
-    Range,
-    corrected_level,
-    judge,
-    judge_shares,
-)
+from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED, Range, corrected_level, judge, judge_shares
 from placecat.results.measured import Results
 from placecat.thesis.claims import Comparison, Side
 from placecat.thesis.number import AVERAGE

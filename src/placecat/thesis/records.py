@@ -75,14 +75,11 @@ def _value(one: Mapping[str, Any], table: pd.DataFrame, where: str) -> Number:
 
 
 def read_records(params: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
-    """Read the tables, besides results, behind numbers in the thesis's text.
+    """Read the tables, besides results, behind numbers in the thesis's text, by name.
 
-    Returns
-    -------
-    dict
-        ``benchmarks`` and ``scale``, kept in git; ``nu``, one row per model of a nu-SVM and test home:
-        result, home, asked, lowest and highest nu in force of its two-class machines; ``rejected``, one row
-        per labelled frame that a filter rejects: filter, home, information. Missing ones have no rows.
+    ``benchmarks`` and ``scale`` are kept in git. ``nu`` has one row per model of a nu-SVM and test home:
+    result, home, asked, lowest and highest nu in force of its two-class machines. ``rejected`` has one row
+    per labelled frame that a filter rejects: filter, home, information. Missing tables have no rows.
     """
     kept = {"benchmarks": paths.BENCHMARKS, "scale": paths.SCALE_STAGES}
     found = {name: pd.read_csv(path) if path.is_file() else pd.DataFrame() for name, path in kept.items()}

@@ -121,11 +121,7 @@ def figure(
 
 
 def _bar(
-    axes: Axes,
-    places: NDArray[np.integer],
-    start: int,
-    span: tuple[float, float],
-    colors: Sequence[str],
+    axes: Axes, places: NDArray[np.integer], start: int, span: tuple[float, float], colors: Sequence[str]
 ) -> None:
     """Draw the places over time as a bar of their colours between two heights; white if unlabelled."""
     for part in stretches(places):
