@@ -77,7 +77,7 @@ def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[st
     if table == in_text.NAME:
         rows = filling.text(results, params)[[*in_text.KEY, "number"]].itertuples(index=False, name=None)
         return {
-            numbering.number_in_text(position, table): ((name, quantity, home), one)
+            f"{table}.{position}": ((name, quantity, home), one)
             for position, (name, quantity, home, one) in enumerate(rows, start=1)
         }
     filled = filling.table(tables_of(params)[table], results, params)

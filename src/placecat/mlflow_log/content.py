@@ -9,13 +9,14 @@ import numpy as np
 import pandas as pd
 
 from placecat import files
+from placecat.drawing.style import house_style, save
 from placecat.evaluation.trials import AXES, HOMES, trial_name
 from placecat.explain.made import Made
 from placecat.mlflow_log.params import params_of_results
 from placecat.mlflow_log.store import key
 from placecat.mlflow_log.tables import RUN_ID, RowRun, TableRun
-from placecat.report.charts.draw import draw_table
-from placecat.report.charts.matrices import draw_matrices
+from placecat.report.charts.accuracy import accuracy_chart
+from placecat.report.charts.matrices import draw_matrices, draw_sheet
 from placecat.report.formats import table_markdown
 from placecat.report.summary import VERDICTS, readings_of
 from placecat.results.confusion import confusion_rows, pooled_rows
@@ -75,12 +76,18 @@ def table_run(
     counts = [repr(score_rows("/".join(labels), one)) for labels, one in by_cell.items()]
 
     def write(folder: Path) -> list[Path]:
-        pictures = draw_table(folder, title, cells, decisions, published=beside, chart=in_percent(table))
+        paths = list(written)
+        with house_style():
+            if in_percent(table) and (chart := accuracy_chart(title, cells, published=beside)) is not None:
+                save(chart, folder / "chart.png")
+                paths.append(folder / "chart.png")
+        if draw_sheet(folder / "confusion.png", title, decisions):
+            paths.append(folder / "confusion.png")
         matrices = [
             pooled_rows(one).assign(group=group, row=row, column=column)
             for (group, row, column), one in by_cell.items()
         ]
-        return [*written, *pictures, *_write_counts(folder, matrices, ["group", "row", "column", "truth"])]
+        return [*paths, *_write_counts(folder, matrices, ["group", "row", "column", "truth"])]
 
     return TableRun(
         name=table["name"],
@@ -230,17 +237,14 @@ def _metrics(cells: pd.DataFrame, percent: bool) -> dict[str, float]:
 
 def _measure(column: str, percent: bool) -> str:
     """E.g. "Home 1" as ``accuracy/home_1``, "Average" as ``accuracy``; ``log_loss`` if not in percent."""
-    if not percent:
-        return _slug(column)
-    return "accuracy" if column in (AVERAGE, "") else key("accuracy", _slug(column))
+    section = _section(column, percent)
+    return key("accuracy", section) if percent and section != "accuracy" else section
 
 
 def _section(column: str, percent: bool) -> str:
-    return "accuracy" if percent and column in (AVERAGE, "") else _slug(column)
-
-
-def _slug(column: str) -> str:
-    """E.g. "Home 1" as ``home_1``."""
+    """E.g. "Home 1" as ``home_1``, "Average" as ``accuracy``."""
+    if percent and column in (AVERAGE, ""):
+        return "accuracy"
     return key(column).lower().replace(" ", "_")
 
 

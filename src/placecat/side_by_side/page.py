@@ -103,15 +103,12 @@ def _table(old: pd.DataFrame | None, new: pd.DataFrame | None) -> dict[str, Any]
     keys = dict.fromkeys([*now, *before])
     columns = list(dict.fromkeys(column for *_, column in keys))
     groups: dict[str, dict[str, list[dict[str, Any]]]] = {}
-    for group, row, _ in keys:
-        groups.setdefault(group, {})[row] = []
     changed = 0
-    for group, rows in groups.items():
-        for row, cells in rows.items():
-            for column in columns:
-                pair = [side.get((group, row, column), "") for side in (before, now)]
-                cells.append(_cell(*pair))
-                changed += cells[-1]["changed"]
+    for group, row in dict.fromkeys(key[:2] for key in keys):
+        labels = [(group, row, column) for column in columns]
+        cells = [_cell(before.get(key, ""), now.get(key, "")) for key in labels]
+        groups.setdefault(group, {})[row] = cells
+        changed += sum(cell["changed"] for cell in cells)
     return {"columns": columns, "groups": groups, "changed": changed}
 
 
@@ -158,15 +155,14 @@ def _figures(old: Figures, new: Figures) -> list[dict[str, Any]]:
         pair = [one.pictures.get(name) for one in (old, new)]
         is_same = pair[0] == pair[1]
         number = re.fullmatch(r"figure_0*(\d+)", name)
+        pictures = [] if is_same else [picture and shown_picture(picture) for picture in pair]
         found.append(
             {
                 "anchor": f"figure-{number[1]}" if number else f"addition-{name}".replace("_", "-"),
                 "label": f"Figure {number[1]}" if number else name.replace("_", " ").capitalize(),
                 "title": (old.captions | new.captions)[name],
                 "is_same": is_same,
-                "pictures": []
-                if is_same
-                else [None if picture is None else shown_picture(picture) for picture in pair],
+                "pictures": pictures,
             }
         )
     return found

@@ -96,12 +96,8 @@ def judge_comparison(
 ) -> Judged:
     """Judge one comparison; wrong settings raise PlacecatError, missing measurements make it undecided.
 
-    Parameters
-    ----------
-    finding
-        Name of its finding; the bootstrap's seed derives from it.
-    comparisons
-        Number of the finding's comparisons, all of which must hold.
+    `finding` is the name of its finding, from which the bootstrap's seed derives; `comparisons` is the number
+    of the finding's comparisons, all of which must hold.
     """
     try:
         paired = (

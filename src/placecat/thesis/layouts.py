@@ -53,7 +53,7 @@ def by_class(table: Mapping[str, Any], results: Results) -> Cells:
         for place in results.classes
     }
     averages = dict(in_homes(results, name, results.numbers))
-    filled = {}
+    filled: Cells = {}
     for number in results.numbers:
         row = home_label(number)
         filled |= {("", row, column): numbers[number - 1] for column, numbers in of_place.items()}
@@ -108,14 +108,12 @@ def grid(table: Mapping[str, Any], results: Results) -> Cells:
     """
     axes = [table["axes"].get(axis, {"": {}}) for axis in AXES]
     numbers = results.numbers if table["homes"] == "all" else [int(number) for number in table["homes"]]
-    filled = {}
+    filled: Cells = {}
     for labels in itertools.product(*(("",) if axis == HOMES else axis for axis in axes)):
         name = trial_name(table["name"], *labels)
-        if HOMES not in axes:
-            filled[labels] = over_homes(results, name, numbers)
-            continue
-        # The label of the axis of homes is still empty.
-        for home, number in in_homes(results, name, numbers):
+        whole = [] if HOMES in axes else [("", over_homes(results, name, numbers))]
+        for home, number in whole or in_homes(results, name, numbers):
+            # The label of an axis of homes is still empty.
             pairs = zip(axes, labels, strict=True)
             group, row, column = (home if axis == HOMES else label for axis, label in pairs)
             filled[group, row, column] = number
@@ -128,7 +126,7 @@ def pooled_by_class(table: Mapping[str, Any], results: Results) -> Cells:
     Each of ``table["rows"]`` has `group`, `row` and `result`. ``table["plain"]``, if present, names a column
     for the share of all frames, of any place.
     """
-    filled = {}
+    filled: Cells = {}
     for row in table["rows"]:
         name = row["result"]
         one = results.of(name).pooled()

@@ -24,6 +24,8 @@ _VALUE = ["quantity", "column", "where", "pick", "digits"]
 def read_off(entry: Mapping[str, Any], records: Mapping[str, pd.DataFrame], where: str) -> list[Line]:
     """Read the numbers of one entry from a table.
 
+    Raises PlacecatError for an unknown setting, table or column, or several rows without ``pick``.
+
     Parameters
     ----------
     entry
@@ -34,11 +36,6 @@ def read_off(entry: Mapping[str, Any], records: Mapping[str, pd.DataFrame], wher
         Tables by name; one without rows was not recorded.
     where
         Name of the entry in messages.
-
-    Raises
-    ------
-    PlacecatError
-        For an unknown setting, table or column, or several rows without ``pick``.
     """
     settings.refuse_unknown(entry, ["record", "values"], where)
     if entry["record"] not in records:

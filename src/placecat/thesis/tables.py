@@ -74,6 +74,13 @@ def fill_table(
 ) -> pd.DataFrame:
     """Fill one table.
 
+    Returns the columns table ("Addition" for an addition), group, row, column, published, measured, spread,
+    seeds, note, and ``notes``, the same by kind; ``number``, the cell's
+    :class:`~placecat.thesis.number.Number`. First the published cells in their order, then additional ones of
+    this run. ``measured`` (percent, see :func:`in_percent`; mean over seeds, 2 decimals) is NaN only with a
+    note that says why. ``spread`` is the largest minus the smallest of the seeds in points, NaN if nothing is
+    random; ``seeds`` is their number, then 0.
+
     Parameters
     ----------
     table
@@ -87,16 +94,6 @@ def fill_table(
         that the numbers do not compare.
     contradictions
         From :func:`contradictions_of`.
-
-    Returns
-    -------
-    DataFrame
-        Columns table ("Addition" for an addition), group, row, column, published, measured, spread, seeds,
-        note, and ``notes``, the same by kind; ``number``, the cell's :class:`~placecat.thesis.number.Number`.
-        First the published cells in their order, then additional ones of this run. ``measured`` (percent, see
-        :func:`in_percent`; mean over seeds, 2 decimals) is NaN only with a note that says why. ``spread`` is
-        the largest minus the smallest of the seeds in points, NaN if nothing is random; ``seeds`` is their
-        number, then 0.
     """
     number = table["number"]
     known = published[published["table"] == number]
