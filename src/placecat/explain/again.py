@@ -36,7 +36,7 @@ Counts = dict[tuple[str, str], NDArray[np.int64]]
 
 
 @dataclass(frozen=True)
-class _Anew(Source):
+class _Recomputed(Source):
     """The distributions of a result, of which some homes were computed again."""
 
     arrays: Mapping[tuple[str, str], Array] = field(default_factory=dict)
@@ -63,7 +63,7 @@ def compute(number: str) -> tuple[bool, str]:
     steps: list[str] = []
     for origin in kept[key].origins:
         if not origin.result.startswith(RECORD):
-            results = _anew(origin, results, params, steps)
+            results = _recompute(origin, results, params, steps)
     values = measurement(_numbers(table, params, results)[number][1], results).values
     done = "; ".join(dict.fromkeys(steps)) or "read again"
     if values == kept[key].values:
@@ -86,7 +86,7 @@ def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[st
     return {ids[group, row, column]: ((group, row, column), one) for group, row, column, one in rows}
 
 
-def _anew(origin: Origin, results: Results, params: Mapping[str, Any], steps: list[str]) -> Results:
+def _recompute(origin: Origin, results: Results, params: Mapping[str, Any], steps: list[str]) -> Results:
     """The results with one computed again in the homes of an origin."""
     name = origin.result
     if name not in results.measured:
@@ -99,8 +99,8 @@ def _anew(origin: Origin, results: Results, params: Mapping[str, Any], steps: li
     homes = tuple(home for home in source.homes if not origin.homes or home in origin.homes)
     source = replace(source, homes=homes)
     found = dict(_distributions(name, source, params, steps))
-    anew = _Anew(source.folder, source.name, homes, source.site, source.classes, found)
-    measured, quality = measure(anew, settings.get(params, "probabilities"))
+    recomputed = _Recomputed(source.folder, source.name, homes, source.site, source.classes, found)
+    measured, quality = measure(recomputed, settings.get(params, "probabilities"))
     counts_of = {
         (home, seed): measured.confusion[s, h]
         for s, seed in enumerate(measured.seeds)
@@ -119,12 +119,12 @@ def _with_counts(results: Results, name: str, counts: Counts) -> Results:
 
 def _with_quality(results: Results, name: str, quality: Quality) -> Results:
     # Rounded as in the stage's file.
-    anew = from_rows(pd.DataFrame(quality_rows(name, quality), columns=QUALITY_COLUMNS))[name]
+    recomputed = from_rows(pd.DataFrame(quality_rows(name, quality), columns=QUALITY_COLUMNS))[name]
     one = results.quality[name]
     values = {key: array.copy() for key, array in one.values.items()}
-    for home in anew.homes:
+    for home in recomputed.homes:
         for key, array in values.items():
-            array[:, one.homes.index(home)] = anew.values[key][:, anew.homes.index(home)]
+            array[:, one.homes.index(home)] = recomputed.values[key][:, recomputed.homes.index(home)]
     return replace(results, quality={**results.quality, name: replace(one, values=values)})
 
 

@@ -175,7 +175,7 @@ def _together(cues: Iterable[Made], title: str, stages: Iterable[str], **own: An
 
 
 def _smoothing(params: Mapping[str, Any]) -> dict[str, Any]:
-    """Settings of the smoothing, without the list of what is smoothed."""
+    """Settings of the smoothing, without the lists of smoothed results."""
     section = settings.get(params, "smoothing")
     return {name: value for name, value in section.items() if name not in ("cues", "filtered")}
 
@@ -241,9 +241,9 @@ def _smoothed(kind: str, name: str, params: Mapping[str, Any]) -> Made:
 
 
 def _of_split(name: str, params: Mapping[str, Any]) -> Made:
-    split, kind, what = name.split("/", 2)
+    split, kind, part = name.split("/", 2)
     own = settings.get(params, f"splits.{split}")
-    names = [what] if kind == "cues" else list(own["systems"][what])
+    names = [part] if kind == "cues" else list(own["systems"][part])
     cues = [_described_cue(cue, params) for cue in names]
     parts: dict[str, Any] = {}
     if kind != "cues":
@@ -251,16 +251,16 @@ def _of_split(name: str, params: Mapping[str, Any]) -> Made:
     if kind in ("hmm", "smoothing"):
         parts["smoothing"] = _smoothing(params)
     layers = {
-        "cues": f"the cue {what} trained alone",
-        "integration": f"the system {what}: the cues {', '.join(names)} integrated",
-        "hmm": f"the HMM before its delay over the system {what}",
-        "smoothing": f"the delayed HMM over the system {what}",
+        "cues": f"the cue {part} trained alone",
+        "integration": f"the system {part}: the cues {', '.join(names)} integrated",
+        "hmm": f"the HMM before its delay over the system {part}",
+        "smoothing": f"the delayed HMM over the system {part}",
     }
     return _together(
         cues,
         f"{layers[kind]}, on the fixed split of {split}",
         ("site_sequences", "site_features", "splits"),
-        system="" if kind == "cues" else what,
+        system="" if kind == "cues" else part,
         plan=split,
         fuses=kind != "cues",
         settings=parts,

@@ -60,7 +60,7 @@ def table_run(
     those that its numbers depend on; `written` are its own files, e.g. its CSV; `made` describes how a result
     was made, by its name.
     """
-    # The title of an addition says that it is one.
+    # The title of an addition already starts with this label.
     title = f"{label(table)}: {table['title'].removeprefix(f'{label(table)}: ')}"
     beside = comparable(table, dataset)
     decisions = decisions_of(table, results)

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 KIND, TABLE, DIGEST = "placecat.kind", "placecat.table", "placecat.digest"
 CURRENT, SUPERSEDED_BY = "placecat.current", "placecat.superseded_by"
-# Who trains what and who is tested, e.g. "5-5-1"; of a table those of all its rows.
+# Name of the training protocol, e.g. "5-5-1"; a table has those of all its rows.
 PROTOCOL = "protocol"
 # Name of the queued DVC experiment that logged a run. It is current beside the project's own, by this name.
 DVC_EXPERIMENT = "placecat.dvc_experiment"

@@ -57,7 +57,7 @@ def in_text(
         not measured.
     published
         Columns name, section, quantity, home, value (NaN if the thesis has only words), quote and note, which
-        says what in the thesis contradicts the value.
+        names contradictions in the thesis to the value.
     dataset, splits
         ``title`` and ``thesis_data`` of the main data set, and of that of each split.
     records

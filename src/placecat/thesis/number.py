@@ -39,11 +39,11 @@ class Number:
     is_random
         Whether it depends on a seed.
     notes
-        The reasons, if there is no number; else remarks on it.
+        The reasons for a missing number, or remarks on the number.
     digits
         After the point.
     origins
-        Its sources, also if there is no number.
+        Its sources, also those of a missing number.
     """
 
     values: NDArray[np.float64]

@@ -114,7 +114,7 @@ def _nu_of_trials(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def _asked(classifier: Mapping[str, Any]) -> float | None:
-    """The nu in a classifier's settings; None if it is no nu-SVM."""
+    """The nu in a classifier's settings; None for other classifiers than a nu-SVM."""
     base = classifier.get("base", {})
     return float(base["nu"]) if base.get("name") == "nu_svm" else None
 

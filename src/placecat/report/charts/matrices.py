@@ -64,8 +64,8 @@ def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) ->
 def draw_sheet(target: Path, title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> bool:
     """Write all matrices of a table as PNG: one line per row, with each column or each home.
 
-    `rows` are from :func:`placecat.thesis.decisions.decisions_of`; without any there is no picture, and this
-    is False.
+    `rows` are from :func:`placecat.thesis.decisions.decisions_of`; without any, no picture is written, and
+    the result is False.
     """
     lines = {" / ".join(filter(None, labels)): _blocks(of_row) for labels, of_row in rows.items() if of_row}
     if not lines:
