@@ -76,7 +76,7 @@ def test_only_what_differs_is_shown_with_both_values(outside):
     assert re.findall(r'<figure id="([^"]*)"', html) == ["figure-3", "figure-4"]
     assert html.count("<img") == 3
     said = text_of(html)
-    assert "What differs: settings 1, verdicts 1, tables 1 (cells 1), figures 2." in said
+    assert "Differences: settings 1, verdicts 1, tables 1 (cells 1), figures 2." in said
     assert "Equal: table 01; Numbers in the thesis’s text." in said.replace("table_01", "table 01")
     assert "Said first." in said and "&lt;first&gt;" in html and "<first>" not in html
     assert re.findall(r'(?:src|href)="(?!#|data:)[^"]*"', html) == []

@@ -22,18 +22,9 @@ def line_height(size: int) -> int:
 
 @lru_cache(maxsize=1024)
 def mask(text: str, size: int, *, bold: bool = False) -> NDArray[np.float32]:
-    """How much of each pixel the text covers.
+    """(line_height(size), width) float32 in [0, 1]: how much of each pixel one line of text covers.
 
-    Parameters
-    ----------
-    text
-        One line.
-    size
-        Of the font, in pixels.
-
-    Returns
-    -------
-    (line_height(size), width) float32 in [0, 1].
+    `size` is that of the font in pixels.
     """
     text = written(text)
     if not text:
@@ -62,28 +53,26 @@ def write(
     bold: bool = False,
     align: str = "left",
 ) -> int:
-    """Write a line into a picture; what does not fit is cut.
+    """Write a line into a picture (H, W, 3) uint8, BGR, cut at its edges; returns the width of the text.
 
-    Parameters
-    ----------
-    picture
-        (H, W, 3) uint8, BGR, is changed.
-    where
-        x and y of the line's upper corner, the left one or with ``align="right"`` the right one.
-    size
-        Of the font, in pixels.
-    color
-        BGR.
-
-    Returns
-    -------
-    int
-        Width of the text.
+    `where` is x and y of the line's upper corner, the left one, or the right one with ``align="right"``;
+    `size` is that of the font in pixels; `color` is BGR.
     """
     cover = mask(text, size, bold=bold)
     left = where[0] - (cover.shape[1] if align == "right" else 0)
-    x, y = max(left, 0), max(where[1], 0)
-    part = picture[y : where[1] + cover.shape[0], x : left + cover.shape[1]]
-    own = cover[y - where[1] :, x - left :][: part.shape[0], : part.shape[1], None]
-    part[:] = np.rint(part * (1 - own) + np.array(color, np.float32) * own).astype(np.uint8)
+    stamp(picture, cover, (left, where[1]), color)
     return cover.shape[1]
+
+
+def stamp(
+    picture: NDArray[np.uint8],
+    cover: NDArray[np.float32],
+    where: tuple[int, int],
+    color: tuple[int, int, int],
+) -> None:
+    """Colour a picture (H, W, 3), BGR, where a mask (h, w) covers it, its upper left corner at x and y."""
+    left, top = where
+    x, y = max(left, 0), max(top, 0)
+    part = picture[y : top + cover.shape[0], x : left + cover.shape[1]]
+    own = cover[y - top :, x - left :][: part.shape[0], : part.shape[1], None]
+    part[:] = np.rint(part * (1 - own) + np.array(color, np.float32) * own).astype(np.uint8)

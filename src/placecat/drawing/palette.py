@@ -39,7 +39,7 @@ def place_colors(classes: Sequence[str]) -> dict[str, str]:
 
 
 def written(text: str) -> str:
-    """Text of the user's as a figure can show it: on one line, not too long, without what no font can draw.
+    """A user's text as a figure can show it: one line of limited length, without undrawable characters.
 
     Matplotlib fails on half a character (a file's name may be in any coding), and a long line takes minutes.
     """

@@ -45,9 +45,9 @@ def save_pdf(figure: Figure, target: Path, *, title: str, settings: str) -> None
 
 
 def png_of(draw: Callable[..., Figure | None], *arguments: Any) -> bytes | None:
-    """Draw a figure in the common style and give it as PNG; the same figure gives the same bytes.
+    """Draw a figure in the common style and return it as PNG; the same figure gives the same bytes.
 
-    Of this program's own text: what stands between two $ is mathematics, as in the powers of ten on an axis.
+    Its text must be this program's own: between two $ it is mathematics, as in the powers of ten on an axis.
     """
     with house_style({"text.parse_math": True}):
         figure = draw(*arguments)

@@ -1,4 +1,4 @@
-"""One cell computed again: the last steps that made it, from what the stages before them left."""
+"""One cell computed again: its last steps, from the files of the stages before them."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -30,33 +30,27 @@ from placecat.training.saved import smooth_home
 from placecat.training.trial import judge, of_settings
 
 Key = tuple[str, str, str]
+Array = NDArray[np.float64]
+# Home and seed to counts of decisions.
+Counts = dict[tuple[str, str], NDArray[np.int64]]
 
 
 @dataclass(frozen=True)
-class _Anew(Source):
+class _Recomputed(Source):
     """The distributions of a result, of which some homes were computed again."""
 
-    arrays: Mapping[tuple[str, str], NDArray[np.float64]] = field(default_factory=dict)
+    arrays: Mapping[tuple[str, str], Array] = field(default_factory=dict)
 
-    def array(self, home: str, seed: str) -> NDArray[np.float64]:
+    def array(self, home: str, seed: str) -> Array:
         return self.arrays[home, seed]
 
 
 def compute(number: str) -> tuple[bool, str]:
-    """Compute one cell again; give whether all bits agree with the kept ones, and a sentence that says so.
+    """Compute one cell (:func:`placecat.explain.find.find`) again, and compare it with the kept one.
 
-    Of a smoothed, filtered or integrated result that step is done again from the files of the step before;
-    a cue is trained again from its features and codebook, and a trial and a split from their features.
-
-    Parameters
-    ----------
-    number
-        As for :func:`placecat.explain.find.find`.
-
-    Raises
-    ------
-    PlacecatError
-        A stage before it has not run.
+    A smoothed, filtered or integrated result is computed from the files of the step before; a cue is trained
+    from its features and codebook, and a trial and a split from their features. Returns whether all bits
+    agree, and a sentence that says so. Raises PlacecatError if a stage before it has not run.
     """
     params = settings.load()
     table = number.partition(".")[0]
@@ -69,7 +63,7 @@ def compute(number: str) -> tuple[bool, str]:
     steps: list[str] = []
     for origin in kept[key].origins:
         if not origin.result.startswith(RECORD):
-            results = _anew(origin, results, params, steps)
+            results = _recompute(origin, results, params, steps)
     values = measurement(_numbers(table, params, results)[number][1], results).values
     done = "; ".join(dict.fromkeys(steps)) or "read again"
     if values == kept[key].values:
@@ -79,25 +73,20 @@ def compute(number: str) -> tuple[bool, str]:
 
 
 def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[str, tuple[Key, Number]]:
-    """Number of each cell of one table to its labels and what results give for it."""
+    """Number of each cell of one table to its labels and its value by the results."""
     if table == in_text.NAME:
-        said = filling.text(results, params)
-        rows = said[[*in_text.KEY, "number"]].itertuples(index=False, name=None)
+        rows = filling.text(results, params)[[*in_text.KEY, "number"]].itertuples(index=False, name=None)
         return {
-            numbering.number_in_text(position, table): ((name, quantity, home), one)
+            f"{table}.{position}": ((name, quantity, home), one)
             for position, (name, quantity, home, one) in enumerate(rows, start=1)
         }
     filled = filling.table(tables_of(params)[table], results, params)
     ids = numbering.numbers(filled, table)
-    return {
-        ids[group, row, column]: ((group, row, column), one)
-        for group, row, column, one in filled[["group", "row", "column", "number"]].itertuples(
-            index=False, name=None
-        )
-    }
+    rows = filled[["group", "row", "column", "number"]].itertuples(index=False, name=None)
+    return {ids[group, row, column]: ((group, row, column), one) for group, row, column, one in rows}
 
 
-def _anew(origin: Origin, results: Results, params: Mapping[str, Any], steps: list[str]) -> Results:
+def _recompute(origin: Origin, results: Results, params: Mapping[str, Any], steps: list[str]) -> Results:
     """The results with one computed again in the homes of an origin."""
     name = origin.result
     if name not in results.measured:
@@ -110,8 +99,8 @@ def _anew(origin: Origin, results: Results, params: Mapping[str, Any], steps: li
     homes = tuple(home for home in source.homes if not origin.homes or home in origin.homes)
     source = replace(source, homes=homes)
     found = dict(_distributions(name, source, params, steps))
-    anew = _Anew(source.folder, source.name, homes, source.site, source.classes, found)
-    measured, quality = measure(anew, settings.get(params, "probabilities"))
+    recomputed = _Recomputed(source.folder, source.name, homes, source.site, source.classes, found)
+    measured, quality = measure(recomputed, settings.get(params, "probabilities"))
     counts_of = {
         (home, seed): measured.confusion[s, h]
         for s, seed in enumerate(measured.seeds)
@@ -120,7 +109,7 @@ def _anew(origin: Origin, results: Results, params: Mapping[str, Any], steps: li
     return _with_quality(_with_counts(results, name, counts_of), name, quality)
 
 
-def _with_counts(results: Results, name: str, counts: Mapping[tuple[str, str], NDArray[np.int64]]) -> Results:
+def _with_counts(results: Results, name: str, counts: Counts) -> Results:
     one = results.measured[name]
     confusion = one.confusion.copy()
     for (home, seed), of_home in counts.items():
@@ -129,19 +118,19 @@ def _with_counts(results: Results, name: str, counts: Mapping[tuple[str, str], N
 
 
 def _with_quality(results: Results, name: str, quality: Quality) -> Results:
-    # Rounded as the file of the stage is.
-    anew = from_rows(pd.DataFrame(quality_rows(name, quality), columns=QUALITY_COLUMNS))[name]
+    # Rounded as in the stage's file.
+    recomputed = from_rows(pd.DataFrame(quality_rows(name, quality), columns=QUALITY_COLUMNS))[name]
     one = results.quality[name]
     values = {key: array.copy() for key, array in one.values.items()}
-    for home in anew.homes:
+    for home in recomputed.homes:
         for key, array in values.items():
-            array[:, one.homes.index(home)] = anew.values[key][:, anew.homes.index(home)]
+            array[:, one.homes.index(home)] = recomputed.values[key][:, recomputed.homes.index(home)]
     return replace(results, quality={**results.quality, name: replace(one, values=values)})
 
 
 def _distributions(
     name: str, source: Source, params: Mapping[str, Any], steps: list[str]
-) -> Iterator[tuple[tuple[str, str], NDArray[np.float64]]]:
+) -> Iterator[tuple[tuple[str, str], Array]]:
     """(home, seed) to distributions that are computed again."""
     kind, _, rest = name.partition("/")
     if kind == "splits":
@@ -170,7 +159,7 @@ def _seed(name: str) -> int | None:
     return None if name == paths.NO_SEED else int(name.removeprefix("seed-"))
 
 
-def _cue(rest: str, source: Source, home: str, seed: str, params: Mapping[str, Any]) -> NDArray[np.float64]:
+def _cue(rest: str, source: Source, home: str, seed: str, params: Mapping[str, Any]) -> Array:
     from placecat.fusion.temperature import temper
 
     name, scheme = source.folder.parent.name, source.folder.name
@@ -186,12 +175,10 @@ def _cue(rest: str, source: Source, home: str, seed: str, params: Mapping[str, A
     return temper(proba, trained.temperature) if is_tempered else proba
 
 
-def _integration(
-    name: str, source: Source, home: str, seed: str, params: Mapping[str, Any]
-) -> NDArray[np.float64]:
+def _integration(name: str, source: Source, home: str, seed: str, params: Mapping[str, Any]) -> Array:
     system = settings.get(params, f"systems.{name}")
     plan = _plan(params, system["scheme"], home, extra=system["extra"])
-    found: NDArray[np.float64] = integration.apply(system, plan, _seed(seed))["test"]
+    found: Array = integration.apply(system, plan, _seed(seed))["test"]
     return found
 
 
@@ -206,9 +193,7 @@ def _saved(name: str, params: Mapping[str, Any]) -> tuple[Source, str]:
     return known[f"integration/{name}" if result in systems else f"cues/{name}/{scheme}"], scheme
 
 
-def _filtered(
-    rest: str, source: Source, home: str, seed: str, params: Mapping[str, Any]
-) -> NDArray[np.float64]:
+def _filtered(rest: str, source: Source, home: str, seed: str, params: Mapping[str, Any]) -> Array:
     name, _, result = rest.partition("/")
     saved, _ = _saved(result, params)
     homes = settings.get(params, "dataset.homes")
@@ -217,9 +202,7 @@ def _filtered(
     return filtering.filter_home(saved.file(home, seed), home, threshold)["test"]
 
 
-def _smoothed(
-    rest: str, source: Source, home: str, seed: str, params: Mapping[str, Any]
-) -> NDArray[np.float64]:
+def _smoothed(rest: str, source: Source, home: str, seed: str, params: Mapping[str, Any]) -> Array:
     saved, scheme = _saved(rest, params)
     plan = _plan(params, scheme, home)
     return smooth_home(saved.file(home, seed), plan, smoothing_settings(params))[source.name]
@@ -227,28 +210,24 @@ def _smoothed(
 
 def _of_split(
     rest: str, source: Source, params: Mapping[str, Any]
-) -> Iterator[tuple[tuple[str, str], NDArray[np.float64]]]:
+) -> Iterator[tuple[tuple[str, str], Array]]:
     split, kind, name = rest.split("/", 2)
     own, plan = settings.get(params, f"splits.{split}"), plans.of_split(params, split)
     names = [name] if kind == "cues" else own["systems"][name]
     used = {cue: Cue.of(params, cue) for cue in names}
     for seed in source.seeds():
-        outputs = [
-            splits.apply_cue(plan, cue, None if cue.codebook is None else _seed(seed))
-            for cue in used.values()
-        ]
+        number = _seed(seed)
+        seeds = [None if cue.codebook is None else number for cue in used.values()]
+        outputs = [splits.apply_cue(plan, cue, one) for cue, one in zip(used.values(), seeds, strict=True)]
         if kind == "cues":
             by_home = {home: {"test": proba} for home, proba in outputs[0][1].items()}
         else:
-            options = smoothing_settings(params)
-            by_home = splits.apply_system(plan, outputs, own["integrator"], options)
+            by_home = splits.apply_system(plan, outputs, own["integrator"], smoothing_settings(params))
         for part in plan.tested:
             yield (part.sequence, seed), by_home[part.home][source.name]
 
 
-def _trial(
-    name: str, homes: Sequence[str], one: Measured, params: Mapping[str, Any]
-) -> dict[tuple[str, str], NDArray[np.int64]]:
+def _trial(name: str, homes: Sequence[str], one: Measured, params: Mapping[str, Any]) -> Counts:
     cue = of_settings(trials_of(params)[name].settings)
     found = {}
     for home in homes:
@@ -259,24 +238,20 @@ def _trial(
     return found
 
 
-def _toy(
-    name: str, homes: Sequence[str], one: Measured, params: Mapping[str, Any]
-) -> dict[tuple[str, str], NDArray[np.int64]]:
-    settings_of_toy = settings.get(params, "toy")
+def _toy(name: str, homes: Sequence[str], one: Measured, params: Mapping[str, Any]) -> Counts:
+    options = settings.get(params, "toy")
     label = name.removeprefix("toy/")
     is_last = label.startswith("last/")
-    schemes, points = settings_of_toy["schemes"], settings_of_toy["points"]
+    schemes, points = options["schemes"], options["points"]
     if not is_last and label not in schemes:
         radius = float(label.partition("/")[0])
         points = points | {"radius": radius}
-        # Private, since no stage may change for this.
-        schemes = toy._deciding(schemes, settings_of_toy["sensitivity"]["decisions"], radius)
+        # Private, since stages must not depend on this.
+        schemes = toy._deciding(schemes, options["sensitivity"]["decisions"], radius)
     found = {}
     for seed in one.seeds:
         number = int(seed.removeprefix("seed-"))
-        counts, last = toy.compare(
-            schemes, points, settings_of_toy["training"], settings_of_toy["testing"], number
-        )
+        counts, last = toy.compare(schemes, points, options["training"], options["testing"], number)
         of_label = counts[label.removeprefix("last/")]
         if is_last:
             of_label = of_label * (np.arange(len(of_label)) == last)[:, None]

@@ -1,7 +1,7 @@
-"""Every cell of every table, and every number in the text, with all that explains it."""
+"""Every cell of every table, and every number in the text, with its explanation."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -41,11 +41,11 @@ class Explained:
     id
         As the page counts, e.g. ``table_26.9.3``; see :mod:`placecat.explain.numbering`.
     table, title
-        Name of the table, ``in_text`` for a number in the text, and what it is called.
+        Name of the table, ``in_text`` for a number in the text, and its title.
     group, row, column
-        Labels; of a number in the text its name, quantity and home.
+        Labels; for a number in the text its name, quantity and home.
     home
-        The only home or sequence that it is of, "all" for several.
+        Its only home or sequence, "all" for several.
     measured, published, spread, seeds
         As in the table.
     unit
@@ -53,11 +53,11 @@ class Explained:
     measurement
         Its values and origins.
     notes
-        What is said of it.
+        Notes on it.
     data
-        Title of the data set, and what the published number was measured on ("" if nothing was published).
+        Titles of the data sets of the measured and of the published number, "" if nothing was published.
     made
-        How each of the results was made that it was read off.
+        How each of its results was made.
     trained
         Test home to the frames of each plan, once each.
     findings
@@ -90,7 +90,7 @@ class Explained:
 
     @property
     def origins(self) -> tuple[Origin, ...]:
-        """The results that it was read off."""
+        """The results behind it."""
         return self.measurement.origins
 
     @property
@@ -99,10 +99,11 @@ class Explained:
         return round(self.measured - self.published, 2)
 
 
+@dataclass
 class Explaining:
     """All cells of a run.
 
-    Parameters
+    Attributes
     ----------
     params
         All settings.
@@ -116,103 +117,84 @@ class Explaining:
         Of the findings: columns finding, left_results, right_results.
     """
 
-    def __init__(
-        self,
-        params: Mapping[str, Any],
-        tables: Sequence[Table],
-        texts: pd.DataFrame,
-        origins: Mapping[str, Sequence[Mapping[str, Any]]],
-        comparisons: pd.DataFrame,
-    ) -> None:
-        self._params = params
-        self._tables = tables
-        self._texts = texts
-        self._origins = {name: from_json(rows) for name, rows in origins.items()}
-        self._comparisons = comparisons
-        self._made: dict[str, Made] = {}
-        self._trained: dict[tuple[str, bool, bool, str], Trained | None] = {}
+    params: Mapping[str, Any]
+    tables: Sequence[Table]
+    texts: pd.DataFrame
+    origins: Mapping[str, Sequence[Mapping[str, Any]]]
+    comparisons: pd.DataFrame
+    _made: dict[str, Made] = field(default_factory=dict, init=False)
+    _trained: dict[tuple[str, bool, bool, str], Trained | None] = field(default_factory=dict, init=False)
 
     def cells(self) -> Iterator[Explained]:
         """Every cell of the tables, then every number in the text."""
-        for table in self._tables:
+        for table in self.tables:
             yield from self._of_table(table)
         yield from self._of_text()
 
     def _of_table(self, table: Table) -> Iterator[Explained]:
         name, own = table.settings["name"], table.settings
         title = own["title"] if own["number"] is None else f"Table {own['number']}: {own['title']}"
-        ids, measurements = numbering.numbers(table.cells, name), self._origins[name]
+        ids, measurements = numbering.numbers(table.cells, name), from_json(self.origins[name])
         data = (str(table.dataset["title"]), str(own["thesis_data"] or ""))
         for row in table.cells.to_dict("records"):
             key = (row["group"], row["row"], row["column"])
             one = measurements[key]
-            if in_percent(own) or _column_of(one.origins) not in ("log_loss",):
-                unit = "points" if len(one.origins) > 1 else "percent"
-            else:
+            unit = "points" if len(one.origins) > 1 else "percent"
+            if not in_percent(own) and one.origins and one.origins[0].part == "log_loss":
                 unit = "nats"
-            yield self._cell(ids[key], name, title, key, row, one, unit, data)
+            yield self._cell(key, row, one, id=ids[key], table=name, title=title, unit=unit, data=data)
 
     def _of_text(self) -> Iterator[Explained]:
-        measurements = self._origins[in_text.NAME]
-        title = "Number in the text"
-        for position, row in enumerate(self._texts.to_dict("records"), start=1):
+        name, measurements = in_text.NAME, from_json(self.origins[in_text.NAME])
+        for position, row in enumerate(self.texts.to_dict("records"), start=1):
             key = (row["name"], row["quantity"], row["home"])
             one = measurements[key]
             data = str(next((note.text for note in row["notes"] if note.is_of_the_table), ""))
-            number = numbering.number_in_text(position, in_text.NAME)
-            titled = f"{title}, section {row['section']}"
-            unit = _unit_in_text(row["quantity"], one.origins)
-            where = (data.removeprefix("measured on "), "")
-            yield self._cell(number, in_text.NAME, titled, key, row, one, unit, where)
+            yield self._cell(
+                key,
+                row,
+                one,
+                id=f"{name}.{position}",
+                table=name,
+                title=f"Number in the text, section {row['section']}",
+                unit=_unit_in_text(row["quantity"], one.origins),
+                data=(data.removeprefix("measured on "), ""),
+            )
 
     def _cell(
-        self,
-        number: str,
-        table: str,
-        title: str,
-        key: tuple[str, str, str],
-        row: Mapping[Any, Any],
-        one: Measurement,
-        unit: str,
-        data: tuple[str, str],
+        self, key: tuple[str, str, str], row: Mapping[Any, Any], one: Measurement, **named: Any
     ) -> Explained:
         homes = list(dict.fromkeys(home for origin in one.origins for home in origin.homes))
         results = list(dict.fromkeys(origin.result for origin in one.origins))
+        named.update(zip(("group", "row", "column"), key, strict=True))
+        named.update((name, float(row[name])) for name in ("measured", "published", "spread"))
         return Explained(
-            number,
-            table,
-            title,
-            *key,
-            homes[0] if len(homes) == 1 else ALL_HOMES,
-            float(row["measured"]),
-            float(row["published"]),
-            float(row["spread"]),
-            int(row["seeds"]),
-            unit,
-            one,
-            row["notes"],
-            data,
-            tuple(self._how(result) for result in results),
-            self._frames(one.origins),
-            tuple(finding for finding, of in self._findings.items() if of & set(results)),
+            **named,
+            home=homes[0] if len(homes) == 1 else ALL_HOMES,
+            seeds=int(row["seeds"]),
+            measurement=one,
+            notes=row["notes"],
+            made=tuple(self._how(result) for result in results),
+            trained=self._frames(one.origins),
+            findings=tuple(finding for finding, of in self._findings.items() if of & set(results)),
         )
 
     def _how(self, result: str) -> Made:
         if result not in self._made:
-            self._made[result] = made(result, self._params, self._trials)
+            self._made[result] = made(result, self.params, self._trials)
         return self._made[result]
 
     def _frames(self, origins: Sequence[Origin]) -> dict[str, list[Trained]]:
         found: dict[str, list[Trained]] = {}
         for origin in origins:
             how = self._how(origin.result)
-            is_split = how.plan in settings.get(self._params, "splits")
+            is_split = how.plan in settings.get(self.params, "splits")
             # Means over all homes name none.
-            homes = origin.homes or settings.get(self._params, "dataset.homes")
+            homes = origin.homes or settings.get(self.params, "dataset.homes")
             for home in [how.plan] if is_split else homes:
                 key = (how.plan, how.fuses, how.extra, home)
                 if key not in self._trained:
-                    self._trained[key] = trained(how, home, self._params)
+                    self._trained[key] = trained(how, home, self.params)
                 one = self._trained[key]
                 if one is not None and one not in found.setdefault(home, []):
                     found[home].append(one)
@@ -220,21 +202,17 @@ class Explaining:
 
     @cached_property
     def _trials(self) -> Mapping[str, Any]:
-        return trials_of(self._params)
+        return trials_of(self.params)
 
     @cached_property
     def _findings(self) -> dict[str, set[str]]:
         """Number of a finding to the results that it compares."""
         found: dict[str, set[str]] = {}
-        columns = self._comparisons[["finding", "left_results", "right_results"]]
+        columns = self.comparisons[["finding", "left_results", "right_results"]]
         for finding, left, right in columns.itertuples(index=False, name=None):
             names = [name for side in (left, right) for name in str(side).split("; ")]
             found.setdefault(str(finding), set()).update(names)
         return found
-
-
-def _column_of(origins: Sequence[Origin]) -> str:
-    return origins[0].part if origins else ""
 
 
 def _unit_in_text(quantity: str, origins: Sequence[Origin]) -> str:
@@ -246,7 +224,7 @@ def _unit_in_text(quantity: str, origins: Sequence[Origin]) -> str:
 
 
 def quantity(origin: Origin, home: str) -> str:
-    """Say what was measured of a result, e.g. "accuracy in home_3: the mean over its places ..."."""
+    """Describe the measured quantity of a result, e.g. "accuracy in home_3: mean over the places ..."."""
     where = f" in {home}" if home != ALL_HOMES else ""
     if origin.part in MEASURES:
         text = f"{MEASURES[origin.part].lower()} of the distributions"
@@ -258,6 +236,5 @@ def quantity(origin: Origin, home: str) -> str:
         text = f"accuracy{where}: mean over the places of the share of frames that are named rightly"
     if origin.result.startswith(RECORD):
         text = "read off a record"
-    return (
-        text if home != ALL_HOMES or len(origin.homes) < 2 else f"{text}; mean over {', '.join(origin.homes)}"
-    )
+    several = home == ALL_HOMES and len(origin.homes) > 1
+    return f"{text}; mean over {', '.join(origin.homes)}" if several else text

@@ -40,13 +40,7 @@ def explain_command(words: Sequence[str], *, again: bool = False) -> int:
 
 
 def read() -> dict[str, Any]:
-    """Read the explanations of all cells.
-
-    Raises
-    ------
-    PlacecatError
-        If the stage `report` has not run.
-    """
+    """Read the explanations of all cells; raises PlacecatError if the stage `report` has not run."""
     if not paths.EXPLANATIONS.is_file():
         raise PlacecatError(
             f"{paths.EXPLANATIONS} is missing: run `dvc repro` to make it, or restore it from git"
@@ -56,7 +50,7 @@ def read() -> dict[str, Any]:
 
 
 def text_of(number: str, content: Mapping[str, Any], stages: Mapping[str, str]) -> str:
-    """The explanation of one cell for a terminal; `stages` says what each stage was made from."""
+    """The explanation of one cell for a terminal; `stages` is from :func:`stage_texts`."""
     lines: list[Line] = [("cell", number)]
     for label, text in lines_of(content, number):
         if label == STAGES:
@@ -84,7 +78,7 @@ def _shown(line: Line) -> str:
 
 
 def _code() -> str:
-    """The commit that is checked out, and whether what makes numbers was changed since."""
+    """The commit that is checked out, and whether code or settings were changed since."""
     commit = git_commit()
     if not commit:
         return "outside a git repository"

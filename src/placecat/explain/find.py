@@ -1,4 +1,4 @@
-"""Cells by what a person calls them: a number, or a table and labels."""
+"""Cells looked up by a number, or by a table and labels."""
 
 import difflib
 import re
@@ -9,27 +9,19 @@ from placecat import paths
 from placecat.errors import PlacecatError
 from placecat.explain.lines import lines_of
 
-# More than these are named, not explained.
+# More cells are listed, not explained.
 MOST = 4
 _NAMED = 8
 _LABELS = ("group", "row", "column")
 
 
 def find(words: Sequence[str], content: Mapping[str, Any]) -> list[str]:
-    """Numbers of the cells that words name.
+    """Find the numbers of the cells that words name.
 
-    Parameters
-    ----------
-    words
-        The number of a cell, e.g. ``table_26.9.3``; or the name of a table and labels of a group, row or
-        column, e.g. ``table_26 HMM home_3``, in any order. A part of a label will do if no label is equal.
-    content
-        From :func:`placecat.explain.text.explanations`.
-
-    Raises
-    ------
-    PlacecatError
-        Nothing, or more than `MOST` cells; the message names those that are near.
+    The words are the number of a cell, e.g. ``table_26.9.3``; or the name of a table and labels of a group,
+    row or column, e.g. ``table_26 HMM home_3``, in any order. A part of a label is enough if no label is
+    equal. `content` is from :func:`placecat.explain.text.explanations`. Raises PlacecatError if they name no
+    cell or more than `MOST`; the message names the nearest ones.
     """
     name, *labels = words
     cells = content["cells"]

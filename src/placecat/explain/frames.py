@@ -24,11 +24,11 @@ class Trained:
     training_set
         Name from which seeds of codebooks derive.
     cues, integration
-        What cues and integration train on; `integration` is () if nothing is fused.
+        Frames that train the cues and the integration; `integration` is () if nothing is fused.
     tested
         Labelled frames that are tested.
     places
-        Place to the number of tested frames of it.
+        Place to the number of its tested frames.
     """
 
     training_set: str
@@ -39,7 +39,7 @@ class Trained:
 
 
 def trained(made: Made, home: str, params: Mapping[str, Any]) -> Trained | None:
-    """Frames of a result in a test home, of a split whatever `home` says; None for what has no plan."""
+    """Frames of a result in a test home (of a split, in all its homes); None for a result without a plan."""
     if not made.plan:
         return None
     if made.plan in settings.get(params, "splits"):

@@ -12,7 +12,7 @@ STAGES = "stages"
 
 
 def lines_of(content: Mapping[str, Any], number: str) -> list[Line]:
-    """The lines of one cell, from what :func:`placecat.explain.text.explanations` gave."""
+    """The lines of one cell, from the result of :func:`placecat.explain.text.explanations`."""
     lines: list[Line] = []
     for item in content["cells"][number]:
         shared = isinstance(item, int)
@@ -36,7 +36,7 @@ def _compact(value: Any) -> str:
 
 
 def stage_texts(lock: Mapping[str, Any]) -> dict[str, str]:
-    """Stage to what dvc.lock says it was made from: eight digits of the checksum of each dependency.
+    """Stage to its dependencies in dvc.lock as text, each with eight digits of its checksum.
 
     Its code, all dependencies in src/, has one checksum.
     """

@@ -11,7 +11,7 @@ from placecat.thesis import definitions
 from placecat.thesis.records import RECORD
 
 _RECORD_STAGES = {"nu": ("sequences", "features", "codebooks", "cues", "trials"), "rejected": ("features",)}
-# Of these the numbers of the tables come last.
+# The last stages behind every number of the tables.
 _LAST = ("scores", "tables")
 
 
@@ -26,7 +26,7 @@ class Made:
     stages
         DVC's stages in their order, without `scores` and `tables`.
     cues, classifiers, descriptors
-        A name for each cue, and of what it decides and sees.
+        Names of the cues, and of the classifier and the descriptor of each.
     system, filter
         Names, "" for none.
     plan
@@ -38,7 +38,7 @@ class Made:
     settings
         Part to its settings.
     clusters
-        Cue to what the seeds of its codebooks derive from: the descriptor as text, and the number of cells.
+        Cue to the descriptor as text and the number of cells, from which the seeds of its codebooks derive.
     """
 
     title: str
@@ -69,10 +69,7 @@ def trials_of(params: Mapping[str, Any]) -> dict[str, Trial]:
 def made(result: str, params: Mapping[str, Any], trials: Mapping[str, Trial]) -> Made:
     """Describe how a result was made, by its name (:mod:`placecat.results.sources`).
 
-    Raises
-    ------
-    PlacecatError
-        A setting that the name asks for is not there.
+    Raises PlacecatError if a setting that the name needs is missing.
     """
     kind, _, rest = result.partition("/")
     if kind == "cues":
@@ -105,24 +102,13 @@ def all_stages(made: Iterable[Made]) -> tuple[str, ...]:
 
 
 _ORDER = (
-    "sequences",
-    "site_sequences",
-    "features",
-    "tracks",
-    "site_features",
-    "codebooks",
-    "cues",
-    "integration",
-    "filtering",
-    "smoothing",
-    "splits",
-    "trials",
-    "toy",
+    *("sequences", "site_sequences", "features", "tracks", "site_features", "codebooks", "cues"),
+    *("integration", "filtering", "smoothing", "splits", "trials", "toy"),
 )
 
 
 def _toy(name: str, toy: Mapping[str, Any]) -> dict[str, Any]:
-    """The settings of one result of the toy problem: of its scheme alone."""
+    """The settings of one result of the toy problem, without those of other schemes."""
     scheme = next(part for part in name.split("/") if part in toy["schemes"])
     shared = {key: value for key, value in toy.items() if key not in ("schemes", "sensitivity")}
     changed = {} if name.split("/")[0] in ("last", scheme) else {"sensitivity": toy["sensitivity"]}
@@ -132,15 +118,9 @@ def _toy(name: str, toy: Mapping[str, Any]) -> dict[str, Any]:
 def _of_cue(name: str, scheme: str, params: Mapping[str, Any]) -> Made:
     own, one = settings.get(params, f"cues.{name}"), _described_cue(name, params)
     is_tracked = one.settings[f"descriptor of {name}"].get("tracked")
-    stages = [
-        "sequences",
-        "features",
-        "cues",
-        *["codebooks"] * bool(one.clusters),
-        *["tracks"] * bool(is_tracked),
-    ]
+    stages = ("codebooks",) * bool(one.clusters) + ("tracks",) * bool(is_tracked)
     title = f"the cue {name} ({own['title']}) trained alone, {scheme}"
-    return replace(one, title=title, stages=tuple(stages), plan=scheme)
+    return replace(one, title=title, stages=("sequences", "features", "cues", *stages), plan=scheme)
 
 
 def _described_cue(name: str, params: Mapping[str, Any]) -> Made:
@@ -163,10 +143,7 @@ def _described(
     kind, module = descriptor["kind"], descriptor["name"]
     computed = (settings.get(params, "descriptors").get(kind) or {}).get(module, {})
     base = classifier.get("base", {}).get("name")
-    parts: dict[str, Any] = {
-        f"descriptor of {name}": {**descriptor, **computed},
-        f"classifier of {name}": dict(classifier),
-    }
+    parts = {f"descriptor of {name}": {**descriptor, **computed}, f"classifier of {name}": dict(classifier)}
     clusters = {}
     if codebook is not None:
         parts[f"codebook of {name}"] = {key: codebook[key] for key in ("cells", "tree")}
@@ -182,8 +159,23 @@ def _described(
     )
 
 
+def _together(cues: Iterable[Made], title: str, stages: Iterable[str], **own: Any) -> Made:
+    """Several cues as one result, with its own settings before theirs."""
+    cues = list(cues)
+    return Made(
+        title,
+        tuple(stages),
+        tuple(name for cue in cues for name in cue.cues),
+        tuple(name for cue in cues for name in cue.classifiers),
+        tuple(name for cue in cues for name in cue.descriptors),
+        settings=own.pop("settings") | {key: one for cue in cues for key, one in cue.settings.items()},
+        clusters={key: one for cue in cues for key, one in cue.clusters.items()},
+        **own,
+    )
+
+
 def _smoothing(params: Mapping[str, Any]) -> dict[str, Any]:
-    """Settings of the smoothing, without the list of what is smoothed."""
+    """Settings of the smoothing, without the lists of smoothed results."""
     section = settings.get(params, "smoothing")
     return {name: value for name, value in section.items() if name not in ("cues", "filtered")}
 
@@ -194,19 +186,15 @@ def _of_system(name: str, params: Mapping[str, Any]) -> Made:
     stages = {"integration", *(stage for cue in cues for stage in cue.stages)}
     if system["extra"]:
         stages |= {"site_sequences", "site_features"}
-    return Made(
+    return _together(
+        cues,
         f"the system {name}: the cues {', '.join(system['cues'])} integrated, {system['scheme']}",
-        tuple(sorted(stages)),
-        tuple(name for cue in cues for name in cue.cues),
-        tuple(one for cue in cues for one in cue.classifiers),
-        tuple(one for cue in cues for one in cue.descriptors),
+        sorted(stages),
         system=name,
         plan=system["scheme"],
         fuses=True,
         extra=bool(system["extra"]),
-        settings={"integration": _integrator(system)}
-        | {key: one for cue in cues for key, one in cue.settings.items()},
-        clusters={key: one for cue in cues for key, one in cue.clusters.items()},
+        settings={"integration": _integrator(system)},
     )
 
 
@@ -253,9 +241,9 @@ def _smoothed(kind: str, name: str, params: Mapping[str, Any]) -> Made:
 
 
 def _of_split(name: str, params: Mapping[str, Any]) -> Made:
-    split, kind, what = name.split("/", 2)
+    split, kind, part = name.split("/", 2)
     own = settings.get(params, f"splits.{split}")
-    names = [what] if kind == "cues" else list(own["systems"][what])
+    names = [part] if kind == "cues" else list(own["systems"][part])
     cues = [_described_cue(cue, params) for cue in names]
     parts: dict[str, Any] = {}
     if kind != "cues":
@@ -263,33 +251,30 @@ def _of_split(name: str, params: Mapping[str, Any]) -> Made:
     if kind in ("hmm", "smoothing"):
         parts["smoothing"] = _smoothing(params)
     layers = {
-        "cues": f"the cue {what} trained alone",
-        "integration": f"the system {what}: the cues {', '.join(names)} integrated",
-        "hmm": f"the HMM before its delay over the system {what}",
-        "smoothing": f"the delayed HMM over the system {what}",
+        "cues": f"the cue {part} trained alone",
+        "integration": f"the system {part}: the cues {', '.join(names)} integrated",
+        "hmm": f"the HMM before its delay over the system {part}",
+        "smoothing": f"the delayed HMM over the system {part}",
     }
-    return Made(
+    return _together(
+        cues,
         f"{layers[kind]}, on the fixed split of {split}",
         ("site_sequences", "site_features", "splits"),
-        tuple(names),
-        tuple(one for cue in cues for one in cue.classifiers),
-        tuple(one for cue in cues for one in cue.descriptors),
-        system="" if kind == "cues" else what,
+        system="" if kind == "cues" else part,
         plan=split,
         fuses=kind != "cues",
-        settings=parts | {key: one for cue in cues for key, one in cue.settings.items()},
-        clusters={key: one for cue in cues for key, one in cue.clusters.items()},
+        settings=parts,
     )
 
 
 def _of_trial(trial: Trial, params: Mapping[str, Any]) -> Made:
     own = trial.settings
     described = _described("the trial", own["descriptor"], own["classifier"], own.get("codebook"), params)
-    stages = ["sequences", "features", *["tracks"] * bool(own["descriptor"].get("tracked")), "trials"]
+    tracks = ("tracks",) * bool(own["descriptor"].get("tracked"))
     return replace(
         described,
         title=f"a trial of its own: {described.descriptors[0]}, {described.classifiers[0]}, 5-5-1",
-        stages=tuple(stages),
+        stages=("sequences", "features", *tracks, "trials"),
         cues=(),
         plan="5-5-1",
     )

@@ -1,4 +1,4 @@
-"""Numbers of cells, as the page shows them: ``table_26.9.3`` is the third column of the ninth row."""
+"""Numbers of cells: ``table_26.9.3`` is the third column of the ninth row, ``in_text.5`` the fifth number."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -30,8 +30,3 @@ def numbers(table: pd.DataFrame, name: str) -> Mapping[Key, str]:
         for r, line in enumerate(lines, start=1)
         for c, column in enumerate(columns, start=1)
     }
-
-
-def number_in_text(position: int, name: str) -> str:
-    """Number of the n-th number in the text, from 1."""
-    return f"{name}.{position}"

@@ -15,16 +15,16 @@ KEY = ("group", "row", "column")
 
 @dataclass(frozen=True)
 class Measurement:
-    """A number of a cell with each seed, and what it was read off.
+    """A number of a cell with each seed, and its origins.
 
     Attributes
     ----------
     values
         As in :class:`placecat.thesis.number.Number`, not rounded; () if there is no number.
     seeds
-        A name for each of them, e.g. "seed-0", or "no-seed".
+        Name of the seed of each value, e.g. "seed-0", or "no-seed".
     origins
-        As there.
+        Those of the number.
     """
 
     values: tuple[float, ...]
@@ -33,7 +33,7 @@ class Measurement:
 
 
 def measurement(number: Number, results: Results) -> Measurement:
-    """Name the seeds of a number by the results that it was read off."""
+    """Name the seeds of a number by its origins."""
     values = tuple(map(float, number.values))
     names: tuple[str, ...] = (NO_SEED,) * len(values)
     if number.is_random:
@@ -46,7 +46,7 @@ def measurement(number: Number, results: Results) -> Measurement:
 
 
 def to_json(cells: pd.DataFrame, results: Results, key: Iterable[str] = KEY) -> list[dict[str, Any]]:
-    """Column `number` of a filled table as JSON has it; the three columns `key` say which cell it is of."""
+    """Column `number` of a filled table for JSON; the three columns `key` identify the cell."""
     rows = []
     for *labels, number in cells[[*key, "number"]].itertuples(index=False, name=None):
         one = measurement(number, results)
@@ -55,7 +55,7 @@ def to_json(cells: pd.DataFrame, results: Results, key: Iterable[str] = KEY) -> 
 
 
 def from_json(rows: Iterable[Mapping[str, Any]]) -> dict[tuple[str, str, str], Measurement]:
-    """Cell to what :func:`to_json` wrote of it."""
+    """Cell to its measurement, from the rows of :func:`to_json`."""
     found = {}
     for row in rows:
         origins = tuple(Origin(result, tuple(homes), part) for result, homes, part in row["origins"])

@@ -9,26 +9,16 @@ from placecat.explain.frames import Frames, Trained
 from placecat.explain.lines import STAGES, Line
 from placecat.explain.made import Made
 from placecat.paths import NO_SEED
-from placecat.thesis.notes import Notes
 
 
 def explanations(
     cells: Iterable[Explained], params: Mapping[str, Any], data_versions: Mapping[str, str]
 ) -> dict[str, Any]:
-    """All explanations as JSON has them.
+    """All explanations, for JSON.
 
-    Parameters
-    ----------
-    params
-        All settings.
-    data_versions
-        Stage that lists frames to DVC's checksum of what it listed.
-
-    Returns
-    -------
-    dict
-        ``lines``, each a label and a text; ``blocks``, each numbers of lines, from 0; and ``cells``, number
-        of a cell to its lines in order: a line of its own, or the number of a block.
+    `params` are all settings; `data_versions` is, for each stage that lists frames, DVC's checksum of the
+    list. Returns ``lines``, each a label and a text; ``blocks``, each numbers of lines, from 0; and
+    ``cells``, number of a cell to its lines in order: a line of its own, or the number of a block.
     """
     pool: dict[Line, int] = {}
     blocks: dict[tuple[int, ...], int] = {}
@@ -45,7 +35,7 @@ def explanations(
             shared([("column", cell.column)]),
             ("here", _here(cell)),
             *[("thesis", _thesis(cell))] * (cell.published == cell.published),
-            shared(_why(cell.notes)),
+            shared(("note", note.text) for note in cell.notes),
             shared(("what", quantity(origin, cell.home)) for origin in dict.fromkeys(cell.origins)),
             shared(("result", one.title) for one in cell.made),
             *(shared(_frames(one)) for of_home in cell.trained.values() for one in of_home),
@@ -80,21 +70,13 @@ def _unit(unit: str) -> str:
     return {"percent": " %", "": ""}.get(unit, f" {unit}")
 
 
-def _why(notes: Notes) -> list[Line]:
-    return [("note", note.text) for note in notes]
-
-
 def _settings(made: Made, params: Mapping[str, Any]) -> list[Line]:
     lines = [(part, settings_text(values)) for part, values in made.settings.items()]
     dataset = settings.get(params, "dataset.name") if made.plan in ("5-5-1", "4-5-1") else made.plan
-    lines += [
-        (
-            f"seeds of {cue}",
-            f'derived from "codebook", {dataset!r}, {descriptor!r}, {cells}, TRAINING SET, SEED, '
-            f"with the seeds {', '.join(map(str, settings.get(params, 'protocol.seeds')))}",
-        )
-        for cue, (descriptor, cells) in made.clusters.items()
-    ]
+    seeds = ", ".join(map(str, settings.get(params, "protocol.seeds")))
+    for cue, (descriptor, cells) in made.clusters.items():
+        parts = f'"codebook", {dataset!r}, {descriptor!r}, {cells}, TRAINING SET, SEED'
+        lines.append((f"seeds of {cue}", f"derived from {parts}, with the seeds {seeds}"))
     return lines
 
 

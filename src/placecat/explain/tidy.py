@@ -1,4 +1,4 @@
-"""Every cell as one row of one table, with what it was made from."""
+"""Every cell as one row of one table, with its origin."""
 
 import json
 from collections.abc import Iterable
@@ -23,7 +23,7 @@ def write(path: Path, table: pd.DataFrame) -> None:
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    # Without what pandas would add, which names its version.
+    # Without the metadata of pandas, which name its version.
     arrow = pa.Table.from_pandas(table, preserve_index=False).replace_schema_metadata(None)
     with files.replacing(path) as temporary:
         pq.write_table(arrow, temporary, compression="zstd")

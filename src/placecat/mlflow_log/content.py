@@ -9,13 +9,14 @@ import numpy as np
 import pandas as pd
 
 from placecat import files
+from placecat.drawing.style import house_style, save
 from placecat.evaluation.trials import AXES, HOMES, trial_name
 from placecat.explain.made import Made
 from placecat.mlflow_log.params import params_of_results
 from placecat.mlflow_log.store import key
 from placecat.mlflow_log.tables import RUN_ID, RowRun, TableRun
-from placecat.report.charts.draw import draw_table
-from placecat.report.charts.matrices import draw_matrices
+from placecat.report.charts.accuracy import accuracy_chart
+from placecat.report.charts.matrices import draw_matrices, draw_sheet
 from placecat.report.formats import table_markdown
 from placecat.report.summary import VERDICTS, readings_of
 from placecat.results.confusion import confusion_rows, pooled_rows
@@ -53,20 +54,13 @@ def table_run(
     written: Sequence[Path],
     made: Callable[[str], Made],
 ) -> TableRun:
-    """Gather all of one table, from its configuration and its filled `cells`.
+    """Gather the content of one table, from its definition and its filled `cells`.
 
-    Parameters
-    ----------
-    dataset
-        What the table is measured on (:func:`placecat.thesis.tables.dataset_of`).
-    settings
-        Flat settings that the numbers depend on.
-    written
-        The table's own files, e.g. its CSV.
-    made
-        Says how a result was made, by its name.
+    `dataset` is that of the table (:func:`placecat.thesis.tables.dataset_of`); `settings` are flat, only
+    those that its numbers depend on; `written` are its own files, e.g. its CSV; `made` describes how a result
+    was made, by its name.
     """
-    # The title of an addition says that it is one.
+    # The title of an addition already starts with this label.
     title = f"{label(table)}: {table['title'].removeprefix(f'{label(table)}: ')}"
     beside = comparable(table, dataset)
     decisions = decisions_of(table, results)
@@ -82,12 +76,18 @@ def table_run(
     counts = [repr(score_rows("/".join(labels), one)) for labels, one in by_cell.items()]
 
     def write(folder: Path) -> list[Path]:
-        pictures = draw_table(folder, title, cells, decisions, published=beside, chart=in_percent(table))
+        paths = list(written)
+        with house_style():
+            if in_percent(table) and (chart := accuracy_chart(title, cells, published=beside)) is not None:
+                save(chart, folder / "chart.png")
+                paths.append(folder / "chart.png")
+        if draw_sheet(folder / "confusion.png", title, decisions):
+            paths.append(folder / "confusion.png")
         matrices = [
             pooled_rows(one).assign(group=group, row=row, column=column)
             for (group, row, column), one in by_cell.items()
         ]
-        return [*written, *pictures, *_write_counts(folder, matrices, ["group", "row", "column", "truth"])]
+        return [*paths, *_write_counts(folder, matrices, ["group", "row", "column", "truth"])]
 
     return TableRun(
         name=table["name"],
@@ -103,7 +103,7 @@ def table_run(
 
 
 def figures_run(folder: Path) -> TableRun:
-    """All figures that the stage `figures` drew into a folder, as one run."""
+    """All figures of the stage `figures` in a folder, as one run."""
     entries = files.read_json(folder / "figures.json")
     drawn = [folder / Path(entry["file"]).name for entry in entries if entry["file"]]
     lines = [
@@ -157,7 +157,7 @@ def _row_run(
     quality: Mapping[str, float],
     how: Mapping[str, Made],
 ) -> RowRun:
-    # In a list of runs of many tables.
+    # The list of runs shows those of many tables.
     of_table = table["name"].replace("_0", "_").replace("_", " ").capitalize()
     name = ": ".join(filter(None, (of_table, ", ".join(filter(None, labels)))))
     shown = {"table": label(table), "group": labels[0], "row": labels[1], "result": ", ".join(how)}
@@ -184,7 +184,7 @@ def _write_row(folder: Path, name: str, decisions: Mapping[str, Measured]) -> li
 
 
 def _write_counts(folder: Path, parts: Sequence[pd.DataFrame], labels: list[str]) -> list[Path]:
-    """Write tables of counts as one, the labels first; gives its path, of no tables nothing."""
+    """Write tables of counts as one file, the labels first; returns its path, nothing without tables."""
     if not parts:
         return []
     whole = pd.concat(parts)
@@ -211,9 +211,9 @@ def _results(
 
 
 def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, float]]:
-    """How good the probabilities of each row's result are, by group and row; of a table of one result by "".
+    """Quality of the probabilities of each row's result, by group and row; both are "" for a single result.
 
-    A table that shows just that has it in its cells, and that of trials has nothing.
+    Empty for a table that shows these numbers itself, and for trials, which have none.
     """
     if not in_percent(table):
         return {}
@@ -225,9 +225,9 @@ def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str]
 
 
 def _metrics(cells: pd.DataFrame, percent: bool) -> dict[str, float]:
-    """Metrics by column first: the user interface then has a section of charts for the averages of all rows.
+    """Metrics by column: the user interface then has a section of charts for the averages of all rows.
 
-    It lists them in this order: the averages on top.
+    It lists them in this order, the averages on top.
     """
     measured = cells[np.isfinite(cells["measured"])]
     measured = measured.sort_values("column", key=lambda column: column != AVERAGE, kind="stable")
@@ -236,18 +236,15 @@ def _metrics(cells: pd.DataFrame, percent: bool) -> dict[str, float]:
 
 
 def _measure(column: str, percent: bool) -> str:
-    """E.g. "Home 1" as ``accuracy/home_1``, "Average" as ``accuracy``; of no percentages ``log_loss``."""
-    if not percent:
-        return _slug(column)
-    return "accuracy" if column in (AVERAGE, "") else key("accuracy", _slug(column))
+    """E.g. "Home 1" as ``accuracy/home_1``, "Average" as ``accuracy``; ``log_loss`` if not in percent."""
+    section = _section(column, percent)
+    return key("accuracy", section) if percent and section != "accuracy" else section
 
 
 def _section(column: str, percent: bool) -> str:
-    return "accuracy" if percent and column in (AVERAGE, "") else _slug(column)
-
-
-def _slug(column: str) -> str:
-    """E.g. "Home 1" as ``home_1``."""
+    """E.g. "Home 1" as ``home_1``, "Average" as ``accuracy``."""
+    if percent and column in (AVERAGE, ""):
+        return "accuracy"
     return key(column).lower().replace(" ", "_")
 
 
@@ -270,7 +267,7 @@ def _description(
 
 
 def _cut(text: str) -> str:
-    """Whole lines, as many as MLflow takes."""
+    """As many whole lines as MLflow takes."""
     if len(text) <= _LONGEST_DESCRIPTION:
         return text
     return text[: text.rindex("\n", 0, _LONGEST_DESCRIPTION - 40)] + "\n\n*The rest is in the artifacts.*\n"

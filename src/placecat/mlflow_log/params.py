@@ -7,7 +7,7 @@ from placecat.explain.made import Made
 from placecat.mlflow_log.store import key
 from placecat.settings import flatten
 
-# What decides, by the part of a result's name that says it.
+# The part that decides, by its name in a result's name.
 _DECIDES = {
     "cues": "cue",
     "tempered": "tempered cue",
@@ -34,8 +34,8 @@ def params_of_cue(
 ) -> dict[str, str]:
     """Parameters of one cue, from its settings.
 
-    ``descriptor``, ``classifier`` and ``scheme`` are what is chosen by these names; the others are the
-    settings' own names, e.g. ``y_pos``, ``clusters``, ``nu``, ``scheme.calibration``, ``codebook.cells``.
+    ``descriptor``, ``classifier`` and ``scheme`` are the chosen ones; the others are the settings' own names,
+    e.g. ``y_pos``, ``clusters``, ``nu``, ``scheme.calibration``, ``codebook.cells``.
     """
     kind, name = (str(descriptor.get(one, "")) for one in ("kind", "name"))
     params = {"descriptor": f"{kind} {name}"} | _flat(descriptor, "kind", "name") | _of_classifier(classifier)
@@ -75,7 +75,7 @@ def _of_one(result: str, made: Made) -> dict[str, str]:
         elif part == "toy":
             params |= _of_toy(parts, settings)
         else:
-            # "filter informative" has its name already.
+            # The name in "filter informative" is a parameter already.
             params |= _under(part.split()[0], settings)
     if "classifier" in own and not made.system:
         params |= params_of_cue(own["descriptor"], own["classifier"], own.get("codebook"))
@@ -83,7 +83,7 @@ def _of_one(result: str, made: Made) -> dict[str, str]:
 
 
 def _of_toy(parts: list[str], settings: Mapping[str, Any]) -> dict[str, str]:
-    """Parameters of the toy problem; a result's name has what it varies."""
+    """Parameters of the toy problem; a result's name has the varied ones."""
     rest = {name: value for name, value in settings.items() if name not in ("scheme", "sensitivity")}
     params = _of_classifier(settings["scheme"]) | _under("toy", rest)
     if "sensitivity" in settings:

@@ -61,23 +61,18 @@ def tracking_uri() -> str:
 def connect(uri: str) -> MlflowClient:
     """Connect to a tracking server, e.g. ``http://127.0.0.1:5000``, or a database, made if there is none.
 
-    A database is e.g. ``sqlite:///mlflow.db`` (relative to this folder). However many processes connect at
-    once, one makes it and the others wait.
-
-    Raises
-    ------
-    PlacecatError
-        If that is not an address, nothing answers there, what answers is not a compatible MLflow, or the
-        driver of the database is missing.
+    A database is e.g. ``sqlite:///mlflow.db`` (relative to this folder). If several processes connect at
+    once, one makes it and the others wait. Raises PlacecatError if `uri` is not an address, if no compatible
+    MLflow answers there, or if the driver of the database is missing.
     """
     os.environ.setdefault("MLFLOW_DISABLE_TELEMETRY", "true")
-    # A line a run.
+    # MLflow would print a line per run.
     os.environ.setdefault("MLFLOW_SUPPRESS_PRINTING_URL_TO_STDOUT", "true")
-    # By default it takes minutes until it says that no server answers.
+    # By default MLflow tries for minutes before it reports that no server answers.
     os.environ.setdefault("MLFLOW_HTTP_REQUEST_MAX_RETRIES", "3")
     from mlflow import MlflowClient
 
-    # A new database tells of its 50 migrations.
+    # A new database logs its 50 migrations.
     for talkative in ("mlflow.store.db.utils", "alembic"):
         logging.getLogger(talkative).setLevel(logging.WARNING)
     try:
@@ -101,20 +96,12 @@ def connect(uri: str) -> MlflowClient:
 
 
 def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path, description: str) -> str:
-    """Find an experiment by name, or make it; safe if several processes do so at once.
+    """Find an experiment by name, or make it; several processes may do so at once.
 
-    Parameters
-    ----------
-    artifacts
-        Folder for the files of a new experiment, unless a server keeps them. Where a project was moved or
-        copied with its database, the files of earlier runs are also looked for in its new place.
-    description
-        Markdown, for people; replaces another one.
-
-    Raises
-    ------
-    PlacecatError
-        If the experiment was deleted and not yet purged, so that MLflow keeps its name.
+    `artifacts` is the folder for the files of a new experiment, unless a server keeps them. If a project was
+    moved or copied with its database, the files of earlier runs are looked for in its new place.
+    `description` (Markdown, for people) replaces an earlier one. Raises PlacecatError if the experiment was
+    deleted and not yet purged, so that MLflow keeps its name.
     """
     from mlflow.exceptions import MlflowException
 
@@ -129,7 +116,7 @@ def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path,
                 )
                 return str(made)
             except MlflowException:
-                # A server is not ours to lock: another process was quicker, or it is another error.
+                # A server cannot be locked: another process was quicker, or this is another error.
                 found = client.get_experiment_by_name(name)
                 if found is None:
                     raise
@@ -148,8 +135,8 @@ def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path,
 def _follow(uri: str, before: str, artifacts: Path) -> None:
     """Let a database in the project's folder name the files in this folder, not in its former place.
 
-    MLflow keeps absolute places and has no command to change them. A database elsewhere may be several
-    projects', each with its own files.
+    MLflow keeps absolute paths and has no command to change them. A database elsewhere may belong to several
+    projects, each with its own files.
     """
     from sqlalchemy.engine import make_url
 
@@ -166,16 +153,9 @@ def _follow(uri: str, before: str, artifacts: Path) -> None:
 
 
 class Content(TypedDict, total=False):
-    """Content of a run beside its files; every part is optional.
+    """Content of a run besides its files, each a name to a value; every part is optional.
 
-    Attributes
-    ----------
-    params
-        Values of more than 6000 characters are cut, since MLflow refuses longer ones.
-    metrics
-        One value each.
-    tags
-        Name to value.
+    Parameters of more than 6000 characters are cut, since MLflow refuses longer ones.
     """
 
     params: Mapping[str, str]
@@ -193,16 +173,10 @@ def start_run(
     files: Sequence[Path] = (),
     **content: Unpack[Content],
 ) -> str:
-    """Start a run with some :class:`Content`; its status is RUNNING until `finish_run`. Gives its id.
+    """Start a run with some :class:`Content` and return its id; its status is RUNNING until `finish_run`.
 
-    Parameters
-    ----------
-    parent
-        Id of the run to nest this one in.
-    description
-        Markdown, for people.
-    files
-        They are copied, by their names.
+    `parent` is the id of the run to nest this one in; `description` is Markdown, for people; `files` are
+    copied under their own names.
     """
     tags = dict(content.pop("tags", {}))
     if parent is not None:
@@ -226,9 +200,9 @@ def finish_run(
 
 
 def key(*parts: str) -> str:
-    """A name of a metric or parameter that MLflow accepts: letters, digits, and ``_-. /`` only, as a path.
+    """A name of a metric or parameter that MLflow accepts: a path of letters, digits and ``_-. /``.
 
-    A path has no part that is empty or made of dots, and MLflow takes 250 characters.
+    No part of the path is empty or made of dots, and it has at most 250 characters.
     """
     text = "/".join(part for part in parts if part).replace("+", "and")
     allowed = re.sub(r"[^\w\-. /]", "", text).split("/")
@@ -239,12 +213,8 @@ def key(*parts: str) -> str:
 def writing(client: MlflowClient) -> Iterator[None]:
     """Hold the database, if it is SQLite: one process writes, others wait. May be nested.
 
-    Every function here that writes does so; around several of them it keeps others out in between.
-
-    Raises
-    ------
-    PlacecatError
-        For what MLflow or its database complains of in the block.
+    Every writing function of this module uses it; a block around several of them keeps others out in between.
+    Raises PlacecatError for errors of MLflow or its database in the block.
     """
     with _told_plainly(client.tracking_uri), _lock(client.tracking_uri):
         yield
@@ -252,7 +222,7 @@ def writing(client: MlflowClient) -> Iterator[None]:
 
 @contextmanager
 def alone(uri: str) -> Iterator[None]:
-    """Keep other processes of this user on this machine out that do the same at a tracking server."""
+    """Wait for other processes of this user on this machine that hold the same tracking server."""
     from filelock import FileLock
 
     user = os.getuid() if hasattr(os, "getuid") else ""
@@ -277,7 +247,7 @@ def log(client: MlflowClient, run_id: str, **content: Unpack[Content]) -> None:
 
 
 def _store(client: MlflowClient, run_id: str, place: str, paths: Sequence[Path]) -> None:
-    """Copy files to a run: into its folder, if that is on this machine, since the client takes longer."""
+    """Copy files to a run: directly, if its folder is on this machine, since the client takes longer."""
     parts = urlparse(place)
     if parts.scheme != "file":
         with _told_plainly(client.tracking_uri):
@@ -292,9 +262,9 @@ def _store(client: MlflowClient, run_id: str, place: str, paths: Sequence[Path])
 
 @contextmanager
 def _quick_if_new(uri: str) -> Iterator[None]:
-    """Let connections that are opened meanwhile to a new SQLite database not wait for the disk.
+    """In the block, connections to a new SQLite database do not wait for the disk.
 
-    A new one has nothing to lose: if the power fails, it is removed and written again.
+    A new database has nothing to lose: if the power fails, it is removed and written again.
     """
     path = _database(uri)
     if path is None or path.exists():
@@ -321,7 +291,7 @@ def _lock(uri: str) -> AbstractContextManager[object]:
     from filelock import FileLock
 
     path.parent.mkdir(parents=True, exist_ok=True)
-    # The same object for the same path, so that a thread may take it twice.
+    # One object per path, so that a thread may take the lock twice.
     return FileLock(path.with_name(f"{path.name}.lock"), is_singleton=True)
 
 
@@ -341,7 +311,7 @@ def _database(uri: str) -> Path | None:
 
 @contextmanager
 def _told_plainly(uri: str) -> Iterator[None]:
-    """Turn the errors of MLflow, its database and its server to one clear message."""
+    """Turn errors of MLflow, its database and its server into one clear message."""
     from mlflow.exceptions import MlflowException
     from requests.exceptions import RequestException
     from sqlalchemy.exc import SQLAlchemyError

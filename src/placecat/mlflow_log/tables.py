@@ -1,12 +1,12 @@
 """MLflow: one run per table with nested runs for its rows; logging again never duplicates a run.
 
 Tags: ``placecat.kind`` is table, row, figures or findings; ``placecat.table`` the name of the table;
-``placecat.digest`` the checksum of all that a table shows; ``placecat.current`` is "true" for what holds
-now. A run counts only if it is current and FINISHED. The order of writing: the run of the table and every
-row; then what they supersede is no longer current; then the rows are finished, and last the run of the table.
-So whenever this is killed, nothing counts that is not complete, and nothing twice; the next time deletes the
-torso and writes the table again. Processes of one machine do it one after the other. Those of several may do
-it at once: each looks at the end whether a table is current more than once, and leaves the latest.
+``placecat.digest`` the checksum of all that a table shows; ``placecat.current`` is "true" for valid runs.
+A run counts only if it is current and FINISHED. The order of writing: the run of the table and every row;
+then the superseded runs lose ``current``; then the rows are finished, and last the run of the table. If this
+is killed, no incomplete run counts, and none twice; the next time deletes the torso and writes the table
+again. Processes of one machine take turns. Several machines may write at once: each looks at the end whether
+a table is current more than once, and keeps the latest.
 """
 
 from __future__ import annotations
@@ -29,15 +29,15 @@ if TYPE_CHECKING:
 
 KIND, TABLE, DIGEST = "placecat.kind", "placecat.table", "placecat.digest"
 CURRENT, SUPERSEDED_BY = "placecat.current", "placecat.superseded_by"
-# Who trains what and who is tested, e.g. "5-5-1"; of a table those of all its rows.
+# Name of the training protocol, e.g. "5-5-1"; a table has those of all its rows.
 PROTOCOL = "protocol"
 # Name of the queued DVC experiment that logged a run. It is current beside the project's own, by this name.
 DVC_EXPERIMENT = "placecat.dvc_experiment"
-# The machine that logs a run: until it is finished, another one cannot know whether it goes on.
+# The machine that logs a run: another machine cannot know whether an unfinished run is still being written.
 MACHINE = "placecat.machine"
-# Milliseconds after which it does not.
+# Milliseconds after which an unfinished run counts as abandoned.
 _TORSO = 24 * 3600 * 1000
-# Change it when the runs get other content for the same numbers, so that they are logged anew.
+# Change it when runs get other content for the same numbers, so that they are logged again.
 _FORM = "4"
 # Where a description shows its run's id.
 RUN_ID = "{run_id}"
@@ -58,12 +58,12 @@ class RowRun:
     Attributes
     ----------
     params, metrics
-        What tells it apart, and its numbers: ``accuracy``, ``accuracy/home_1``, ... in percent, and how good
-        its probabilities are (:meth:`placecat.results.quality.Quality.averages`).
+        Its identity, and its numbers: ``accuracy``, ``accuracy/home_1``, ... in percent, and the quality of
+        its probabilities (:meth:`placecat.results.measured.Quality.averages`).
     description
         Markdown for people.
     files
-        Writes the row's files into the folder that it is given, and gives their paths.
+        Writes the row's files into a folder, and returns their paths.
     """
 
     name: str
@@ -75,22 +75,22 @@ class RowRun:
 
 @dataclass(frozen=True)
 class TableRun:
-    """Content of one table for MLflow, e.g. "table_26", which has a title for people.
+    """Content of one table for MLflow: its name, e.g. "table_26", its title for people, and the rest.
 
     Attributes
     ----------
     content
-        Everything that the table shows, as text; with `params`, of which `digest` is made.
+        Everything that the table shows, as text; `digest` is made of it and of `params`.
     params
         Flat settings that the numbers depend on.
     metrics
-        Name to number, percent unless it says otherwise.
+        Name to number, in percent unless the name says otherwise.
     description
         Markdown for people; `RUN_ID` in it becomes the run's id.
     rows, files
         Nested runs; the table's files, as those of a row.
     kind
-        "table", or "figures" and "findings" for the two runs that are none.
+        "table"; "figures" and "findings" for the two runs that are not tables.
     """
 
     name: str
@@ -121,35 +121,27 @@ def log_tables(
     artifacts: Path,
     dvc_experiment: str = "",
 ) -> dict[str, str]:
-    """Log every table whose content is new; mark what it supersedes.
+    """Log every table whose content is new; mark the runs that it supersedes.
+
+    Returns for each table the digest of its content, which does not depend on time or on earlier runs. Raises
+    PlacecatError if MLflow does not answer, or refuses.
 
     Parameters
     ----------
     runs
-        All tables of the experiment, in the order in which the user interface is to show them, which puts
-        the latest on top.
+        All tables of the experiment, in the order in which the user interface shows them, the latest on top.
     uri
         MLflow tracking URI.
     experiment, description
-        Name of the experiment, made if it does not exist, and what it says of itself (Markdown).
+        Name of the experiment, made if it does not exist, and its description (Markdown).
     data, data_version
-        What the data set is called, and the checksum of its files.
+        Title of the data set, and the checksum of its files.
     commit
         Git commit, or "" if there is none.
     artifacts
-        Where a new experiment on a local database keeps its files.
+        Folder for the files of a new experiment on a local database.
     dvc_experiment
-        Name of the queued experiment that logs, if one does: it supersedes its own runs only.
-
-    Returns
-    -------
-    dict
-        For each table the digest of its content, which does not depend on time or on earlier runs.
-
-    Raises
-    ------
-    PlacecatError
-        If MLflow does not answer, or refuses.
+        Name of the queued experiment that logs, if one does: it supersedes only its own runs.
     """
     with store.alone(uri):
         client = store.connect(uri)
@@ -195,7 +187,7 @@ def _log_new(
         old = [one.info.run_id for one in complete if one.info.run_id != chosen]
         _make_current(client, experiment_id, new, old, chosen)
     for name in known.keys() - digests.keys():
-        # A table that there is no more.
+        # A table that no longer exists.
         for one in known[name]:
             _supersede(client, experiment_id, one.info.run_id, "nothing")
 
@@ -223,7 +215,7 @@ def _settle(client: MlflowClient, experiment_id: str, scope: str) -> None:
 def _log(
     client: MlflowClient, experiment_id: str, run: TableRun, digest: str, common: Mapping[str, str]
 ) -> list[str]:
-    """Log a table and its rows without ending them; gives the ids of the runs, the table's last."""
+    """Log a table and its rows without ending them; returns the ids of the runs, the table's last."""
     tags = {**common, TABLE: run.name, CURRENT: common.get(DVC_EXPERIMENT, "true"), MACHINE: platform.node()}
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
@@ -265,7 +257,7 @@ def _protocols(rows: Sequence[RowRun]) -> dict[str, str]:
 def _make_current(
     client: MlflowClient, experiment_id: str, new: Sequence[str], old: Sequence[str], chosen: str
 ) -> None:
-    # Another process sees all of it or nothing.
+    # Other processes see all changes or none.
     with store.writing(client):
         for one in old:
             _supersede(client, experiment_id, one, chosen)
@@ -274,7 +266,7 @@ def _make_current(
 
 
 def _supersede(client: MlflowClient, experiment_id: str, run_id: str, by: str) -> None:
-    # The table's run last, so that this is done again if it is interrupted.
+    # The table's run last, so that an interrupted call is repeated.
     for each in [*_nested(client, experiment_id, run_id), run_id]:
         store.log(client, each, tags={CURRENT: "false", SUPERSEDED_BY: by})
 
@@ -292,7 +284,7 @@ def _nested(client: MlflowClient, experiment_id: str, run_id: str) -> list[str]:
 
 
 def search(client: MlflowClient, experiment_id: str, condition: str) -> list[Run]:
-    """Find all runs of an experiment that meet a condition in MLflow's language, however many there are."""
+    """Find all runs of an experiment that meet a condition in MLflow's language, page by page."""
     found: list[Run] = []
     token = None
     with store.writing(client):

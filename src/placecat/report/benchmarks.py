@@ -12,18 +12,10 @@ _NUMBER = r"(\d+(?:\.\d+)?(?:e[+-]?\d+)?)"
 
 
 def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
-    """Return the rows that have a ratio.
+    """The rows of :func:`placecat_bench.run.run` that have a ratio; empty cells of numbers are NaN.
 
-    Parameters
-    ----------
-    benchmarks
-        From :func:`placecat_bench.run.run`, empty cells of numbers as NaN.
-
-    Returns
-    -------
-    DataFrame
-        The same columns, ``met`` as a bool and ``target`` as the number in it; and ``is_faster``, whether the
-        target is a least speed-up, not a largest share of the peer's time.
+    The columns are the same, ``met`` as a bool and ``target`` as the number in it; and ``is_faster``, whether
+    the target is a least speed-up, not a largest share of the peer's time.
     """
     rows = benchmarks[benchmarks["ratio"].notna()]
     return rows.assign(
@@ -34,20 +26,11 @@ def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
 
 
 def shown_speed(benchmarks: pd.DataFrame, facts: Mapping[str, str]) -> dict[str, Any]:
-    """Return the benchmarks as text for a page.
+    """The benchmarks of :func:`placecat_bench.run.run` as text for a page; empty cells of text are "".
 
-    Parameters
-    ----------
-    benchmarks
-        From :func:`placecat_bench.run.run`, empty cells of text as "".
-    facts
-        ``processor``, ``python`` and ``packages`` of the measurement.
-
-    Returns
-    -------
-    dict
-        The ``facts``, and in ``rows`` the piece, input, ours, peer, theirs, ratio, target, met and spent of
-        each row. Quantities other than seconds are named beside the piece.
+    Returns the ``facts`` (``processor``, ``python`` and ``packages`` of the measurement), and in ``rows`` the
+    piece, input, ours, peer, theirs, ratio, target, met and spent of each row. Quantities other than
+    seconds are named beside the piece.
     """
     return {"facts": facts, "rows": [_shown_row(row) for row in benchmarks.to_dict("records")]}
 

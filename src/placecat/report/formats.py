@@ -1,6 +1,6 @@
 """Filled tables as Markdown and LaTeX: measured numbers first, published ones below."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import pandas as pd
@@ -44,7 +44,7 @@ def latex(text: str) -> str:
 
 def table_markdown(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]) -> str:
     """Write one filled table as Markdown; parameters as for :func:`placecat.report.grid.shown_table`."""
-    escaping = environment("placecat.report").overlay(finalize=lambda value: _escaped(value, _MARKDOWN))
+    escaping = environment("placecat.report").overlay(finalize=_only_text(markdown))
     return escaping.get_template("table.md.j2").render(**shown_table(settings, table, dataset))
 
 
@@ -60,10 +60,10 @@ def table_latex(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mappi
         variable_end_string=">>",
         comment_start_string="<#",
         comment_end_string="#>",
-        finalize=lambda value: _escaped(value, _LATEX),
+        finalize=_only_text(latex),
     )
     return escaping.get_template("table.tex.j2").render(**shown_table(settings, table, dataset))
 
 
-def _escaped(value: Any, special: Mapping[int, str]) -> Any:
-    return value.translate(special) if isinstance(value, str) else value
+def _only_text(escape: Callable[[str], str]) -> Callable[[Any], Any]:
+    return lambda value: escape(value) if isinstance(value, str) else value

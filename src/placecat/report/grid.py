@@ -13,6 +13,7 @@ from placecat.thesis.number import home_label
 from placecat.thesis.tables import comparable, in_percent
 
 NOT_AVAILABLE = "n/a"
+NUMBERS = ("measured", "published", "spread", "seeds")
 
 
 @dataclass(frozen=True)
@@ -132,15 +133,9 @@ def shown_table(
 ) -> dict[str, Any]:
     """The content of one filled table for a template: its grid, title and sentences about its numbers.
 
-    Parameters
-    ----------
-    settings
-        The table's configuration (``name``; ``number``, None if it is not in the thesis; ``title``,
-        ``thesis_data``; ``caption``, if the numbers are not percentages).
-    table
-        From :func:`placecat.thesis.tables.fill_table`.
-    dataset
-        Its ``title``, ``homes`` and ``thesis_data``.
+    `settings` are its definition (``name``; ``number``, None if it is not in the thesis; ``title``,
+    ``thesis_data``; ``caption``, if the numbers are not percentages); `table` is from
+    :func:`placecat.thesis.tables.fill_table`; `dataset` has ``title``, ``homes`` and ``thesis_data``.
     """
     return {
         **{key: settings[key] for key in ("name", "number", "title", "thesis_data")},
@@ -153,8 +148,9 @@ def shown_table(
     }
 
 
-def make_cell(measured: float, published: float, spread: float, seeds: float) -> Cell:
-    """A cell of two percentages and the `spread` in points, each NaN for none."""
+def make_cell(row: Mapping[Any, Any]) -> Cell:
+    """A cell of the `NUMBERS` of a row: two in percent, the spread in points, and the seeds; NaN for none."""
+    measured, published, spread, seeds = (row[name] for name in NUMBERS)
     difference = round(float(measured - published), 2) + 0.0
     return Cell(
         measured=number_text(measured),
@@ -217,7 +213,7 @@ def _letters(number: int) -> str:
 
 def _cell(record: Mapping[Hashable, Any], footnotes: Counter[str]) -> Cell:
     notes: Notes = record["notes"]
-    cell = make_cell(record["measured"], record["published"], record["spread"], record["seeds"])
+    cell = make_cell(record)
     return replace(
         cell,
         published=NOT_AVAILABLE if any(note.kind is Kind.NOT_AVAILABLE for note in notes) else cell.published,

@@ -112,16 +112,10 @@ def compare(
     """Compare a run's tables with the kept ones.
 
     Cells whose two numbers are of different data sets are not compared; if there are any, neither are
-    verdicts.
-
-    Parameters
-    ----------
-    now, kept
-        Name of a table to its filled form, numbers as text or not, empty for none: the columns measured
-        (percent), spread (points, may be missing) and data, the data set ("" if unknown); and columns that
-        identify the cell of a row, e.g. group, row, column.
-    findings_now, findings_kept
-        One row per finding, with the columns number and verdict; None for no findings.
+    verdicts. `now` and `kept` have each table by its name, numbers as text or not, empty for none: the
+    columns measured (percent), spread (points, may be missing) and data, the data set ("" if unknown); and
+    columns that identify the cell of a row, e.g. group, row, column. The findings have one row each, with the
+    columns number and verdict; None for no findings.
     """
     pairs = {
         name: _pairs(_cells(now.get(name)), _cells(kept.get(name)))

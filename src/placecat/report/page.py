@@ -10,13 +10,7 @@ from markupsafe import Markup, escape
 
 from placecat.explain.cells import Table
 from placecat.report.embed import embed
-from placecat.report.grid import (
-    Cell,
-    make_cell,
-    number_text,
-    seeds_sentence,
-    shown_table,
-)
+from placecat.report.grid import Cell, make_cell, number_text, seeds_sentence, shown_table
 from placecat.report.sections import arrange
 from placecat.report.shading import legend, shade
 from placecat.report.summary import (
@@ -111,6 +105,8 @@ def page_html(report: Report) -> str:
     added_figures = [_shown_figure(one) for one in report.figures if not one.number]
     sections, rest = arrange(tables, figures)
     table_26 = next((one.cells for one in report.tables if one.settings["number"] == 26), None)
+    comparisons = report.comparisons.drop(columns=["left_results", "right_results"], errors="ignore")
+    in_text = report.in_text.rename(columns={"quantity": "row", "home": "column"})
     return (
         page_templates()
         .get_template("page.html.j2")
@@ -123,9 +119,7 @@ def page_html(report: Report) -> str:
             findings=_records(report.findings),
             readings=readings_of(report.findings),
             interval_limit=_interval_limit(report.findings),
-            comparisons=_plain(
-                report.comparisons.drop(columns=["left_results", "right_results"], errors="ignore")
-            ),
+            comparisons=_plain(comparisons),
             sections=sections,
             rest=rest,
             tables=tables,
@@ -133,9 +127,7 @@ def page_html(report: Report) -> str:
             additions=additions,
             added_figures=added_figures,
             in_text=_entries(report.in_text),
-            in_text_seeds=seeds_sentence(
-                report.in_text.rename(columns={"quantity": "row", "home": "column"})
-            ),
+            in_text_seeds=seeds_sentence(in_text),
             legend=legend(),
             settings=_blocks(report.settings),
             speed=_with_chart(report.speed),
@@ -221,27 +213,17 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
             }
             for record in part.to_dict("records")
         ]
-        section = part["section"].iloc[0]
-        entries.append(
-            {
-                "anchor": f"in-text-{name}".replace("_", "-"),
-                "name": str(name).replace("_", " "),
-                "section": section,
-                "rows": rows,
-            }
-        )
+        named = {"anchor": f"in-text-{name}".replace("_", "-"), "name": str(name).replace("_", " ")}
+        entries.append(named | {"section": part["section"].iloc[0], "rows": rows})
     return entries
 
 
 def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
     """The cell of a number in the text; if it is not a percentage, it may have more than two decimals."""
-    cell = make_cell(*(record[key] for key in ("measured", "published", "spread", "seeds")))
-    values = [value for value in (record["measured"], record["published"]) if pd.notna(value)]
-    if all(value == round(value, 2) for value in values):
+    cell, values = make_cell(record), (record["measured"], record["published"])
+    if all(pd.isna(value) or value == round(value, 2) for value in values):
         return cell
-    measured, published = (
-        "" if pd.isna(record[key]) else f"{record[key]:.5f}" for key in ("measured", "published")
-    )
+    measured, published = ("" if pd.isna(value) else f"{value:.5f}" for value in values)
     return replace(cell, measured=measured, published=published, difference=None)
 
 

@@ -134,11 +134,8 @@ class Run:
 
     def saliency(self, home: str, index: int) -> Saliency:
         """The saliency map of one frame and its parts."""
-        known = settings_of(saliency)
-        options = {
-            name: value for name, value in settings.get(self.params, "regions").items() if name in known
-        }
-        return saliency(self.maps(home, index), **options)
+        known, options = settings_of(saliency), settings.get(self.params, "regions")
+        return saliency(self.maps(home, index), **{name: options[name] for name in options if name in known})
 
     def regions(self, home: str, index: int) -> NDArray[np.float32]:
         """(n, 4) salient regions of one frame: x, y (pixels), scale, saliency; the most salient first."""
@@ -199,9 +196,7 @@ class Run:
         return home, best[home][1]
 
     def _feature(self, home: str, name: str) -> NDArray[Any]:
-        return self._array(paths.features(home) / f"{name}.npy")
-
-    def _array(self, path: Path) -> NDArray[Any]:
+        path = paths.features(home) / f"{name}.npy"
         self._need(path)
         return files.read_array(path)
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat.report.grid import Cell, make_cell
+from placecat.report.grid import NUMBERS, Cell, make_cell
 from placecat.thesis.number import AVERAGE
 
 INTEGRATION, SMOOTHED = "Integration", "HMM"
@@ -48,8 +48,7 @@ def best_system(table: pd.DataFrame) -> Best | None:
     if averages.empty:
         return None
     best = _first(averages.nlargest(1, "measured"))
-    numbers = (best[name] for name in ("measured", "published", "spread", "seeds"))
-    return Best(best["group"], best["row"], make_cell(*numbers))
+    return Best(best["group"], best["row"], make_cell(best))
 
 
 def headlines(table: pd.DataFrame) -> list[Headline]:
@@ -67,21 +66,14 @@ def _headline(group: str, part: pd.DataFrame) -> Headline:
         group,
         best["row"],
         best_published["row"],
-        make_cell(best["measured"], best_published["published"], best["spread"], best["seeds"]),
-        *(
-            make_cell(one["measured"], one["published"], one["spread"], one["seeds"])
-            for one in (_first(part[part["row"] == row]) for row in (INTEGRATION, SMOOTHED))
-        ),
+        make_cell({**best, "published": best_published["published"]}),
+        *(make_cell(_first(part[part["row"] == row])) for row in (INTEGRATION, SMOOTHED)),
     )
 
 
 def _first(rows: pd.DataFrame) -> Mapping[Any, Any]:
     """The first row; a row without numbers if there is none."""
-    nothing: dict[Any, Any] = {
-        "row": "",
-        **dict.fromkeys(("measured", "published", "spread", "seeds"), np.nan),
-    }
-    return next(iter(rows.to_dict("records")), nothing)
+    return next(iter(rows.to_dict("records")), {"row": "", **dict.fromkeys(NUMBERS, np.nan)})
 
 
 def readings_of(findings: pd.DataFrame) -> dict[str, str]:

@@ -216,13 +216,9 @@ def from_scores(
 ) -> Results:
     """Build the results from the rows that `score_rows` gives; in `stays`, stays replace homes.
 
-    Parameters
-    ----------
-    scores, missing
-        Columns `SCORE_COLUMNS` and `MISSING_COLUMNS`.
-    other_classes
-        Lists of places of the other data sets, in order; a result gets the first list that has all its
-        places, the main one first.
+    `scores` and `missing` have the columns `SCORE_COLUMNS` and `MISSING_COLUMNS`. `other_classes` are the
+    lists of places of the other data sets, in order; a result gets the first list that has all its places,
+    the main one first.
     """
     reasons = {(str(row.result), str(row.home)): str(row.reason) for row in missing.itertuples(index=False)}
     lists = (tuple(classes), *map(tuple, other_classes))

@@ -12,7 +12,7 @@ _LIST = (paths.FIGURES / "figures.json").as_posix()
 
 @dataclass(frozen=True)
 class Figures:
-    """Figures of one side: name to PNG and to caption; without any, `missing` says why and what to do."""
+    """Figures of one side: name to PNG and to caption; without any, `missing` is the reason and a remedy."""
 
     pictures: dict[str, bytes] = field(default_factory=dict)
     captions: dict[str, str] = field(default_factory=dict)

@@ -16,21 +16,15 @@ from placecat.report.page import page_templates, shown_picture
 from placecat.side_by_side.figures import Figures, read_figures
 from placecat.thesis.tables import label, tables_of
 
-# Settings that say where and how a run computes, not what.
+# Settings of the computation, on which results do not depend.
 _NOT_SHOWN = ("compute", "reproducibility")
 
 
 def write(target: Path, old: str, new: str, lines: Sequence[str]) -> list[str]:
-    """Write the page; gives lines that say so, and which figures are missing.
+    """Write the page to an HTML file; returns lines that name the file and the missing figures.
 
-    Parameters
-    ----------
-    target
-        An HTML file.
-    old, new
-        The sides, as :func:`placecat.kept_in_git.read` takes them.
-    lines
-        What :func:`placecat.kept_in_git.compare` says of them.
+    `old` and `new` are the sides, as :func:`placecat.kept_in_git.read` takes them; `lines` are those of
+    :func:`placecat.kept_in_git.compare`.
     """
     files.check_file(target)
     drawn = [read_figures(side) for side in (old, new)]
@@ -50,14 +44,8 @@ def page_html(
 ) -> str:
     """Render the page from the old and the new side.
 
-    Parameters
-    ----------
-    names
-        For each side its ``name`` and ``about``, a line about its commit or "".
-    kept, drawn
-        Their results and figures.
-    lines
-        What to say first.
+    `names` has for each side its ``name`` and ``about``, a line about its commit or ""; `kept` and `drawn`
+    are their results and figures; `lines` come first on the page.
     """
     templates = page_templates()
     templates.loader = ChoiceLoader([PackageLoader("placecat.side_by_side"), templates.loader])
@@ -115,15 +103,12 @@ def _table(old: pd.DataFrame | None, new: pd.DataFrame | None) -> dict[str, Any]
     keys = dict.fromkeys([*now, *before])
     columns = list(dict.fromkeys(column for *_, column in keys))
     groups: dict[str, dict[str, list[dict[str, Any]]]] = {}
-    for group, row, _ in keys:
-        groups.setdefault(group, {})[row] = []
     changed = 0
-    for group, rows in groups.items():
-        for row, cells in rows.items():
-            for column in columns:
-                pair = [side.get((group, row, column), "") for side in (before, now)]
-                cells.append(_cell(*pair))
-                changed += cells[-1]["changed"]
+    for group, row in dict.fromkeys(key[:2] for key in keys):
+        labels = [(group, row, column) for column in columns]
+        cells = [_cell(before.get(key, ""), now.get(key, "")) for key in labels]
+        groups.setdefault(group, {})[row] = cells
+        changed += sum(cell["changed"] for cell in cells)
     return {"columns": columns, "groups": groups, "changed": changed}
 
 
@@ -170,15 +155,14 @@ def _figures(old: Figures, new: Figures) -> list[dict[str, Any]]:
         pair = [one.pictures.get(name) for one in (old, new)]
         is_same = pair[0] == pair[1]
         number = re.fullmatch(r"figure_0*(\d+)", name)
+        pictures = [] if is_same else [picture and shown_picture(picture) for picture in pair]
         found.append(
             {
                 "anchor": f"figure-{number[1]}" if number else f"addition-{name}".replace("_", "-"),
                 "label": f"Figure {number[1]}" if number else name.replace("_", " ").capitalize(),
                 "title": (old.captions | new.captions)[name],
                 "is_same": is_same,
-                "pictures": []
-                if is_same
-                else [None if picture is None else shown_picture(picture) for picture in pair],
+                "pictures": pictures,
             }
         )
     return found

@@ -54,6 +54,10 @@ class Pair(NamedTuple):
 def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line]:
     """Compare two results, several pairs, or all trials below two names that end in "/", pair by pair.
 
+    Returns both sides in percent and the difference, variant minus baseline, in points. The average is over
+    the homes in which both were measured. Frames of all sequences of a split are counted together. Raises
+    PlacecatError for an unknown setting or result.
+
     Parameters
     ----------
     entry
@@ -67,17 +71,6 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
         the share of all frames counts, for results of other data sets.
     where
         Name of the entry in messages.
-
-    Returns
-    -------
-    list of Line
-        Both sides in percent and the difference, variant minus baseline, in points. The average is over the
-        homes in which both were measured. Frames of all sequences of a split are counted together.
-
-    Raises
-    ------
-    PlacecatError
-        For an unknown setting or result.
     """
     settings.refuse_unknown(entry, SETTINGS, where)
     lines: list[Line] = []

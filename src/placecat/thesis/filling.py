@@ -15,17 +15,9 @@ _KEY = ["group", "row", "column"]
 
 
 def table(definition: Mapping[str, Any], results: Results, params: Mapping[str, Any]) -> pd.DataFrame:
-    """Fill one table of :func:`placecat.thesis.tables.tables_of`.
+    """Fill one table of :func:`~placecat.thesis.tables.tables_of`, see :func:`.tables.fill_table`.
 
-    Returns
-    -------
-    pandas.DataFrame
-        As :func:`placecat.thesis.tables.fill_table`.
-
-    Raises
-    ------
-    PlacecatError
-        A file of data/thesis is damaged.
+    Raises PlacecatError if a file of data/thesis is damaged.
     """
     contradictions = contradictions_of(files.read_table(paths.CONTRADICTIONS, [*_KEY, "note"]))
     published = files.read_table(paths.PUBLISHED, _KEY)
@@ -33,17 +25,9 @@ def table(definition: Mapping[str, Any], results: Results, params: Mapping[str, 
 
 
 def text(results: Results, params: Mapping[str, Any]) -> pd.DataFrame:
-    """Fill the numbers in the thesis's text.
+    """Fill the numbers in the thesis's text (:func:`placecat.thesis.in_text.in_text`).
 
-    Returns
-    -------
-    pandas.DataFrame
-        As :func:`placecat.thesis.in_text.in_text`.
-
-    Raises
-    ------
-    PlacecatError
-        A file of data/thesis is damaged, or a record of a stage is missing.
+    Raises PlacecatError if a file of data/thesis is damaged, or a record of a stage is missing.
     """
     columns = ["name", "section", "quantity", "home", "quote", "note"]
     return in_text.in_text(

@@ -24,12 +24,8 @@ def ledger(
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
     """Judge every finding.
 
-    Parameters
-    ----------
-    findings
-        Name of a finding to its settings, see `read_finding`; wrong settings raise PlacecatError.
-    verdict
-        Settings of `Rules`.
+    `findings` has the settings of each by its name, see `read_finding`; wrong ones raise PlacecatError.
+    `verdict` has the settings of `Rules`.
 
     Returns
     -------
@@ -82,7 +78,8 @@ def _finding_row(finding: Finding, judged: Sequence[Judged], rules: Rules) -> di
         if not about_cases:
             level = percent(corrected_level(rules.level, len(judged)))
             listed += f", allowing for {len(judged)} comparisons (Bonferroni: {level} intervals)"
-        reasons.append(f"of {len(judged)} comparisons: {listed}; shown is {_names(shown.comparison)}")
+        sides = f"{shown.comparison.left.label} against {_right_label(shown.comparison)}"
+        reasons.append(f"of {len(judged)} comparisons: {listed}; shown is {sides}")
     if not (about_cases and measured):
         reasons.append(shown.reason)
     return {
@@ -146,10 +143,6 @@ def _text(comparison: Comparison, numbers: Sequence[float], difference: float = 
         text = ", ".join(f"{side.label} {number:.2f}" for side, number in pairs)
         return f"{text} against {_right_label(comparison)}" if comparison.right is None else text
     return "" if np.isnan(difference) else f"{comparison.compare} {difference:.2f}"
-
-
-def _names(comparison: Comparison) -> str:
-    return f"{comparison.left.label} against {_right_label(comparison)}"
 
 
 def _right_label(comparison: Comparison) -> str:

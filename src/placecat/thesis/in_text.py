@@ -40,6 +40,12 @@ def in_text(
 ) -> pd.DataFrame:
     """Put the measured numbers beside those of the text.
 
+    Returns the columns name, section, quantity, home ("Home 6", "Average", or "" for neither), published,
+    measured, spread, seeds, note, ``notes``, the same by kind, and ``number``, a
+    :class:`~placecat.thesis.number.Number`. A comparison has both sides and their difference, variant minus
+    baseline, in points. ``spread`` and ``seeds`` are as in :func:`~placecat.thesis.tables.fill_table`. Raises
+    PlacecatError for an unknown setting or result, an entry without a published line, or the reverse.
+
     Parameters
     ----------
     entries
@@ -51,24 +57,11 @@ def in_text(
         not measured.
     published
         Columns name, section, quantity, home, value (NaN if the thesis has only words), quote and note, which
-        says what in the thesis contradicts the value.
+        names contradictions in the thesis to the value.
     dataset, splits
         ``title`` and ``thesis_data`` of the main data set, and of that of each split.
     records
         Tables by name.
-
-    Returns
-    -------
-    DataFrame
-        Columns name, section, quantity, home ("Home 6", "Average", or "" for neither), published, measured,
-        spread, seeds, note, ``notes``, the same by kind, and ``number``, a
-        :class:`~placecat.thesis.number.Number`. A comparison has both sides and their difference, variant
-        minus baseline, in points. ``spread`` and ``seeds`` as in :func:`~placecat.thesis.tables.fill_table`.
-
-    Raises
-    ------
-    PlacecatError
-        For an unknown setting or result, an entry without a published line, or the reverse.
     """
     sections = dict(zip(published["name"], published["section"], strict=True))
     _same_names(list(entries), list(sections))

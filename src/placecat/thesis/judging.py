@@ -10,15 +10,7 @@ from placecat import seeds
 from placecat.errors import NotComputable
 from placecat.evaluation.bootstrap import Interval
 from placecat.evaluation.tail import share_below
-from placecat.evaluation.verdict import (
-    FAILS,
-    HOLDS,
-    UNDECIDED,
-    Range,
-    corrected_level,
-    judge,
-    judge_shares,
-)
+from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED, Range, corrected_level, judge, judge_shares
 from placecat.results.measured import Results
 from placecat.thesis.claims import Comparison, Side
 from placecat.thesis.number import AVERAGE
@@ -104,12 +96,8 @@ def judge_comparison(
 ) -> Judged:
     """Judge one comparison; wrong settings raise PlacecatError, missing measurements make it undecided.
 
-    Parameters
-    ----------
-    finding
-        Name of its finding; the bootstrap's seed derives from it.
-    comparisons
-        Number of the finding's comparisons, all of which must hold.
+    `finding` is the name of its finding, from which the bootstrap's seed derives; `comparisons` is the number
+    of the finding's comparisons, all of which must hold.
     """
     try:
         paired = (

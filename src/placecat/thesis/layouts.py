@@ -2,7 +2,7 @@
 
 import itertools
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -23,28 +23,9 @@ from placecat.thesis.number import (
     over_homes,
 )
 
-
-class Cell(NamedTuple):
-    """One cell of a table: its key in the published tables, and its measurement.
-
-    `measured` is a percentage, the mean over the seeds, or NaN with `notes` that say why. `spread` is the
-    largest minus the smallest of the seeds, NaN if nothing is random; `seeds` is their number, then 0.
-    `number` has its seeds and origins.
-    """
-
-    group: str
-    row: str
-    column: str
-    measured: float
-    spread: float
-    seeds: int
-    notes: tuple[str, ...]
-    number: Number
-
-
-def cell(key: tuple[str, str, str], number: Number) -> Cell:
-    """Put a number into the cell of a group, row and column."""
-    return Cell(*key, number.measured, number.spread, number.seeds, number.notes, number)
+# Group, row and column of a cell in the published tables, and its number.
+Key = tuple[str, str, str]
+Cells = dict[Key, Number]
 
 
 def place_column(place: str) -> str:
@@ -52,7 +33,7 @@ def place_column(place: str) -> str:
     return place.replace("_", " ").title()
 
 
-def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
+def cells(table: Mapping[str, Any], results: Results) -> Cells:
     """Fill the cells of one table by its ``layout``, the name of one of the functions below.
 
     A result that the run does not have raises PlacecatError.
@@ -60,7 +41,7 @@ def cells(table: Mapping[str, Any], results: Results) -> list[Cell]:
     return LAYOUTS[table["layout"]](table, results)
 
 
-def by_class(table: Mapping[str, Any], results: Results) -> list[Cell]:
+def by_class(table: Mapping[str, Any], results: Results) -> Cells:
     """One row per test home, one column per place, and averages over places and homes (e.g. Table 6).
 
     The only result is ``table["result"]``. An average over homes is over those that show the place; that of
@@ -68,48 +49,36 @@ def by_class(table: Mapping[str, Any], results: Results) -> list[Cell]:
     """
     name = table["result"]
     of_place = {
-        place: [_in_place(results, name, number, place) for number in results.numbers]
+        place_column(place): [in_home(results, name, number, place) for number in results.numbers]
         for place in results.classes
     }
     averages = dict(in_homes(results, name, results.numbers))
-    filled = []
+    filled: Cells = {}
     for number in results.numbers:
         row = home_label(number)
-        filled += [cell(("", row, place_column(place)), some[number - 1]) for place, some in of_place.items()]
-        filled.append(cell(("", row, AVERAGE), averages[row]))
-    filled += [cell(("", AVERAGE, place_column(place)), mean(some)) for place, some in of_place.items()]
+        filled |= {("", row, column): numbers[number - 1] for column, numbers in of_place.items()}
+        filled["", row, AVERAGE] = averages[row]
+    filled |= {("", AVERAGE, column): mean(numbers) for column, numbers in of_place.items()}
     # A single home is its own average.
-    return [*filled, cell(("", AVERAGE, AVERAGE), averages.get(AVERAGE, averages[home_label(1)]))]
+    filled["", AVERAGE, AVERAGE] = averages.get(AVERAGE, averages[home_label(1)])
+    return filled
 
 
-def _in_place(results: Results, name: str, number: int, place: str) -> Number:
-    """Percentage of one home's frames of a place that were decided right."""
-    whole = in_home(results, name, number)
-    if not len(whole.values):
-        return whole
-    one, home = results.of(name), results.homes[number - 1]
-    values = one.by_class()[:, one.homes.index(home), one.classes.index(place)]
-    origins = (Origin(name, (home,), place),)
-    if not np.isfinite(values).all():
-        return nothing(f"{home} has no frame of {place}", origins=origins)
-    return Number(values, one.is_random, origins=origins)
-
-
-def by_home(table: Mapping[str, Any], results: Results) -> list[Cell]:
+def by_home(table: Mapping[str, Any], results: Results) -> Cells:
     """One row per result, one column per test home, and the average over homes (e.g. Table 26).
 
     Each of ``table["rows"]`` has `group`, `row` and `result`. The note of a filtered result states the frames
     that the information filter drops.
     """
     homes = {home_label(number): home for number, home in enumerate(results.homes, start=1)} | {AVERAGE: ""}
-    return [
-        cell((row["group"], row["row"], column), number.noted(results.drops(row["result"], homes[column])))
+    return {
+        (row["group"], row["row"], column): number.noted(results.drops(row["result"], homes[column]))
         for row in table["rows"]
         for column, number in in_homes(results, row["result"], results.numbers)
-    ]
+    }
 
 
-def by_home_with_gains(table: Mapping[str, Any], results: Results) -> list[Cell]:
+def by_home_with_gains(table: Mapping[str, Any], results: Results) -> Cells:
     """Like `by_home`, with the gains of some results over the best of others, in points.
 
     Groups are in the order of the rows, with gains last. Each of ``table["gains"]`` has `group`, `row`,
@@ -125,12 +94,12 @@ def by_home_with_gains(table: Mapping[str, Any], results: Results) -> list[Cell]
             note += ", the best on average"
         of_result, of_best = (in_homes(results, name, results.numbers) for name in (gain["result"], best))
         for (column, number), (_, other) in zip(of_result, of_best, strict=True):
-            filled.append(cell((gain["group"], gain["row"], column), number.minus(other).noted(note)))
-    groups = list(dict.fromkeys(one.group for one in filled))
-    return sorted(filled, key=lambda one: groups.index(one.group))
+            filled[gain["group"], gain["row"], column] = number.minus(other).noted(note)
+    groups = list(dict.fromkeys(group for group, _, _ in filled))
+    return dict(sorted(filled.items(), key=lambda item: groups.index(item[0][0])))
 
 
-def grid(table: Mapping[str, Any], results: Results) -> list[Cell]:
+def grid(table: Mapping[str, Any], results: Results) -> Cells:
     """Any axes, one of them perhaps the test homes: cells that are trials of their own (e.g. Table 12).
 
     The trials are those that ``table["axes"]`` spans, in the homes of ``table["homes"]``. An axis of homes
@@ -139,59 +108,55 @@ def grid(table: Mapping[str, Any], results: Results) -> list[Cell]:
     """
     axes = [table["axes"].get(axis, {"": {}}) for axis in AXES]
     numbers = results.numbers if table["homes"] == "all" else [int(number) for number in table["homes"]]
-    groups, rows, columns = (("",) if axis == HOMES else tuple(axis) for axis in axes)
-    filled = []
-    for group, row, column in itertools.product(groups, rows, columns):
-        name = trial_name(table["name"], group, row, column)
-        if HOMES not in axes:
-            filled.append(cell((group, row, column), over_homes(results, name, numbers)))
-            continue
-        # The label of the axis of homes is still empty.
-        for home, number in in_homes(results, name, numbers):
-            labels = [
-                home if axis == HOMES else label
-                for axis, label in zip(axes, (group, row, column), strict=True)
-            ]
-            filled.append(cell((labels[0], labels[1], labels[2]), number))
+    filled: Cells = {}
+    for labels in itertools.product(*(("",) if axis == HOMES else axis for axis in axes)):
+        name = trial_name(table["name"], *labels)
+        whole = [] if HOMES in axes else [("", over_homes(results, name, numbers))]
+        for home, number in whole or in_homes(results, name, numbers):
+            # The label of an axis of homes is still empty.
+            pairs = zip(axes, labels, strict=True)
+            group, row, column = (home if axis == HOMES else label for axis, label in pairs)
+            filled[group, row, column] = number
     return filled
 
 
-def pooled_by_class(table: Mapping[str, Any], results: Results) -> list[Cell]:
+def pooled_by_class(table: Mapping[str, Any], results: Results) -> Cells:
     """One row per result, one column per place, all test sequences counted together (Tables 30 and 31).
 
     Each of ``table["rows"]`` has `group`, `row` and `result`. ``table["plain"]``, if present, names a column
     for the share of all frames, of any place.
     """
-    filled = []
+    filled: Cells = {}
     for row in table["rows"]:
         name = row["result"]
         one = results.of(name).pooled()
-        numbers = {
-            place_column(place): Number(values, one.is_random, origins=(Origin(name, part=place),))
-            if np.isfinite(values).all()
-            else nothing(f"no test sequence shows the place {place}", origins=(Origin(name, part=place),))
-            for place, values in zip(one.classes, one.by_class()[:, 0].T, strict=True)
-        }
+        for place, values in zip(one.classes, one.by_class()[:, 0].T, strict=True):
+            origins = (Origin(name, part=place),)
+            filled[row["group"], row["row"], place_column(place)] = (
+                Number(values, one.is_random, origins=origins)
+                if np.isfinite(values).all()
+                else nothing(f"no test sequence shows the place {place}", origins=origins)
+            )
         if table.get("plain"):
-            everything = (Origin(name, part=ALL_FRAMES),)
-            numbers[str(table["plain"])] = Number(one.plain()[:, 0], one.is_random, origins=everything)
-        numbers[AVERAGE] = Number(one.by_home()[:, 0], one.is_random, origins=(Origin(name),))
-        filled += [cell((row["group"], row["row"], column), number) for column, number in numbers.items()]
+            everything = Number(one.plain()[:, 0], one.is_random, origins=(Origin(name, part=ALL_FRAMES),))
+            filled[row["group"], row["row"], str(table["plain"])] = everything
+        average = Number(one.by_home()[:, 0], one.is_random, origins=(Origin(name),))
+        filled[row["group"], row["row"], AVERAGE] = average
     return filled
 
 
-def probabilities(table: Mapping[str, Any], results: Results) -> list[Cell]:
+def probabilities(table: Mapping[str, Any], results: Results) -> Cells:
     """One row per result: quality of its distributions, averaged over test homes (an addition to the thesis).
 
     Each of ``table["rows"]`` has `group`, `row` and `result` of the main data set. Columns are log-loss
     (nats), calibration error and accuracy of stays (both in percent), see
     :class:`placecat.evaluation.quality.HomeQuality`.
     """
-    return [
-        cell((row["group"], row["row"], column), _quality(results, row["result"], measure))
+    return {
+        (row["group"], row["row"], column): _quality(results, row["result"], measure)
         for row in table["rows"]
         for measure, column in MEASURES.items()
-    ]
+    }
 
 
 def _quality(results: Results, name: str, measure: str) -> Number:

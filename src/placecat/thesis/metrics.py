@@ -20,7 +20,7 @@ _NAMELESS = "-"
 def nested_metrics(tables: Mapping[str, pd.DataFrame]) -> dict[str, Any]:
     """Nest the numbers ``measured`` (NaN for none) of filled tables, by name, for `dvc metrics`.
 
-    Returns name to group to row to column to number. A label that is empty throughout a table is no level:
+    Returns name to group to row to column to number. Labels that are empty in the whole table are left out:
     Table 26 is ``{"5-5-1, all cues": {"Gist": {"Home 1": 31.2}}}``, Table 5 ``{"SVM": {"Home 1": 31.2}}``.
     Cells and tables without a number are left out.
     """

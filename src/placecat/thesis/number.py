@@ -39,11 +39,11 @@ class Number:
     is_random
         Whether it depends on a seed.
     notes
-        The reasons, if there is no number; else remarks on it.
+        The reasons for a missing number, or remarks on the number.
     digits
         After the point.
     origins
-        Its sources, also if there is no number.
+        Its sources, also those of a missing number.
     """
 
     values: NDArray[np.float64]
@@ -117,15 +117,24 @@ def home_label(number: int) -> str:
     return f"Home {number}"
 
 
-def in_home(results: Results, name: str, number: int) -> Number:
-    """Accuracy of a result in the n-th home (from 1) of the main data set, in percent; see `Results.find`."""
+def in_home(results: Results, name: str, number: int, place: str = "") -> Number:
+    """Accuracy of a result in the n-th home (from 1) of the main data set, in percent; see `Results.find`.
+
+    With a `place` it is the percentage of the frames of this place that were decided right.
+    """
     if number > len(results.homes):
         return nothing(f"the data set has only {len(results.homes)} homes")
     home = results.homes[number - 1]
     one, origins = results.find(name), (Origin(name, (home,)),)
     if one is None or home not in one.homes:
         return nothing(results.missing.get((name, home), f"nothing was measured in {home}"), origins=origins)
-    return Number(one.by_home()[:, one.homes.index(home)], one.is_random, origins=origins)
+    if not place:
+        return Number(one.by_home()[:, one.homes.index(home)], one.is_random, origins=origins)
+    values = one.by_class()[:, one.homes.index(home), one.classes.index(place)]
+    origins = (Origin(name, (home,), place),)
+    if not np.isfinite(values).all():
+        return nothing(f"{home} has no frame of {place}", origins=origins)
+    return Number(values, one.is_random, origins=origins)
 
 
 def over_homes(results: Results, name: str, numbers: Sequence[int]) -> Number:

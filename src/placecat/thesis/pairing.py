@@ -196,5 +196,5 @@ def _note(results: Results, names: Sequence[str], homes: Sequence[str]) -> str:
     return "; ".join(sorted(reasons))
 
 
-def _count(number: int, what: str) -> str:
-    return f"{number} {what}" if number == 1 else f"{number} {what}s"
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"

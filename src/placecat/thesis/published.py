@@ -28,19 +28,10 @@ class Published:
     def number(self, reference: Mapping[str, Any], home: str = AVERAGE) -> float:
         """Look up one number; NaN if the thesis has an n/a or no number.
 
-        Parameters
-        ----------
-        reference
-            ``{table, group, row, column}``, labels as published, without the axes that the table lacks; or
-            ``{text, quantity, home}``, the name of a number in the text and, if the name has several, which
-            one; or ``{result}``, as for :meth:`of_trial`.
-        home
-            As for :meth:`of_trial`.
-
-        Raises
-        ------
-        PlacecatError
-            If the thesis has no such number, or several.
+        `reference` is ``{table, group, row, column}``, labels as published, without the axes that the table
+        lacks; or ``{text, quantity, home}``, the name of a number in the text and, if the name has several,
+        which one; or ``{result}``, as for :meth:`of_trial`, which also explains `home`. Raises PlacecatError
+        if the thesis has no such number, or several.
         """
         if "result" in reference:
             return self.of_trial(reference["result"], home)

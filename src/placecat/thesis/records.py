@@ -24,6 +24,8 @@ _VALUE = ["quantity", "column", "where", "pick", "digits"]
 def read_off(entry: Mapping[str, Any], records: Mapping[str, pd.DataFrame], where: str) -> list[Line]:
     """Read the numbers of one entry from a table.
 
+    Raises PlacecatError for an unknown setting, table or column, or several rows without ``pick``.
+
     Parameters
     ----------
     entry
@@ -34,11 +36,6 @@ def read_off(entry: Mapping[str, Any], records: Mapping[str, pd.DataFrame], wher
         Tables by name; one without rows was not recorded.
     where
         Name of the entry in messages.
-
-    Raises
-    ------
-    PlacecatError
-        For an unknown setting, table or column, or several rows without ``pick``.
     """
     settings.refuse_unknown(entry, ["record", "values"], where)
     if entry["record"] not in records:
@@ -75,14 +72,11 @@ def _value(one: Mapping[str, Any], table: pd.DataFrame, where: str) -> Number:
 
 
 def read_records(params: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
-    """Read the tables, besides results, behind numbers in the thesis's text.
+    """Read the tables, besides results, behind numbers in the thesis's text, by name.
 
-    Returns
-    -------
-    dict
-        ``benchmarks`` and ``scale``, kept in git; ``nu``, one row per model of a nu-SVM and test home:
-        result, home, asked, lowest and highest nu in force of its two-class machines; ``rejected``, one row
-        per labelled frame that a filter rejects: filter, home, information. Missing ones have no rows.
+    ``benchmarks`` and ``scale`` are kept in git. ``nu`` has one row per model of a nu-SVM and test home:
+    result, home, asked, lowest and highest nu in force of its two-class machines. ``rejected`` has one row
+    per labelled frame that a filter rejects: filter, home, information. Missing tables have no rows.
     """
     kept = {"benchmarks": paths.BENCHMARKS, "scale": paths.SCALE_STAGES}
     found = {name: pd.read_csv(path) if path.is_file() else pd.DataFrame() for name, path in kept.items()}
@@ -120,7 +114,7 @@ def _nu_of_trials(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def _asked(classifier: Mapping[str, Any]) -> float | None:
-    """The nu in a classifier's settings; None if it is no nu-SVM."""
+    """The nu in a classifier's settings; None for other classifiers than a nu-SVM."""
     base = classifier.get("base", {})
     return float(base["nu"]) if base.get("name") == "nu_svm" else None
 

@@ -44,18 +44,11 @@ class Rules:
 def claimed_range(kind: tuple[str, float | None], published_difference: float, rules: Rules) -> Range | None:
     """The range that a claim allows for the difference; None for ``both_signs``, no claim about the mean.
 
-    Parameters
-    ----------
-    kind
-        ``better``: above 0. ``worse``: below 0. ``about``: about the published difference. ``little``: not
-        far from 0. ``no_better``: at most a little above 0. ``within`` and a number: nearer to 0 than that.
-        ``above`` and a number: above 0, since the left is compared with the number. ``both_signs``:
-        noticeably below 0 in more than a rare share of the cases, and above 0 in as many.
-
-    Raises
-    ------
-    PlacecatError
-        For an unknown kind, or ``about`` without a published difference.
+    The kinds are ``better``: above 0. ``worse``: below 0. ``about``: about the published difference.
+    ``little``: not far from 0. ``no_better``: at most a little above 0. ``within`` and a number: nearer to 0
+    than that. ``above`` and a number: above 0, since the left is compared with the number. ``both_signs``:
+    noticeably below 0 in more than a rare share of the cases, and above 0 in as many. Raises PlacecatError
+    for an unknown kind, or ``about`` without a published difference.
     """
     name, number = kind
     known = {

@@ -74,6 +74,13 @@ def fill_table(
 ) -> pd.DataFrame:
     """Fill one table.
 
+    Returns the columns table ("Addition" for an addition), group, row, column, published, measured, spread,
+    seeds, note, and ``notes``, the same by kind; ``number``, the cell's
+    :class:`~placecat.thesis.number.Number`. First the published cells in their order, then additional ones of
+    this run. ``measured`` (percent, see :func:`in_percent`; mean over seeds, 2 decimals) is NaN only with a
+    note that says why. ``spread`` is the largest minus the smallest of the seeds in points, NaN if nothing is
+    random; ``seeds`` is their number, then 0.
+
     Parameters
     ----------
     table
@@ -87,25 +94,15 @@ def fill_table(
         that the numbers do not compare.
     contradictions
         From :func:`contradictions_of`.
-
-    Returns
-    -------
-    DataFrame
-        Columns table ("Addition" for an addition), group, row, column, published, measured, spread, seeds,
-        note, and ``notes``, the same by kind; ``number``, the cell's :class:`~placecat.thesis.number.Number`.
-        First the published cells in their order, then additional ones of this run. ``measured`` (percent, see
-        :func:`in_percent`; mean over seeds, 2 decimals) is NaN only with a note that says why. ``spread`` is
-        the largest minus the smallest of the seeds in points, NaN if nothing is random; ``seeds`` is their
-        number, then 0.
     """
     number = table["number"]
     known = published[published["table"] == number]
     order = [tuple(key) for key in known[_KEY].itertuples(index=False)]
     value = dict(zip(order, known["value"], strict=True))
-    cells = {(cell.group, cell.row, cell.column): cell for cell in layouts.cells(table, results)}
+    cells = layouts.cells(table, results)
     rows = []
     for key in [*order, *(key for key in cells if key not in value)]:
-        cell = cells.get(key) or layouts.cell(key, nothing(_why_missing(key, dataset)))
+        cell = cells.get(key) or nothing(_why_missing(key, dataset))
         notes = [Note(Kind.MEASURED, text) for text in cell.notes]
         if np.isfinite(cell.measured):
             notes.insert(0, Note(Kind.DATA, f"measured on {dataset['title']}"))
@@ -116,8 +113,7 @@ def fill_table(
         notes.append(Note(Kind.PUBLISHED, contradictions.get((number, *key), "")))
         measured = (value.get(key, np.nan), cell.measured, cell.spread, cell.seeds)
         of_cell = without_empty(notes)
-        said = (joined(of_cell), of_cell, cell.number)
-        rows.append((ADDITION if number is None else number, *key, *measured, *said))
+        rows.append((number or ADDITION, *key, *measured, joined(of_cell), of_cell, cell))
     return pd.DataFrame(rows, columns=[*COLUMNS, "notes", "number"])
 
 

@@ -23,8 +23,8 @@ def test_every_row_has_the_means_over_homes_of_each_seed():
     names = {(row["group"], row["row"]): row["result"] for row in TABLE["rows"]}
     columns = {"Log loss": "log_loss", "Calibration error": "calibration_error"}
     columns["Stay accuracy"] = "stay_accuracy"
-    for cell in found:
-        values = RESULTS.quality[names[cell.group, cell.row]].values[columns[cell.column]]
+    for (group, row, column), cell in found.items():
+        values = RESULTS.quality[names[group, row]].values[columns[column]]
         assert cell.measured == pytest.approx(values.mean(), abs=0.0051)
         means = values.mean(axis=1)
         if len(means) == 1:
@@ -39,8 +39,10 @@ def test_fewer_homes_than_there_are_are_named():
     one = RESULTS.quality[name]
     part = Quality(one.homes[1:3], one.seeds, {key: value[:, 1:3] for key, value in one.values.items()})
     found = probabilities(rows(name), replace(RESULTS, quality={name: part}))
-    assert {cell.notes for cell in found} == {("mean over Home 2, Home 3 only",)}
-    assert found[0].measured == pytest.approx(one.values["log_loss"][:, 1:3].mean(), abs=0.0051)
+    assert {cell.notes for cell in found.values()} == {("mean over Home 2, Home 3 only",)}
+    assert found["g", name, "Log loss"].measured == pytest.approx(
+        one.values["log_loss"][:, 1:3].mean(), abs=0.0051
+    )
 
 
 def test_what_has_no_number_has_a_reason_and_what_does_not_exist_is_refused():
@@ -48,9 +50,9 @@ def test_what_has_no_number_has_a_reason_and_what_does_not_exist_is_refused():
     one = RESULTS.quality[name]
     empty = Quality(one.homes, one.seeds, {key: value * np.nan for key, value in one.values.items()})
     found = probabilities(rows(name), replace(RESULTS, quality={name: empty}))
-    assert {cell.notes for cell in found} == {("no tested frame has a label",)}
+    assert {cell.notes for cell in found.values()} == {("no tested frame has a label",)}
     lost = replace(RESULTS, quality={}, missing={("cues/new", "home_1"): "too few frames"})
-    first = probabilities(rows("cues/new"), lost)[0]
+    first = probabilities(rows("cues/new"), lost)["g", "cues/new", "Log loss"]
     assert np.isnan(first.measured) and first.notes == ("too few frames",)
     with pytest.raises(PlacecatError, match="there is no result 'cues/gits/5-5-1': did you mean"):
         probabilities(rows("cues/gits/5-5-1"), RESULTS)

@@ -12,7 +12,7 @@ from matplotlib import colormaps
 from numpy.typing import NDArray
 
 from placecat import files
-from placecat.drawing.lettering import line_height, mask, write
+from placecat.drawing.lettering import line_height, mask, stamp, write
 from placecat.drawing.palette import place_title
 from placecat.results.confusion import ALL_HOMES, in_home, pooled_counts, shares
 from placecat.results.measured import Measured
@@ -20,7 +20,7 @@ from placecat.results.measured import Measured
 _MAP = "Blues"
 # Pixels: a cell, the gap between matrices, the margin, and the sizes of text.
 _CELL, _GAP, _MARGIN, _TEXT, _TITLE = 46, 28, 12, 12, 15
-# In the picture of a table, which has no numbers.
+# Pixels of a cell in the picture of a table, which has no numbers.
 _PIXEL = 13
 _INK, _PAPER = (0x22, 0x22, 0x22), (255, 255, 255)
 # Percent from which a cell is so dark that its number is white.
@@ -55,7 +55,8 @@ def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) ->
         write(picture, caption, (x, top - line_height(_TEXT) - 4), _TEXT, _INK)
         _paint(picture[top : top + side, x : x + side], shares(pooled_counts(one)))
         for number, label in enumerate(under):
-            _stamp(picture, label, x + number * _CELL + _CELL // 2 - label.shape[1] + 8, top + side + 4)
+            right = x + number * _CELL + _CELL // 2 + 8
+            stamp(picture, label, (right - label.shape[1], top + side + 4), _INK)
         x += taken
     _save(picture, target)
 
@@ -63,8 +64,8 @@ def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) ->
 def draw_sheet(target: Path, title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> bool:
     """Write all matrices of a table as PNG: one line per row, with each column or each home.
 
-    `rows` are from :func:`placecat.thesis.decisions.decisions_of`; without any there is no picture, and this
-    is False.
+    `rows` are from :func:`placecat.thesis.decisions.decisions_of`; without any, no picture is written, and
+    the result is False.
     """
     lines = {" / ".join(filter(None, labels)): _blocks(of_row) for labels, of_row in rows.items() if of_row}
     if not lines:
@@ -112,14 +113,14 @@ def _save(picture: NDArray[np.uint8], target: Path) -> None:
 
 
 def _colors(percent: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """(n, n, 3) uint8, BGR; what has no frame is white."""
+    """(n, n, 3) uint8, BGR; white for NaN, a place without frames."""
     colors = colormaps[_MAP](percent / 100.0, bytes=True)[:, :, 2::-1].copy()
     colors[np.isnan(percent)] = _PAPER
     return colors
 
 
 def _paint(picture: NDArray[np.uint8], percent: NDArray[np.float64]) -> None:
-    """Fill (side, side, 3) with one matrix; what has no frame stays white."""
+    """Fill (side, side, 3) with one matrix; rows without frames stay white."""
     picture[:] = _colors(percent).repeat(_CELL, axis=0).repeat(_CELL, axis=1)
     for (i, k), value in np.ndenumerate(percent):
         if np.isnan(value):
@@ -135,18 +136,10 @@ def _width(text: str, size: int = _TEXT, *, bold: bool = False) -> int:
 
 
 def _slanted(text: str) -> NDArray[np.float32]:
-    """How much of each pixel a line covers that rises at 45 degrees, to end where it stands for."""
+    """How much of each pixel a line of text covers that rises at 45 degrees."""
     cover = mask(text, _TEXT)
     height, width = cover.shape
     size = int(np.ceil((height + width) / np.sqrt(2)))
     turn = cv2.getRotationMatrix2D((width / 2, height / 2), 45, 1.0)
     turn[:, 2] += (size - width) / 2, (size - height) / 2
     return cv2.warpAffine(cover, turn, (size, size)).astype(np.float32)
-
-
-def _stamp(picture: NDArray[np.uint8], cover: NDArray[np.float32], x: int, y: int) -> None:
-    """Ink a picture where text covers it; what does not fit is cut."""
-    cover = cover[:, max(-x, 0) :]
-    part = picture[y : y + cover.shape[0], max(x, 0) : max(x, 0) + cover.shape[1]]
-    own = cover[: part.shape[0], : part.shape[1], None]
-    part[:] = np.rint(part * (1 - own) + np.array(_INK, np.float32) * own).astype(np.uint8)

@@ -151,12 +151,7 @@ def _plane(train: TrainingRegions) -> Any:
 
 
 def _draw_plane(
-    axes: Axes,
-    pca: Any,
-    dots: NDArray[np.float32],
-    model: ModifiedKNN,
-    query: Query,
-    classes: Sequence[str],
+    axes: Axes, pca: Any, dots: NDArray[np.float32], model: ModifiedKNN, query: Query, classes: Sequence[str]
 ) -> None:
     tree = model.codebook
     assert tree is not None

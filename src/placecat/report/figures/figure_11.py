@@ -46,19 +46,11 @@ def draw(
 def choose(
     run: Run, classifier: str, hmm: str, *, home: int | None, start: int | None, frames: int
 ) -> tuple[str, slice]:
-    """Choose the home and the frames to show.
+    """Choose the home and the frames to show, between whose two results most changes of the decision vanish.
 
-    Parameters
-    ----------
-    classifier, hmm
-        Results between which changes of the decision should vanish.
-    home
-        Number of the home from 1; None for the first one in which most changes vanish, or, with a `start`,
-        for the first.
-    start
-        First frame, counted from 0; None for the window in which most changes vanish.
-    frames
-        Length of the window, as far as there are frames.
+    `home` counts from 1; None is the first one in which most changes vanish, or, with a `start`, the first.
+    `start` is the first frame, from 0; None is the window in which most changes vanish. `frames` is the
+    length of the window, as far as there are frames.
     """
     homes = run.source(classifier).homes if home is None else (home_of(run, home),)
     if start is not None:
@@ -121,11 +113,7 @@ def figure(
 
 
 def _bar(
-    axes: Axes,
-    places: NDArray[np.integer],
-    start: int,
-    span: tuple[float, float],
-    colors: Sequence[str],
+    axes: Axes, places: NDArray[np.integer], start: int, span: tuple[float, float], colors: Sequence[str]
 ) -> None:
     """Draw the places over time as a bar of their colours between two heights; white if unlabelled."""
     for part in stretches(places):

@@ -47,13 +47,8 @@ def of_tests(run: Run, *, panels: Mapping[str, str]) -> Figure:
 def figure(run: Run, homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
     """Draw strips, one below the other, each with its homes side by side; the greys span a strip's values.
 
-    Parameters
-    ----------
-    homes
-        Test homes of all the results.
-    panels
-        Title of a strip to its result, from above; the first seed if there are several. A missing result
-        raises PlacecatError.
+    `homes` are test homes of all the results. `panels` has, from above, the title of each strip and its
+    result, of the first seed if there are several. A missing result raises PlacecatError.
     """
     listed = {home: run.source(next(iter(panels.values()))).listed(home) for home in homes}
     truths = {home: run.labels(listed[home]) for home in homes}
@@ -104,18 +99,9 @@ def draw(
 ) -> AxesImage:
     """Draw one strip: one row per place, the true place as a blue line, the accuracy (thesis 4.2) above.
 
-    If frames are unlabelled, the line runs through an additional row.
-
-    Parameters
-    ----------
-    proba
-        (frames, len(classes)) distributions.
-    truth
-        (frames,) class indices, -1 for unlabelled.
-    cuts
-        Frames that follow a cut of the film.
-    span
-        The probabilities drawn white and black.
+    If frames are unlabelled, the line runs through an additional row. `proba` is (frames, len(classes));
+    `truth` (frames,) has class indices, -1 for unlabelled; `cuts` are the frames that follow a cut of the
+    film; `span` has the probabilities drawn white and black.
     """
     frames, n_classes = proba.shape
     if len(truth) != frames:

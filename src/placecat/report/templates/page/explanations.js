@@ -25,7 +25,7 @@
     history.replaceState(null, "", `#${number}`);
   };
   dialog.querySelector("button").addEventListener("click", () => dialog.close());
-  // On the backdrop, which is the dialog's own; what it shows is inside.
+  // The backdrop belongs to the dialog itself; its content is in elements inside it.
   dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
   dialog.addEventListener("close", () => history.replaceState(null, "", location.pathname + location.search));
 
@@ -40,7 +40,7 @@
         if (!(number in content.cells)) return;
         cell.id = number;
         cell.classList.add("explained");
-        // One stop of the Tab key a table; arrows move from cell to cell.
+        // The Tab key stops once per table; arrows move from cell to cell.
         cell.tabIndex = first ? 0 : -1;
         cell.setAttribute("aria-haspopup", "dialog");
         first = false;

@@ -40,7 +40,7 @@
       const isNumeric = head.dataset.sort !== "text" && texts.every((text) => NUMBER.test(text));
       const sign = next === "descending" ? -1 : 1;
       const compare = ([one], [other]) => {
-        // An average and what is missing stay at the end.
+        // Averages and missing numbers stay at the end.
         const isLast = (row) => Number(row.classList.contains("average"));
         if (isLast(one) !== isLast(other)) return isLast(one) - isLast(other);
         const [a, b] = [read(one, column), read(other, column)];
@@ -110,7 +110,7 @@
     }
   }
 
-  // What a link leads to is shown, even if it is folded or filtered away.
+  // Show the target of a link, even if it is folded or filtered away.
   const reveal = () => {
     const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
     if (!target) return;

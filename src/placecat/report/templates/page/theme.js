@@ -1,13 +1,13 @@
 (() => {
   "use strict";
-  // In the page's head, so that it is never shown in the other colours first.
+  // In the page's head, so that the page never starts in the wrong colours.
   const root = document.documentElement;
   const system = matchMedia("(prefers-color-scheme: dark)");
   const remembered = () => {
     try {
       return localStorage.getItem("placecat-theme") ?? "";
     } catch {
-      return ""; // A browser may keep nothing of a file.
+      return ""; // A browser may not keep settings of a local file.
     }
   };
   const apply = (theme) => (root.style.colorScheme = theme);
