@@ -1,4 +1,4 @@
-"""Padded arrays of salient regions, and the clusters that a frame's regions activate."""
+"""Padded arrays of salient regions, and the clusters that the regions of a frame activate."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
