@@ -43,7 +43,12 @@ class Inputs:
 
 
 def refresh(
-    stage: str, folder: Path, wanted: Mapping[str, Inputs], make: Callable[[str, Path], None]
+    stage: str,
+    folder: Path,
+    wanted: Mapping[str, Inputs],
+    make: Callable[[str, Path], None],
+    *,
+    begin: Callable[[Sequence[str]], None] | None = None,
 ) -> None:
     """Make the items that are missing, damaged or made from other inputs; remove unwanted ones.
 
@@ -59,8 +64,13 @@ def refresh(
         Name of an item, also of its folder, to its inputs.
     make
         Takes the name of an item and the folder to write, which does not exist yet.
+    begin
+        Takes the names of all items to make, before the first is made; it is not called if there are none.
     """
-    for name, made_from in _outdated(stage, folder, wanted):
+    outdated = list(_outdated(stage, folder, wanted))
+    if outdated and begin is not None:
+        begin([name for name, _ in outdated])
+    for name, made_from in outdated:
         with _item(folder / name, made_from) as temporary:
             make(name, temporary)
 
