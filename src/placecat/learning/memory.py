@@ -77,4 +77,4 @@ def content(array: NDArray[Any]) -> bytes:
     if _memory.get() is None:
         return b""
     head = f"{array.dtype.str}{array.shape}".encode()
-    return hashlib.blake2b(np.ascontiguousarray(array), key=head[:64]).digest()
+    return hashlib.blake2b(np.ascontiguousarray(array).data, key=head[:64]).digest()
