@@ -34,16 +34,24 @@ class Inputs:
 
 
 def refresh(
-    stage: str, folder: Path, wanted: Mapping[str, Inputs], make: Callable[[str, Path], None]
+    stage: str,
+    folder: Path,
+    wanted: Mapping[str, Inputs],
+    make: Callable[[str, Path], None],
+    *,
+    begin: Callable[[Sequence[str]], None] | None = None,
 ) -> None:
     """Make the items that are missing, damaged or made from other inputs; remove unwanted ones.
 
     Each is written under a temporary name and renamed, so a killed stage continues where it was. The code of
     `stage`, the dependencies in src/ that dvc.yaml lists, is an input of every item. `wanted` is the name of
     an item, also of its folder, to its inputs; `make` takes that name and the folder to write, which does not
-    exist yet.
+    exist yet. `begin`, if given, takes the names of all items to make before the first is made.
     """
-    for name, made_from in _outdated(stage, folder, wanted):
+    outdated = list(_outdated(stage, folder, wanted))
+    if outdated and begin is not None:
+        begin([name for name, _ in outdated])
+    for name, made_from in outdated:
         with _item(folder / name, made_from) as temporary:
             make(name, temporary)
 

@@ -27,7 +27,7 @@ def test_padded_against_a_loop(frames):
     [
         ([[0, 3]], {"counts": [2]}, r"\[0, 3\], outside \[0, 3\)"),
         ([[0, -1]], {"counts": [2]}, "outside"),
-        ([[0, 1]], {"counts": [3]}, r"counts\[0\]=3 does not fit the 2"),
+        ([[0, 1]], {"counts": [3]}, r"counts\[0\]=3 lies outside \[0, 2\]"),
         ([[0, 1]], {"counts": [-1]}, r"counts\[0\]=-1"),
         ([[0, 1]], {"counts": [1.5]}, "whole number"),
         ([[0, 1]], {"counts": [1, 1]}, "shape"),

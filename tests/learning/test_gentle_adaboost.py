@@ -5,7 +5,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from placecat.errors import PlacecatError
-from placecat.learning.gentle_adaboost import GentleAdaBoost, bin_features
+from placecat.learning.gentle_adaboost import GentleAdaBoost
+from placecat.learning.memory import remembering
+from placecat.learning.stumps import bin_features
 
 RAW_SUM = 256
 
@@ -83,9 +85,31 @@ def test_bins_and_histograms():
     binned = bin_features(X, 256)
     assert [t.tolist() for t in binned.thresholds] == [[0.5, 2.5], []]
     assert binned.bins.tolist() == [[0, 1, 1, 2], [0, 0, 0, 0]]
-    sums = binned.sums @ np.array([1.0, 2.0, 4.0, 8.0])
-    assert sums[:3].tolist() == [1.0, 6.0, 8.0]
-    assert sums[256] == 15.0
+    (sums,) = binned.blocks
+    histograms = (sums @ np.array([1.0, 2.0, 4.0, 8.0])).reshape(256, 2)
+    assert histograms[:3, 0].tolist() == [1.0, 6.0, 8.0]
+    assert histograms[0, 1] == 15.0
+
+
+def test_machines_fitted_together_equal_those_fitted_alone():
+    """Also within a memory, after other numbers of rounds."""
+    rng = np.random.default_rng(5)
+    X = rng.normal(size=(150, 70)).astype(np.float32)
+    tasks = [
+        (X[:, k] + rng.normal(size=150) > 0.3, rows, "it")
+        for k in range(5)
+        for rows in (None, np.flatnonzero(rng.random(150) < 0.7))
+    ]
+    shared = GentleAdaBoost().prepare(X)
+    alone = {rounds: [GentleAdaBoost(rounds).fit_rows(shared, *task) for task in tasks] for rounds in (3, 6)}
+    with remembering():
+        for rounds in (3, 6, 3):
+            for one, other in zip(
+                GentleAdaBoost(rounds).fit_together(shared, tasks), alone[rounds], strict=True
+            ):
+                assert len(one.feature_) == rounds
+                for name in ("feature_", "threshold_", "cut_", "low_", "high_"):
+                    np.testing.assert_array_equal(getattr(one, name), getattr(other, name))
 
 
 def test_shared_rows_decide_as_samples_do():

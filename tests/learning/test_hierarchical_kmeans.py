@@ -287,10 +287,10 @@ def test_saved_and_loaded():
     with pytest.raises(PlacecatError, match="use assign"):
         loaded.labels(16)
     arrays = tree.to_arrays()
-    with pytest.raises(PlacecatError, match="sizes disagree"):
+    with pytest.raises(PlacecatError, match="sizes of the codebook's arrays disagree"):
         HierarchicalKMeans.from_arrays({**arrays, "split_nodes": arrays["split_nodes"][1:]})
     del arrays["node_sse"]
-    with pytest.raises(PlacecatError, match="'node_sse' is missing"):
+    with pytest.raises(PlacecatError, match="lacks the array 'node_sse'"):
         HierarchicalKMeans.from_arrays(arrays)
 
 

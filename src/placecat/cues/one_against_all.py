@@ -1,5 +1,6 @@
 """Two-class classifiers, one per place, combined into a distribution (thesis 3.3.1.2, Figure 8)."""
 
+import json
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Any
 
@@ -10,6 +11,7 @@ from placecat.cues import estimators
 from placecat.cues.codebook import Codebook
 from placecat.cues.descriptors import Descriptors
 from placecat.cues.model import product_of_rows
+from placecat.learning.memory import remembered
 from placecat.learning.scaling import KINDS, KernelScaling
 from placecat.learning.spatial_pca import SpatialPCA
 from placecat.ranges import Count, OneOf, Positive
@@ -26,12 +28,12 @@ class OneAgainstAllCue:
     def transform(self, x: NDArray[np.float32]) -> NDArray[np.float32]:
         """Apply reduction and scaling."""
         for step in self.steps:
-            x = step.transform(x)
+            x = _transformed(step, x)
         return x
 
     def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
         """(n, n_classes) distributions over places; for regions the product over a frame's regions."""
-        rows = frames.rows()
+        _, rows = remembered("rows", (frames, None), lambda: _rows(frames, None))
         if len(rows) == 0:
             # No frames, or none with regions: estimators refuse an empty matrix.
             proba = np.empty((0, len(self.scheme.classes_)))
@@ -41,6 +43,20 @@ class OneAgainstAllCue:
             return proba
         log_proba = np.log(np.maximum(proba, np.finfo(np.float64).tiny))
         return product_of_rows(log_proba, frames.frame_of_row(), len(frames))
+
+
+def _rows(frames: Descriptors, most: int | None) -> tuple[NDArray[np.intp], NDArray[np.float32]]:
+    """Numbers and vectors of all rows, or of `most` rows, taken evenly."""
+    x = frames.rows()
+    if most is None or most >= len(x):
+        return np.arange(len(x)), x
+    kept = np.linspace(0, len(x) - 1, most).round().astype(np.intp)
+    return kept, x[kept]
+
+
+def _transformed(step: Any, x: NDArray[np.float32]) -> NDArray[np.float32]:
+    transformed: NDArray[np.float32] = remembered("transformed", (step, x), lambda: step.transform(x))
+    return transformed
 
 
 def fit(
@@ -66,20 +82,22 @@ def fit(
     PACT. `max_rows` is the most training rows, taken evenly, for slow classifiers; the thesis does not give
     it.
     """
+    kept, x = remembered("rows", (train, max_rows), lambda: _rows(train, max_rows))
+    frame = train.frame_of_row()[kept]
     steps: list[Any] = []
-    x = train.rows()
-    rows = train.frame_of_row()
-    if max_rows is not None and max_rows < len(x):
-        kept = np.linspace(0, len(x) - 1, max_rows).round().astype(np.intp)
-        x, rows = x[kept], rows[kept]
     if reduction is not None:
-        steps.append(SpatialPCA(**reduction).fit(x))
-        x = steps[-1].transform(x)
-    steps.append(KernelScaling(scaling, gamma_scale).fit(x))
-    x = steps[-1].transform(x)
+        options = json.dumps(reduction, sort_keys=True)
+        pca = remembered("reduction", (x, options), lambda: SpatialPCA(**reduction).fit(x))
+        steps.append(pca)
+        x = _transformed(pca, x)
+    kernel_scaling = remembered(
+        "scaling", (x, scaling, gamma_scale), lambda: KernelScaling(scaling, gamma_scale).fit(x)
+    )
+    steps.append(kernel_scaling)
+    x = _transformed(kernel_scaling, x)
     binary = estimators.build(base, "classifier.base")
     multi = estimators.build(scheme, "classifier.scheme", base=binary)
-    multi.fit(x, labels[rows], groups=homes[rows], class_names=classes)
+    multi.fit(x, labels[frame], groups=homes[frame], class_names=classes)
     cue = OneAgainstAllCue(steps, multi)
     cue.facts = facts_of(multi)
     return cue

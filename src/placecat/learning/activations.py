@@ -1,4 +1,4 @@
-"""Padded arrays of salient regions, and the clusters that a frame's regions activate."""
+"""Padded arrays of salient regions, and the clusters that the regions of a frame activate."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -33,7 +33,7 @@ def region_mask(counts: ArrayLike, max_regions: int) -> NDArray[np.bool_]:
     wrong = np.flatnonzero((numbers < 0) | (numbers > max_regions))
     if len(wrong):
         raise PlacecatError(
-            f"counts[{wrong[0]}]={numbers[wrong[0]]} does not fit the {max_regions} places of a frame"
+            f"counts[{wrong[0]}]={numbers[wrong[0]]} lies outside [0, {max_regions}], the regions of a frame"
         )
     return np.arange(max_regions) < numbers[:, None]
 

@@ -12,6 +12,8 @@ from sklearn.base import clone
 
 from placecat import seeds
 from placecat.errors import PlacecatError
+from placecat.learning.boosting import Task
+from placecat.learning.memory import bytes_of, remembered
 from placecat.learning.platt import apply_sigmoid, fit_sigmoid
 from placecat.learning.two_class import TwoClassBase
 
@@ -173,22 +175,20 @@ def fit_problems(
     tasks: list[tuple[int, int]] = [(k, -1) for k in range(len(problems))]
     tasks += [(k, f) for k, (own_folds, _) in enumerate(plans) for f in range(len(own_folds))]
 
-    def run(k: int, f: int) -> tuple[Any, NDArray[np.float64] | None]:
+    def part(k: int, f: int) -> tuple[NDArray[np.bool_], NDArray[np.intp] | None, str]:
         problem, own_folds = problems[k], plans[k][0]
         train = everything if f < 0 else own_folds[f][0]
         train = train[problem.member[train]]
         where = problem.name if f < 0 else f"{problem.name} in fold {f + 1} of {len(own_folds)}"
-        machine = clone(base).fit_rows(shared, problem.positive, None if len(train) == n else train, where)
-        return machine, None if f < 0 else machine.decide_rows(shared, own_folds[f][1])
+        return problem.positive, None if len(train) == n else train, where
 
-    results = iter(Parallel(n_jobs=n_jobs, backend="threading")(delayed(run)(k, f) for k, f in tasks))
-    whole = [next(results)[0] for _ in problems]
+    machines_of_all = iter(_fit_all(base, shared, [part(k, f) for k, f in tasks], n_jobs))
+    whole = [next(machines_of_all) for _ in problems]
     fitted = []
     for problem, machine, (own_folds, own_calibration) in zip(problems, whole, plans, strict=True):
-        held_out = [next(results) for _ in own_folds]
-        values = [decided for _, decided in held_out if decided is not None]
+        machines = [next(machines_of_all) for _ in own_folds]
         tests = [test for _, test in own_folds]
-        machines = [one for one, _ in held_out]
+        values = [one.decide_rows(shared, test) for one, test in zip(machines, tests, strict=True)]
         nu = np.array([float(getattr(one, "nu_", np.nan)) for one in machines])
         sigmoids, outputs, flat, averaged = _calibrate(base, problem, tests, values, own_calibration)
         kept = [machines[f] for f in averaged] if averaged else [machine]
@@ -201,6 +201,27 @@ def fit_problems(
             ", ".join(flat_names),
         )
     return fitted
+
+
+def _fit_all(base: TwoClassBase, shared: Any, tasks: Sequence[Task], n_jobs: int | None) -> list[Any]:
+    """Fit a machine for each task; within a memory, equal tasks on the same samples are fitted once."""
+    settings = base.get_params()
+    if not all(isinstance(value, str | int | float | None) for value in settings.values()):
+        return _fit_missing(base, shared, tasks, n_jobs)
+    # The machines of one preparation only, since it may be large.
+    machines: dict[Any, Any] = remembered("machines", (shared,), dict, latest=True)
+    of_base = type(base).__name__, tuple(sorted(settings.items()))
+    keys = [(of_base, positive.tobytes(), bytes_of(rows)) for positive, rows, _ in tasks]
+    missing = {key: task for key, task in zip(keys, tasks, strict=True) if key not in machines}
+    machines |= zip(missing, _fit_missing(base, shared, list(missing.values()), n_jobs), strict=True)
+    return [machines[key] for key in keys]
+
+
+def _fit_missing(base: TwoClassBase, shared: Any, tasks: Sequence[Task], n_jobs: int | None) -> list[Any]:
+    if hasattr(base, "fit_together"):
+        return base.fit_together(shared, tasks) if tasks else []
+    fits = (delayed(clone(base).fit_rows)(shared, *task) for task in tasks)
+    return list(Parallel(n_jobs=n_jobs, backend="threading")(fits))
 
 
 def centre(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:

@@ -2,9 +2,9 @@
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from sklearn.feature_selection import mutual_info_classif
 
 from placecat.errors import PlacecatError
+from placecat.learning.contingency import value_counts
 
 
 def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: float) -> NDArray[np.bool_]:
@@ -33,9 +33,19 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     """
     if not 0.0 < keep <= 1.0:
         raise PlacecatError(f"keep is {keep}: the share of codewords to keep lies above 0 and up to 1")
-    information = mutual_info_classif(active, np.asarray(y), discrete_features=True)
+    information = _information(active, np.asarray(y))
     kept = np.zeros(len(information), bool)
     number = max(1, round(keep * len(information)))
     # Rounded: the last bits of sums must not decide.
     kept[np.argsort(-information.round(12), kind="stable")[:number]] = True
     return kept
+
+
+def _information(active: NDArray[np.uint8], y: NDArray[np.generic]) -> NDArray[np.float64]:
+    """Mutual information (N,) of each column's presence and the class, in nats, from relative frequencies."""
+    classes, labels = np.unique(y, return_inverse=True)
+    joint = value_counts(active, labels, len(classes), 2) / len(labels)
+    independent = joint.sum(axis=0) * joint.sum(axis=2, keepdims=True)
+    ratio = np.divide(joint, independent, out=np.ones_like(joint), where=joint > 0)
+    terms: NDArray[np.float64] = joint * np.log(ratio)
+    return terms.sum(axis=(0, 2))

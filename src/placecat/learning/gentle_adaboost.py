@@ -7,78 +7,16 @@ from typing import Annotated, Any, Self
 import numpy as np
 from annotated_types import Interval
 from numpy.typing import ArrayLike, NDArray
-from sklearn.base import BaseEstimator, ClassifierMixin
+from sklearn.base import BaseEstimator, ClassifierMixin, clone
 from sklearn.utils.validation import check_is_fitted
 
 from placecat.errors import PlacecatError
+from placecat.learning.boosting import Boosting, Task
 from placecat.learning.kernels import check_samples, check_width, encode_two_classes
+from placecat.learning.memory import bytes_of, remembered
 from placecat.learning.platt import apply_sigmoid
+from placecat.learning.stumps import BinnedFeatures, Stump, bin_features
 from placecat.ranges import Count, PositiveShare
-
-
-@dataclass(frozen=True)
-class BinnedFeatures:
-    """Features cut into bins, and the sparse matrix that sums samples by bin.
-
-    Attributes
-    ----------
-    bins
-        (D, n) uint8 or uint16, the bin of each sample in each feature: the number of thresholds below it.
-    thresholds
-        D ascending float32 arrays of at most max_bins - 1 values; x > thresholds[d][b] means bin > b.
-    sums
-        scipy CSR matrix (D * width, n) of ones; times weights (n, m) it gives all weighted histograms.
-    width
-        Bins per feature in `sums`.
-    """
-
-    bins: NDArray[Any]
-    thresholds: list[NDArray[np.float32]]
-    sums: Any
-    width: int
-
-
-def bin_features(X: NDArray[np.float32], max_bins: int) -> BinnedFeatures:
-    """Cut each feature at the midpoints between its distinct values, or at quantiles if these are too many.
-
-    Parameters
-    ----------
-    X
-        (n, D) float32.
-    max_bins
-        2 to 65536.
-    """
-    from scipy.sparse import csr_matrix
-
-    n, n_features = X.shape
-    bins = np.empty((n_features, n), dtype=np.uint8 if max_bins <= 256 else np.uint16)
-    order = np.empty((n_features, n), dtype=np.int32)
-    counts = np.zeros((n_features, max_bins), dtype=np.int64)
-    thresholds = []
-    for feature in range(n_features):
-        values = np.sort(X[:, feature])
-        distinct = values[np.concatenate([[True], values[1:] != values[:-1]])]
-        if len(distinct) <= max_bins:
-            cuts = _midpoints(distinct[:-1], distinct[1:])
-        else:
-            # Midpoints between the neighbours of each quantile: a threshold is never a training value.
-            first = (np.arange(1, max_bins) * n) // max_bins
-            place = np.unique(np.searchsorted(distinct, values[first]))
-            place = place[place > 0]
-            cuts = _midpoints(distinct[place - 1], distinct[place])
-        thresholds.append(cuts)
-        bins[feature] = np.searchsorted(cuts, X[:, feature], side="left")
-        order[feature] = np.argsort(bins[feature], kind="stable")
-        counts[feature] = np.bincount(bins[feature], minlength=max_bins)
-    pointers = np.concatenate([[0], np.cumsum(counts.ravel())])
-    sums = csr_matrix((np.ones(order.size), order.ravel(), pointers), shape=(n_features * max_bins, n))
-    return BinnedFeatures(bins, thresholds, sums, max_bins)
-
-
-def _midpoints(below: NDArray[np.float32], above: NDArray[np.float32]) -> NDArray[np.float32]:
-    middle = (below.astype(np.float64) + above) / 2.0
-    # Rounding must not move the threshold onto the upper value.
-    return np.where(middle.astype(np.float32) < above, middle.astype(np.float32), below)
 
 
 @dataclass(frozen=True)
@@ -198,7 +136,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
     ) -> BinnedFeatures:
         """Bin the features once for all classes and folds, without labels. Ignores `gram` and `n_jobs`."""
         self.check_parameters()
-        return bin_features(X, self.max_bins)
+        return remembered("bins", (X, self.max_bins), lambda: bin_features(X, self.max_bins), latest=True)
 
     def fit_rows(
         self,
@@ -221,53 +159,34 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
             The problem's name in messages.
         """
         self.check_parameters()
-        n_features, n = shared.bins.shape
-        used = np.ones(n, dtype=bool) if rows is None else np.zeros(n, dtype=bool)
-        if rows is not None:
-            used[rows] = True
-        if len(np.unique(positive[used])) < 2:
-            raise PlacecatError(
-                f"{context}: boosting needs samples of both classes; add some or drop the class"
-            )
-        target = np.where(positive, 1.0, -1.0)
-        weight = used / np.count_nonzero(used)
-        values = np.empty((n, 2))
-        chosen: list[tuple[int, int, float, float]] = []
-        for _ in range(self.n_rounds):
-            values[:, 0] = self._trimmed(weight)
-            values[:, 1] = values[:, 0] * target
-            histogram = (shared.sums @ values).reshape(n_features, shared.width, 2)
-            stump = _best_stump(histogram)
-            if stump is None:
-                break
-            feature, cut, low, high = stump
-            chosen.append(stump)
-            f = np.where(shared.bins[feature] > cut, high, low)
-            weight *= np.exp(-target * f)
-            total = weight.sum()
-            # No weight is left if every margin exceeds the range of floats.
-            if not total > 0:
-                break
-            weight /= total
-        if not chosen:
-            rate = float(target[used].mean())
-            chosen.append((0, -1, rate, rate))
-        self.feature_ = np.array([stump[0] for stump in chosen], dtype=np.int64)
-        self.threshold_ = np.array(
-            [shared.thresholds[f][c] if c >= 0 else -np.inf for f, c, _, _ in chosen], dtype=np.float32
-        )
-        self.cut_ = np.array([stump[1] for stump in chosen], dtype=np.int64)
-        self.low_ = np.array([stump[2] for stump in chosen])
-        self.high_ = np.array([stump[3] for stump in chosen])
-        self.n_features_in_ = n_features
-        return self
+        (stumps,) = Boosting(shared, [(positive, rows, context)], self.weight_trim).stumps(self.n_rounds)
+        return self._set(stumps, shared)
 
-    def _trimmed(self, weight: NDArray[np.float64]) -> NDArray[np.float64]:
-        if self.weight_trim >= 1:
-            return weight
-        ordered = np.sort(weight)
-        light = int(np.searchsorted(np.cumsum(ordered), (1.0 - self.weight_trim) * ordered.sum()))
-        return np.where(weight >= ordered[min(light, len(ordered) - 1)], weight, 0.0)
+    def fit_together(self, shared: BinnedFeatures, tasks: Sequence[Task]) -> list["GentleAdaBoost"]:
+        """Fit a copy for each of some problems, with the bits of `fit_rows`; parameters are as there."""
+        self.check_parameters()
+        contents = (
+            content for positive, rows, _ in tasks for content in (positive.tobytes(), bytes_of(rows))
+        )
+        boosting = remembered(
+            "boosting",
+            (shared, self.weight_trim, *contents),
+            lambda: Boosting(shared, tasks, self.weight_trim),
+            latest=True,
+        )
+        return [clone(self)._set(stumps, shared) for stumps in boosting.stumps(self.n_rounds)]
+
+    def _set(self, stumps: Sequence[Stump], shared: BinnedFeatures) -> Self:
+        self.feature_ = np.array([stump.feature for stump in stumps], dtype=np.int64)
+        self.threshold_ = np.array(
+            [shared.thresholds[one.feature][one.cut] if one.cut >= 0 else -np.inf for one in stumps],
+            dtype=np.float32,
+        )
+        self.cut_ = np.array([stump.cut for stump in stumps], dtype=np.int64)
+        self.low_ = np.array([stump.low for stump in stumps])
+        self.high_ = np.array([stump.high for stump in stumps])
+        self.n_features_in_ = len(shared.bins)
+        return self
 
     def decide_rows(self, shared: BinnedFeatures, rows: NDArray[np.intp]) -> NDArray[np.float64]:
         """F of samples of a shared binning, (len(rows),) float64."""
@@ -305,36 +224,3 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
         """Labels (n,) of samples (n, D)."""
         positive = self.decision_function(X) > 0
         return self.classes_[positive.astype(int)]
-
-
-def _best_stump(histogram: NDArray[np.float64]) -> tuple[int, int, float, float] | None:
-    """Find the cut of a (D, bins, 2) histogram (sums of w and w y) with the smallest weighted squared error.
-
-    Returns
-    -------
-    tuple or None
-        Feature, last bin at or below the cut, value below, value above; the first of equals. None if no
-        feature can be cut.
-    """
-    below = np.cumsum(histogram, axis=1)
-    total = below[:, -1:, :]
-    below = below[:, :-1, :]
-    above = total - below
-    # Differences of sums leave rounding errors in empty bins.
-    dust = 1e-12 * float(total[0, 0, 0])
-    weight_below, weight_above = below[..., 0], above[..., 0]
-    possible = (weight_below > dust) & (weight_above > dust)
-    if not possible.any():
-        return None
-    gain = np.full(possible.shape, -np.inf)
-    gain[possible] = (
-        below[..., 1][possible] ** 2 / weight_below[possible]
-        + above[..., 1][possible] ** 2 / weight_above[possible]
-    )
-    feature, cut = divmod(int(gain.argmax()), histogram.shape[1] - 1)
-    return (
-        feature,
-        cut,
-        float(below[feature, cut, 1] / weight_below[feature, cut]),
-        float(above[feature, cut, 1] / weight_above[feature, cut]),
-    )

@@ -8,16 +8,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator
 from sklearn.utils.validation import check_array, check_is_fitted
-from threadpoolctl import threadpool_limits
 
 from placecat.errors import NotComputable, PlacecatError
 from placecat.learning.kmeans_split import make_root, split_node
 from placecat.learning.nearest import nearest_centers
+from placecat.learning.single_thread import single_blas_thread
 from placecat.ranges import Count, Two
 
 
 def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
-    """Refuse a cluster number that no cut of a tree with this branching can have.
+    """Refuse a cluster number that a tree with this branching cannot be cut to.
 
     Each split replaces one cluster by `branching`, so a cut has (branching - 1) k + 1 clusters, k = 0, 1, ...
     The PlacecatError names the two nearest valid numbers.
@@ -28,7 +28,7 @@ def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
     >>> check_cluster_number(100)
     Traceback (most recent call last):
         ...
-    placecat.errors.PlacecatError: n_clusters=100 is no cut of a tree with branching 16: use 91 or 106
+    placecat.errors.PlacecatError: a tree with branching 16 cannot be cut to n_clusters=100: use 91 or 106
     """
     if branching < 2:
         raise PlacecatError(f"branching={branching} is too small: a cluster splits into at least 2")
@@ -37,7 +37,7 @@ def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
         return
     below = max(0, (int(n_clusters) - 1) // step) * step + 1
     raise PlacecatError(
-        f"n_clusters={n_clusters} is no cut of a tree with branching {branching}: "
+        f"a tree with branching {branching} cannot be cut to n_clusters={n_clusters}: "
         f"use {below} or {below + step}"
     )
 
@@ -140,7 +140,7 @@ class HierarchicalKMeans(BaseEstimator):
         points = check_array(X, dtype=np.float32, order="C", estimator=self)
         self.n_features_in_ = points.shape[1]
         n_splits = (self.max_clusters - 1) // (self.branching - 1)
-        with threadpool_limits(limits=1, user_api="blas"):
+        with single_blas_thread():
             self._grow(points, n_splits)
         return self
 
@@ -277,9 +277,7 @@ class HierarchicalKMeans(BaseEstimator):
         arrays_needed = (*names, "node_centers", "node_sizes", "node_sse", "split_nodes")
         missing = [name for name in arrays_needed if name not in arrays]
         if missing:
-            raise PlacecatError(
-                f"no codebook: the array {missing[0]!r} is missing; compute the codebook again"
-            )
+            raise PlacecatError(f"the codebook lacks the array {missing[0]!r}; compute the codebook again")
         tree = cls(**{name: int(arrays[name]) for name in names})
         tree.node_centers_ = np.asarray(arrays["node_centers"], np.float32)
         tree.node_sizes_ = np.asarray(arrays["node_sizes"], np.int64)
@@ -287,7 +285,7 @@ class HierarchicalKMeans(BaseEstimator):
         tree.split_nodes_ = np.asarray(arrays["split_nodes"], np.int32)
         n_nodes = 1 + tree.branching * len(tree.split_nodes_)
         if not len(tree.node_centers_) == len(tree.node_sizes_) == len(tree.node_sse_) == n_nodes:
-            raise PlacecatError("no codebook: its arrays' sizes disagree; compute the codebook again")
+            raise PlacecatError("the sizes of the codebook's arrays disagree; compute the codebook again")
         tree.max_clusters_ = 1 + (tree.branching - 1) * len(tree.split_nodes_)
         tree.training_nodes_ = None
         tree.n_features_in_ = tree.node_centers_.shape[1]

@@ -16,6 +16,7 @@ from placecat.learning.kernels import (
     encode_two_classes,
     rbf_gram,
 )
+from placecat.learning.memory import remembered
 
 
 class KernelMachine:
@@ -105,7 +106,12 @@ class KernelMachine:
         (n, n) of `gram_dtype`, C-contiguous; `gram` itself if it is both.
         """
         if gram is None:
-            return rbf_gram(X, self.gamma, dtype=self.gram_dtype, n_jobs=n_jobs)
+            return remembered(
+                "gram",
+                (X, float(self.gamma), np.dtype(self.gram_dtype).char),
+                lambda: rbf_gram(X, self.gamma, dtype=self.gram_dtype, n_jobs=n_jobs),
+                latest=True,
+            )
         if gram.shape != (len(X), len(X)):
             raise PlacecatError(
                 f"gram has shape {gram.shape} for {len(X)} samples; give a square matrix of these"

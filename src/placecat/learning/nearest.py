@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from placecat.learning.memory import content, remembered
 from placecat.learning.products import RowProducts
 
 # Floats of one block of scores: 4 MB of float32, about a level-2 cache and a level-3 slice.
@@ -38,6 +39,16 @@ def nearest_centers(X: ArrayLike, centers: NDArray[np.floating], n_neighbors: in
            [2, 1]], dtype=int32)
     """
     points = np.asarray(X, dtype=np.float32)
+    return remembered(
+        "nearest",
+        (content(points), content(centers.astype(np.float64)), n_neighbors),
+        lambda: _compare_all(points, centers, n_neighbors),
+    )
+
+
+def _compare_all(
+    points: NDArray[np.float32], centers: NDArray[np.floating], n_neighbors: int
+) -> NDArray[np.int32]:
     origin = centers.mean(axis=0, dtype=np.float64).astype(np.float32)
     shifted = centers.astype(np.float64) - origin
     half_norms = (0.5 * np.einsum("ij,ij->i", shifted, shifted)).astype(np.float32)

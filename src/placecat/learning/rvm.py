@@ -366,12 +366,14 @@ class _Surrogate:
         gain
             Sum of the gains, in nats.
         """
-        r, q = self.r.copy(), self.q.copy()
+        # A step needs only the diagonal of R and one column.
+        q, r_diagonal = self.q.copy(), self.r.diagonal().copy()
+        columns, scaled, terms = (np.empty((steps + 1, len(q))) for _ in range(3))
         inverse = np.zeros(len(self.pool))
         inverse[: len(alpha)] = 1.0 / alpha
         total = 0.0
-        for _ in range(steps):
-            diagonal = np.maximum(r.diagonal(), 1e-12)
+        for step in range(steps):
+            diagonal = np.maximum(r_diagonal, 1e-12)
             # Without each function's own contribution: s = R / (1 - R / alpha), q likewise.
             own = np.maximum(1.0 - diagonal * inverse, 1e-12)
             sparsity, quality = diagonal / own, q / own
@@ -386,9 +388,12 @@ class _Surrogate:
             if not gain[i] > 1e-9:
                 break
             scale = change[i] / grown[i]
-            column = r[:, i].copy()
+            terms[0] = self.r[:, i]
+            np.multiply(scaled[:step], columns[:step, i, None], out=terms[1 : step + 1])
+            column = np.subtract.reduce(terms[: step + 1], axis=0, out=columns[step])
             q -= column * (q[i] * scale)
-            r -= np.outer(column * scale, column)
+            np.multiply(column, scale, out=scaled[step])
+            r_diagonal -= scaled[step] * column
             inverse[i] = best[i]
             total += float(gain[i])
         kept = inverse > 0

@@ -20,6 +20,9 @@ class TwoClassBase(Protocol):
 
     own_sigmoid: tuple[float, float] | None
 
+    def get_params(self, deep: bool = True) -> dict[str, Any]:
+        """The settings, by name."""
+
     def check_parameters(self) -> None:
         """Raise PlacecatError for an impossible setting."""
 

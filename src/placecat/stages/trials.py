@@ -2,7 +2,7 @@
 
 import json
 import logging
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +19,9 @@ from placecat.training import protocol
 from placecat.training.trial import Outcome, judge, of_settings
 
 logger = logging.getLogger(__name__)
+
+# A trial's key, home and seed.
+_Cell = tuple[str, str, int | None]
 
 FACT_COLUMNS = ["trial", "home", "seed", "nu_lowest", "nu_highest", "flat_sigmoids"]
 
@@ -44,8 +47,13 @@ def main() -> None:
         )
         own = [[trial.name, trial.settings, trial.homes] for trial in trials]
         wanted[study] = items.Inputs([own, *shared], (*labels, *dict.fromkeys(described)))
+    outcomes = Outcomes(params)
     items.refresh(
-        "trials", paths.TRIALS, wanted, lambda study, folder: make(study, studies[study], folder, params)
+        "trials",
+        paths.TRIALS,
+        wanted,
+        lambda study, folder: make(studies[study], folder, outcomes, params),
+        begin=lambda names: outcomes.plan([studies[name] for name in names]),
     )
     facts = [paths.TRIALS / study / "facts.csv" for study in studies]
     flat = sum(int(files.read_csv(path)["flat_sigmoids"].sum()) for path in facts)
@@ -58,45 +66,81 @@ def main() -> None:
         )
 
 
-def make(study: str, trials: Sequence[Trial], folder: Path, params: Mapping[str, Any]) -> None:
-    """Train and test every trial of a study."""
-    classes = list(settings.get(params, "dataset.classes"))
-    seeds, tested = settings.get(params, "protocol.seeds"), settings.get(params, "protocol.test_homes")
-    planned = {plan.test: plan for plan in plans.of_homes(params, "5-5-1", tested)}
-    wanted = _group(trials, seeds, planned)
-    tasks = [
-        (planned[home], [of_settings(json.loads(key)) for key in keys], seed)
-        for (_, home, seed), keys in wanted.items()
-    ]
-    outcomes: dict[tuple[str, str, int | None], Outcome] = {}
-    done = parallel.in_parallel(judge, tasks, f"trials {study}")
-    for ((_, home, seed), keys), results in zip(wanted.items(), done, strict=True):
-        outcomes |= {(key, home, seed): result for key, result in zip(keys, results, strict=True)}
-    scores, missing = _collect(trials, outcomes, seeds, classes)
+class Outcomes:
+    """The outcomes of the trials of some studies.
+
+    Trials on the same clusters, or of the same kind of classifier on the same descriptors, are one task,
+    whichever studies ask for them: they share what they compute.
+    """
+
+    def __init__(self, params: Mapping[str, Any]) -> None:
+        self._seeds = settings.get(params, "protocol.seeds")
+        tested = settings.get(params, "protocol.test_homes")
+        self._plans = {plan.test: plan for plan in plans.of_homes(params, "5-5-1", tested)}
+        self._computed: dict[_Cell, Outcome] = {}
+        self._waiting: Iterator[tuple[list[_Cell], list[Outcome]]] = iter(())
+
+    def plan(self, studies: Sequence[Sequence[Trial]]) -> None:
+        """Start the trials of all studies in one pool, those of the first study first."""
+        groups = list(self._group([trial for trials in studies for trial in trials]).values())
+        tasks = [
+            (self._plans[home], [of_settings(json.loads(key)) for key, _, _ in cells], seed)
+            for cells in groups
+            for _, home, seed in cells[:1]
+        ]
+        results = parallel.stream(judge, tasks, "trials")
+        self._waiting = zip(groups, results, strict=True)
+
+    def of(self, trial: Trial) -> dict[_Cell, Outcome]:
+        """Outcomes of a trial in its homes, for each seed; a home that is not tested has none."""
+        cells = [cell for cell in self._cells(trial) if cell[1] in self._plans]
+        while not self._computed.keys() >= set(cells):
+            group, results = next(self._waiting)
+            self._computed |= zip(group, results, strict=True)
+        return {cell: self._computed[cell] for cell in cells}
+
+    def end(self) -> None:
+        """End the pool and its progress bar."""
+        for group, results in self._waiting:
+            self._computed |= zip(group, results, strict=True)
+
+    def _cells(self, trial: Trial) -> list[_Cell]:
+        seeds = self._seeds if trial.settings.get("codebook") is not None else [None]
+        return [(trial.key(), home, seed) for home in trial.homes for seed in seeds]
+
+    def _group(self, trials: Sequence[Trial]) -> dict[tuple[str, str, int | None], list[_Cell]]:
+        """Group the trials that share what they compute, in the order of the tables."""
+        groups: dict[tuple[str, str, int | None], dict[_Cell, None]] = {}
+        for trial in trials:
+            shared = _shared(trial.settings)
+            for cell in self._cells(trial):
+                if cell[1] in self._plans:
+                    groups.setdefault((shared, *cell[1:]), {})[cell] = None
+        return {name: list(cells) for name, cells in groups.items()}
+
+
+def _shared(trial: Mapping[str, Any]) -> str:
+    """What trials of one group share, as text: the clusters, or all but the settings of the classifiers."""
+    codebook, classifier = trial.get("codebook"), trial["classifier"]
+    if codebook is None:
+        codebook = {name: value for name, value in classifier.items() if name != "scheme"}
+        codebook["base"] = classifier.get("base", {}).get("name")
+    return json.dumps([trial["descriptor"], codebook], sort_keys=True)
+
+
+def make(trials: Sequence[Trial], folder: Path, outcomes: Outcomes, params: Mapping[str, Any]) -> None:
+    """Write the outcomes of a study's trials."""
+    classes, seeds = list(settings.get(params, "dataset.classes")), settings.get(params, "protocol.seeds")
+    computed = {cell: outcome for trial in trials for cell, outcome in outcomes.of(trial).items()}
+    scores, missing = _collect(trials, computed, seeds, classes)
     files.write_csv(folder / "scores.csv", scores)
     files.write_csv(folder / "missing.csv", missing)
-    files.write_csv(folder / "facts.csv", _facts(trials, outcomes))
-
-
-def _group(
-    trials: Sequence[Trial], seeds: Sequence[int], tested: Collection[str]
-) -> dict[tuple[str, str, int | None], list[str]]:
-    """Group trials on the same clusters, in the order of the tables; others stay alone."""
-    wanted: dict[tuple[str, str, int | None], list[str]] = {}
-    for trial in trials:
-        shared = trial.settings.get("codebook")
-        clusters = json.dumps([trial.settings["descriptor"], shared], sort_keys=True)
-        for home in (home for home in trial.homes if home in tested):
-            for seed in seeds if shared is not None else [None]:
-                group = wanted.setdefault((clusters if shared is not None else trial.key(), home, seed), [])
-                if trial.key() not in group:
-                    group.append(trial.key())
-    return wanted
+    files.write_csv(folder / "facts.csv", _facts(trials, computed))
 
 
 def _collect(
     trials: Sequence[Trial],
-    outcomes: Mapping[tuple[str, str, int | None], Outcome],
+    outcomes: Mapping[_Cell, Outcome],
     seeds: Sequence[int],
     classes: Sequence[str],
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
@@ -121,7 +165,7 @@ def _collect(
     return pd.DataFrame(scores, columns=SCORE_COLUMNS), pd.DataFrame(missing, columns=MISSING_COLUMNS)
 
 
-def _facts(trials: Sequence[Trial], outcomes: Mapping[tuple[str, str, int | None], Outcome]) -> pd.DataFrame:
+def _facts(trials: Sequence[Trial], outcomes: Mapping[_Cell, Outcome]) -> pd.DataFrame:
     """The nu in force and the flat sigmoids of every trial with two-class classifiers."""
     rows = []
     for trial in trials:

@@ -7,9 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from placecat import store
+from placecat.cues import Codebook, Descriptors
 from placecat.errors import NotComputable
 from placecat.evaluation.accuracy import confusion_matrix
-from placecat.training.cue import Cue, cluster, fit, read_frames
+from placecat.learning.memory import remembering
+from placecat.training.cue import Cue, TrainingFrames, cluster, fit, read_frames
 from placecat.training.plan import Plan
 
 # Counts of decisions (rows are true places), or the reason why there are none; and facts of the model.
@@ -42,13 +44,21 @@ def judge(plan: Plan, cues: Sequence[Cue], seed: int | None) -> list[Outcome]:
     if seed is not None:
         numbers = [cue.classifier["clusters"] for cue in cues]
         codebook = cluster(frames, plan, cues[0], seed, numbers=numbers)
-    outcomes: list[Outcome] = []
-    for cue in cues:
-        try:
-            model = fit(frames, cue, plan.classes, codebook).model
-            decision = model.predict_proba(test).argmax(axis=1)
-        except NotComputable as error:
-            outcomes.append((str(error), {}))
-        else:
-            outcomes.append((confusion_matrix(truth, decision, len(plan.classes)), model.facts))
-    return outcomes
+    with remembering():
+        return [_judge(cue, frames, codebook, test, truth, plan.classes) for cue in cues]
+
+
+def _judge(
+    cue: Cue,
+    frames: TrainingFrames,
+    codebook: Codebook | None,
+    test: Descriptors,
+    truth: NDArray[np.int16],
+    classes: Sequence[str],
+) -> Outcome:
+    try:
+        model = fit(frames, cue, classes, codebook).model
+        decision = model.predict_proba(test).argmax(axis=1)
+    except NotComputable as error:
+        return str(error), {}
+    return confusion_matrix(truth, decision, len(classes)), model.facts
