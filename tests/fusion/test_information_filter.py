@@ -6,8 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
+from placecat import schema
 from placecat.errors import PlacecatError
-from placecat.fusion.information_filter import check, dropped, hold, threshold_of
+from placecat.fusion.information_filter import dropped, hold, threshold_of
 
 
 def by_hand(proba, information, threshold, sequences):
@@ -100,16 +101,20 @@ def test_dropped_frames_are_counted_with_and_without_label():
     [
         (None, None, "either a threshold or a share"),
         (0.1, 0.1, "either a threshold or a share"),
-        (-0.1, None, "must be 0 or more"),
-        (float("nan"), None, "must be 0 or more"),
-        (None, 0.0, "between 0 and 1"),
-        (None, 1.0, "between 0 and 1"),
-        (None, "a tenth", "a number is needed"),
-        (True, None, "a number is needed"),
+        (-0.1, None, "threshold=-0.1: it must be greater than or equal to 0"),
+        (float("nan"), None, "threshold=nan: it must be a finite number"),
+        (None, 0.0, "share=0.0: it must be greater than 0"),
+        (None, 1.0, "share=1.0: it must be less than 1"),
+        (None, "a tenth", "share=a tenth: it must be a valid number"),
+        (True, None, "threshold=True: it must be a valid number"),
     ],
 )
 def test_a_filter_has_a_threshold_or_a_share(threshold, share, message):
+    def check(threshold, share):
+        own = {"threshold": threshold, "share": share, "cues": [], "systems": []}
+        schema.check({"filters": {"x": own}})
+
     with pytest.raises(PlacecatError, match=f"filters.x.*{message}"):
-        check(threshold, share, "filters.x")
-    check(0.0, None, "filters.x")
-    check(None, 0.1, "filters.x")
+        check(threshold, share)
+    check(0.0, None)
+    check(None, 0.1)

@@ -46,7 +46,7 @@ def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level
 
 def _noncentrality(t: float, freedom: int, below: float) -> float:
     """The noncentrality for which a t distribution is at most `t` with probability `below`."""
-    # The mean over the scale, since scipy's distribution function fails far from 0.
+    # scipy's distribution function fails far from 0, so the mean over the scale is computed here.
     nodes, weights = np.polynomial.legendre.leggauss(_NODES)
     scale = np.sqrt(stats.chi2.ppf((nodes + 1.0) / 2.0, freedom) / freedom)
     reach = 10.0 + 5.0 * abs(t)

@@ -8,23 +8,6 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 
-def check(threshold: float | None, share: float | None, where: str) -> None:
-    """Refuse a filter without exactly one of `threshold` and `share`.
-
-    A threshold is 0 or more, a share between 0 and 1, without both ends. `where` is the filter's name in the
-    PlacecatError.
-    """
-    if (threshold is None) == (share is None):
-        raise PlacecatError(f"{where} needs either a threshold or a share; set the other one to null")
-    for name, value in (("threshold", threshold), ("share", share)):
-        if value is not None and (isinstance(value, bool) or not isinstance(value, int | float)):
-            raise PlacecatError(f"{where}: {name} is {value!r}, but a number is needed")
-    if threshold is not None and not threshold >= 0:
-        raise PlacecatError(f"{where}: threshold is {threshold}, but must be 0 or more")
-    if share is not None and not 0 < share < 1:
-        raise PlacecatError(f"{where}: share is {share}, but must be between 0 and 1")
-
-
 def threshold_of(share: float, information: NDArray[np.float32]) -> float:
     """The threshold that a share (between 0 and 1, rounded down to whole frames) of training frames is below.
 

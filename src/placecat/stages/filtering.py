@@ -9,7 +9,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from placecat import files, fold_file, listing, parallel, paths, settings
-from placecat.fusion.information_filter import check, dropped, hold, threshold_of
+from placecat.fusion.information_filter import dropped, hold, threshold_of
 from placecat.results.measured import DROPPED_COLUMNS
 from placecat.stages import run
 from placecat.training import protocol
@@ -22,9 +22,6 @@ def main() -> None:
     """Apply every filter to its cues and systems, in every test home, once for each seed."""
     params = settings.load()
     filters = settings.get(params, "filters")
-    for name, options in filters.items():
-        settings.refuse_unknown(options, ["threshold", "share", "cues", "systems"], f"filters.{name}")
-        check(options.get("threshold"), options.get("share"), f"filters.{name}")
     names = list(settings.get(params, "dataset.homes"))
     homes = protocol.tested_homes(names, settings.get(params, "protocol.test_homes"))
     thresholds = {
