@@ -1,6 +1,6 @@
 """The frames of a home, decoded."""
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -20,9 +20,10 @@ def read_frames(
 ) -> Iterator[NDArray[np.uint8]]:
     """Decode frames in the order of the rows.
 
-    A video or a bag is read from its start (`placecat.footage.recording`, `placecat.footage.bags`) and frames
-    between rows are passed over; a row that lies before the last one starts again. The file is never asked to
-    seek: containers answer with a nearby frame without saying so. Rows in increasing position cost one pass.
+    A video is decoded from the last frame that allows it (`placecat.footage.recording`), a bag is read from
+    its start (`placecat.footage.bags`). Frames between rows are passed over; a row that lies before the last
+    one starts again. The file is never asked to seek: containers answer with a nearby frame without saying
+    so. Rows in increasing position cost at most one pass.
 
     Parameters
     ----------
@@ -71,23 +72,28 @@ def read_frames(
             video.close()
 
 
+# Opening a video again takes as long as decoding about as many frames.
+_WORTH_A_JUMP = 30
+
+
 class _Video:
-    """A video or a bag read forwards, from its start again to go back."""
+    """A video or a bag read forwards; a video from a frame at which decoding can start."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
         self._recording = Bag(path) if is_bag(path) else Recording(path)
-        self._pictures = self._recording.pictures()
+        self._pictures: Generator[Any, None, None] | None = None
         self._last: Any = None
 
     def close(self) -> None:
-        self._pictures.close()
+        if self._pictures is not None:
+            self._pictures.close()
 
     def read(self, position: int) -> NDArray[np.uint8]:
         number = position + 1
-        if self._last is not None and number < self._last.number:
+        if self._pictures is None or self._is_elsewhere(number):
             self.close()
-            self._pictures, self._last = self._recording.pictures(), None
+            self._pictures, self._last = self._from(number), None
         while self._last is None or self._last.number < number:
             following = next(self._pictures, None)
             if following is None:
@@ -99,4 +105,18 @@ class _Video:
             raise PlacecatError(
                 f"{self.path}: frame {number} is missing or unreadable ({why}); restore the file."
             )
-        return self._last.image()
+        image: NDArray[np.uint8] = self._last.image()
+        return image
+
+    def _is_elsewhere(self, number: int) -> bool:
+        """Whether a frame lies before the last one, or behind a later start that saves time."""
+        if self._last is None or number < self._last.number:
+            return True
+        if isinstance(self._recording, Bag):
+            return False
+        return self._recording.start_before(number) - self._last.number > _WORTH_A_JUMP
+
+    def _from(self, number: int) -> Generator[Any, None, None]:
+        """Pictures from a frame on, or from an earlier one."""
+        recording = self._recording
+        return recording.pictures() if isinstance(recording, Bag) else recording.pictures(number)
