@@ -255,7 +255,8 @@ class Recording:
                 "which cannot be; convert it with square pixels."
             )
         stream.codec_context.options = {"max_pixels": str(MOST_PIXELS)}
-        if self._is_careful:
+        # `placecat.parallel` limits its processes to one thread: FFmpeg's take a fifth more of their time.
+        if self._is_careful or cv2.getNumThreads() == 1:
             stream.codec_context.thread_count = 1
             stream.thread_type = "NONE"
         else:
