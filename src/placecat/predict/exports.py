@@ -1,17 +1,24 @@
-"""Exports of a prediction to robotics tools, beside its folder: MCAP and Rerun."""
+"""Exports of a prediction to robotics tools, beside its folder: MCAP and Rerun.
 
+Their modules are imported late, since they import Matplotlib for its colours.
+"""
+
+import importlib
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from placecat import files
 from placecat.errors import PlacecatError
-from placecat.predict import mcap_file, rerun_file
-from placecat.predict.mcap_file import McapFile
-from placecat.predict.rerun_file import RerunFile
 
-Export = McapFile | RerunFile
-_KINDS = {".mcap": ("--mcap", mcap_file), ".rrd": ("--rerun", rerun_file)}
+if TYPE_CHECKING:
+    from placecat.predict.mcap_file import McapFile
+    from placecat.predict.rerun_file import RerunFile
+
+    Export = McapFile | RerunFile
+
+_KINDS = {".mcap": ("--mcap", "mcap_file"), ".rrd": ("--rerun", "rerun_file")}
 
 
 def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, force: bool) -> None:
@@ -35,7 +42,7 @@ def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, for
     """
     for ending, path in wanted.items():
         option, module = _KINDS[ending]
-        module.require()
+        importlib.import_module(f"placecat.predict.{module}").require()
         if path.suffix != ending:
             raise PlacecatError(f"{option} is {path}: give a name that ends with {ending}")
         for other in read:
@@ -51,7 +58,7 @@ def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, for
 @contextmanager
 def opened(
     wanted: Mapping[str, Path], classes: tuple[str, ...], size: tuple[int, int], start: int
-) -> Iterator[list[Export]]:
+) -> Iterator[list["Export"]]:
     """Open what :func:`check` accepts; the files get their names if the block succeeds.
 
     Parameters
@@ -70,7 +77,11 @@ def opened(
         for ending, path in wanted.items():
             temporary = stack.enter_context(files.replacing(path))
             if ending == ".mcap":
+                from placecat.predict.mcap_file import McapFile
+
                 exports.append(stack.enter_context(McapFile(temporary, path.stem, classes, size, start)))
             else:
+                from placecat.predict.rerun_file import RerunFile
+
                 exports.append(stack.enter_context(RerunFile(temporary, path.stem, classes, start)))
         yield exports
