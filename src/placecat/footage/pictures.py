@@ -62,7 +62,7 @@ TURNS = {90: cv2.ROTATE_90_CLOCKWISE, 180: cv2.ROTATE_180, 270: cv2.ROTATE_90_CO
 """Degrees clockwise, as :func:`turned` takes them."""
 
 _NUMBER = re.compile(r"[0-9]+")
-# One point only: 1.2.3 is no decimal number.
+# With one point only: 1.2.3 is not a decimal number.
 _DECIMAL = re.compile(r"(?<![0-9.])([0-9]+)\.([0-9]+)(?!\.?[0-9])")
 _PNG = b"\x89PNG\r\n\x1a\n"
 _JPEG = b"\xff\xd8\xff"
@@ -142,7 +142,7 @@ def read_image(path: Path) -> NDArray[np.uint8]:
     Raises
     ------
     PlacecatError
-        If the file is missing, cannot be opened, is no JPEG or PNG, is damaged or cut off, or is larger than
+        If the file is missing, cannot be opened, is not JPEG or PNG, is damaged or cut off, or exceeds
         `MOST_BYTES` or `MOST_PIXELS`; for depth pictures (gray with 16 bits), transparent, animated and CMYK
         ones.
     """
