@@ -60,7 +60,7 @@ class Picture:
 
 
 class Recording:
-    """A video file, read by FFmpeg from its start.
+    """A video file, read by FFmpeg.
 
     Opening it passes over its packets without decoding them: every packet of the video is a frame with
     its time. A frame that cannot be decoded is lost; those after it keep their numbers and times.
