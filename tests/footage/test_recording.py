@@ -48,6 +48,48 @@ def test_frames_of_one_damaged_picture_are_the_same_every_time(tmp_path):
         assert again.note() == first.note() != ""
 
 
+@pytest.mark.parametrize(
+    ("codec", "suffix", "options", "has_starts"),
+    [
+        ("libx264", "mp4", {"g": "12", "bf": "3"}, True),
+        ("libx264", "mkv", {"g": "12", "bf": "3"}, True),
+        # Frames after a later key frame may refer to frames before it, or parameters stand in any packet.
+        ("libx264", "mp4", {"g": "12", "bf": "3", "x264-params": "open-gop=1:scenecut=0"}, False),
+        ("libx264", "mp4", {"g": "12", "x264-params": "intra-refresh=1:scenecut=0"}, False),
+        ("libx264", "ts", {"g": "12"}, False),
+        ("libx265", "mp4", {"g": "12", "x265-params": "open-gop=0:log-level=none"}, True),
+        ("libvpx-vp9", "webm", {"g": "12"}, True),
+        ("mjpeg", "mov", {}, True),
+        ("mpeg4", "mp4", {"g": "12", "bf": "2"}, False),
+    ],
+)
+def test_decoding_from_a_later_frame_on_gives_the_same_bytes(codec, suffix, options, has_starts, tmp_path):
+    tick = Fraction(1, 300 if codec == "mpeg4" else 90000)
+    path = write_clip(tmp_path / f"a.{suffix}", steady(60), codec=codec, options=options, tick=tick)
+    recording = Recording(path)
+    whole = {picture.number: picture.image().tobytes() for picture in recording.pictures()}
+    assert (recording.start_before(60) > 1) == has_starts
+    for first in (2, 12, 13, 14, 24, 30, 49, 60):
+        part = {picture.number: picture.image().tobytes() for picture in recording.pictures(first)}
+        assert list(part) == list(range(first, 61))
+        assert all(whole[number] == image for number, image in part.items())
+        assert recording.lost == []
+
+
+def test_a_damaged_frame_is_the_same_from_a_later_frame_on(tmp_path):
+    path = write_clip(tmp_path / "a.mp4", steady(60))
+    zero(path, 40)
+    recording = Recording(path)
+    whole = {picture.number: picture.image().tobytes() for picture in recording.pictures()}
+    note = recording.note()
+    for first in (1, 20, 37, 45, 55):
+        again = Recording(path)
+        part = {picture.number: picture.image().tobytes() for picture in again.pictures(first)}
+        assert part == {number: image for number, image in whole.items() if number >= first}
+        assert again.lost == [number for number in recording.lost if number >= first]
+    assert 40 in recording.lost and "frame 40" in note
+
+
 def test_flipped_bits_in_a_whole_container_are_told(tmp_path):
     path = write_clip(tmp_path / "a.mp4", steady(40), options=CHAIN | {"preset": "medium"}, size=(160, 120))
     whole = Recording(path)

@@ -1,6 +1,8 @@
 import json
 import os
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import cv2
@@ -334,3 +336,9 @@ def test_ctrl_c_on_a_file_writes_nothing(folder, monkeypatch):
 def test_numbers_of_an_image_survive_the_coding_of_the_video(folder):
     # What the other tests rest on.
     assert np.array_equal(frames_of(folder / "walk.avi")[0][5] > 127, coded(5) > 127)
+
+
+def test_no_frame_waits_for_matplotlib():
+    program = "import sys, placecat.predict.command; print('matplotlib' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stdout == "False\n"

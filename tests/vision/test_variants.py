@@ -1,11 +1,13 @@
 """Variants of the salient regions are what the attention finds with those settings by itself."""
 
+import functools
+
 import numpy as np
 import pytest
 from makers import frame
 
 from placecat.errors import PlacecatError
-from placecat.vision import local
+from placecat.vision import local, saliency, variants
 from placecat.vision.attention import compute_maps, find_regions
 from placecat.vision.frame import check, describe_frame
 from placecat.vision.maps import FIELDS
@@ -92,3 +94,25 @@ def test_scales_that_there_are_not_are_refused(scales):
 def test_mistakes_are_refused(change, message):
     with pytest.raises(PlacecatError, match=message):
         check({**SETTINGS, "variants": {"mine": VARIANTS["as_used"] | change}})
+
+
+def test_equal_parts_are_computed_once(monkeypatch):
+    fused, found, described = [], [], []
+
+    def noted(function, calls, number):
+        @functools.wraps(function)
+        def call(*arguments, **settings):
+            calls.append(arguments[number])
+            return function(*arguments, **settings)
+
+        return call
+
+    monkeypatch.setattr(saliency, "_fuse", noted(saliency._fuse, fused, 1))
+    monkeypatch.setattr(variants, "find_regions", noted(find_regions, found, 0))
+    hog = local.load("hog")
+    monkeypatch.setattr(hog, "describe", noted(hog.describe, described, 1))
+    describe_frame(PICTURE, {**SETTINGS, "variants": VARIANTS})
+    # With all scales, without the residual, and with two scales.
+    assert len(found) == 3
+    assert sorted(fused) == sorted(2 * ["intensity", "color", "orientation", "residual"])
+    assert sorted(map(len, described)) == [38, 38, 38]

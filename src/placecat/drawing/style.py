@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 from matplotlib import style
-from matplotlib.backends.backend_pdf import FigureCanvasPdf
 from matplotlib.figure import Figure
 
 from placecat import files
@@ -31,6 +30,9 @@ def save_pdf(figure: Figure, target: Path, *, title: str, settings: str) -> None
 
     Its properties have the `title`, and the `settings` as subject.
     """
+    # It takes as long to import as all else of matplotlib.
+    from matplotlib.backends.backend_pdf import FigureCanvasPdf
+
     # The layout is that of the PNG; `savefig` would make it again, by drawing everything twice.
     figure.set_layout_engine("none")
     properties = {

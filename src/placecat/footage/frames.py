@@ -1,6 +1,6 @@
 """The frames of a home, decoded."""
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from contextlib import ExitStack, closing
 from pathlib import Path
 from typing import Any
@@ -21,9 +21,9 @@ def read_frames(
 ) -> Iterator[NDArray[np.uint8]]:
     """Decode frames in the order of the rows.
 
-    A video or a bag is read from its start, over the frames between rows; a row before the last one starts
-    again. Rows in increasing position cost one pass. The file is never asked to seek: containers answer with
-    a nearby frame without saying so.
+    A video is decoded from the last frame that allows it; a bag is read from its start. A row before the last
+    one starts again, so rows in increasing position cost at most one pass. The file is never asked to seek:
+    containers answer with a nearby frame without saying so.
 
     Parameters
     ----------
@@ -68,29 +68,51 @@ def read_frames(
             yield image
 
 
+# Opening a video again takes as long as decoding about as many frames.
+_WORTH_A_JUMP = 30
+
+
 class _Video:
-    """A video or a bag that is read forwards; to go back, from its start."""
+    """A video or a bag read forwards; a video from a frame at which decoding can start."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
         self._recording = Bag(path) if is_bag(path) else Recording(path)
-        self._pictures = self._recording.pictures()
+        self._pictures: Generator[Any, None, None] | None = None
         self._last: Any = None
 
     def close(self) -> None:
-        self._pictures.close()
+        if self._pictures is not None:
+            self._pictures.close()
 
     def read(self, position: int) -> NDArray[np.uint8]:
         number = position + 1
-        if self._last is not None and number < self._last.number:
+        if self._pictures is None or self._is_elsewhere(number):
             self.close()
-            self._pictures, self._last = self._recording.pictures(), None
-        if self._last is None or self._last.number < number:
-            self._last = next((one for one in self._pictures if one.number >= number), None)
+            self._pictures, self._last = self._from(number), None
+        while self._last is None or self._last.number < number:
+            following = next(self._pictures, None)
+            if following is None:
+                break
+            self._last = following
         if self._last is None or self._last.number != number:
             count = self._recording.count
             why = f"it ends after {count}" if number > count else "it is damaged there"
             raise PlacecatError(
                 f"{self.path}: frame {number} is missing or unreadable ({why}); restore the file."
             )
-        return self._last.image()
+        image: NDArray[np.uint8] = self._last.image()
+        return image
+
+    def _is_elsewhere(self, number: int) -> bool:
+        """Whether a frame lies before the last one, or behind a later start that saves time."""
+        if self._last is None or number < self._last.number:
+            return True
+        if isinstance(self._recording, Bag):
+            return False
+        return self._recording.start_before(number) - self._last.number > _WORTH_A_JUMP
+
+    def _from(self, number: int) -> Generator[Any, None, None]:
+        """Pictures from a frame on, or from an earlier one."""
+        recording = self._recording
+        return recording.pictures() if isinstance(recording, Bag) else recording.pictures(number)

@@ -1,5 +1,6 @@
 """A video file: its frames with the numbers and times that the file gives them, and which are lost."""
 
+import bisect
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -59,7 +60,7 @@ class Picture:
 
 
 class Recording:
-    """A video file, read by FFmpeg from its start.
+    """A video file, read by FFmpeg.
 
     Opening it passes over its packets without decoding them: every packet of the video is a frame with
     its time. A frame that cannot be decoded is lost; those after it keep their numbers and times. Raises
@@ -111,31 +112,38 @@ class Recording:
         timing.check_gaps(found, str(self.path), setting)
         return found
 
-    def pictures(self) -> Generator[Picture, None, None]:
-        """Decode all frames in the order in which they are shown; those that are lost are left out.
+    def pictures(self, first: int = 1) -> Generator[Picture, None, None]:
+        """Decode the frames from `first` on in the order in which they are shown; lost ones are left out.
 
-        FFmpeg decodes several frames at once, and then does not say which of them has an error. After the
-        first error it decodes them again, one at a time.
+        Decoding starts where `start_before` says, so a late `first` costs little. FFmpeg decodes several
+        frames at once, and then does not say which of them has an error. After the first error it decodes
+        them again, one at a time, from the start of the file.
         """
-        self._start()
+        self._start(first)
+        start = self.start_before(first)
         while True:
             try:
-                yield from self._decoded()
+                yield from self._decoded(start)
             except _Damaged:
-                self._is_careful = True
+                self._is_careful, start = True, 1
             else:
                 self._reached = self.count
                 return
 
-    def _start(self) -> None:
+    def start_before(self, number: int) -> int:
+        """Return the last frame up to `number` from which decoding can start without a change of any byte."""
+        after = bisect.bisect_right(self._fresh, number)
+        return 1 if self._is_careful or after == 0 else self._fresh[after - 1]
+
+    def _start(self, first: int = 1) -> None:
         self._erroneous: set[int] = set()
         self._seen: set[int] = set()
-        self._reached = 0
+        self._before = self._reached = first - 1
 
     @property
     def lost(self) -> list[int]:
-        """Numbers of the frames that the last pass could not decode."""
-        return sorted(set(range(1, self._reached + 1)) - self._seen)
+        """Numbers of the frames that the last pass went over and could not decode."""
+        return sorted(set(range(self._before + 1, self._reached + 1)) - self._seen)
 
     @property
     def damaged(self) -> list[int]:
@@ -226,7 +234,8 @@ class Recording:
                 "which cannot be; convert it with square pixels."
             )
         stream.codec_context.options = {"max_pixels": str(MOST_PIXELS)}
-        if self._is_careful:
+        # `placecat.parallel` limits its processes to one thread: FFmpeg's take a fifth more of their time.
+        if self._is_careful or cv2.getNumThreads() == 1:
             stream.codec_context.thread_count = 1
             stream.thread_type = "NONE"
         else:
@@ -240,6 +249,7 @@ class Recording:
         entries = [entry for entry in stream.index_entries if not entry.is_discard] if "mov" in name else []
         announced = stream.frames if name == "avi" else len(entries)
         stamps: list[tuple[int | None, int | None]] = []
+        fresh: list[int | None] = []
         packets, furthest, before = 0, 0.0, streams.errors()
         self._last = 0
         latest = -(2**63)
@@ -251,6 +261,8 @@ class Recording:
             packets += not packet.is_discard
             if streams.is_frame(packet, stream):
                 stamps.append((packet.pts, packet.dts))
+                if streams.is_fresh(packet, stream):
+                    fresh.append(packet.pts)
                 if packet.pts is not None and packet.pts > latest:
                     latest, self._last = packet.pts, packet.duration or 0
         if not stamps:
@@ -261,6 +273,7 @@ class Recording:
         # AVI only has the times of coding.
         is_known = name != "avi" and streams.are_times(shown) and streams.run_forward(coded)
         self._numbers = {pts: number for number, pts in enumerate(sorted(shown), 1)} if is_known else {}
+        self._fresh = sorted(self._numbers[pts] for pts in fresh if pts in self._numbers)
         times = shown if is_known else coded
         usable = is_known or (streams.are_times(coded) and streams.run_forward(coded))
         self._ticks = np.array(sorted(times), np.int64) if usable else None
@@ -278,12 +291,18 @@ class Recording:
             if until - furthest > 0.25:
                 self._unread.append(f"it ends {until - furthest:.1f} s early: it may be cut off")
 
-    def _decoded(self) -> Generator[Picture, None, None]:
-        """One pass, without the frames that an earlier one gave; _Damaged at an error in fast decoding."""
-        given, last = self._reached, 0
+    def _decoded(self, start: int) -> Generator[Picture, None, None]:
+        """One pass from the frame `start`, without the frames up to `_reached`.
+
+        Raises _Damaged at an error if several frames are decoded at once.
+        """
+        given, last, is_in = self._reached, start - 1, start == 1
         with self._opened() as (container, stream):
             codec = stream.codec_context
             for packet in chain(streams.packets(container, stream), [None]):
+                is_in = is_in or packet is None or self._numbers.get(packet.pts) == start
+                if not is_in:
+                    continue
                 before, failed = streams.errors(), False
                 try:
                     frames = codec.decode(packet)

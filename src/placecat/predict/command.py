@@ -16,9 +16,8 @@ from placecat import files
 from placecat.categorizer import Categorizer, Decision
 from placecat.categorizer.card import unknown_text
 from placecat.categorizer.fitting import Fit, fit
-from placecat.drawing.style import house_style, save
 from placecat.errors import PlacecatError, one_line
-from placecat.predict import destination, exports, report, tables, timeline, truth
+from placecat.predict import destination, exports, report, tables, truth
 from placecat.predict.camera import Camera
 from placecat.predict.frame import Frame, Source
 from placecat.predict.home import PREFIX, DataSetHome, data_set
@@ -152,9 +151,7 @@ def _write(folder: Path, job: _Job) -> None:
         tables.write_frames(temporary / tables.FRAMES, prediction)
         tables.write_segments(temporary / tables.SEGMENTS, prediction)
         tables.write_visits(temporary / tables.VISITS, prediction)
-        with house_style():
-            title = f"{source.name}: {job.title or 'places'}"
-            save(timeline.draw(prediction, title, shown), temporary / TIMELINE)
+        _draw(temporary / TIMELINE, prediction, f"{source.name}: {job.title or 'places'}", shown)
         files.write_json(temporary / SPEED, _speed(speed, source))
         content = _summary(job, prediction, agreement)
         content["files"] = sorted([*(path.name for path in temporary.iterdir()), destination.SUMMARY])
@@ -165,6 +162,15 @@ def _write(folder: Path, job: _Job) -> None:
         note = f"{one_line(name)} was added or edited: it is kept as {one_line(folder / copy)}"
         print(f"placecat: note: {note}", file=sys.stderr)
     _print(folder, job, prediction, speed, content)
+
+
+def _draw(path: Path, prediction: Prediction, title: str, shown: NDArray[np.int16] | None) -> None:
+    # Matplotlib takes longer to import than to draw, and no frame needs it.
+    from placecat.drawing.style import house_style, save
+    from placecat.predict import timeline
+
+    with house_style():
+        save(timeline.draw(prediction, title, shown), path)
 
 
 def _check(options: Options) -> None:

@@ -1,21 +1,34 @@
-"""Exports of a prediction to robotics tools, beside its folder: MCAP and Rerun."""
+"""Exports of a prediction to robotics tools, beside its folder: MCAP and Rerun.
 
+Their modules are imported late, since they import Matplotlib for its colours.
+"""
+
+import importlib
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from placecat import files
 from placecat.errors import PlacecatError
-from placecat.predict.mcap_file import McapFile
-from placecat.predict.rerun_file import RerunFile
 
-Export = McapFile | RerunFile
-# By option: the ending of the file, and its kind.
-_KINDS: dict[str, tuple[str, type[McapFile] | type[RerunFile]]] = {
-    "mcap": (".mcap", McapFile),
-    "rerun": (".rrd", RerunFile),
-}
+if TYPE_CHECKING:
+    from placecat.predict.mcap_file import McapFile
+    from placecat.predict.rerun_file import RerunFile
+
+    Export = McapFile | RerunFile
+
+# By option: the ending of the file, and the module and class that write it; imported only where asked for.
+_KINDS = {"mcap": (".mcap", "mcap_file", "McapFile"), "rerun": (".rrd", "rerun_file", "RerunFile")}
 OPTIONS = tuple(_KINDS)
+
+
+def _kind(option: str) -> "type[McapFile] | type[RerunFile]":
+    _, module, name = _KINDS[option]
+    kind: type[McapFile] | type[RerunFile] = getattr(
+        importlib.import_module(f"placecat.predict.{module}"), name
+    )
+    return kind
 
 
 def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, force: bool) -> None:
@@ -38,8 +51,8 @@ def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, for
         If a package is missing, a name ends otherwise, or something is in the way.
     """
     for option, path in wanted.items():
-        ending, kind = _KINDS[option]
-        kind.require()
+        ending = _KINDS[option][0]
+        _kind(option).require()
         given = f"--{option} is {path}"
         if path.suffix != ending:
             raise PlacecatError(f"{given}: give a name that ends with {ending}")
@@ -55,7 +68,7 @@ def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, for
 @contextmanager
 def opened(
     wanted: Mapping[str, Path], classes: tuple[str, ...], size: tuple[int, int], start: int
-) -> Iterator[list[Export]]:
+) -> Iterator[list["Export"]]:
     """Open what :func:`check` accepts; the files get their names if the block succeeds.
 
     `size` is the (width, height) of the frames, `start` the nanoseconds since 1970 of the first; 0 if that is
@@ -65,7 +78,7 @@ def opened(
         exports: list[Export] = []
         for option, path in wanted.items():
             temporary = stack.enter_context(files.replacing(path))
-            export: Export = _KINDS[option][1](temporary, path.stem, classes, size, start)
+            export: Export = _kind(option)(temporary, path.stem, classes, size, start)
             stack.enter_context(export)
             exports.append(export)
         yield exports

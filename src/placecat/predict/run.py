@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from placecat.categorizer import Categorizer, Decision
 from placecat.categorizer.fitting import Fit
 from placecat.errors import PlacecatError
-from placecat.predict.annotate import Annotator
 from placecat.predict.film import Film
 from placecat.predict.frame import Frame, Source
 from placecat.predict.prediction import Prediction
@@ -104,8 +103,12 @@ def run(
     speed = Speed(source.fps / wish.every)
     was_stopped = False
     with ExitStack() as stack:
-        film, annotator = None, Annotator(system.classes, fit.target)
+        film = None
         if wish.film is not None:
+            # It imports Matplotlib, for its colours.
+            from placecat.predict.annotate import Annotator
+
+            annotator = Annotator(system.classes, fit.target)
             film = stack.enter_context(Film(wish.film, speed.wanted * wish.pace, annotator.size))
         frames = source.frames(wish.every)
         stack.callback(frames.close)  # type: ignore[attr-defined]

@@ -68,7 +68,7 @@ def plan(
         }
         check({**options, "variants": also})
         rows = np.arange(variants["frames"]["offset"], len(frames), variants["frames"]["step"])
-    # A video is decoded from its start, so it is cut into few parts only.
+    # To reach the first frame of a part of a video, frames before it are decoded: so the parts are few.
     is_video = bool((frames["position"] >= 0).any())
     chunk = max(32, -(-len(frames) // (4 * parallel.workers()))) if is_video else 32
     size, varied = listing.frame_size(home), set(rows.tolist())

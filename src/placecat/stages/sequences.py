@@ -1,5 +1,6 @@
 """Stage `sequences`: read and check the data set's layout and label files."""
 
+import contextlib
 import sys
 from collections.abc import Mapping
 from pathlib import Path
@@ -8,7 +9,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat import files, paths, settings
+from placecat import files, parallel, paths, settings
 from placecat.errors import PlacecatError
 from placecat.sequences import Home, open_home_of, place_labels, require_classes
 from placecat.stages import run
@@ -29,12 +30,20 @@ def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
         )
     if not dataset["homes"]:
         raise PlacecatError(f"{setting}.homes is empty: name the homes to use")
+    # A video is decoded to find its readable frames.
+    tasks = [(Path.cwd(), dataset, name) for name in dataset["homes"]]
     with files.replacing(target) as folder:
-        for name in dataset["homes"]:
-            home = open_home_of(dataset, name)
+        homes = parallel.stream(_open, tasks, "sequences", unit="homes", locally=True)
+        for name, home in zip(dataset["homes"], homes, strict=True):
             if home.note:
                 print(f"placecat: note: {home.note}", file=sys.stderr)
             _write(folder / name, home, dataset)
+
+
+def _open(folder: Path, dataset: Mapping[str, Any], name: str) -> Home:
+    # A worker keeps the folder in which it was started, and messages name paths as they are given.
+    with contextlib.chdir(folder):
+        return open_home_of(dataset, name)
 
 
 def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:

@@ -10,10 +10,18 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 from placecat.vision import holistic, local
 from placecat.vision.attention import compute_maps, find_regions
-from placecat.vision.discovery import check_settings, settings_of
+from placecat.vision.discovery import check_settings
 from placecat.vision.information import information
 from placecat.vision.maps import FIELDS
-from placecat.vision.variants import check_variants, describe_variants, padded
+from placecat.vision.variants import (
+    SharedRegions,
+    Wanted,
+    check_variants,
+    describe_variants,
+    most_regions,
+    padded,
+    wanted_variants,
+)
 
 SECTIONS = ("attention", "regions", "local", "holistic", "information", "variants")
 
@@ -86,28 +94,34 @@ def describe_frame(
     """
     check(settings)
     own = {section: settings.get(section) or {} for section in SECTIONS}
-    most = int(own["regions"].get("max_regions", settings_of(find_regions)["max_regions"]))
+    most = most_regions(own["regions"])
     locals_, holistics = _entries(settings)
     fields = set(FIELDS)
     if regions is not None:
         fields = {"grey"}.union(*(module.MAPS for module, _ in (*locals_.values(), *holistics.values())))
+        if len(regions) > most:
+            raise PlacecatError(f"{len(regions)} regions were given, but max_regions is {most}: raise it.")
     maps = compute_maps(frame_bgr, fields, **own["attention"])
     variants: dict[str, NDArray[Any]] = {}
     if regions is None:
-        variants = describe_variants(
-            maps, own["variants"], regions=own["regions"], local_settings=own["local"]
-        )
+        wanted = Wanted(None, own["regions"], tuple(locals_))
+        others = wanted_variants(own["variants"], own["regions"])
+        shared = SharedRegions(maps, [wanted, *others.values()], own["local"])
+        variants = describe_variants(shared, others)
         # The regions are a feature themselves: they are found even if no descriptor needs them.
-        regions = find_regions(maps, **own["regions"])
-    elif len(regions) > most:
-        raise PlacecatError(f"{len(regions)} regions were given, but max_regions is {most}: raise it.")
+        regions = shared.find(wanted)
+        described = {name: shared.describe(wanted, name) for name in locals_}
+    else:
+        described = {
+            name: module.describe(maps, regions, **chosen) for name, (module, chosen) in locals_.items()
+        }
     arrays: dict[str, NDArray[Any]] = {
         "count": np.array(len(regions), np.int16),
         "information": np.array(information(maps, **own["information"]), np.float32),
         "regions": padded(regions, most),
     }
-    for name, (module, chosen) in locals_.items():
-        arrays[f"local_{name}"] = padded(module.describe(maps, regions, **chosen), most)
+    for name, rows in described.items():
+        arrays[f"local_{name}"] = padded(rows, most)
     for name, (module, chosen) in holistics.items():
         arrays[f"holistic_{name}"] = module.describe(frame_bgr, maps, **chosen)
     return arrays | variants

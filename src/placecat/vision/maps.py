@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Hashable
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -95,3 +95,9 @@ class FrameMaps:
             result = function(array, *arguments)
             self._kept[key] = array, result
         return result
+
+    def remembered(self, key: tuple[Hashable, ...], compute: Callable[[], Any]) -> Any:
+        """Return what `compute` gives, computed once per frame and key; do not write into it."""
+        if key not in self._kept:
+            self._kept[key] = None, compute()
+        return self._kept[key][1]

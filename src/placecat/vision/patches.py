@@ -52,7 +52,7 @@ def cut(
     Raises
     ------
     PlacecatError
-        For regions of another shape, a scale that is no level, or an unknown border.
+        If regions have another shape, a scale is not among the levels, or the border is unknown.
     """
     if border not in BORDERS:
         raise PlacecatError(

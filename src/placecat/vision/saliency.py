@@ -1,6 +1,8 @@
 """Fusion of feature maps into conspicuity maps and the saliency map (thesis 3.1.1.1)."""
 
 from dataclasses import dataclass
+from functools import partial
+from typing import NamedTuple
 
 import cv2
 import numpy as np
@@ -112,29 +114,46 @@ def saliency(
     for channel, unit in units.items():
         if unit <= 0:
             raise PlacecatError(f"{channel}_unit must be above 0, not {unit}")
-    conspicuity: dict[str, FloatArray] = {}
-    weights: dict[str, float] = {}
-    subchannels: dict[str, FloatArray] = {}
-    subchannel_weights: dict[str, FloatArray] = {}
+    fused: dict[str, _Channel] = {}
     width, height = level_size(maps.width, maps.height, fusion_scale)
     total = np.zeros((height, width), np.float32)
     for channel in CHANNELS if use_residual else CHANNELS[:-1]:
-        stack = add_across_scales(
-            {scale: _sum_radii(levels) for scale, levels in feature_maps(maps, channel).items()},
-            maps.width,
-            maps.height,
-            fusion_scale,
-        )
-        peaks = [plane.ravel()[local_maxima(plane, maximum_window)] for plane in stack]
-        own = np.array([weight(values) for values in peaks], np.float32)
-        largest = max((float(values.max()) for values in peaks if values.size), default=0.0)
-        plane = stretch(_weighted_sum(stack, own), largest / units[channel])
-        subchannels[channel] = stack
-        subchannel_weights[channel] = own
-        conspicuity[channel] = plane
-        weights[channel] = weight(plane.ravel()[local_maxima(plane, maximum_window)])
-        total += np.float32(weights[channel]) * plane
-    return Saliency(fusion_scale, total, conspicuity, weights, subchannels, subchannel_weights)
+        settings = (channel, fusion_scale, maximum_window, units[channel])
+        # Variants of the regions differ in the channels that are added, or not even in these.
+        one = maps.remembered((_fuse, *settings), partial(_fuse, maps, *settings))
+        total += np.float32(one.weight) * one.conspicuity
+        fused[channel] = one
+    return Saliency(
+        fusion_scale,
+        total,
+        {name: one.conspicuity for name, one in fused.items()},
+        {name: one.weight for name, one in fused.items()},
+        {name: one.subchannels for name, one in fused.items()},
+        {name: one.subchannel_weights for name, one in fused.items()},
+    )
+
+
+class _Channel(NamedTuple):
+    """The parts of `Saliency` of one channel."""
+
+    conspicuity: FloatArray
+    weight: float
+    subchannels: FloatArray
+    subchannel_weights: FloatArray
+
+
+def _fuse(maps: FrameMaps, channel: str, fusion_scale: int, window: int, unit: float) -> _Channel:
+    stack = add_across_scales(
+        {scale: _sum_radii(levels) for scale, levels in feature_maps(maps, channel).items()},
+        maps.width,
+        maps.height,
+        fusion_scale,
+    )
+    peaks = [plane.ravel()[local_maxima(plane, window)] for plane in stack]
+    own = np.array([weight(values) for values in peaks], np.float32)
+    largest = max((float(values.max()) for values in peaks if values.size), default=0.0)
+    plane = stretch(_weighted_sum(stack, own), largest / unit)
+    return _Channel(plane, weight(plane.ravel()[local_maxima(plane, window)]), stack, own)
 
 
 def add_across_scales(

@@ -159,10 +159,10 @@ class RegionTracker:
 
 
 def reduced_grey(frame: NDArray[np.uint8], width: int) -> NDArray[np.uint8]:
-    """Return the grey frame reduced to a width in pixels, in proportion; a narrower one keeps its size.
+    """Reduce a frame to a width in pixels and to grey values; the shape stays.
 
-    `frame` is (H, W, 3) uint8 BGR. The result is (max(1, round(H width / W)), width) uint8: OpenCV's grey
-    value averaged over the area of each pixel.
+    `frame` is (H, W, 3) uint8 BGR. Returns (max(1, round(H width / W)), width) uint8: the mean of OpenCV's
+    grey values over the area of each pixel. A frame that is not wider than `width` keeps its size.
     """
     grey = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
     height, full = grey.shape

@@ -1,7 +1,7 @@
 """Salient regions of the same maps found with other settings, to compare these (thesis 3.1.1, 4.4)."""
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Collection, Hashable, Iterable, Mapping, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,27 +32,116 @@ def check_variants(variants: Mapping[str, _Section], local_settings: Mapping[str
                 raise PlacecatError(f"{where}: there is no local descriptor {descriptor!r} (valid: {valid})")
 
 
-def describe_variants(
-    maps: FrameMaps,
-    variants: Mapping[str, _Section],
-    *,
-    regions: _Section,
-    local_settings: Mapping[str, _Section],
-) -> dict[str, NDArray[Any]]:
-    """Find and describe the salient regions of a frame with other settings.
+class Wanted(NamedTuple):
+    """Salient regions that are asked for: scales (None for all), settings of `find_regions`, descriptors."""
+
+    scales: Sequence[int] | None
+    regions: _Section
+    descriptors: Collection[str]
+
+    @property
+    def most(self) -> int:
+        """The largest number of regions."""
+        return most_regions(self.regions)
+
+    @property
+    def others(self) -> Hashable:
+        """All settings but the number of regions; a number below 1, which is refused, stays with itself."""
+        others = {name: value for name, value in self.regions.items() if name != "max_regions"}
+        return None if self.scales is None else tuple(self.scales), *sorted(others.items()), self.most < 1
+
+
+class SharedRegions:
+    """Salient regions of a frame by several settings, and their descriptors, each computed once.
+
+    Fewer regions of the same settings are the first of more, since weaker points do not affect stronger ones
+    (`placecat.vision.regions.accept`), and the descriptor of a region does not depend on the other regions.
+    So they are found and described for the largest number that is asked for.
 
     Parameters
     ----------
     maps
         Of the frame, all fields.
-    variants
-        Name to ``scales`` (some of those of the maps, None for all), ``regions`` (settings of `find_regions`
-        to change) and ``descriptors`` (names of local descriptors). A scale without maps, or an impossible
-        setting, raises PlacecatError.
-    regions
-        Settings of `find_regions` that variants start from.
+    wanted
+        All that will be asked for.
     local_settings
         Settings of the local descriptors by name.
+    """
+
+    def __init__(
+        self, maps: FrameMaps, wanted: Iterable[Wanted], local_settings: Mapping[str, _Section | None]
+    ) -> None:
+        self._maps = maps
+        self._local_settings = local_settings
+        self._most: dict[Hashable, int] = {}
+        self._known: dict[Hashable, Any] = {}
+        for one in wanted:
+            for key in (one.others, *((one.others, name) for name in one.descriptors)):
+                self._most[key] = max(one.most, self._most.get(key, one.most))
+
+    def find(self, wanted: Wanted) -> NDArray[np.float32]:
+        """Return the regions as `find_regions` does, with its errors."""
+        return self._largest(wanted)[: wanted.most]
+
+    def describe(self, wanted: Wanted, name: str) -> NDArray[np.float32]:
+        """Describe the regions with a local descriptor, (n, D) float32."""
+        key = (wanted.others, name)
+        if key not in self._known:
+            module, options = local.entry(name, self._local_settings[name] or {})
+            found = self._largest(wanted)[: self._most[key]]
+            self._known[key] = module.describe(self._at(wanted.scales), found, **options)
+        described: NDArray[np.float32] = self._known[key][: wanted.most]
+        return described
+
+    def _largest(self, wanted: Wanted) -> NDArray[np.float32]:
+        key = wanted.others
+        if key not in self._known:
+            settings = {**wanted.regions, "max_regions": self._most[key]}
+            self._known[key] = find_regions(self._at(wanted.scales), **settings)
+        found: NDArray[np.float32] = self._known[key]
+        return found
+
+    def _at(self, scales: Sequence[int] | None) -> FrameMaps:
+        if scales is None:
+            return self._maps
+        key = ("scales", *scales)
+        if key not in self._known:
+            self._known[key] = self._maps.at_scales(scales)
+        maps: FrameMaps = self._known[key]
+        return maps
+
+
+def most_regions(regions: _Section) -> int:
+    """The largest number of regions by settings of `find_regions`."""
+    return int(regions.get("max_regions", settings_of(find_regions)["max_regions"]))
+
+
+def wanted_variants(variants: Mapping[str, _Section], regions: _Section) -> dict[str, Wanted]:
+    """List what the variants of the regions ask for, by name.
+
+    Parameters
+    ----------
+    variants
+        Name to ``scales`` (some of those of the maps, None for all), ``regions`` (settings of `find_regions`
+        to change) and ``descriptors`` (names of local descriptors).
+    regions
+        Settings of `find_regions` that variants start from.
+    """
+    return {
+        name: Wanted(own["scales"], {**regions, **own["regions"]}, own["descriptors"])
+        for name, own in variants.items()
+    }
+
+
+def describe_variants(shared: SharedRegions, variants: Mapping[str, Wanted]) -> dict[str, NDArray[Any]]:
+    """Find and describe the salient regions of a frame with other settings.
+
+    Parameters
+    ----------
+    shared
+        Regions of the frame, with all of `variants` among those that are asked for.
+    variants
+        From `wanted_variants`. A scale without maps, or an impossible setting, raises PlacecatError.
 
     Returns
     -------
@@ -60,17 +149,14 @@ def describe_variants(
     `placecat.vision.frame.describe_frame`.
     """
     result: dict[str, NDArray[Any]] = {}
-    for name, own in variants.items():
-        seen = maps if own["scales"] is None else maps.at_scales(own["scales"])
-        chosen = {**regions, **own["regions"]}
-        most = int(chosen.get("max_regions", settings_of(find_regions)["max_regions"]))
-        found = find_regions(seen, **chosen)
+    for name, wanted in variants.items():
         folder = paths.VARIANT.format(name)
+        found = shared.find(wanted)
         result[f"{folder}/count"] = np.array(len(found), np.int16)
-        result[f"{folder}/regions"] = padded(found, most)
-        for descriptor in own["descriptors"]:
-            module, options = local.entry(descriptor, local_settings[descriptor])
-            result[f"{folder}/local_{descriptor}"] = padded(module.describe(seen, found, **options), most)
+        result[f"{folder}/regions"] = padded(found, wanted.most)
+        for descriptor in wanted.descriptors:
+            described = shared.describe(wanted, descriptor)
+            result[f"{folder}/local_{descriptor}"] = padded(described, wanted.most)
     return result
 
 

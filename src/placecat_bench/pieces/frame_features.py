@@ -95,9 +95,10 @@ def parts(frames: Sequence[Image], own: Options) -> dict[str, Callable[[], Any]]
     """
     maps = [compute_maps(frame, **own["attention"]) for frame in frames]
     regions = [find_regions(one, **own["regions"]) for one in maps]
+    # A copy does not remember what an earlier call computed.
     found: dict[str, Callable[[], Any]] = {
         "maps": lambda: [compute_maps(frame, **own["attention"]) for frame in frames],
-        "regions": lambda: [find_regions(one, **own["regions"]) for one in maps],
+        "regions": lambda: [find_regions(replace(one), **own["regions"]) for one in maps],
     }
     for name, chosen in own["local"].items():
         module, kept = local.entry(name, chosen or {})
@@ -106,7 +107,6 @@ def parts(frames: Sequence[Image], own: Options) -> dict[str, Callable[[], Any]]
         ]
     for name, chosen in own["holistic"].items():
         module, kept = holistic.entry(name, chosen or {})
-        # A copy does not remember what an earlier call computed.
         found[f"holistic {name}"] = lambda module=module, kept=kept: [  # type: ignore[misc]
             module.describe(frame, replace(one), **kept) for frame, one in zip(frames, maps, strict=True)
         ]

@@ -6,6 +6,7 @@ opponent colours and four orientations at several scales, and a residual.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from placecat.vision.attention import compute_maps
@@ -80,7 +81,8 @@ def parts(frames: Sequence[Image], own: Mapping[str, Any]) -> dict[str, Callable
         "grey and colour pyramids and colour": only("color_contrast"),
         "grey pyramid and orientation": only("orientation"),
         "grey pyramid and residual": only("residual"),
-        "fusion": lambda: [saliency(one, **_fusion(own)) for one in maps],
+        # A copy does not remember what an earlier call computed.
+        "fusion": lambda: [saliency(replace(one), **_fusion(own)) for one in maps],
     }
 
 

@@ -68,11 +68,11 @@ def test_places_and_tokens_are_pooled(network, gives, pool, expected):
 @pytest.mark.parametrize(
     ("gives", "settings", "message"),
     [
-        (PLACES, {}, r"gives \(5, 2, 3\) for a frame, which is no vector: set pool to mean, or name another"),
-        (PLACES, {"pool": "first"}, "no vector: set pool to mean, or"),
-        (TOKENS, {}, "no vector: set pool to mean or first"),
-        (np.ones((1, 0), np.float32), {}, "no vector"),
-        (np.ones((1,), np.float32), {}, "no vector"),
+        (PLACES, {}, r"gives \(5, 2, 3\) for a frame, not a vector: set pool to mean, or name another"),
+        (PLACES, {"pool": "first"}, "not a vector: set pool to mean, or"),
+        (TOKENS, {}, "not a vector: set pool to mean or first"),
+        (np.ones((1, 0), np.float32), {}, "not a vector"),
+        (np.ones((1,), np.float32), {}, "not a vector"),
         (np.ones((2, 4), np.float32), {}, r"gives \(2, 4\) for one image"),
         (np.full((1, 4), np.nan, np.float32), {}, "not finite: check mean and std"),
         (

@@ -98,7 +98,7 @@ def test_missing_and_linked_weights_are_refused(path, tmp_path):
     path.write_bytes(scaled_mean_color("weights.bin"))
     refused(r"weights\.bin, weights of net\.onnx, is missing", path)
     path.with_name("weights.bin").symlink_to(onnx_bytes.__file__)
-    refused("is a link out of its folder", path)
+    refused("is a link to a file outside the folder: replace it by a copy", path)
 
 
 def test_damaged_files_give_one_message(path):

@@ -138,7 +138,7 @@ def test_a_real_file_describes_a_frame(real):
 
 def test_mistakes_with_a_real_file_give_one_message(real, tmp_path):
     one_message(
-        r"gives \(3, 224, 224\) for a frame, which is no vector: set pool to mean",
+        r"gives \(3, 224, 224\) for a frame, not a vector: set pool to mean",
         lambda: embedding.describe(frame(), None, network=real, output="places"),
     )
     fixed = tmp_path / "fixed.onnx"

@@ -1,4 +1,4 @@
-"""Embedding: what a pretrained network makes of a frame. An addition: the thesis has no such cue."""
+"""Embedding: the features that a pretrained network computes of a frame. The thesis has no such cue."""
 
 from collections.abc import Sequence
 from typing import Annotated
@@ -47,19 +47,19 @@ def describe(
     network
         ``efficientnet_lite0``, ``1`` or ``2``, or the path of an ONNX file, relative to the project.
     width, height
-        What the whole frame is scaled to, in pixels, whatever its shape. None for both takes the size that
-        the network was trained with (224x224 for an ONNX file), None for one keeps the frame's shape.
+        Size in pixels to which the whole frame is scaled, whatever its shape. None for both takes the size
+        that the network was trained with (224x224 for an ONNX file). None for one keeps the frame's shape.
     mean, std
-        Of red, green and blue, from 0 to 1: subtracted from them, and what they are divided by then. None
-        takes those that the network was trained with (those of ImageNet for an ONNX file).
+        Of red, green and blue, from 0 to 1: `mean` is subtracted, then the difference is divided by `std`.
+        None takes those that the network was trained with (those of ImageNet for an ONNX file).
     output
-        Of an ONNX file: the name of the output that is taken; None for its first.
+        Name of the output to use, for an ONNX file; None for its first.
     pool
-        Of an output with places, (D, rows, columns), or tokens, (tokens, D): ``mean`` over them, or the
-        ``first`` of the tokens. None for an output that is a vector.
+        How an output with places, (D, rows, columns), or tokens, (tokens, D), becomes a vector: ``mean`` of
+        all, or the ``first`` token. None for an output that is a vector.
     sha256
-        Checksum that an ONNX file must have, in hexadecimal; None for any. The stages do not notice another
-        file of the same name without it.
+        Checksum that an ONNX file must have, in hexadecimal; None for any. Without it the stages do not
+        notice that the file has changed.
 
     Returns
     -------
@@ -68,8 +68,8 @@ def describe(
     Raises
     ------
     PlacecatError
-        Impossible settings; a network or a package that is missing; a network that takes no such image, or
-        gives no vector or no finite numbers.
+        If a setting is impossible, if the network or a package is missing, or if the network refuses the
+        image or does not give a vector of finite numbers.
     """
     image = _input(frame, _prepared(frame, networks.preparation(network), width, height, mean, std))
     return _vector(_features(image, network, output, sha256), network, pool)
@@ -137,7 +137,7 @@ def _vector(features: NDArray[np.float32], network: str, pool: str | None) -> ND
     if features.ndim != 1 or not len(features):
         how = {2: "set pool to mean or first", 3: "set pool to mean"}.get(features.ndim, "it cannot be used")
         raise PlacecatError(
-            f"{_OWNER}: {network} gives {features.shape} for a frame, which is no vector: "
+            f"{_OWNER}: {network} gives {features.shape} for a frame, not a vector: "
             f"{how}, or name another output"
         )
     if not np.isfinite(features).all():

@@ -38,7 +38,7 @@ class Preparation(NamedTuple):
     std: tuple[float, ...]
 
 
-# What most networks trained on ImageNet expect. Our choice for an ONNX file, which does not say.
+# Most networks trained on ImageNet expect this. An ONNX file does not say; we assume it there.
 _IMAGENET = Preparation(224, 224, (0.485, 0.456, 0.406), (0.229, 0.224, 0.225))
 
 
@@ -66,7 +66,7 @@ def load(network: str, output: str | None = None, sha256: str | None = None) -> 
     Raises
     ------
     PlacecatError
-        An unknown network, one whose packages or file are missing, or a file that is no such network.
+        If the network is unknown, its packages or its file are missing, or the file cannot be used.
     """
     if network.endswith(ENDING):
         return onnx_file.load(Path(network), output, sha256)

@@ -99,7 +99,7 @@ def _weights(path: Path, name: str) -> Path:
         raise PlacecatError(f"{file}, weights of {path.name}, is missing: put it there")
     if not file.resolve().is_relative_to(folder.resolve()):
         raise PlacecatError(
-            f"{file}, weights of {path.name}, is a link out of its folder: put the file there"
+            f"{file}, weights of {path.name}, is a link to a file outside the folder: replace it by a copy"
         )
     return file
 

@@ -18,12 +18,12 @@ CHANNELS = 3
 def load(
     path: Path, output: str | None = None, sha256: str | None = None
 ) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
-    """Open an ONNX file.
+    """Load the network in an ONNX file, and return a function that applies it to an image.
 
     Parameters
     ----------
     path
-        The file. Its one input takes an image as (1, 3, height, width) float32.
+        The file. The network must have one input: an image, (1, 3, height, width) float32.
     output
         Name of the output to use; None for the first.
     sha256
@@ -31,13 +31,14 @@ def load(
 
     Returns
     -------
-    (1, 3, H, W) float32 to the output, float32.
+    A function from an image, (1, 3, H, W) float32, to the output, float32 of any shape.
 
     Raises
     ------
     PlacecatError
-        If onnxruntime or the file is missing, or the file is refused by `onnx_content.check`, is no ONNX,
-        does not take one image, or lacks the output; when called, for an image of the wrong size.
+        If onnxruntime or the file is missing, if `onnx_content.check` refuses the file, or if it is not an
+        ONNX file, does not take one image or lacks the output. The function raises it for an image of the
+        wrong size.
     """
     with reading(path):
         is_there = path.is_file()
