@@ -43,6 +43,25 @@ def test_what_has_not_changed_is_left_alone(made):
     assert made() == []
 
 
+def test_all_items_to_make_are_named_before_the_first_is_made(made):
+    calls = []
+
+    def refresh():
+        wanted = {name: Inputs({}, (Path(name),)) for name in ("one", "two", "three")}
+        items.refresh("cues", FOLDER, wanted, make, begin=calls.append)
+
+    def make(name, folder):
+        calls.append(name)
+        folder.mkdir()
+
+    Path("three").write_text("3")
+    Path("one").write_text("1")
+    refresh()
+    assert calls == [["one", "three"], "one", "three"]
+    refresh()
+    assert len(calls) == 3
+
+
 @pytest.mark.parametrize(
     "damage",
     [

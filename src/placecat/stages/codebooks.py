@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from placecat import files, items, parallel, paths, settings, store
+from placecat import files, items, paths, settings, store
 from placecat.cues.codebook import settings_of
 from placecat.stages import run
 from placecat.training import plan as plans
@@ -26,24 +26,27 @@ def main() -> None:
         for name in settings.get(params, "codebooks")
         for codebook in [settings_of(params, name)]
     }
-    items.refresh("codebooks", paths.CODEBOOKS, wanted, lambda name, folder: make(name, folder, params))
+    items.refresh_together("codebooks", paths.CODEBOOKS, wanted, make_one, lambda name: plan(name, params))
 
 
-def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
-    """Cluster one kind of descriptor for every training set of its schemes, once for each seed."""
+def plan(name: str, params: Mapping[str, Any]) -> items.Work:
+    """Plan a tree of one kind of descriptor for every training set of its schemes and every seed."""
     codebook = settings_of(params, name)
     cue = Cue(codebook["descriptor"], {}, codebook)
     tested = settings.get(params, "protocol.test_homes")
     tasks = {
-        paths.codebook_file(plan.training_set, seed): (plan, cue, seed)
+        paths.codebook_file(fold.training_set, seed): (fold, cue, seed)
         for scheme in codebook["schemes"]
-        for plan in plans.of_homes(params, scheme, tested)
+        for fold in plans.of_homes(params, scheme, tested)
         for seed in settings.get(params, "protocol.seeds")
     }
-    results = parallel.in_parallel(make_one, list(tasks.values()), f"codebook {name}")
-    for file, arrays in zip(tasks, results, strict=True):
-        files.write_arrays(folder / file, arrays)
-    files.write_json(folder / "descriptor.json", codebook["descriptor"])
+
+    def write(folder: Path, results: list[dict[str, Any]]) -> None:
+        for file, arrays in zip(tasks, results, strict=True):
+            files.write_arrays(folder / file, arrays)
+        files.write_json(folder / "descriptor.json", codebook["descriptor"])
+
+    return list(tasks.values()), write
 
 
 def make_one(plan: plans.Plan, cue: Cue, seed: int) -> dict[str, Any]:

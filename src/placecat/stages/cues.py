@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from placecat import cues, files, fold_file, items, parallel, paths, settings, store
+from placecat import cues, files, fold_file, items, paths, settings, store
 from placecat.fusion.temperature import temper
 from placecat.stages import run
 from placecat.training import plan as plans
@@ -20,7 +20,7 @@ def main() -> None:
         name: items.Inputs([cue, *shared], tuple(_paths(cue, homes, params)))
         for name, cue in settings.get(params, "cues").items()
     }
-    items.refresh("cues", paths.CUES, wanted, lambda name, folder: make(name, folder, params))
+    items.refresh_together("cues", paths.CUES, wanted, apply, lambda name: plan(name, params))
 
 
 def _paths(cue: Mapping[str, Any], homes: Sequence[str], params: Mapping[str, Any]) -> Iterator[Path]:
@@ -42,26 +42,29 @@ def _extra_homes(params: Mapping[str, Any]) -> list[str]:
     return [f"{extra['split']}/{sequence}" for sequence in extra["sequences"]]
 
 
-def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
-    """Train and apply one cue in every fold of each of its schemes."""
+def plan(name: str, params: Mapping[str, Any]) -> items.Work:
+    """Plan the training of one cue in every fold of each of its schemes, and the files of the results."""
     own, cue = settings.get(params, f"cues.{name}"), Cue.of(params, name)
     tested = settings.get(params, "protocol.test_homes")
     seeds = settings.get(params, "protocol.seeds") if cue.codebook is not None else [None]
     tasks: list[tuple[Any, ...]] = []
-    places: list[Path] = []
+    places: list[tuple[str, str, str]] = []
     for scheme in own["schemes"]:
         extra = own["extra"] and scheme == "5-5-1"
-        for plan in plans.of_homes(params, scheme, tested, extra=extra):
+        for fold in plans.of_homes(params, scheme, tested, extra=extra):
             for seed in seeds:
                 clusters = None
                 if seed is not None:
-                    clusters = paths.codebook(own["codebook"], plan.training_set, seed)
-                tasks.append((plan, cue, clusters, own["cross_validate"]))
-                places.append(fold_file.path_of(folder / scheme, plan.test, paths.seed_name(seed)))
-    results = parallel.in_parallel(apply, tasks, f"cue {name}")
-    for place, result in zip(places, results, strict=True):
-        facts = result.pop("facts")
-        fold_file.write(place, result, facts)
+                    clusters = paths.codebook(own["codebook"], fold.training_set, seed)
+                tasks.append((fold, cue, clusters, own["cross_validate"]))
+                places.append((scheme, fold.test, paths.seed_name(seed)))
+
+    def write(folder: Path, results: list[dict[str, Any]]) -> None:
+        for (scheme, test, seed_name), result in zip(places, results, strict=True):
+            facts = result.pop("facts")
+            fold_file.write(fold_file.path_of(folder / scheme, test, seed_name), result, facts)
+
+    return tasks, write
 
 
 def apply(plan: plans.Plan, cue: Cue, clusters: Path | None, cross_validate: bool) -> dict[str, Any]:

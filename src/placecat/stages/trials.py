@@ -55,6 +55,7 @@ def main() -> None:
         lambda study, folder: make(studies[study], folder, outcomes, params),
         begin=lambda names: outcomes.plan([studies[name] for name in names]),
     )
+    outcomes.end()
     facts = [paths.TRIALS / study / "facts.csv" for study in studies]
     flat = sum(int(files.read_csv(path)["flat_sigmoids"].sum()) for path in facts)
     if flat:
@@ -101,8 +102,7 @@ class Outcomes:
 
     def end(self) -> None:
         """End the pool and its progress bar."""
-        for group, results in self._waiting:
-            self._computed |= zip(group, results, strict=True)
+        next(self._waiting, None)
 
     def _cells(self, trial: Trial) -> list[_Cell]:
         seeds = self._seeds if trial.settings.get("codebook") is not None else [None]
@@ -120,7 +120,7 @@ class Outcomes:
 
 
 def _shared(trial: Mapping[str, Any]) -> str:
-    """What trials of one group share, as text: the clusters, or all but the settings of the classifiers."""
+    """Name a group of trials by its clusters, or by all settings but those of base classifier and scheme."""
     codebook, classifier = trial.get("codebook"), trial["classifier"]
     if codebook is None:
         codebook = {name: value for name, value in classifier.items() if name != "scheme"}
