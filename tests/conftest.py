@@ -35,12 +35,22 @@ hypothesis.settings.register_profile("placecat", max_examples=40, deadline=None)
 hypothesis.settings.load_profile("placecat")
 
 
+# Before pytest-xdist, which tells groups by what ends a test's name.
+@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
     """Mark what is slow; the longest group comes first, then the others, and last what waits for it."""
     for item in items:
         if SLOW & set(getattr(item, "fixturenames", ())):
             item.add_marker("slow")
+        if _shares_a_fixture(item) and item.get_closest_marker("xdist_group") is None:
+            item.add_marker(pytest.mark.xdist_group(item.nodeid.partition("::")[0]))
     items.sort(key=_turn)
+
+
+def _shares_a_fixture(item):
+    """Whether a fixture is made once for the tests of a file: on another worker it would be made again."""
+    definitions = getattr(getattr(item, "_fixtureinfo", None), "name2fixturedefs", {})
+    return any(one[-1].scope == "module" for one in definitions.values())
 
 
 def _turn(item):

@@ -54,7 +54,9 @@ def test_every_figure_has_a_caption(name):
     assert figures.caption(name).endswith(".") and len(figures.caption(name)) > 20
 
 
-@pytest.mark.parametrize("number", MINE)
+@pytest.mark.parametrize(
+    "number", ["13", *(pytest.param(one, marks=pytest.mark.slow) for one in MINE if one != "13")]
+)
 def test_bytes_repeat_whatever_the_users_style(number, run, made, tmp_path):
     first, second = tmp_path / "first.png", tmp_path / "second.png"
     figures.render(f"figure_{number}", run, first)
