@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from placecat.evaluation.accuracy import home_accuracy
 from placecat.results.measured import Results, mean_and_spread
 
 AVERAGE = "Average"
@@ -125,7 +126,8 @@ def in_home(results: Results, name: str, number: int) -> Number:
     one, origins = results.find(name), (Origin(name, (home,)),)
     if one is None or home not in one.homes:
         return nothing(results.missing.get((name, home), f"nothing was measured in {home}"), origins=origins)
-    return Number(one.by_home()[:, one.homes.index(home)], one.is_random, origins=origins)
+    accuracies = [home_accuracy(of_home) for of_home in one.confusion[:, one.homes.index(home)]]
+    return Number(np.array(accuracies), one.is_random, origins=origins)
 
 
 def over_homes(results: Results, name: str, numbers: Sequence[int]) -> Number:
