@@ -13,6 +13,7 @@ from matplotlib.patches import Circle, Rectangle
 
 import made_run
 from made_run import BLANK, CLASSES, CLUSTERS, HOMES, LABELS
+from number_of_examples import examples
 from placecat.drawing import palette
 from placecat.drawing.style import house_style
 from placecat.errors import PlacecatError
@@ -271,7 +272,7 @@ def test_figure_19_shows_the_limits_of_what_is_rejected(run, made):
         figures.draw("figure_19", Run(made))
 
 
-@settings(deadline=None, max_examples=20)
+@settings(deadline=None, max_examples=examples(20))
 @given(st.lists(st.floats(0.01, 1), min_size=2, max_size=9))
 def test_shares_fill_the_bar(amounts):
     shares = np.array(amounts) / np.sum(amounts)
