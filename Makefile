@@ -40,7 +40,7 @@ test: $(READY_TEST) lint ## run every test
 	$(BIN)/python -m pytest $(WORKERS) tests
 
 test-quick: $(READY_TEST) ## run the tests that take seconds at most, without DVC, servers, browsers and the renderer
-	$(BIN)/python -m pytest $(WORKERS) -m "not slow" tests
+	$(BIN)/python -m pytest $(WORKERS) -m "not slow" --hypothesis-profile quick tests
 
 bench: $(READY_BENCH) $(VENV)/contributed ## time each piece beside what one would use instead; PIECE="..." chooses some
 	$(BIN)/python -m placecat_bench $(PIECE)

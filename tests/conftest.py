@@ -30,15 +30,19 @@ for _folder in (
 ):
     sys.path.insert(0, str(Path(__file__).parent / _folder))
 
+from number_of_examples import IN_FULL  # noqa: E402  in a folder that was just added
 
 # Fixtures that run DVC, a server, a browser or the renderer: what asks for one is slow.
 SLOW = {"clone", "committed", "experiments", "film", "ran", "reproduced", "server"}
 
 # No deadline: how long an example takes says how busy the machine is.
-hypothesis.settings.register_profile("placecat", max_examples=40, deadline=None)
+hypothesis.settings.register_profile("placecat", max_examples=IN_FULL, deadline=None)
+# For `make test-quick`, with --hypothesis-profile.
+hypothesis.settings.register_profile("quick", max_examples=IN_FULL // 4, deadline=None)
 hypothesis.settings.load_profile("placecat")
 
 
+# Before pytest-xdist, which tells groups by what ends a test's name.
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
     """Mark what is slow, put the tests of a module together that share its fixtures, and order all.

@@ -26,6 +26,7 @@ def test_damaged_inputs_give_one_message_or_what_they_gave(part, tmp_path):
     assert counts[damaged_inputs.MESSAGE] > FEW / 2
 
 
+@pytest.mark.slow
 def test_a_campaign_goes_on_where_it_stopped(tmp_path):
     cases, report = tmp_path / "cases.csv", tmp_path / "counts.csv"
     given = ["--parts", "labels", "--cases", str(cases), "--report", str(report), "--seconds", "60", "--most"]

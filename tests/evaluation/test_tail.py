@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
 
@@ -22,7 +22,6 @@ def test_limits_are_those_of_the_noncentral_t_distribution():
         assert stats.nct.cdf(t, 5, stats.norm.ppf(end) * np.sqrt(6)) == pytest.approx(below, abs=1e-4)
 
 
-@settings(deadline=None, max_examples=40)
 @given(VALUES, st.floats(-20, 20), st.floats(0, 10))
 def test_a_higher_threshold_has_a_larger_share(values, threshold, more):
     low, high = of_one_case(values, threshold), of_one_case(values, threshold + more)
@@ -31,7 +30,6 @@ def test_a_higher_threshold_has_a_larger_share(values, threshold, more):
     assert low.high <= high.high + 1e-9
 
 
-@settings(deadline=None, max_examples=40)
 @given(VALUES, st.floats(-20, 20))
 def test_the_share_above_is_that_below_of_opposite_values(values, threshold):
     below, above = of_one_case(values, threshold), of_one_case(-np.array(values), -threshold)

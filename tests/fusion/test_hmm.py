@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.fusion.hmm import (
     ForwardFilter,
@@ -50,7 +51,7 @@ def test_filter_equals_the_sum_over_all_paths(seed):
     np.testing.assert_allclose(forward_filter(likelihood, transition), uniform, rtol=1e-12)
 
 
-@settings(max_examples=30)
+@settings(max_examples=examples(30))
 @given(st.integers(0, 10_000), st.integers(2, 30), st.integers(1, 29))
 def test_filter_is_causal_and_normalised(seed, frames, cut):
     rng = np.random.default_rng(seed)
@@ -136,7 +137,7 @@ def filtered(likelihood, transition, **options):
     return np.array([forwards.step(row, **options) for row in likelihood])
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 @given(st.integers(0, 10_000), st.integers(2, 10))
 def test_over_several_steps_places_change_as_often_as_in_single_ones(seed, times):
     """Frames that are left out say nothing: their likelihood is the same for every place."""
@@ -148,7 +149,7 @@ def test_over_several_steps_places_change_as_often_as_in_single_ones(seed, times
     np.testing.assert_allclose(filtered(likelihood, transition, steps=times), expected, atol=1e-9)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 @given(st.integers(0, 10_000), st.integers(2, 10))
 def test_the_evidence_of_faster_frames_adds_up(seed, times):
     """Where places never change, a view seen in `times` frames is as much evidence as in one."""

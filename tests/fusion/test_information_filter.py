@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
+from number_of_examples import examples
 from placecat import schema
 from placecat.errors import PlacecatError
 from placecat.fusion.information_filter import dropped, hold, threshold_of
@@ -36,7 +37,7 @@ def walks(draw):
 
 
 @given(walks(), st.sampled_from([0.0, 0.09766, 0.13021, 9.0]))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 def test_equals_a_loop(walk, threshold):
     proba, information, parts = walk
     before = proba.copy()
@@ -47,7 +48,7 @@ def test_equals_a_loop(walk, threshold):
 
 
 @given(walks(), st.integers(0, 40))
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=examples(80), deadline=None)
 def test_is_causal(walk, end):
     proba, information, parts = walk
     end = min(end, len(proba))

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.fusion.delay import Delay
 from placecat.fusion.hmm import ForwardFilter, emission_matrix, likelihoods, transition_matrix
@@ -91,7 +92,7 @@ def stays(rng, frames=40):
     return rng.dirichlet(np.ones(3), frames) * 0.5 + 0.5 * np.eye(3)[places]
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 @given(
     st.integers(0, 10_000),
     st.floats(0.001, 0.03),
@@ -126,7 +127,7 @@ def test_every_frame_six_times_at_six_times_the_rate_says_the_same(
     assert np.abs(fast_hmm[5::6] - hmm).mean() < 0.5 * np.abs(unchanged[5::6] - unaware).mean()
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=examples(20), deadline=None)
 @given(st.integers(0, 10_000), st.floats(0.001, 0.03))
 def test_higher_rates_converge(seed, leave):
     """The finer the time, the less another halving changes: there is a filter in continuous time."""
@@ -139,7 +140,7 @@ def test_higher_rates_converge(seed, leave):
     assert third < 0.5 * second < 0.25 * first
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 @given(st.integers(0, 10_000), st.lists(st.floats(0.0, 3.0), min_size=10, max_size=10))
 def test_distributions_at_uneven_times(seed, seconds):
     proba = np.random.default_rng(seed).dirichlet(np.ones(3), 10)
@@ -186,7 +187,7 @@ def test_impossible_times_are_refused_and_change_nothing(seconds):
     np.testing.assert_array_equal(smoother.step(proba), other.step(proba))
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 @given(st.integers(0, 10_000), st.integers(2, 8))
 def test_homes_of_different_rates_are_counted_at_the_highest(seed, times):
     """A home filmed at a lower rate counts as if its frames were repeated, but for its very last frame."""

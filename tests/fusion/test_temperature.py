@@ -4,6 +4,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sklearn.metrics import log_loss
 
+from number_of_examples import examples
 from placecat.fusion.temperature import fit_temperature, temper
 
 
@@ -34,7 +35,7 @@ def test_no_other_temperature_has_less_log_loss():
         assert best <= balanced(truth, temper(proba, other)) + 1e-9
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 @given(seed=st.integers(0, 999), temperature=st.floats(0.01, 100))
 def test_tempered_distributions_keep_their_order_and_sum_to_one(seed, temperature):
     proba = np.random.default_rng(seed).dirichlet(np.full(5, 0.3), (7, 3))

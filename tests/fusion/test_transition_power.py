@@ -4,6 +4,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
+from number_of_examples import examples
 from placecat.fusion.transition_power import TransitionPower, generator
 
 
@@ -112,7 +113,7 @@ def test_without_a_logarithm_the_changes_come_at_random_times(matrix):
         np.testing.assert_allclose(TransitionPower(matrix)(0.7), expected, atol=1e-12)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 @given(matrices)
 def test_after_a_very_long_time_the_start_is_forgotten(matrix):
     power = TransitionPower(matrix)(1e7)

@@ -33,7 +33,9 @@ def test_all_plans_are_there() -> None:
             assert labels >= {"corridor", "office", "printer_area", "bathroom"}
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[] if name == "home_5" else pytest.mark.slow) for name in NAMES]
+)
 def test_every_room_of_a_plan_can_be_walked_to(name: str) -> None:
     plan = read(name)
     # Empty rooms: the walls, doors and leaves alone must leave a way. Furniture is checked by Room.

@@ -3,12 +3,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.learning.activations import activations, region_mask
 
 
 @given(st.lists(st.lists(st.integers(0, 8), max_size=5), max_size=12))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 def test_padded_against_a_loop(frames):
     expected = np.zeros((len(frames), 9), int)
     padded = np.full((len(frames), 5), 77)

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.learning.calibration import (
     CALIBRATIONS,
@@ -66,7 +67,7 @@ def test_pooling_would_get_the_sign_wrong_and_no_way_does():
         assert (fitted.sigmoids[:, 0] < -0.3).all(), kind
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=examples(20), deadline=None)
 @given(
     constant=st.floats(-50, 50),
     home=st.integers(0, 4),

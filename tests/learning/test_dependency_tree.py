@@ -8,6 +8,7 @@ from sklearn.base import clone
 from sklearn.exceptions import NotFittedError
 from sklearn.metrics import mutual_info_score
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.learning import dependency_tree as module
 from placecat.learning.dependency_tree import DependencyTree
@@ -126,7 +127,7 @@ def test_however_the_counts_are_kept_the_model_is_the_same(monkeypatch):
 
 
 @given(st.integers(0, 10_000), st.integers(2, 4), st.floats(0.01, 5), st.booleans())
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 def test_the_joint_distribution_sums_to_one(seed, n_values, alpha, dense):
     codes = linked_codes(25, 4, n_values, seed)
     configurations = np.array(list(itertools.product(range(n_values), repeat=4)))

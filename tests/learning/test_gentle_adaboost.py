@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.learning.gentle_adaboost import GentleAdaBoost
 from placecat.learning.memory import remembering
@@ -62,7 +63,7 @@ def test_quantile_bins_follow_opencv_on_continuous_features():
     assert abs(((ours > 0) == y).mean() - ((theirs > 0) == y).mean()) < 0.02
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=examples(10), deadline=None)
 @given(seed=st.integers(0, 500))
 def test_each_round_takes_the_best_stump(seed):
     rng = np.random.default_rng(seed)

@@ -11,6 +11,7 @@ from sklearn.exceptions import NotFittedError
 from sklearn.utils.estimator_checks import check_estimator
 from threadpoolctl import threadpool_limits
 
+from number_of_examples import examples
 from placecat.errors import NotComputable, PlacecatError
 from placecat.learning import hierarchical_kmeans as module
 from placecat.learning import kmeans_split
@@ -193,7 +194,7 @@ def test_seeds_are_drawn_by_squared_distance():
 
 
 @given(st.integers(1, 12), st.integers(1, 40), st.integers(2, 5), st.integers(0, 3))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 def test_duplicates_and_small_data(n_distinct, copies, branching, seed):
     rng = np.random.default_rng(seed)
     distinct = rng.permutation(64)[:n_distinct, None].astype(np.float32) * [1.0, 1e4]

@@ -5,6 +5,7 @@ from hypothesis import strategies as st
 from sklearn.metrics.pairwise import rbf_kernel
 from threadpoolctl import threadpool_info, threadpool_limits
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.learning import kernels
 from placecat.learning.kernels import KernelExpansion, check_samples, rbf_cross, rbf_gram, single_blas_thread
@@ -22,7 +23,7 @@ def test_gram_of_literal_points():
     np.testing.assert_allclose(gram, [[1, 0.5, 1], [0.5, 1, 0.5], [1, 0.5, 1]], atol=1e-6)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=examples(25), deadline=None)
 @given(n=st.integers(1, 40), m=st.integers(1, 30), d=st.integers(1, 6), seed=st.integers(0, 999))
 def test_kernels_against_naive_loop(n, m, d, seed):
     rng = np.random.default_rng(seed)

@@ -5,6 +5,7 @@ from hypothesis import strategies as st
 from sklearn.base import clone
 from sklearn.exceptions import NotFittedError
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.learning import knn as module
 from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
@@ -131,7 +132,7 @@ def test_many_regions_do_not_underflow():
 
 
 @given(st.integers(0, 500), st.integers(1, 4), st.sampled_from(["once", "per_region"]))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=examples(20), deadline=None)
 def test_rows_sum_to_one_and_the_order_of_regions_does_not_matter(seed, n_neighbors, weighting):
     rng = np.random.default_rng(seed)
     X, y = training_data(seed)

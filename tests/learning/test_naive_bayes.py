@@ -6,6 +6,7 @@ from sklearn.base import clone
 from sklearn.exceptions import NotFittedError
 from sklearn.naive_bayes import BernoulliNB, CategoricalNB
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.learning import naive_bayes as module
 from placecat.learning.naive_bayes import NaiveBayes
@@ -68,7 +69,7 @@ def test_blocks_do_not_matter(monkeypatch):
 
 
 @given(st.integers(0, 1000), st.integers(2, 4), st.permutations(range(30)))
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_order_of_samples_and_sums(seed, n_values, order):
     rng = np.random.default_rng(seed)
     X, y = rng.integers(0, n_values, (30, 4)), rng.integers(0, 3, 30)

@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from sklearn.base import clone
 from sklearn.svm import NuSVC
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.learning.nu_svm import NuSVM, accepted_nu, largest_feasible_nu
 
@@ -61,7 +62,7 @@ def test_infeasible_nu_is_refused():
         NuSVM(gamma=0.5, nu=0.2, nu_policy="refuse").fit(X, y)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 @given(st.integers(1, 3000), st.integers(1, 3000), st.floats(1e-3, 1.0))
 def test_accepted_nu_passes_libsvms_check(n_positive, n_negative, nu):
     value = accepted_nu(nu, n_positive, n_negative)
@@ -69,7 +70,7 @@ def test_accepted_nu_passes_libsvms_check(n_positive, n_negative, nu):
     assert value == pytest.approx(min(nu, largest_feasible_nu(n_positive, n_negative)), rel=1e-6)
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=examples(15), deadline=None)
 @given(n_positive=st.integers(1, 12), seed=st.integers(0, 99))
 def test_largest_feasible_nu_gives_a_finite_machine(n_positive, seed):
     rng = np.random.default_rng(seed)

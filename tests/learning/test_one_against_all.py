@@ -9,6 +9,7 @@ from sklearn.multiclass import OneVsRestClassifier
 from sklearn.naive_bayes import GaussianNB
 from sklearn.svm import NuSVC
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.learning.calibration import make_folds
 from placecat.learning.gentle_adaboost import GentleAdaBoost
@@ -127,7 +128,7 @@ def test_all_bases_learn_and_do_not_depend_on_threads(base):
     assert (np.diag(one.reliability_) > 0.6).all()
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=examples(15), deadline=None)
 @given(
     seed=st.integers(0, 99),
     reliability=st.sampled_from(["hard", "soft"]),
@@ -144,7 +145,7 @@ def test_rows_sum_to_one(seed, reliability, prior, uncertainty, spread):
         np.testing.assert_allclose(proba.sum(axis=1), 1.0)
 
 
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=examples(6), deadline=None)
 @given(permutation=st.permutations([0, 1, 2]), calibration=st.sampled_from(["consecutive", "homes_centred"]))
 def test_renamed_classes_permute_the_columns(permutation, calibration):
     X, y, groups = homes(90)

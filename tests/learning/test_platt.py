@@ -6,6 +6,7 @@ from scipy.optimize import minimize
 from sklearn.calibration import _SigmoidCalibration
 from sklearn.linear_model import LogisticRegression
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.learning.platt import apply_sigmoid, fit_sigmoid
 
@@ -24,7 +25,7 @@ def test_against_scikit_learn(scale, shift):
     np.testing.assert_allclose(apply_sigmoid(d, a, b), theirs, atol=2e-4)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 @given(
     n=st.integers(2, 60),
     seed=st.integers(0, 9999),

@@ -3,6 +3,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from number_of_examples import examples
 from placecat.learning import products
 from placecat.learning.products import RowProducts, row_products, squared_lengths, sum_products
 
@@ -11,7 +12,7 @@ def alone(function, rows):
     return np.concatenate([function(rows[place : place + 1]) for place in range(len(rows))])
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(
     n=st.one_of(st.integers(1, 60), st.sampled_from([239, 240, 241, 529])),
     m=st.one_of(st.integers(1, 33), st.sampled_from([303, 304, 305, 620])),

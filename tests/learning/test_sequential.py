@@ -4,6 +4,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.learning.gentle_adaboost import GentleAdaBoost
 from placecat.learning.nu_svm import NuSVM
@@ -59,7 +60,7 @@ def test_a_flat_sigmoid_never_says_yes(decision):
     assert model.decide(np.array([[0.5, 0.1]])).tolist() == [1]
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 @given(outputs=arrays(float, (4, 5), elements=st.floats(0, 1)), order=st.permutations(range(5)))
 def test_rows_sum_to_one_and_follow_the_definition(outputs, order):
     proba = listed(order, output="product").combine(outputs)

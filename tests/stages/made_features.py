@@ -1,10 +1,13 @@
 """A tiny project after the stage `features`: random descriptors that tell the place a little."""
 
 import json
+import os
 
 import numpy as np
 import pandas as pd
+import pytest
 import yaml
+from filelock import FileLock
 
 HOMES = ["H1", "H2", "H3", "H4"]
 CLASSES = ["bedroom", "kitchen", "bathroom"]
@@ -256,3 +259,19 @@ def run_stages(folder, monkeypatch):
     smoothing.main()
     splits.main()
     trials.main()
+
+
+def ran_once(tmp_path_factory):
+    """The folder in which the stages ran on the project, once for all workers. Tests do not change it."""
+    shared = tmp_path_factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        shared = shared.parent
+    folder, done = shared / "made_features", shared / "made_features.done"
+    with FileLock(shared / "made_features.lock"):
+        if not done.exists():
+            folder.mkdir()
+            with pytest.MonkeyPatch.context() as patch:
+                make(folder)
+                run_stages(folder, patch)
+            done.touch()
+    return folder

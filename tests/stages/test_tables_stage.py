@@ -104,18 +104,12 @@ def test_how_good_probabilities_are_has_a_row_a_result_and_two_of_them_are_in_th
     assert set(summary) == {"log_loss", *shown("metrics")["accuracy"]}
 
 
-def test_the_same_scores_give_the_same_bytes(run, monkeypatch):
-    monkeypatch.chdir(run)
-    first = contents(run, "reports")
-    tables.main()
-    assert contents(run, "reports") == first
-    assert len(first) > 100
-
-
-def test_an_optional_table_of_another_run_stays_and_any_other_goes(run, monkeypatch):
+def test_again_bytes_are_the_same_and_an_optional_table_of_another_run_stays(run, monkeypatch):
+    """The same scores give the same bytes; a table that no settings ask for goes."""
     monkeypatch.chdir(run)
     (name,) = definitions.optional()
     first = contents(run, "reports")
+    assert len(first) > 100
     kept = {f"{name}.csv": "table,note\nAddition,kept\n", f"{name}.md": "# kept\n", f"{name}.tex": "kept\n"}
     (paths.TABLES / "table_99.csv").write_text("gone\n")
     for file, text in kept.items():

@@ -3,22 +3,19 @@
 import numpy as np
 import pandas as pd
 import pytest
-from made_features import CLASSES, HOMES, PARAMS, STUDIES, make, run_stages
+from made_features import CLASSES, HOMES, PARAMS, STUDIES, make, ran_once
 
 from placecat import cues, fold_file
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.results.measured import from_scores
+from placecat.stages import splits, trials
 
 TREE = "trials/table_01/||"
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("trials")
-    with pytest.MonkeyPatch.context() as patch:
-        make(folder)
-        run_stages(folder, patch)
-    return folder
+    return ran_once(tmp_path_factory)
 
 
 def tables(folder):
@@ -65,10 +62,17 @@ def mark_unscored(folder, features, sequences):
     return labels >= 0
 
 
+def run_here(stage, folder, monkeypatch):
+    """Run one stage, which reads nothing that another of `run_stages` writes."""
+    monkeypatch.chdir(folder)
+    monkeypatch.setenv("PLACECAT_WORKERS", "1")
+    stage.main()
+
+
 def test_no_trial_learns_from_its_test_home(folder, tmp_path, monkeypatch):
     make(tmp_path)
     mark_unscored(tmp_path, "data/features/H3", "data/sequences/H3")
-    run_stages(tmp_path, monkeypatch)
+    run_here(trials, tmp_path, monkeypatch)
     plain, marked = tables(folder)[0], tables(tmp_path)[0]
     pd.testing.assert_frame_equal(*(one[one["home"] == "H3"].reset_index() for one in (plain, marked)))
     # Where H3 trains, its unscored frames do not count either.
@@ -78,7 +82,7 @@ def test_no_trial_learns_from_its_test_home(folder, tmp_path, monkeypatch):
 def test_no_split_learns_from_its_test_sequence(folder, tmp_path, monkeypatch):
     make(tmp_path)
     scored = mark_unscored(tmp_path, "data/site_features/site/robot", "data/site_sequences/site/robot")
-    run_stages(tmp_path, monkeypatch)
+    run_here(splits, tmp_path, monkeypatch)
     files = list((folder / "data/splits").rglob("*.npz"))
     assert len(files) == 5
     pairs = [
@@ -149,8 +153,6 @@ def test_a_marker_in_the_test_home_reaches_no_training_of_a_trial(tmp_path, monk
 
 @pytest.mark.parametrize(("marked", "differs"), [("robot", False), ("flip", True)])
 def test_a_marker_in_the_test_sequence_reaches_no_training_of_a_split(tmp_path, monkeypatch, marked, differs):
-    from placecat.stages import splits
-
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
     found = []
     for name, home in (("plain", None), ("marked", marked)):

@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from made_accuracies import measured, results
 
+from number_of_examples import examples
 from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED, Range
 from placecat.thesis.claims import Comparison, Side
 from placecat.thesis.judging import judge_comparison
@@ -156,7 +157,7 @@ def test_both_signs_takes_every_seed():
     assert (judged.measurement.worse, judged.measurement.better) == (0, 1)
 
 
-@settings(deadline=None, max_examples=30)
+@settings(deadline=None, max_examples=examples(30))
 @given(
     st.lists(st.floats(-20, 20), min_size=6, max_size=6), st.floats(0, 10), st.floats(0, 10), st.booleans()
 )

@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from made_results import PARAMS, ROOT, STUDIES, contradictions, made, published, with_homes
+from number_of_examples import examples
 from optional import with_optional
 from placecat import lookup
 from placecat.errors import PlacecatError
@@ -228,7 +229,7 @@ def test_a_place_that_the_data_set_lacks_has_a_reason():
     assert (lacking["note"].str.split("; ").str[0] == "the data set has no such place").all()
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 @given(data=st.data())
 def test_every_cell_has_a_number_or_a_reason_whatever_could_not_be_computed(data):
     # Of the homes alone: what a split or the toy problem asks for is never left out.

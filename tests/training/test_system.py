@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_features import PARAMS, make, run_stages
+from made_features import PARAMS, ran_once
 
 from placecat import fold_file
 from placecat.training import system as systems
@@ -25,11 +25,7 @@ SMALL = [
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("system")
-    with pytest.MonkeyPatch.context() as patch:
-        make(folder)
-        run_stages(folder, patch)
-    return folder
+    return ran_once(tmp_path_factory)
 
 
 @pytest.mark.parametrize(

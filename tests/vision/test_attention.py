@@ -5,6 +5,7 @@ import reference_attention as reference
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.vision.attention import compute_maps, find_regions
 from placecat.vision.maps import FIELDS, FrameMaps
@@ -80,7 +81,7 @@ def test_other_scales_and_radii():
 
 
 @given(st.tuples(*[st.integers(0, 255)] * 3), st.integers(33, 90), st.integers(33, 90))
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 def test_flat_frames_have_no_regions(bgr, height, width):
     maps = compute_maps(np.full((height, width, 3), bgr, np.uint8))
     assert not any(getattr(maps, name)[s].any() for name in DICTS[2:] for s in maps.scales)
@@ -89,7 +90,7 @@ def test_flat_frames_have_no_regions(bgr, height, width):
 
 
 @given(st.integers(0, 10**6), st.integers(33, 120), st.integers(33, 120), st.sampled_from([1, 5, 25]))
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=examples(25), deadline=None)
 def test_any_frame(seed, height, width, most):
     rng = np.random.default_rng(seed)
     image = (rng.integers(0, 2, (height, width, 3)) * rng.integers(0, 256)).astype(np.uint8)

@@ -5,6 +5,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.vision import color
 
@@ -48,7 +49,7 @@ def test_pyramid_equals_that_of_every_pixels_channels(seed, height, width, clip)
         elements=st.sampled_from([0, 1, 128, 255]),
     )
 )
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 def test_any_frame_is_finite_within_range_and_strips_do_not_matter(image):
     total, planes = color.reduced_planes(image, strip_rows=4)
     channels = color.channels(planes)

@@ -4,6 +4,7 @@ import reference_attention as reference
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.vision import regions as module
 from placecat.vision import saliency
@@ -13,14 +14,14 @@ POINTS = st.lists(st.tuples(st.integers(0, 640), st.integers(0, 480), st.integer
 
 
 @given(POINTS, st.integers(1, 30))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 def test_acceptance_equals_brute_force(points, most):
     array = np.array(points, np.float32).reshape(-1, 3)
     assert module.accept(array, 640, max_regions=most).tolist() == reference.accept(points, 640, most)
 
 
 @given(POINTS, st.integers(1, 30), st.integers(1, 7))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 def test_blocks_do_not_change_what_is_accepted(points, most, block):
     array = np.array(points, np.float32).reshape(-1, 3)
     with pytest.MonkeyPatch.context() as patch:

@@ -5,6 +5,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.vision import saliency as module
 from placecat.vision.attention import compute_maps
@@ -16,7 +17,7 @@ from placecat.vision.attention import compute_maps
     ),
     st.sampled_from([3, 5]),
 )
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=examples(300), deadline=None)
 def test_local_maxima_equal_flooding(plane, window):
     assert module.local_maxima(plane, window).tolist() == reference.local_maxima(plane, window)
 

@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from makers import smooth
 
+from number_of_examples import examples
 from placecat.errors import PlacecatError
 from placecat.vision.discovery import settings_of
 from placecat.vision.regions import accept
@@ -147,7 +148,7 @@ def test_of_two_that_come_too_close_the_younger_is_given_up():
     st.integers(1, 12),
     st.tuples(st.integers(-30, 30), st.integers(-20, 20)),
 )
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=examples(25), deadline=None)
 def test_whatever_is_found_the_regions_satisfy_the_inequality(found, most, shift):
     tracker = RegionTracker(max_regions=most, width=160)
     last = 0

@@ -1,10 +1,11 @@
 """The share of cases beyond a threshold, estimated from a few units."""
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import optimize, stats
+from scipy import optimize, special
 
 from placecat.evaluation.bootstrap import Interval
 
@@ -41,19 +42,25 @@ def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level
     scaled = distance / np.sqrt(variance)
     tail = (1.0 - level) / 2.0
     low, high = (_noncentrality(scaled * np.sqrt(n), n - 1, below) for below in (1.0 - tail, tail))
-    return Interval(*(float(stats.norm.cdf(one)) for one in (scaled, low / np.sqrt(n), high / np.sqrt(n))))
+    return Interval(*(float(special.ndtr(one)) for one in (scaled, low / np.sqrt(n), high / np.sqrt(n))))
 
 
 def _noncentrality(t: float, freedom: int, below: float) -> float:
     """The noncentrality for which a t distribution is at most `t` with probability `below`."""
     # scipy's distribution function fails far from 0, so the mean over the scale is computed here.
-    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
-    scale = np.sqrt(stats.chi2.ppf((nodes + 1.0) / 2.0, freedom) / freedom)
+    scale, weights = _scales(freedom)
     reach = 10.0 + 5.0 * abs(t)
     return float(
         optimize.brentq(
-            lambda center: float(weights @ stats.norm.cdf(t * scale - center)) / 2.0 - below,
+            lambda center: float(weights @ special.ndtr(t * scale - center)) / 2.0 - below,
             t - reach,
             t + reach,
         )
     )
+
+
+@lru_cache
+def _scales(freedom: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Scales of a t distribution, relative to their mean in square, and their weights, which sum to 2."""
+    nodes, weights = np.polynomial.legendre.leggauss(_NODES)
+    return np.sqrt(2.0 * special.gammaincinv(freedom / 2.0, (nodes + 1.0) / 2.0) / freedom), weights

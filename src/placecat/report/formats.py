@@ -1,9 +1,11 @@
 """Filled tables as Markdown and LaTeX: measured numbers first, published ones below."""
 
 from collections.abc import Callable, Mapping
+from functools import cache
 from typing import Any
 
 import pandas as pd
+from jinja2 import Environment
 
 from placecat.report.grid import shown_table
 from placecat.templates import environment
@@ -44,8 +46,7 @@ def latex(text: str) -> str:
 
 def table_markdown(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]) -> str:
     """Write one filled table as Markdown; parameters as for :func:`placecat.report.grid.shown_table`."""
-    escaping = environment("placecat.report").overlay(finalize=_only_text(markdown))
-    return escaping.get_template("table.md.j2").render(**shown_table(settings, table, dataset))
+    return _in_markdown().get_template("table.md.j2").render(**shown_table(settings, table, dataset))
 
 
 def table_latex(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]) -> str:
@@ -54,15 +55,25 @@ def table_latex(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mappi
     Published numbers are in italics below each row of measured ones, like standard errors under coefficients;
     footnotes give the reasons of empty cells. Parameters as for :func:`placecat.report.grid.shown_table`.
     """
-    # Delimiters that do not clash with LaTeX's braces.
-    escaping = environment("placecat.report").overlay(
+    return _in_latex().get_template("table.tex.j2").render(**shown_table(settings, table, dataset))
+
+
+# Once, since an environment compiles a template at its first use.
+@cache
+def _in_markdown() -> Environment:
+    return environment("placecat.report").overlay(finalize=_only_text(markdown))
+
+
+@cache
+def _in_latex() -> Environment:
+    """Delimiters that do not clash with LaTeX's braces."""
+    return environment("placecat.report").overlay(
         variable_start_string="<<",
         variable_end_string=">>",
         comment_start_string="<#",
         comment_end_string="#>",
         finalize=_only_text(latex),
     )
-    return escaping.get_template("table.tex.j2").render(**shown_table(settings, table, dataset))
 
 
 def _only_text(escape: Callable[[str], str]) -> Callable[[Any], Any]:

@@ -233,18 +233,25 @@ def from_scores(
 
 
 def _measured(scores: pd.DataFrame, lists: Sequence[tuple[str, ...]]) -> dict[str, Measured]:
+    # Plain lists, since pandas takes most of the time here: once per column, not once per result.
+    columns = {name: scores[name].tolist() for name in ("home", "seed", "truth", "decision", "frames")}
+    codes, names = pd.factorize(scores["result"])
+    rows: list[list[int]] = [[] for _ in names]
+    for row, code in enumerate(codes.tolist()):
+        if code >= 0:
+            rows[code].append(row)
     measured = {}
-    for name, rows in scores.groupby("result", sort=False):
-        seen = set(rows["truth"]) | set(rows["decision"])
+    for name, own in zip(names, rows, strict=True):
+        values = {column: [content[row] for row in own] for column, content in columns.items()}
+        seen = {*values["truth"], *values["decision"]}
         places = next((one for one in lists if seen <= set(one)), tuple(sorted(seen)))
-        homes, seeds = tuple(dict.fromkeys(rows["home"])), tuple(dict.fromkeys(rows["seed"]))
+        homes, seeds = tuple(dict.fromkeys(values["home"])), tuple(dict.fromkeys(values["seed"]))
         axes = {"seed": seeds, "home": homes, "truth": places, "decision": places}
         confusion = np.zeros([len(labels) for labels in axes.values()], np.int64)
-        # Without pandas' categories, which take most of the time here.
         index = []
         for column, labels in axes.items():
             number = {label: position for position, label in enumerate(labels)}
-            index.append([number[label] for label in rows[column]])
-        confusion[tuple(index)] = rows["frames"]
+            index.append([number[label] for label in values[column]])
+        confusion[tuple(index)] = values["frames"]
         measured[str(name)] = Measured(homes, seeds, places, confusion)
     return measured

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from placecat.evaluation.accuracy import home_accuracy
 from placecat.results.measured import Results, mean_and_spread
 
 AVERAGE = "Average"
@@ -128,9 +129,11 @@ def in_home(results: Results, name: str, number: int, place: str = "") -> Number
     one, origins = results.find(name), (Origin(name, (home,)),)
     if one is None or home not in one.homes:
         return nothing(results.missing.get((name, home), f"nothing was measured in {home}"), origins=origins)
+    index = one.homes.index(home)
     if not place:
-        return Number(one.by_home()[:, one.homes.index(home)], one.is_random, origins=origins)
-    values = one.by_class()[:, one.homes.index(home), one.classes.index(place)]
+        accuracies = [home_accuracy(of_home) for of_home in one.confusion[:, index]]
+        return Number(np.array(accuracies), one.is_random, origins=origins)
+    values = one.by_class()[:, index, one.classes.index(place)]
     origins = (Origin(name, (home,), place),)
     if not np.isfinite(values).all():
         return nothing(f"{home} has no frame of {place}", origins=origins)

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import pandas as pd
@@ -37,14 +38,14 @@ class Published:
             return self.of_trial(reference["result"], home)
         if "text" in reference:
             settings.refuse_unknown(reference, ["text", "quantity", "home"], "a number in the text")
-            found = self.text[self.text["name"] == reference["text"]]
-            for column in {"quantity", "home"} & reference.keys():
-                found = found[found[column] == reference[column]]
+            asked = {axis: reference[axis] for axis in ("quantity", "home") if axis in reference}
+            rows = self._of_text.get(reference["text"], [])
+            found = [value for own, value in rows if all(own[axis] == label for axis, label in asked.items())]
         else:
             settings.refuse_unknown(reference, ["table", *_AXES], "a published cell")
-            found = self.tables[self.tables["table"] == int(reference["table"])]
-            labels = [str(reference.get(axis, "")) for axis in _AXES]
-            found = found[(found[list(_AXES)] == labels).all(axis=1)]
+            labels = tuple(str(reference.get(axis, "")) for axis in _AXES)
+            cells = self._cells.get(int(reference["table"]), [])
+            found = [value for own, value in cells if own == labels]
         return self._only(found, reference)
 
     def of_trial(self, result: str, home: str = AVERAGE) -> float:
@@ -56,19 +57,40 @@ class Published:
         match = _TRIAL.fullmatch(result)
         if match is None:
             return float("nan")
-        found = self.tables[self.tables["table"] == int(match[1])]
-        empty = []
-        for axis, label in zip(_AXES, match.groups()[1:], strict=True):
-            if label:
-                found = found[found[axis] == label]
-            else:
-                empty.append(axis)
+        asked = match.groups()[1:]
+        found = [
+            (own, value)
+            for own, value in self._cells.get(int(match[1]), [])
+            if all(label in ("", one) for label, one in zip(asked, own, strict=True))
+        ]
         if len(found) > 1:
-            found = found[(found[empty] == home).any(axis=1)]
-        return self._only(found, result)
+            empty = [axis for axis, label in enumerate(asked) if not label]
+            found = [(own, value) for own, value in found if home in [own[axis] for axis in empty]]
+        return self._only([value for _, value in found], result)
+
+    # Plain containers: a search in pandas takes a hundred times as long.
+    @cached_property
+    def _cells(self) -> dict[int, list[tuple[tuple[str, ...], float]]]:
+        """Labels and values of each table's cells."""
+        cells: dict[int, list[tuple[tuple[str, ...], float]]] = {}
+        for table, *labels, value in zip(
+            *(self.tables[name] for name in ("table", *_AXES, "value")), strict=True
+        ):
+            cells.setdefault(int(table), []).append((tuple(labels), float(value)))
+        return cells
+
+    @cached_property
+    def _of_text(self) -> dict[str, list[tuple[dict[str, str], float]]]:
+        """Quantity, home and value of the numbers of each name."""
+        rows: dict[str, list[tuple[dict[str, str], float]]] = {}
+        for name, quantity, home, value in zip(
+            *(self.text[column] for column in ("name", "quantity", "home", "value")), strict=True
+        ):
+            rows.setdefault(name, []).append(({"quantity": quantity, "home": home}, float(value)))
+        return rows
 
     @staticmethod
-    def _only(found: pd.DataFrame, asked: object) -> float:
+    def _only(found: list[float], asked: object) -> float:
         if len(found) != 1:
             raise PlacecatError(f"the thesis has {len(found) or 'no'} numbers for {asked}, one is needed")
-        return float(found["value"].iloc[0])
+        return found[0]

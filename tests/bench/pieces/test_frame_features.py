@@ -41,6 +41,7 @@ def test_every_descriptor_is_a_part():
         assert len(part()) == 1
 
 
+@pytest.mark.slow
 def test_a_frame_of_each_home_as_jpeg():
     found = frames.jpegs()
     assert len(found) == 6

@@ -13,6 +13,7 @@ from matplotlib.patches import Circle, Rectangle
 
 import made_run
 from made_run import BLANK, CLASSES, CLUSTERS, HOMES, LABELS
+from number_of_examples import examples
 from placecat.drawing import palette
 from placecat.drawing.style import house_style
 from placecat.errors import PlacecatError
@@ -54,7 +55,9 @@ def test_every_figure_has_a_caption(name):
     assert figures.caption(name).endswith(".") and len(figures.caption(name)) > 20
 
 
-@pytest.mark.parametrize("number", MINE)
+@pytest.mark.parametrize(
+    "number", ["13", *(pytest.param(one, marks=pytest.mark.slow) for one in MINE if one != "13")]
+)
 def test_bytes_repeat_whatever_the_users_style(number, run, made, tmp_path):
     first, second = tmp_path / "first.png", tmp_path / "second.png"
     figures.render(f"figure_{number}", run, first)
@@ -269,7 +272,7 @@ def test_figure_19_shows_the_limits_of_what_is_rejected(run, made):
         figures.draw("figure_19", Run(made))
 
 
-@settings(deadline=None, max_examples=20)
+@settings(deadline=None, max_examples=examples(20))
 @given(st.lists(st.floats(0.01, 1), min_size=2, max_size=9))
 def test_shares_fill_the_bar(amounts):
     shares = np.array(amounts) / np.sum(amounts)

@@ -111,7 +111,9 @@ def titles(figure):
     return [axes.get_title(loc="left").strip() for axes in figure.axes if axes.get_title(loc="left")]
 
 
-@pytest.mark.parametrize("number", [11, 15, 16, 17, 20, "reliability"])
+@pytest.mark.parametrize(
+    "number", [11, 15, *(pytest.param(one, marks=pytest.mark.slow) for one in (16, 17, 20, "reliability"))]
+)
 def test_a_figure_is_drawn_and_its_bytes_repeat(number, tmp_path):
     assert figures.caption(f"figure_{number}").endswith(".")
     first, second = tmp_path / "first.png", tmp_path / "second.png"
