@@ -80,7 +80,8 @@ SETTINGS = [
 
 def own(folder, *command, check=True):
     """Run a command with the package of the copy, not with the one that is installed."""
-    return run(folder, *command, check=check, PYTHONPATH=str(folder / "src"))
+    # One worker starts faster than two where there is little to do.
+    return run(folder, *command, check=check, PYTHONPATH=str(folder / "src"), PLACECAT_WORKERS="1")
 
 
 @pytest.fixture(scope="module")

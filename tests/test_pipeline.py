@@ -281,18 +281,20 @@ def light(tmp_path_factory):
 
 
 @pytest.mark.parametrize(
-    ("override", "stage", "message"),
+    ("override", "stage", "message", "workers"),
     [
-        ("cues.gist.classifier.base.nu=1.5", "cues", "nu=1.5: it must be less than or equal to 1"),
+        ("cues.gist.classifier.base.nu=1.5", "cues", "nu=1.5: it must be less than or equal to 1", "1"),
+        # From a worker process, too. One worker starts faster where there is little to do.
         (
             "cues.gist.classifier.base={nu_policy: refuse, nu: 0.9}",
             "cues",
             "nu = 0.9 is infeasible for class 'bedroom'",
+            "2",
         ),
-        ("cues.hog_y.classifier.clusters=47", "cues", "46"),
-        ("cues.hog_y.classifier.clusters=61", "cues", "46"),
-        ("cues.hog_y.classifier.base.alfa=1", "cues", "'alfa'"),
-        ("codebooks.hog_y.tree.max_clusters=40", "codebooks", "31 "),
+        ("cues.hog_y.classifier.clusters=47", "cues", "46", "1"),
+        ("cues.hog_y.classifier.clusters=61", "cues", "46", "1"),
+        ("cues.hog_y.classifier.base.alfa=1", "cues", "'alfa'", "1"),
+        ("codebooks.hog_y.tree.max_clusters=40", "codebooks", "31 ", "1"),
     ],
     ids=[
         "impossible nu",
@@ -304,7 +306,7 @@ def light(tmp_path_factory):
     ],
 )
 def test_impossible_settings_give_one_message_and_leave_nothing(
-    reproduced, light, tmp_path, override, stage, message
+    reproduced, light, tmp_path, override, stage, message, workers
 ):
     folder, _, _ = reproduced
     (tmp_path / "data").mkdir()
@@ -317,7 +319,8 @@ def test_impossible_settings_give_one_message_and_leave_nothing(
     (tmp_path / "src").symlink_to(folder / "src")
     before = inodes(tmp_path, stage)
     (tmp_path / "params.yaml").write_text(compose([*SMALL, f"++{override}"], conf=light))
-    result = run(tmp_path, "python", "-m", f"placecat.stages.{stage}", check=False)
+    command = ("python", "-m", f"placecat.stages.{stage}")
+    result = run(tmp_path, *command, check=False, PLACECAT_WORKERS=workers)
     check_refused(result, message)
     assert inodes(tmp_path, stage) == before
 
