@@ -1,0 +1,74 @@
+"""Faults of a drawn home: why its plan, furniture or walk would not do."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from placecat_homes.building import Building
+from placecat_homes.drawn.ranges import KINDS
+from placecat_homes.placing.placed import Placed
+from placecat_homes.placing.room import Room
+from placecat_homes.plan_parts import RoomPlan
+from placecat_homes.walking.walk import Walk
+
+LARGEST = {"bedroom": 1.2, "living_room": 0.9, "dining_room": 0.6, "kitchen": 0.3, "bathroom": 0.3}
+"""Square metres of floor that the largest thing of a room covers at least: a bed, a sofa, a table."""
+STANDING = {"bedroom": 2, "living_room": 3, "dining_room": 2, "kitchen": 3, "bathroom": 3}
+"""Things on the floor of a room, at least."""
+COVERED = 0.08
+"""Share of the floor that furniture covers at least."""
+LEAST_FRAMES = 5
+"""Frames in which the camera is in a room, at least."""
+
+_BEYOND = 0.06
+
+
+def faults(building: Building, walk: Walk) -> Iterator[str]:
+    """List what is wrong with a home.
+
+    Parameters
+    ----------
+    building
+        Furnished.
+    walk
+        Through all of its rooms.
+
+    Yields
+    ------
+    str
+        E.g. "bedroom_1 is nearly empty".
+    """
+    for plan, room in zip(building.plan.rooms, building.rooms, strict=True):
+        yield from _of_room(plan, room)
+    ground = building.ground()
+    if not ground.is_free(walk.position[:, :2]).all():
+        yield "the walk leads through furniture or walls"
+    where = ground.room_at(walk.position[:, :2])
+    labels = np.array(walk.label)
+    for k, plan in enumerate(building.plan.rooms):
+        seen = (where == k) & (labels == plan.label)
+        if plan.kind in KINDS and seen.sum() < LEAST_FRAMES:
+            yield f"the walk hardly shows {plan.name}"
+
+
+def _of_room(plan: RoomPlan, room: Room) -> Iterator[str]:
+    width, depth = plan.size
+    for thing in room.placed:
+        box = thing.box()
+        if max(-box[0], -box[1], box[2] - width, box[3] - depth) > _BEYOND and thing.z < room.height - 0.05:
+            yield f"a thing of {plan.name} stands in a wall"
+            break
+    if not room.walkable():
+        yield f"furniture blocks a door of {plan.name}"
+    if plan.kind not in KINDS:
+        return
+    areas = [_area(thing) for thing in room.blocking]
+    if len(areas) < STANDING[plan.kind] or sum(areas) < COVERED * width * depth:
+        yield f"{plan.name} is nearly empty"
+    elif max(areas) < LARGEST[plan.kind]:
+        yield f"{plan.name} lacks what makes it one"
+
+
+def _area(thing: Placed) -> float:
+    sides = np.ptp(thing.corners(), axis=0)
+    return float(sides[0] * sides[1])
