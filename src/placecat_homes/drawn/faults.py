@@ -13,7 +13,7 @@ from placecat_homes.walking.walk import Walk
 
 LARGEST = {"bedroom": 1.2, "living_room": 0.9, "dining_room": 0.6, "kitchen": 0.3, "bathroom": 0.3}
 """Square metres of floor that the largest thing of a room covers at least: a bed, a sofa, a table."""
-STANDING = {"bedroom": 2, "living_room": 3, "dining_room": 2, "kitchen": 3, "bathroom": 3}
+STANDING = {"bedroom": 2, "living_room": 3, "dining_room": 1, "kitchen": 3, "bathroom": 3}
 """Things on the floor of a room, at least."""
 COVERED = 0.08
 """Share of the floor that furniture covers at least."""
@@ -39,7 +39,7 @@ def faults(building: Building, walk: Walk) -> Iterator[str]:
         E.g. "bedroom_1 is nearly empty".
     """
     for plan, room in zip(building.plan.rooms, building.rooms, strict=True):
-        yield from _of_room(plan, room)
+        yield from _of_room(building, plan, room)
     ground = building.ground()
     if not ground.is_free(walk.position[:, :2]).all():
         yield "the walk leads through furniture or walls"
@@ -51,13 +51,14 @@ def faults(building: Building, walk: Walk) -> Iterator[str]:
             yield f"the walk hardly shows {plan.name}"
 
 
-def _of_room(plan: RoomPlan, room: Room) -> Iterator[str]:
+def _of_room(building: Building, plan: RoomPlan, room: Room) -> Iterator[str]:
     width, depth = plan.size
-    for thing in room.placed:
-        box = thing.box()
-        if max(-box[0], -box[1], box[2] - width, box[3] - depth) > _BEYOND and thing.z < room.height - 0.05:
-            yield f"a thing of {plan.name} stands in a wall"
-            break
+    boxes = [thing.box() for thing in room.blocking]
+    if any(max(-box[0], -box[1], box[2] - width, box[3] - depth) > _BEYOND for box in boxes):
+        yield f"a thing of {plan.name} stands in a wall"
+    for other in building.plan.rooms:
+        if other is not plan and any(_reaches(thing, plan, other) for thing in room.placed):
+            yield f"a thing of {plan.name} reaches into {other.name}"
     if not room.walkable():
         yield f"furniture blocks a door of {plan.name}"
     if plan.kind not in KINDS:
@@ -67,6 +68,15 @@ def _of_room(plan: RoomPlan, room: Room) -> Iterator[str]:
         yield f"{plan.name} is nearly empty"
     elif max(areas) < LARGEST[plan.kind]:
         yield f"{plan.name} lacks what makes it one"
+
+
+def _reaches(thing: Placed, plan: RoomPlan, other: RoomPlan) -> bool:
+    x, y = plan.rect[:2]
+    x0, y0, x1, y1 = other.rect
+    box = thing.box()
+    wide = min(x + box[2], x1) - max(x + box[0], x0)
+    deep = min(y + box[3], y1) - max(y + box[1], y0)
+    return bool(min(wide, deep) > _BEYOND)
 
 
 def _area(thing: Placed) -> float:

@@ -81,11 +81,9 @@ def top_view(building: Building, walk: Walk | None = None, *, scale: float = 60.
         cv2.polylines(picture, [pixels(walk.position[:, :2])], False, (60, 60, 220), 1, cv2.LINE_AA)
     for room in plan.rooms:
         x0, y0, x1, y1 = room.rect
-        at = pixels([(x0 + 0.1, y1 - 0.3)])[0]
-        text = f"{room.name.replace('_', ' ')} {(x1 - x0) * (y1 - y0):.1f} m2"
-        cv2.putText(
-            picture, text, tuple(map(int, at)), cv2.FONT_HERSHEY_SIMPLEX, 0.38, (0, 0, 0), 1, cv2.LINE_AA
-        )
+        for line, text in enumerate((room.name.replace("_", " "), f"{(x1 - x0) * (y1 - y0):.1f} m2")):
+            x, y = (int(value) for value in pixels([(x0 + 0.08, y1 - 0.25 - 0.25 * line)])[0])
+            cv2.putText(picture, text, (x, y), cv2.FONT_HERSHEY_SIMPLEX, 0.38, (0, 0, 0), 1, cv2.LINE_AA)
     return picture
 
 
