@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 import numpy as np
+from numpy.typing import NDArray
 
 from placecat_homes.building import Building
 from placecat_homes.drawn.ranges import KINDS
@@ -18,9 +19,11 @@ STANDING = {"bedroom": 2, "living_room": 3, "dining_room": 1, "kitchen": 3, "bat
 COVERED = 0.08
 """Share of the floor that furniture covers at least."""
 LEAST_FRAMES = 5
-"""Frames in which the camera is in a room, at least."""
+"""Frames in which the camera is in a room and looks at one of its two largest things, at least."""
 
 _BEYOND = 0.06
+_AIM = np.radians(30)
+_NEAREST = 0.7
 
 
 def faults(building: Building, walk: Walk) -> Iterator[str]:
@@ -45,10 +48,21 @@ def faults(building: Building, walk: Walk) -> Iterator[str]:
         yield "the walk leads through furniture or walls"
     where = ground.room_at(walk.position[:, :2])
     labels = np.array(walk.label)
-    for k, plan in enumerate(building.plan.rooms):
-        seen = (where == k) & (labels == plan.label)
+    for k, (plan, room) in enumerate(zip(building.plan.rooms, building.rooms, strict=True)):
+        seen = (where == k) & (labels == plan.label) & _looks(walk, plan, room)
         if plan.kind in KINDS and seen.sum() < LEAST_FRAMES:
             yield f"the walk hardly shows {plan.name}"
+
+
+def _looks(walk: Walk, plan: RoomPlan, room: Room) -> NDArray[np.bool_]:
+    """Tell for each frame whether the camera looks at one of the two largest things of a room."""
+    largest = sorted(room.blocking, key=_area, reverse=True)[:2]
+    looks = np.zeros(len(walk.yaw), bool)
+    for thing in largest:
+        x, y = (thing.corners().mean(axis=0) + plan.rect[:2] - walk.position[:, :2]).T
+        aside = np.abs((np.arctan2(y, x) - walk.yaw + np.pi) % (2 * np.pi) - np.pi)
+        looks |= (aside < _AIM) & (np.hypot(x, y) > _NEAREST)
+    return looks
 
 
 def _of_room(building: Building, plan: RoomPlan, room: Room) -> Iterator[str]:
