@@ -66,7 +66,10 @@ def test_nothing_is_said_where_nothing_is_known(changes):
 
 
 def test_other_readings_are_not_findings():
-    assert len(table(row(), row(reading="as_printed", units="18 stays"))) == 1
+    made = table(row(), row(reading="as_printed", units="18 stays"))
+    assert len(made) == 1 and made.loc[1, "spread"] == 5.0
+    # An empty cell of the file may be read as no number.
+    assert table(row(reading=np.nan), row(reading="as_printed", units="18 stays")).equals(made)
 
 
 def test_an_unknown_range_is_refused():

@@ -41,7 +41,7 @@ def power_table(comparisons: pd.DataFrame, homes: int = 24) -> pd.DataFrame:
         known: comparisons of one home, of stays or of shares, and differences that were not published.
     """
     rows = []
-    for number, of_finding in comparisons[comparisons["reading"] == ""].groupby("finding"):
+    for number, of_finding in comparisons[comparisons["reading"].fillna("") == ""].groupby("finding"):
         known = [_known(row) for row in of_finding.to_dict("records")]
         row = {"number": number, "comparisons": len(known), "units": 0, "spread": np.nan}
         complete = [one for one in known if one is not None]
