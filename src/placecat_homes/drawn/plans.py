@@ -16,6 +16,8 @@ from placecat_homes.plan_parts import SIDES, Rect
 _TALL = 2.65
 _PLACES = ((0.08, 0.25), (0.75, 0.92), (0.35, 0.65))
 _TRIES = 30
+# Share of the floor that corridors have at most: that of the long corridor in conf/plan/home_2.yaml.
+_CORRIDORS = 0.22
 
 
 def draw(name: str, number: int, ranges: PlanRanges) -> dict[str, Any]:
@@ -77,6 +79,8 @@ def _attempt(
     }
     if not all(_fits(room["kind"], room["rect"], ranges) for room in plan["rooms"].values()):
         return None
+    if _corridors(sketch.rooms) > _CORRIDORS:
+        return None
     for side in rng.permutation(SIDES):
         entrance = {
             "rooms": [sketch.entrance],
@@ -99,6 +103,12 @@ def _fits(kind: str, rect: Rect, ranges: PlanRanges) -> bool:
     area, side = (x1 - x0) * (y1 - y0), min(x1 - x0, y1 - y0)
     (least, most), (shortest, longest) = ranges.areas[kind], ranges.sides[kind]
     return least - 0.1 <= area <= most + 0.1 and shortest - 0.02 <= side <= longest + 0.02
+
+
+def _corridors(rooms: Mapping[str, Rect]) -> float:
+    """Give the share of the floor that corridors have."""
+    areas = {name: (x1 - x0) * (y1 - y0) for name, (x0, y0, x1, y1) in rooms.items()}
+    return sum(area for name, area in areas.items() if name.startswith("corridor")) / sum(areas.values())
 
 
 def _possible(content: Mapping[str, Any]) -> bool:

@@ -38,6 +38,8 @@ def test_rooms_have_their_sizes_and_do_not_overlap(arrangement, name, number):
             assert least - 0.2 <= area <= most + 0.2 and shortest - 0.03 <= side <= longest + 0.03, room
         else:
             assert side >= RANGES.corridor[0] - 0.02, room
+    floor = {room.name: room.size[0] * room.size[1] for room in rooms}
+    assert sum(floor[name] for name in floor if name.startswith("corridor")) <= 0.221 * sum(floor.values())
     for a, b in combinations(rooms, 2):
         assert apart(a.rect, b.rect) >= 0.1, (a, b)
 
