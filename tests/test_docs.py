@@ -222,8 +222,8 @@ GIVEN = {
     "docs/own-data.md": "4.9 2.2 25.9 32,937 8,200 69,455 17,400 10.7",
     "docs/results.md": "2 3.3 0.7 1.4",
     # Of simulations, see tests/replication.
-    "docs/replication.md": "2 3 0.8 1.63 4.89 1.7 4,000 2.6 1.2 3.5 1.4 6.3 3.8 4.3 2.3 5.8 3.2 8.7 5.5 11.2 7.4 "
-    "7.9 0.6 2.5",
+    "docs/replication.md": "2 3 0.8 1.63 4.89 1.7 4,000 2.6 1.2 3.5 1.4 6.3 3.8 4.3 2.3 5.8 3.2 8.7 5.5 11.2 "
+    "7.4 7.9 0.6 2.5",
 }
 # Of a result: with a point, a comma or a unit.
 RESULT = re.compile(
