@@ -41,8 +41,7 @@ def faults(building: Building, walk: Walk) -> Iterator[str]:
     str
         E.g. "bedroom_1 is nearly empty".
     """
-    for plan, room in zip(building.plan.rooms, building.rooms, strict=True):
-        yield from _of_room(building, plan, room)
+    yield from of_rooms(building)
     ground = building.ground()
     if not ground.is_free(walk.position[:, :2]).all():
         yield "the walk leads through furniture or walls"
@@ -52,6 +51,12 @@ def faults(building: Building, walk: Walk) -> Iterator[str]:
         seen = (where == k) & (labels == plan.label) & _looks(walk, plan, room)
         if plan.kind in KINDS and seen.sum() < LEAST_FRAMES:
             yield f"the walk hardly shows {plan.name}"
+
+
+def of_rooms(building: Building) -> Iterator[str]:
+    """List what is wrong with the furniture, whatever the walk."""
+    for plan, room in zip(building.plan.rooms, building.rooms, strict=True):
+        yield from _of_room(building, plan, room)
 
 
 def _looks(walk: Walk, plan: RoomPlan, room: Room) -> NDArray[np.bool_]:

@@ -13,7 +13,7 @@ from placecat.errors import PlacecatError, SettingError
 from placecat.seeds import derive
 from placecat_homes.building import Building, build
 from placecat_homes.drawn import plans
-from placecat_homes.drawn.faults import faults
+from placecat_homes.drawn.faults import faults, of_rooms
 from placecat_homes.drawn.ranges import KINDS, LightRanges, PlanRanges, chosen
 from placecat_homes.walking.carriage import Carriage
 from placecat_homes.walking.walk import Walk, walk
@@ -22,6 +22,7 @@ from placecat_homes.walking.walk_statistics import Statistics
 SETTINGS = Path(__file__).parents[1] / "conf"
 
 _DRAWS = 40
+_WALKS = 6
 _CORRIDOR = 0.4
 
 
@@ -163,23 +164,33 @@ def draw(number: int, seed: int, source: Source) -> Home:
         rooms = _stays(name, attempt, plan["rooms"])
         try:
             building = build(plans.read(plan), attempt)
-            way = walk(
-                building.ground(),
-                np.random.default_rng(derive("walk", name)),
-                Statistics.of(read("walk", source.walk)),
-                Carriage.of(read("carriage", source.carriage)),
-                source.video.frames,
-                source.video.fps,
-                rooms=rooms,
-            )
+            reason = next(of_rooms(building), "")
+            if reason:
+                continue
+            for number_of_walk in range(1, _WALKS + 1):
+                of_walk = name if number_of_walk == 1 else f"{name}, walk {number_of_walk}"
+                way = _walk(of_walk, building, rooms, source)
+                reason = next(faults(building, way), "")
+                if not reason:
+                    light = _light(name, source.light)
+                    shot = {"name": of_walk, "building": attempt, **light, "rooms": rooms}
+                    return Home({"shot": shot, "plan": plan}, building, way)
         except PlacecatError as error:
             reason = str(error)
-            continue
-        reason = next(faults(building, way), "")
-        if not reason:
-            shot = {"name": name, "building": attempt, **_light(name, source.light), "rooms": rooms}
-            return Home({"shot": shot, "plan": plan}, building, way)
     raise PlacecatError(f"{name}: none of {_DRAWS} plans will do; the last: {reason}")
+
+
+def _walk(name: str, building: Building, rooms: list[str], source: Source) -> Walk:
+    """Walk through a building as `placecat_homes.film.Film` does for a video of that name."""
+    return walk(
+        building.ground(),
+        np.random.default_rng(derive("walk", name)),
+        Statistics.of(read("walk", source.walk)),
+        Carriage.of(read("carriage", source.carriage)),
+        source.video.frames,
+        source.video.fps,
+        rooms=rooms,
+    )
 
 
 def read(kind: str, name: str) -> dict[str, Any]:

@@ -112,7 +112,7 @@ def film(path: Path, source: Source, **changes: Any) -> "render.Film":
     content = settings.read_yaml(path, "remove the folder and run again")
     settings.refuse_unknown(content, ["shot", "plan"], str(path))
     shot = dict(content["shot"])
-    name = str(shot.pop("name"))
+    name, plan = str(shot.pop("name")), content["plan"]
     of_video = {
         "walk": source.walk,
         "carriage": source.carriage,
@@ -122,7 +122,7 @@ def film(path: Path, source: Source, **changes: Any) -> "render.Film":
     }
     size = (source.video.width, source.video.height)
     return render.assemble(
-        name, shot | of_video, name, content["plan"], where=f"{path} shot", size=size, **changes
+        name, shot | of_video, str(plan["name"]), plan, where=f"{path} shot", size=size, **changes
     )
 
 

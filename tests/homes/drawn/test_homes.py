@@ -47,7 +47,8 @@ def test_its_file_holds_all_of_it(home):
     """The building and the walk of a home come again from its YAML alone."""
     content = yaml.safe_load(home.text())
     assert content == home.content
-    assert content["plan"]["name"] == content["shot"]["name"] == name_of(3, 1)
+    assert content["plan"]["name"] == name_of(3, 1)
+    assert content["shot"]["name"].startswith(name_of(3, 1))
     again = build(plans.read(content["plan"]), content["shot"]["building"])
     assert np.array_equal(again.mesh.vertices, home.building.mesh.vertices)
 
