@@ -217,7 +217,8 @@ def angled(rng: np.random.Generator, ranges: PlanRanges) -> Sketch:
     """Draw rooms along a corridor with a corner."""
     sketch = Sketch()
     deep, wide = rng.uniform(*ranges.depth), rng.uniform(*ranges.corridor)
-    x, row = 0.0, []
+    x = 0.0
+    row: list[str] = []
     for kind in ("bedroom", "living_room", "dining_room"):
         width, _ = _in_row(rng, ranges, kind, deep)
         row.append(sketch.add(kind, x, 0.0, x + width, deep))

@@ -91,7 +91,9 @@ class Source:
         return cls(
             PlanRanges.of(content["plan"], f"{path} plan"),
             LightRanges.of(content["light"], f"{path} light"),
-            *(str(content[name]) for name in ("walk", "carriage", "camera")),
+            str(content["walk"]),
+            str(content["carriage"]),
+            str(content["camera"]),
             settings.call(Video, settings=changed, where=where),
         )
 

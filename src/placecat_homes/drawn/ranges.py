@@ -57,7 +57,7 @@ class PlanRanges:
         """Make them of settings; a missing, unknown or impossible one raises SettingError."""
         from placecat_homes.drawn import arrangements
 
-        pairs = {
+        pairs: dict[str, Any] = {
             name: _range(values, name, where, least, most)
             for name, least, most in (
                 ("height", 2.3, 4.0),
@@ -122,7 +122,7 @@ class LightRanges:
 def _range(values: Mapping[Any, Any], name: str, where: str, least: float, most: float) -> Range:
     given = values.get(name)
     try:
-        low, high = (float(value) for value in given)  # type: ignore[union-attr]
+        low, high = (float(value) for value in given)
     except (TypeError, ValueError):
         raise SettingError(f"{where} {name} must be [least, most], not {given!r}") from None
     if not least <= low <= high <= most:
