@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
+from placecat.replication import needed
 from placecat.report.benchmarks import times
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -130,6 +131,11 @@ def findings() -> str:
         for verdict in ("holds", "does not hold", "undecided")
     )
     return _markdown(["verdict", "rendered homes", "six real homes"], rows, 3)
+
+
+def power() -> str:
+    """How many homes decide each finding."""
+    return needed.markdown(needed.power_table(_read(str(needed.COMPARISONS))))
 
 
 def averages(name: str) -> str:

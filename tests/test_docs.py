@@ -19,6 +19,7 @@ from placecat import settings
 from placecat.__main__ import _parser
 from placecat.experiment import options, sweep
 from placecat.panoramas.command import read_settings
+from placecat_homes.__main__ import _parser as homes_parser
 from project import ROOT
 
 _SPEC = importlib.util.spec_from_file_location("fill", ROOT / "docs/fill.py")
@@ -48,7 +49,9 @@ def commands():
     for page, text in PAGES.items():
         lines = [line for kind, block in FENCE.findall(text) if kind == "sh" for line in block.splitlines()]
         spans = re.findall(r"`([^`\n]+)`", FENCE.sub("", text))
-        lines += [one for one in spans if re.match(r"(make|placecat|dvc|pip|python) [\w-]", one)]
+        lines += [
+            one for one in spans if re.match(r"(make|placecat|placecat-homes|dvc|pip|python) [\w-]", one)
+        ]
         for line in dict.fromkeys(lines):
             words = shlex.split(line, comments=True)
             while "&&" in words:
@@ -155,6 +158,7 @@ def test_every_command_is_one(page, words, monkeypatch):
         "dvc": check_dvc,
         "pip": check_pip,
         "python": check_python,
+        "placecat-homes": homes_parser().parse_args,
     }[name](words[1:])
 
 
@@ -217,6 +221,9 @@ GIVEN = {
     "docs/adding.md": "1.0",
     "docs/own-data.md": "4.9 2.2 25.9 32,937 8,200 69,455 17,400 10.7",
     "docs/results.md": "2 3.3 0.7 1.4",
+    # Of simulations, see tests/replication.
+    "docs/replication.md": "2 3 0.8 1.63 4.89 1.7 4,000 2.6 1.2 3.5 1.4 6.3 3.8 4.3 2.3 5.8 3.2 8.7 5.5 11.2 "
+    "7.4 7.9 0.6 2.5",
 }
 # Of a result: with a point, a comma or a unit.
 RESULT = re.compile(

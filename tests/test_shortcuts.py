@@ -4,14 +4,23 @@ import cv2
 import numpy as np
 import pytest
 
-from mp4 import frame_sizes
-from shortcuts import data_set, measure
+from placecat import settings
+from placecat.errors import PlacecatError
+from placecat_homes import __main__ as command
+from placecat_homes.drawn.rendering import dataset
+from placecat_homes.mp4 import frame_sizes
+from placecat_homes.shortcuts import LIMIT, measure, report
+from project import ROOT
 
-LIMIT = 35
-"""Percent that no shortcut may reach in the mean over the homes; chance is 20."""
 CLASSES = ["bedroom", "bathroom", "kitchen", "living_room", "dining_room"]
 STAY = 30
 """Frames of each room of a made home."""
+
+
+def data_set(name):
+    """A data set of conf/dataset, with its root made absolute."""
+    content = settings.read_yaml(ROOT / f"conf/dataset/{name}.yaml")
+    return content | {"root": ROOT / content["root"]}
 
 
 @pytest.mark.slow
@@ -95,3 +104,21 @@ def test_the_size_of_each_frame_is_read_in_the_order_of_showing(tmp_path):
     assert shown != stored
     assert frame_sizes(path).tolist() == shown
     assert frame_sizes(path)[noisy].min() > frame_sizes(path)[1:][~noisy[1:]].max()
+
+
+def test_the_command_judges_the_homes_in_a_folder(tmp_path, capsys):
+    """Planted brightness ends it with status 1; numbers are those of `measure`."""
+    made_homes(tmp_path, lambda room: {"light": 20 * (room - 2)})
+    for old in sorted(tmp_path.iterdir()):
+        old.rename(old.with_name(f"home_{'abcd'.index(old.stem) + 1}{old.suffix}"))
+    with pytest.raises(SystemExit) as ended:
+        command.main(["--shortcuts", str(tmp_path)])
+    assert "above 35 %" in str(ended.value)
+    assert capsys.readouterr().out.strip() == report(measure(dataset(tmp_path))).strip()
+
+
+def test_a_folder_without_two_homes_cannot_be_judged(tmp_path):
+    with pytest.raises(PlacecatError, match="has no homes"):
+        dataset(tmp_path)
+    with pytest.raises(PlacecatError, match="at least two homes"):
+        measure(data_set("homes") | {"homes": ["home_1"]})

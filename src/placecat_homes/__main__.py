@@ -1,30 +1,104 @@
-"""``python -m placecat_homes [VIDEO ...]``: render the videos that come with the project."""
+"""``placecat-homes``: render the videos that come with the project, or homes drawn from a seed."""
 
 import argparse
+import re
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 
 import placecat.stages  # noqa: F401  before NumPy: it chooses the kernels of OpenBLAS
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, exiting
+
+_EXAMPLES = """examples:
+  placecat-homes homes/home_1                    one video of data/
+  placecat-homes --homes 24 --seed 1             24 new homes into homes_of_seed_1/
+  placecat-homes --homes 24 --seed 1 --plans     only their floor plans, to look at
+  placecat-homes --shortcuts homes_of_seed_1     whether colour, brightness or file size tell their rooms
+
+Home 7 of seed 1 is always the same home, however many are made. A killed run continues where it was.
+PLACECAT_WORKERS sets the number of processes; no result depends on it."""
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Render the videos named, or all; a mistake of the user's ends with its message and status 1."""
-    parser = argparse.ArgumentParser(
-        prog="python -m placecat_homes",
-        description="Render videos of data/ again, which takes an hour or more for all, and draw the contact "
-        "sheet. Needs the optional extra: pip install -e '.[render]'.",
-    )
-    parser.add_argument("videos", nargs="*", metavar="VIDEO", help="e.g. homes/home_1; by default all")
-    options = parser.parse_args(arguments)
-    try:
+    """Run the command; a mistake of the user's ends with its message and status 1."""
+    options = _parser().parse_args(arguments)
+    with exiting():
+        _run(options)
+
+
+def _run(options: argparse.Namespace) -> None:
+    of_homes = {
+        name: value
+        for name in ("seed", "to", "size", "frames", "fps", "plans")
+        if (value := getattr(options, name)) not in (None, False)
+    }
+    if options.shortcuts is not None:
+        if options.videos or options.homes is not None or of_homes:
+            raise PlacecatError("--shortcuts takes a folder and no other option")
+        return _judge(options.shortcuts)
+    if options.homes is None:
+        if of_homes:
+            raise PlacecatError(f"--{next(iter(of_homes))} needs --homes: give a number of homes to draw")
         from placecat_homes.render import render
 
-        render(options.videos)
-    except PlacecatError as error:
-        sys.exit(f"placecat: {error}")
-    except KeyboardInterrupt:
-        sys.exit(130)
+        return render(options.videos)
+    if options.videos:
+        raise PlacecatError("give either videos of data/ or --homes")
+    if options.seed is None:
+        raise PlacecatError("--homes needs --seed: any whole number, e.g. --seed 1")
+    from placecat_homes.drawn.rendering import render_homes
+
+    video = {name: of_homes[name] for name in ("frames", "fps") if name in of_homes}
+    if options.size is not None:
+        video["width"], video["height"] = _size(options.size)
+    folder = options.to or Path(f"homes_of_seed_{options.seed}")
+    made = render_homes(options.homes, options.seed, folder, only_plans=options.plans, **video)
+    print(f"{len(made)} {'floor plans' if options.plans else 'homes'} are in {made[0].parent}")
+    return None
+
+
+def _judge(folder: Path) -> None:
+    from placecat_homes import shortcuts
+    from placecat_homes.drawn.rendering import dataset
+
+    table = shortcuts.measure(dataset(folder))
+    print(shortcuts.report(table))
+    if table["average"].max() > shortcuts.LIMIT:
+        sys.exit(f"placecat: a shortcut is above {shortcuts.LIMIT} % in {folder}")
+
+
+def _size(text: str) -> tuple[int, int]:
+    found = re.fullmatch(r"(\d{1,6})x(\d{1,6})", text)
+    if found is None:
+        raise PlacecatError(f"--size must be WIDTHxHEIGHT, e.g. 640x360, not {text!r}")
+    return int(found[1]), int(found[2])
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="placecat-homes",
+        description="Render the videos of data/ again, which takes an hour or more for all, and draw the "
+        "contact sheet; or render new homes, drawn from a seed. Needs the optional extra: "
+        "pip install -e '.[render]'.",
+        epilog=_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("videos", nargs="*", metavar="VIDEO", help="e.g. homes/home_1; by default all")
+    drawn = parser.add_argument_group("homes drawn from a seed (ranges in conf/drawn.yaml of the package)")
+    drawn.add_argument("--homes", type=int, metavar="N", help="draw and render homes 1 to N")
+    drawn.add_argument("--seed", type=int, metavar="S", help="of the homes")
+    drawn.add_argument("--to", type=Path, metavar="FOLDER", help="by default homes_of_seed_S")
+    drawn.add_argument("--size", metavar="WxH", help="of a frame in pixels, by default 640x360")
+    drawn.add_argument("--frames", type=int, metavar="N", help="of each home, by default 640")
+    drawn.add_argument("--fps", type=int, metavar="N", help="frames a second, by default 5")
+    drawn.add_argument("--plans", action="store_true", help="draw the floor plans and stop")
+    drawn.add_argument(
+        "--shortcuts",
+        type=Path,
+        metavar="FOLDER",
+        help="judge homes: print how far colour, brightness and file size alone tell their rooms",
+    )
+    return parser
 
 
 if __name__ == "__main__":

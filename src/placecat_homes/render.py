@@ -2,7 +2,8 @@
 
 import csv
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 SETTINGS = Path(__file__).with_name("conf")
 DATASET = paths.CONF / "dataset/homes.yaml"
+TEMPORARY = ".rendering-"
+"""How the names of folders begin in which a video is rendered."""
 
 
 def render(names: Sequence[str] = ()) -> None:
@@ -99,52 +102,114 @@ def film(name: str, **changes: Any) -> "Film":
     PlacecatError
         If the optional extra is missing, or a setting is unknown.
     """
-    try:
-        from placecat_homes.bake import Quality
-        from placecat_homes.film import Film, Finish, Shot
-    except ImportError as error:
-        raise PlacecatError(
-            f"rendering needs the optional extra ({error.name} is missing): pip install -e '.[render]'"
-        ) from None
+    video = dict(listed()[name])
+    plan = video.pop("plan")
+    of_plan = _read_settings(f"plan/{plan}")
+    return assemble(name, video, plan, of_plan, where=f"{SETTINGS / 'videos.yaml'} {name}", **changes)
+
+
+def assemble(
+    name: str,
+    video: Mapping[str, Any],
+    plan: str,
+    of_plan: Mapping[str, Any],
+    *,
+    where: str,
+    size: tuple[int, int] | None = None,
+    **changes: Any,
+) -> "Film":
+    """Make a film of a plan and the settings of its video.
+
+    Parameters
+    ----------
+    name
+        Of the video.
+    video
+        As in conf/videos.yaml, without the plan.
+    plan, of_plan
+        Name and content of the plan.
+    where
+        What messages call the settings of the video.
+    size
+        Width and height of a frame in pixels; None for the camera's own.
+    **changes
+        To the settings in conf/finish.yaml.
+
+    Returns
+    -------
+    Film
+        Lit, not yet rendered.
+
+    Raises
+    ------
+    PlacecatError
+        If the optional extra is missing, or a setting is unknown.
+    """
+    require_extra()
+    from placecat_homes.bake import Quality
+    from placecat_homes.film import Film, Finish, Shot
     from placecat_homes.floorplan import FloorPlan
     from placecat_homes.sensor import Sensor
     from placecat_homes.view import Lens
     from placecat_homes.walking.carriage import Carriage
     from placecat_homes.walking.walk_statistics import Statistics
 
-    video = dict(listed()[name])
-    where = f"{SETTINGS / 'videos.yaml'} {name}"
-    plan, walk, carriage, camera = (video.pop(key) for key in ("plan", "walk", "carriage", "camera"))
-    if "rooms" in video:
-        video["rooms"] = tuple(video["rooms"])
+    shot = dict(video)
+    walk, carriage, camera = (shot.pop(key) for key in ("walk", "carriage", "camera"))
+    if "rooms" in shot:
+        shot["rooms"] = tuple(shot["rooms"])
     lens_and_sensor = _read_settings(f"camera/{camera}")
+    lens = dict(lens_and_sensor["lens"])
+    if size is not None:
+        lens["width"], lens["height"] = size
     finish = _read_settings("finish") | changes
     finish.pop("video", None)
     light = settings.call(Quality, settings=finish.pop("light"), where=f"{SETTINGS}/finish.yaml light")
     gains = lens_and_sensor["sensor"] | {"gains": tuple(lens_and_sensor["sensor"]["gains"])}
     return Film(
-        settings.call(Shot, name, settings=video, where=where),
-        FloorPlan.from_dict(plan, _read_settings(f"plan/{plan}")),
+        settings.call(Shot, name, settings=shot, where=where),
+        FloorPlan.from_dict(plan, of_plan),
         Statistics.of(_read_settings(f"walk/{walk}")),
         Carriage.of(_read_settings(f"carriage/{carriage}")),
-        settings.call(Lens, settings=lens_and_sensor["lens"], where=f"{SETTINGS}/camera/{camera}.yaml lens"),
+        settings.call(Lens, settings=lens, where=f"{SETTINGS}/camera/{camera}.yaml lens"),
         settings.call(Sensor, settings=gains, where=f"{SETTINGS}/camera/{camera}.yaml sensor"),
         settings.call(Finish, settings=finish | {"light": light}, where=f"{SETTINGS}/finish.yaml"),
     )
 
 
+def require_extra() -> None:
+    """Raise PlacecatError if the optional extra is missing."""
+    try:
+        import placecat_homes.film  # noqa: F401
+    except ImportError as error:
+        raise PlacecatError(
+            f"rendering needs the optional extra ({error.name} is missing): pip install -e '.[render]'"
+        ) from None
+
+
 def _render(name: str) -> None:
+    target = paths.DATA / f"{name}.mp4"
+    with writing(target) as (video, labels):
+        write(film(name), video, labels, fps=listed()[name]["fps"])
+
+
+def write(made: "Film", video: Path, labels: Path, *, fps: int) -> None:
+    """Render a film into a video, and write its labels."""
     from placecat_homes.encode import write_video
 
-    made = film(name)
-    target = paths.DATA / f"{name}.mp4"
+    write_video(video, made.frames(), fps=fps, **_read_settings("finish")["video"])
+    _write_labels(labels, made.labels)
+
+
+@contextmanager
+def writing(target: Path) -> Iterator[tuple[Path, Path]]:
+    """Yield temporary paths of a video and its labels; rename them, the video last, if the block succeeds."""
     target.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=target.parent) as folder:
+    with tempfile.TemporaryDirectory(dir=target.parent, prefix=TEMPORARY) as folder:
         video, labels = Path(folder) / target.name, Path(folder) / f"{target.stem}.csv"
-        write_video(video, made.frames(), fps=listed()[name]["fps"], **_read_settings("finish")["video"])
-        _write_labels(labels, made.labels)
-        video.replace(target)
+        yield video, labels
         labels.replace(target.with_suffix(".csv"))
+        video.replace(target)
 
 
 def _write_labels(path: Path, labels: list[str]) -> None:

@@ -6,6 +6,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from placecat.errors import PlacecatError
+
 
 def frame_sizes(path: Path) -> NDArray[np.int64]:
     """Bytes of each frame of the one video track, in the order in which they are shown."""
@@ -44,5 +46,6 @@ def _runs(box: bytes, count: int) -> NDArray[np.int64]:
     """One value a frame of a table of (number of frames, value)."""
     table = np.frombuffer(box, ">i4", offset=8).reshape(-1, 2)
     values = np.repeat(table[:, 1], table[:, 0]).astype(np.int64)
-    assert len(values) == count
+    if len(values) != count:
+        raise PlacecatError(f"the index of the video has {len(values)} times for {count} frames")
     return values

@@ -1,19 +1,15 @@
 """How far colour, brightness or file size alone tell the rooms of homes that training never saw.
 
-A room should be known by what is in it. Run as a script, this prints a table for a data set of conf/dataset:
-
-    python tests/shortcuts.py homes
+A room should be known by what is in it. ``placecat-homes --shortcuts FOLDER``
+prints the table for the homes in a folder.
 """
 
-import sys
 from collections.abc import Callable, Mapping
-from pathlib import Path
 from typing import Any
 
 import cv2
 import numpy as np
 import pandas as pd
-import yaml
 from numpy.typing import NDArray
 from sklearn.discriminant_analysis import LinearDiscriminantAnalysis
 from sklearn.ensemble import RandomForestClassifier
@@ -22,11 +18,13 @@ from sklearn.pipeline import make_pipeline
 from sklearn.preprocessing import StandardScaler
 from sklearn.svm import SVC
 
-from mp4 import frame_sizes
+from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.sequences import open_home, place_labels, read_frames
+from placecat_homes.mp4 import frame_sizes
 
-ROOT = Path(__file__).resolve().parents[1]
+LIMIT = 35
+"""Percent that no shortcut may reach in the mean over the homes; chance is 20."""
 EVERY = 3
 """Every third labelled frame is used, as in the thesis."""
 AROUND = 25
@@ -47,14 +45,28 @@ CLASSIFIERS: dict[str, Callable[[int], Any]] = {
 """From the number of classes to an untrained classifier, which takes them for equally likely if it can."""
 
 
-def data_set(name: str) -> dict[str, Any]:
-    """A data set of conf/dataset, with its root made absolute."""
-    settings = yaml.safe_load((ROOT / f"conf/dataset/{name}.yaml").read_text())
-    return settings | {"root": ROOT / settings["root"]}
-
-
 def measure(dataset: Mapping[str, Any], every: int = EVERY) -> pd.DataFrame:
-    """Accuracy of every classifier on every shortcut, in percent, in each home and in the mean."""
+    """Accuracy of every classifier on every shortcut, each home left out of training in turn.
+
+    Parameters
+    ----------
+    dataset
+        As in conf/dataset, in the layout "video", with an absolute root; at least two homes.
+    every
+        Every so many labelled frames are used.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Percent, by shortcut and classifier; a column for each home and `average`.
+
+    Raises
+    ------
+    PlacecatError
+        For a single home.
+    """
+    if len(dataset["homes"]) < 2:
+        raise PlacecatError(f"{dataset['root']}: shortcuts need at least two homes, one to test in")
     seen = [_see(dataset, home, every) for home in dataset["homes"]]
     truths = [truth for truth, _ in seen]
     n_classes = len(dataset["classes"])
@@ -76,7 +88,10 @@ def _see(dataset: Mapping[str, Any], name: str, every: int) -> tuple[NDArray[np.
     frames = read_frames(home.root, home.frames.iloc[used])
     seen = pd.DataFrame([_look(frame) for frame in frames])
     bits = np.log(frame_sizes(home.root / home.frames["source"][0]))
-    assert len(bits) == len(home.frames)
+    if len(bits) != len(home.frames):
+        raise PlacecatError(
+            f"{home.root}: {home.frames['source'][0]} has {len(bits)} frames, not {len(home.frames)}"
+        )
     around = pd.Series(bits).rolling(AROUND, center=True, min_periods=1).mean().to_numpy()
     sizes = {"video size of the frame": bits[used], "video size of 5 s": around[used]}
     shortcuts = {name: np.stack(list(column)) for name, column in seen.items()} | sizes
@@ -108,9 +123,19 @@ def _leave_one_out(
     return accuracies
 
 
-if __name__ == "__main__":
-    shown = measure(data_set(sys.argv[1] if len(sys.argv) > 1 else "homes"))
-    print("| " + " | ".join([*shown.index.names, *shown.columns]) + " |")
-    print("|" + "---|" * len(shown.index.names) + "---:|" * len(shown.columns))
-    for (shortcut, name), row in shown.iterrows():
-        print(f"| {shortcut} | {name} | " + " | ".join(f"{value:.1f}" for value in row) + " |")
+def report(table: pd.DataFrame) -> str:
+    """Write the table of :func:`measure` as Markdown, and whether any shortcut is above `LIMIT`."""
+    lines = [
+        "| " + " | ".join([*map(str, table.index.names), *table.columns]) + " |",
+        "|" + "---|" * len(table.index.names) + "---:|" * len(table.columns),
+    ]
+    for names, row in zip(table.index, table.to_numpy(), strict=True):
+        lines.append("| " + " | ".join([*names, *(f"{value:.1f}" for value in row)]) + " |")
+    best = table["average"].idxmax()
+    return "\n".join(
+        [
+            *lines,
+            "",
+            f"Best: {best[1]} on {best[0]}, {table['average'].max():.1f} % (limit {LIMIT} %, chance 20 %).",
+        ]
+    )

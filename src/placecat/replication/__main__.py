@@ -1,0 +1,7 @@
+"""``python -m placecat.replication``: print the power of each finding on 24 homes, from the kept results."""
+
+from placecat.files import read_csv
+from placecat.replication.needed import COMPARISONS, markdown, power_table
+
+if __name__ == "__main__":
+    print(markdown(power_table(read_csv(COMPARISONS))))

@@ -1,0 +1,119 @@
+"""How many homes decide each finding, from the spread between the homes of a run."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from placecat.errors import PlacecatError
+from placecat.evaluation.verdict import Range, corrected_level
+from placecat.replication.simulation import power, spread
+
+COMPARISONS = Path("reports/findings_comparisons.csv")
+LEVEL = 0.98
+"""Level of the intervals of the replication; see docs/replication.md."""
+GROUP = 6
+"""Homes of a group, and of the run that the spread comes from."""
+RUN_LEVEL = 0.95
+"""Level of the intervals of that run."""
+
+_MOST = 240
+_WANTED = 0.8
+
+
+def power_table(comparisons: pd.DataFrame, homes: int = 24) -> pd.DataFrame:
+    """Compute the power of each finding.
+
+    Parameters
+    ----------
+    comparisons
+        As reports/findings_comparisons.csv: of one run on six homes.
+    homes
+        Of the replication, in groups of six.
+
+    Returns
+    -------
+    pandas.DataFrame
+        One row per finding: number, units (homes of the replication that decide it), spread (largest standard
+        deviation between homes, points), and for two truths, the published differences and the measured ones:
+        power (probability of a verdict with `homes` homes) and needed (homes for 80 %). NaN where nothing is
+        known: comparisons of one home, of stays or of shares, and differences that were not published.
+    """
+    rows = []
+    for number, of_finding in comparisons[comparisons["reading"].fillna("") == ""].groupby("finding"):
+        known = [_known(row) for row in of_finding.to_dict("records")]
+        row = {"number": number, "comparisons": len(known), "units": 0, "spread": np.nan}
+        complete = [one for one in known if one is not None]
+        if len(complete) == len(known):
+            row["units"] = min(round(share * homes) for share, *_ in complete)
+            row["spread"] = round(max(deviation for _, deviation, *_ in complete), 1)
+        for truth, effects in (("published", 3), ("measured", 4)):
+            usable = len(complete) == len(known) and not any(np.isnan(one[effects]) for one in complete)
+            row[f"power_{truth}"] = round(_power(complete, effects, homes), 2) if usable else np.nan
+            row[f"needed_{truth}"] = _needed(complete, effects) if usable else np.nan
+        rows.append(row)
+    return pd.DataFrame(rows)
+
+
+def _known(row: dict) -> tuple[float, float, Range, float, float] | None:
+    """Share of the homes, spread, claimed range, published and measured difference of a comparison."""
+    claimed = _claimed(str(row["range"]))
+    units = re.fullmatch(r"(\d+) homes?(?: x (\d+) seeds?)?", str(row["units"]))
+    if claimed is None or units is None or int(units[1]) < 2:
+        return None
+    homes, seeds = int(units[1]), int(units[2] or 1)
+    low, high = float(row["low"]), float(row["high"])
+    deviation = spread(low, high, homes * seeds, RUN_LEVEL)
+    published = pd.to_numeric(row["published"], errors="coerce")
+    return homes / GROUP, deviation, claimed, float(published), float(row["measured"])
+
+
+def _claimed(text: str) -> Range | None:
+    if text == "both signs":
+        return None
+    ends = [float(end) for end in re.findall(r"-?\d+(?:\.\d+)?", text)]
+    if text.startswith("between") and len(ends) == 2:
+        return Range(*ends)
+    if text.startswith("above") and len(ends) == 1:
+        return Range(ends[0], np.inf)
+    if text.startswith("below") and len(ends) == 1:
+        return Range(-np.inf, ends[0])
+    raise PlacecatError(f"{COMPARISONS}: unknown range {text!r}; make it again with `placecat repro`")
+
+
+def _power(known: list[tuple[float, float, Range, float, float]], effects: int, homes: int) -> float:
+    """Probability of the likelier verdict, if comparisons are independent."""
+    wide = corrected_level(LEVEL, len(known))
+    holds, no_failure = 1.0, 1.0
+    for one in known:
+        share, deviation, claimed = one[:3]
+        units = max(2, round(share * homes))
+        one_holds, one_fails = power(one[effects], deviation, units, claimed, level=LEVEL, wide=wide)
+        holds *= one_holds
+        no_failure *= 1.0 - one_fails
+    return max(holds, 1.0 - no_failure)
+
+
+def _needed(known: list[tuple[float, float, Range, float, float]], effects: int) -> float:
+    for homes in range(2 * GROUP, _MOST + 1, GROUP):
+        if _power(known, effects, homes) >= _WANTED:
+            return homes
+    return np.inf
+
+
+def markdown(table: pd.DataFrame) -> str:
+    """Write the table of :func:`power_table` for docs/replication.md."""
+    lines = [
+        "| finding | comparisons | homes that count | spread | power, needed: as published | as measured |",
+        "|---:|---:|---:|---:|---:|---:|",
+    ]
+    for row in table.to_dict("records"):
+        cells = [str(row["number"]), str(row["comparisons"])]
+        cells += ["", ""] if np.isnan(row["spread"]) else [str(row["units"]), f"{row['spread']:.1f}"]
+        for truth in ("published", "measured"):
+            share, homes = row[f"power_{truth}"], row[f"needed_{truth}"]
+            count = f"over {_MOST}" if np.isinf(homes) else f"{homes:.0f}"
+            cells.append("" if np.isnan(share) else f"{100 * share:.0f} %, {count}")
+        lines.append("| " + " | ".join(cells) + " |")
+    return "\n".join(lines)

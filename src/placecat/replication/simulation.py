@@ -1,0 +1,168 @@
+"""How many homes decide a claim, and how often the rule decides wrongly, computed before a run."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+from placecat.evaluation.bootstrap import stretch
+from placecat.evaluation.verdict import Range
+
+SHAPES = ("normal", "exponential", "student")
+"""Distributions of the difference in a home: the second is skewed, the third has 3 degrees of freedom."""
+
+_DRAWS = 4000
+
+
+def spread(low: float, high: float, homes: int, level: float = 0.95) -> float:
+    """Estimate the standard deviation between homes from an interval of a mean difference.
+
+    Parameters
+    ----------
+    low, high
+        Ends, from as many `homes` as units, at least 2.
+    homes
+        Number of them.
+    level
+        Of the interval.
+
+    Returns
+    -------
+    float
+        In the unit of the ends.
+    """
+    half = (high - low) / 2.0
+    return half * math.sqrt(homes) / float(stats.t.ppf((1.0 + level) / 2.0, homes - 1))
+
+
+def power(
+    effect: float, deviation: float, homes: int, claimed: Range, *, level: float = 0.95, wide: float = 0.95
+) -> tuple[float, float]:
+    """Compute how often a comparison gets each verdict, if homes are normal and independent.
+
+    Parameters
+    ----------
+    effect, deviation
+        Mean and standard deviation of the difference between homes, in points.
+    homes
+        At least 2.
+    claimed
+        Range that the claim allows.
+    level, wide
+        Of the interval that has to be inside, and of the one that has to be outside
+        (`placecat.evaluation.verdict.corrected_level`).
+
+    Returns
+    -------
+    holds, fails
+        Probabilities, from 4,000 draws of mean and deviation that are always the same.
+    """
+    rng = np.random.default_rng(20210)
+    means = effect + deviation / math.sqrt(homes) * rng.standard_normal(_DRAWS)
+    errors = deviation / math.sqrt(homes) * np.sqrt(rng.chisquare(homes - 1, _DRAWS) / (homes - 1))
+    inner, outer = (errors * stats.t.ppf((1.0 + one) / 2.0, homes - 1) for one in (level, wide))
+    holds = (claimed.low < means - inner) & (means + inner < claimed.high)
+    fails = (means + outer <= claimed.low) | (claimed.high <= means - outer)
+    return float(holds.mean()), float((fails & ~holds).mean())
+
+
+def homes_needed(
+    effect: float,
+    deviation: float,
+    claimed: Range,
+    *,
+    wanted: float = 0.8,
+    wide: float = 0.95,
+    group: int = 6,
+    most: int = 600,
+) -> int | None:
+    """Find the smallest number of homes, in whole groups, that decides with a given power.
+
+    Parameters
+    ----------
+    effect, deviation, claimed, wide
+        As for :func:`power`.
+    wanted
+        Probability of a verdict, whichever is right for `effect`.
+    group
+        Homes are added in groups of so many.
+    most
+        Where the search ends.
+
+    Returns
+    -------
+    int or None
+        None if `most` homes do not decide.
+    """
+    for homes in range(group, most + 1, group):
+        if max(power(effect, deviation, homes, claimed, wide=wide)) >= wanted:
+            return homes
+    return None
+
+
+def error_rate(
+    truth: float,
+    claimed: Range,
+    *,
+    homes: int,
+    shape: str = "normal",
+    group: int = 6,
+    shared: float = 0.0,
+    level: float = 0.95,
+    simulations: int = 2000,
+    resamples: int = 1000,
+    seed: int = 0,
+) -> float:
+    """Simulate how often the rule of the ledger decides wrongly.
+
+    Every simulation draws homes, forms the interval of :func:`placecat.evaluation.bootstrap.paired_bootstrap`
+    over them and judges it. All use the same resamples, as a finding of the ledger does.
+
+    Parameters
+    ----------
+    truth
+        True mean difference; homes have a standard deviation of 1.
+    claimed
+        Range of the claim. `holds` is wrong if the truth is not inside it, `does not hold` if it is.
+    homes
+        Number, a multiple of `group`.
+    shape
+        One of `SHAPES`; a negative sign before it, "-exponential", turns the tail to the other side.
+    group, shared
+        Homes of a group have this share of their variance in common: they train each other.
+    level
+        Of the interval.
+    simulations, resamples, seed
+        Numbers of both, and the seed of the homes.
+
+    Returns
+    -------
+    float
+        Share of the simulations with a wrong verdict.
+    """
+    rng = np.random.default_rng(seed)
+    sign, name = (-1.0, shape[1:]) if shape.startswith("-") else (1.0, shape)
+    own = _drawn(rng, name, (simulations, homes))
+    common = np.repeat(_drawn(rng, name, (simulations, homes // group)), group, axis=1)
+    units = truth + sign * (math.sqrt(1.0 - shared) * own + math.sqrt(shared) * common)
+    weights = np.random.default_rng(1).multinomial(homes, [1.0 / homes] * homes, size=resamples) / homes
+    estimates = units.mean(axis=1)
+    ends = np.quantile(units @ weights.T, [(1.0 - level) / 2.0, (1.0 + level) / 2.0], axis=1)
+    low, high = estimates + stretch(homes, level) * (ends - estimates)
+    if claimed.low < truth < claimed.high:
+        wrong = (high <= claimed.low) | (claimed.high <= low)
+    else:
+        wrong = (claimed.low < low) & (high < claimed.high)
+    return float(wrong.mean())
+
+
+def _drawn(rng: np.random.Generator, shape: str, size: tuple[int, int]) -> NDArray[np.float64]:
+    """Draw numbers of mean 0 and variance 1."""
+    if shape == "normal":
+        return rng.standard_normal(size)
+    if shape == "exponential":
+        return rng.standard_exponential(size) - 1.0
+    if shape == "student":
+        return rng.standard_t(3, size) / math.sqrt(3.0)
+    raise ValueError(f"unknown shape {shape!r}: choose one of {', '.join(SHAPES)}")

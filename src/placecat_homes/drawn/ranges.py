@@ -1,0 +1,148 @@
+"""Ranges from which floor plans and their light are drawn, checked."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from placecat import settings
+from placecat.errors import SettingError
+
+KINDS = ("bedroom", "bathroom", "kitchen", "living_room", "dining_room")
+"""Kinds of rooms that every home has."""
+WEATHERS = ("sunny", "cloudy", "dusk", "night")
+
+Range = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class PlanRanges:
+    """Ranges of floor plans: metres and square metres, each (least, most).
+
+    Attributes
+    ----------
+    arrangements
+        Name of a function of :mod:`placecat_homes.drawn.arrangements` to how often it is used.
+    bedrooms, bathrooms
+        Number of rooms to how often it occurs; 1 to 3 bedrooms, 1 or 2 bathrooms.
+    height
+        Of ceilings, 2.3 to 4 m.
+    glazing
+        See `FloorPlan`, 0.1 to 0.9.
+    depth
+        Of a row of rooms, 2.8 to 8 m.
+    corridor
+        Width of corridors, 1.1 to 3 m.
+    areas, sides
+        Size and shorter side of each kind of room.
+    door, opening
+        Widths of doors (0.75 to 1.1 m) and of openings without a leaf (0.9 to 2.5 m).
+    """
+
+    arrangements: Mapping[str, float]
+    bedrooms: Mapping[int, float]
+    bathrooms: Mapping[int, float]
+    height: Range
+    glazing: Range
+    depth: Range
+    corridor: Range
+    areas: Mapping[str, Range]
+    sides: Mapping[str, Range]
+    door: Range
+    opening: Range
+
+    @classmethod
+    def of(cls, values: Mapping[str, Any], where: str) -> "PlanRanges":
+        """Make them of settings; a missing, unknown or impossible one raises SettingError."""
+        from placecat_homes.drawn import arrangements
+
+        pairs: dict[str, Any] = {
+            name: _range(values, name, where, least, most)
+            for name, least, most in (
+                ("height", 2.3, 4.0),
+                ("glazing", 0.1, 0.9),
+                ("depth", 2.8, 8.0),
+                ("corridor", 1.1, 3.0),
+                ("door", 0.75, 1.1),
+                ("opening", 0.9, 2.5),
+            )
+            if name in values
+        }
+        for name, least, most in (("areas", 3.0, 60.0), ("sides", 1.6, 8.0)):
+            of_kind = values.get(name, {})
+            settings.refuse_unknown(of_kind, list(KINDS), f"{where} {name}")
+            pairs[name] = {kind: _range(of_kind, kind, f"{where} {name}", least, most) for kind in KINDS}
+        for name, valid in (
+            ("arrangements", tuple(arrangements.ALL)),
+            ("bedrooms", (1, 2, 3)),
+            ("bathrooms", (1, 2)),
+        ):
+            if name in values:
+                _check_odds(values[name], valid, f"{where} {name}")
+        made: PlanRanges = settings.call(cls, settings={**values, **pairs}, where=where)
+        return made
+
+
+@dataclass(frozen=True)
+class LightRanges:
+    """Ranges of the light of one weather.
+
+    Attributes
+    ----------
+    odds
+        How often the weather occurs.
+    azimuth, elevation
+        Of the sun, degrees.
+    lamps
+        Share of rooms whose lamps are switched on, 0 to 1.
+    """
+
+    odds: float
+    azimuth: Range
+    elevation: Range
+    lamps: Range
+
+    @classmethod
+    def of(cls, values: Mapping[str, Any], where: str) -> dict[str, "LightRanges"]:
+        """Make those of all weathers; a missing, unknown or impossible setting raises SettingError."""
+        settings.refuse_unknown(values, list(WEATHERS), where)
+        _check_odds({name: one.get("odds", -1) for name, one in values.items()}, WEATHERS, f"{where} odds")
+        made = {}
+        for weather, one in values.items():
+            of_one = f"{where} {weather}"
+            pairs = {
+                name: _range(one, name, of_one, 0.0, most)
+                for name, most in (("azimuth", 360.0), ("elevation", 90.0), ("lamps", 1.0))
+            }
+            made[weather] = settings.call(cls, settings={**one, **pairs}, where=of_one)
+        return made
+
+
+def _range(values: Mapping[Any, Any], name: str, where: str, least: float, most: float) -> Range:
+    given = values.get(name)
+    try:
+        low, high = (float(value) for value in given)
+    except (TypeError, ValueError):
+        raise SettingError(f"{where} {name} must be [least, most], not {given!r}") from None
+    if not least <= low <= high <= most:
+        raise SettingError(
+            f"{where} {name}: [{low:g}, {high:g}] must rise, from {least:g} at least to {most:g} at most"
+        )
+    return low, high
+
+
+def _check_odds(odds: Mapping[Any, Any], valid: tuple[Any, ...], where: str) -> None:
+    unknown = [name for name in odds if name not in valid]
+    numbers = [value for value in odds.values() if isinstance(value, (int, float)) and 0 <= value < 1e6]
+    if unknown or len(numbers) != len(odds) or not sum(numbers) > 0:
+        raise SettingError(
+            f"{where}: give numbers from 0, one of them above 0, to some of {', '.join(map(str, valid))}"
+        )
+
+
+def chosen(rng: np.random.Generator, odds: Mapping[Any, float]) -> Any:
+    """Draw one of the names in proportion to their odds."""
+    names = list(odds)
+    shares = np.array([odds[name] for name in names], dtype=np.float64)
+    return names[int(rng.choice(len(names), p=shares / shares.sum()))]

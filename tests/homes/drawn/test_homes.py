@@ -1,0 +1,89 @@
+"""Whole homes of a seed: furnished, walked through, without faults; and faults are found."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import yaml
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from placecat.errors import PlacecatError
+from placecat_homes.building import build
+from placecat_homes.drawn import homes, plans
+from placecat_homes.drawn.faults import faults
+from placecat_homes.drawn.homes import Source, name_of
+from placecat_homes.drawn.ranges import KINDS
+from placecat_homes.drawn.top_view import top_view
+from placecat_homes.placing.room import Room
+
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("drawn")]
+
+SOURCE = Source.read()
+
+
+@pytest.fixture(scope="module")
+def home():
+    return homes.draw(3, 1, SOURCE)
+
+
+@settings(max_examples=4, deadline=None, suppress_health_check=list(HealthCheck))
+@given(number=st.integers(1, 1000), seed=st.integers(0, 2**32 - 1))
+def test_the_walk_meets_nothing_and_sees_every_room(number, seed):
+    made = homes.draw(number, seed, SOURCE)
+    ground = made.building.ground()
+    path = made.walk.position[:, :2]
+    assert ground.is_free(path).all()
+    assert len(path) == SOURCE.video.frames
+    for plan, room in zip(made.building.plan.rooms, made.building.rooms, strict=True):
+        assert room.walkable(), plan.name
+        if plan.kind in KINDS:
+            x0, y0, x1, y1 = plan.rect
+            inside = (path > (x0, y0)).all(axis=1) & (path < (x1, y1)).all(axis=1)
+            assert (inside & (np.array(made.walk.label) == plan.kind)).any(), plan.name
+
+
+def test_its_file_holds_all_of_it(home):
+    """The building and the walk of a home come again from its YAML alone."""
+    content = yaml.safe_load(home.text())
+    assert content == home.content
+    assert content["plan"]["name"] == name_of(3, 1)
+    assert content["shot"]["name"].startswith(name_of(3, 1))
+    again = build(plans.read(content["plan"]), content["shot"]["building"])
+    assert np.array_equal(again.mesh.vertices, home.building.mesh.vertices)
+
+
+def test_a_home_that_is_drawn_has_no_fault(home):
+    assert list(faults(home.building, home.walk)) == []
+
+
+def test_an_empty_room_is_a_fault(home):
+    building = home.building
+    index = next(k for k, room in enumerate(building.plan.rooms) if room.kind == "bedroom")
+    old = building.rooms[index]
+    size = (*building.plan.rooms[index].size, building.plan.height)
+    openings = building.plan.openings(old.name, 1)
+    empty = Room(old.kind, old.name, size, openings, old.style, np.random.default_rng(0))
+    rooms = tuple(empty if k == index else room for k, room in enumerate(building.rooms))
+    assert f"{old.name} is nearly empty" in list(faults(replace(building, rooms=rooms), home.walk))
+
+
+def test_a_walk_through_a_wall_or_past_a_room_is_a_fault(home):
+    away = replace(home.walk, position=home.walk.position + np.array([50.0, 0, 0]))
+    found = list(faults(home.building, away))
+    assert "the walk leads through furniture or walls" in found
+    assert "the walk hardly shows kitchen_1" in found
+
+
+def test_the_view_from_above_shows_rooms_and_the_way(home):
+    without, picture = top_view(home.building), top_view(home.building, home.walk)
+    assert picture.shape == without.shape and picture.dtype == np.uint8
+    changed = (picture != without).any(axis=2)
+    assert 0.0005 < changed.mean() < 0.2
+    assert len(np.unique(without.reshape(-1, 3), axis=0)) > 8
+
+
+def test_too_few_frames_are_refused_with_the_reason(monkeypatch):
+    monkeypatch.setattr(homes, "_DRAWS", 1)
+    with pytest.raises(PlacecatError, match="home 3 of seed 1: none of 1 plans will do; the last: "):
+        homes.draw(3, 1, Source.read(frames=200, fps=20))

@@ -1,0 +1,83 @@
+"""How many homes each finding needs, from the spread between six."""
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from placecat.errors import PlacecatError
+from placecat.replication.needed import markdown, power_table
+
+
+def row(finding=1, **changes):
+    return {
+        "finding": finding,
+        "reading": "",
+        "range": "above 0",
+        "units": "6 homes",
+        "published": 5.0,
+        "measured": 5.0,
+        "low": -0.25,
+        "high": 10.25,
+    } | changes
+
+
+def table(*rows, homes=24):
+    return power_table(pd.DataFrame(rows), homes).set_index("number")
+
+
+def test_the_spread_and_the_homes_it_takes():
+    """Half of the interval is 5.25 points, so homes differ by 5.0; a difference of 5.0 is one such spread."""
+    made = table(row()).loc[1]
+    assert made["spread"] == 5.0
+    assert made["units"] == 24
+    assert made["power_published"] == made["power_measured"] >= 0.95
+    # A t test on the level of 1 % at one side finds one standard deviation with 80 % by 13 units.
+    assert made["needed_published"] == 18
+
+
+def test_other_truths_decide_otherwise():
+    made = table(row(1, published=1.0), row(2, published=np.nan), row(3, measured=-5.0)).sort_index()
+    assert made.loc[1, "power_published"] < 0.2 < made.loc[1, "power_measured"]
+    assert np.isnan(made.loc[2, "power_published"]) and made.loc[2, "power_measured"] > 0.9
+    # It fails as surely as it would hold.
+    assert made.loc[3, "power_measured"] > 0.9
+
+
+def test_tables_on_two_homes_of_a_group_count_eight():
+    made = table(row(1, units="2 homes x 2 seeds"), row(2)).sort_index()
+    assert made.loc[1, "units"] == 8
+    assert made.loc[1, "needed_measured"] > made.loc[2, "needed_measured"]
+
+
+def test_every_comparison_must_hold_but_one_may_fail():
+    one, all_ = table(row()).loc[1], table(*[row(published=3.0) for _ in range(6)]).loc[1]
+    assert all_["comparisons"] == 6
+    assert all_["power_published"] < one["power_published"] - 0.4
+    failing = table(*[row() for _ in range(5)], row(measured=-6.0)).loc[1]
+    assert failing["power_measured"] > 0.9
+
+
+@pytest.mark.parametrize(
+    "changes", [{"units": "1 home x 2 seeds"}, {"units": "18 stays"}, {"range": "both signs"}]
+)
+def test_nothing_is_said_where_nothing_is_known(changes):
+    made = table(row(), row(**changes)).loc[1]
+    assert np.isnan(made[["spread", "power_published", "needed_measured"]].astype(float)).all()
+
+
+def test_other_readings_are_not_findings():
+    made = table(row(), row(reading="as_printed", units="18 stays"))
+    assert len(made) == 1 and made.loc[1, "spread"] == 5.0
+    # An empty cell of the file may be read as no number.
+    assert table(row(reading=np.nan), row(reading="as_printed", units="18 stays")).equals(made)
+
+
+def test_an_unknown_range_is_refused():
+    with pytest.raises(PlacecatError, match="unknown range 'near 0'"):
+        table(row(range="near 0"))
+
+
+def test_unknown_cells_stay_empty_and_too_many_homes_have_no_number():
+    lines = markdown(table(row(1, units="18 stays"), row(2, measured=0.01)).reset_index()).splitlines()
+    assert lines[2] == "| 1 | 1 |  |  |  |  |"
+    assert lines[3].startswith("| 2 | 1 | 24 | 5.0 | ") and lines[3].endswith("over 240 |")

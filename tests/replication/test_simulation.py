@@ -1,0 +1,72 @@
+"""Power and errors of the rule of the ledger, against what is known exactly."""
+
+import math
+
+import numpy as np
+import pytest
+
+from placecat.evaluation.bootstrap import paired_bootstrap
+from placecat.evaluation.verdict import Range
+from placecat.replication.needed import LEVEL
+from placecat.replication.simulation import error_rate, homes_needed, power, spread
+
+BETTER, LITTLE = Range(0.0, math.inf), Range(-2.0, 2.0)
+
+
+def test_the_spread_is_that_of_the_homes():
+    values = np.random.default_rng(1).normal(3.0, 5.0, 6)
+    interval = paired_bootstrap(lambda weights: weights @ values, 6, 0, resamples=20000)
+    assert spread(interval.low, interval.high, 6) == pytest.approx(values.std(ddof=1), rel=0.08)
+
+
+def test_power_is_that_of_the_t_test():
+    """One-sided 2.5 %: an effect of a standard deviation needs 10 units for 80 % (Cohen 1988)."""
+    assert power(1.0, 1.0, 10, BETTER)[0] == pytest.approx(0.803, abs=0.02)
+    assert power(0.0, 1.0, 10, BETTER)[0] == pytest.approx(0.025, abs=0.008)
+    assert power(-1.0, 1.0, 10, BETTER)[1] == pytest.approx(0.803, abs=0.02)
+
+
+def test_a_wider_interval_fails_less_often():
+    assert power(-1.0, 1.0, 10, BETTER, wide=0.99)[1] < power(-1.0, 1.0, 10, BETTER)[1] - 0.1
+
+
+def test_nothing_is_little_if_homes_differ_too_much():
+    assert power(0.0, 10.0, 6, LITTLE)[0] < 0.01
+    assert homes_needed(0.0, 10.0, LITTLE, most=60) is None
+    assert homes_needed(0.0, 1.0, LITTLE) == 6
+
+
+def test_homes_come_in_groups_and_more_are_needed_for_less():
+    assert homes_needed(1.0, 1.0, BETTER) == 12
+    assert homes_needed(0.5, 1.0, BETTER) == 36
+    assert homes_needed(-0.5, 1.0, BETTER) == 36
+    assert homes_needed(-0.5, 1.0, BETTER, wide=0.99) > 36
+
+
+@pytest.mark.parametrize("shape", ["normal", "student", "exponential", "-exponential"])
+def test_the_rule_of_the_plan_decides_wrongly_at_most_5_percent_of_the_time(shape):
+    """At the edge of a claim, where errors are most frequent: for "holds" and for "does not hold"."""
+    inside = 1e-9
+    for truth, claimed in ((0.0, BETTER), (inside, BETTER), (2.0, LITTLE), (2.0 - inside, LITTLE)):
+        assert error_rate(truth, claimed, homes=24, shape=shape, level=LEVEL) <= 0.05, (truth, claimed)
+
+
+def test_intervals_of_95_percent_would_err_too_often_if_homes_are_skewed():
+    assert error_rate(0.0, BETTER, homes=24, shape="-exponential") > 0.05
+
+
+def test_homes_of_a_group_may_share_a_tenth_of_their_variance():
+    assert error_rate(0.0, BETTER, homes=24, shared=0.1, level=LEVEL) <= 0.05
+    assert error_rate(0.0, BETTER, homes=24, shared=0.1) > 0.04
+
+
+def test_homes_that_are_one_decide_wrongly_too_often():
+    """The simulation sees an error that is there: homes of a group that are all alike count six times."""
+    assert error_rate(0.0, BETTER, homes=24, shared=1.0) > 0.15
+
+
+def test_an_unknown_shape_is_refused():
+    with pytest.raises(
+        ValueError, match="unknown shape 'uniform': choose one of normal, exponential, student"
+    ):
+        error_rate(0.0, BETTER, homes=6, shape="uniform")
