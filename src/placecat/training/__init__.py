@@ -1,1 +1,1 @@
-"""Training: plans of who trains on which frames, and the one way to train and apply a system by a plan."""
+"""Training plans (which homes and frames train what), and training and applying a system by a plan."""
