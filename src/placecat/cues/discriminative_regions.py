@@ -14,7 +14,7 @@ from placecat.learning.activations import activations
 from placecat.learning.discriminative import discriminative_codewords
 from placecat.ranges import Count, PositiveShare
 
-#  Whether the model accepts only sets of regions, never whole frames.
+#: Whether the model accepts only sets of regions, never whole frames.
 OF_REGIONS_ONLY = True
 
 

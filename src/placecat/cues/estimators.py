@@ -9,7 +9,7 @@ from placecat import learning, lookup, signatures
 def build(options: Mapping[str, Any], where: str, **fixed: Any) -> Any:
     """Make the estimator named by ``options["name"]``; the other options are its parameters.
 
-    It is the name of a module of `placecat.learning` that defines one estimator. An unknown estimator or
+    ``name`` is a module of `placecat.learning` that defines one estimator. An unknown estimator or
     parameter raises PlacecatError, which names `where` and the valid choices. `fixed` are parameters that are
     not settings, e.g. a seed.
     """

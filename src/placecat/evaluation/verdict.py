@@ -61,7 +61,7 @@ def combine(verdicts: Collection[str]) -> str:
 
     "All hold" needs no correction for the number of comparisons: if one is false, that one must hold by
     chance (an intersection-union test). "One fails" needs it: each of k true comparisons may fail by chance,
-    so `judge` uses the corrected  interval.
+    so `judge` uses the corrected interval.
     """
     if FAILS in verdicts:
         return FAILS

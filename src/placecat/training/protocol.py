@@ -23,7 +23,7 @@ class Fold:
     ----------
     scheme
         "5-5-1": cues and integration train on all other homes, on different frames. "4-5-1": one of the other
-        homes trains only the integration, not the  cues.
+        homes trains only the integration, not the cues.
     without
         Homes that no trained part has seen, the tested home first; empty if all homes train.
     cue_homes
