@@ -118,8 +118,7 @@ def orientation_maps(
 def _bank(
     size: int, sigma: float, wavelength: float, aspect: float, phase: float | None
 ) -> tuple[tuple[Separable, ...], ...]:
-    """For each phase, return the kernels at 0 and 90, and the even and odd parts (in x) of the kernel at
-    45."""
+    """Return, per phase, the kernels at 0 and 90 and the even and odd parts (in x) of the one at 45."""
     phases = (0.0, np.pi / 2) if phase is None else (phase,)
     bank = []
     for shift in phases:
