@@ -46,8 +46,7 @@ class Wanted(NamedTuple):
 
     @property
     def others(self) -> Hashable:
-        """All settings except the number of regions; a number below 1, which is refused later, stays
-        separate."""
+        """All settings except the number of regions; a number below 1, refused later, stays separate."""
         others = {name: value for name, value in self.regions.items() if name != "max_regions"}
         return None if self.scales is None else tuple(self.scales), *sorted(others.items()), self.most < 1
 
