@@ -64,8 +64,8 @@ def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability
 
     References
     ----------
-    C. Guo, G. Pleiss, Y. Sun and K. Q. Weinberger, On Calibration of Modern Neural Networks, ICML 2017. In
-    the paper all frames weigh the same.
+    C. Guo, G. Pleiss, Y. Sun and K. Q. Weinberger, On Calibration of Modern Neural Networks, ICML 2017.
+    There, all frames weigh the same.
     """
     if isinstance(bins, bool) or not isinstance(bins, int) or bins < 1:
         raise PlacecatError(f"probabilities.bins must be a whole number from 1 on, but is {bins!r}")

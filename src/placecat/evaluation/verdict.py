@@ -30,7 +30,7 @@ class Range:
 
 
 def corrected_level(level: float, comparisons: int) -> float:
-    """Level for each of several intervals that makes all of them cover with probability `level` (Bonferroni).
+    """Return the level that each of several intervals needs for a joint level of `level` (Bonferroni).
 
     Holm's procedure starts with the same level, so it finds a failing comparison exactly when this does. In
     12000 simulations, with intervals over four or six units and every comparison exactly on the edge of

@@ -76,8 +76,8 @@ def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Flo
     """Likelihood of each frame's observation under each place, p(o_t | l_t = q): (frames, n_classes).
 
     `proba` is the integrator's (frames, n_classes) distributions; `emission` comes from
-    :func:`emission_matrix`. The result is positive where the emission is. With `evidence` "hard" the
-    observation is the decision, p(o_t | q) = emission[q, argmax]. With "soft" the decision is uncertain,
+    :func:`emission_matrix`. The result is positive wherever the emission is positive. With `evidence` "hard"
+    the observation is the decision, p(o_t | q) = emission[q, argmax]. With "soft" the decision is uncertain,
     p(o_t | q) = sum_o emission[q, o] proba[o], as equation (6) treats the outputs of the two-class
     classifiers. The thesis does not say which.
     """

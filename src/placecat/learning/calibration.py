@@ -32,9 +32,9 @@ Fold = tuple[NDArray[np.intp], NDArray[np.intp]]
 class Calibration:
     """Conversion of decision values to probabilities.
 
-    Values from machines trained without different homes are not comparable: if a home has many positives, the
-    machine that judges it saw few positives, so its values are low. They are never pooled unchanged: a
-    sigmoid fitted to them can fall where it should rise.
+    Machines that each leave out a different home have values that are not comparable: if a home has many
+    positives, the machine that judges it saw few positives, so its values are low. They are never pooled
+    unchanged: a sigmoid fitted to them can fall where it should rise.
 
     Attributes
     ----------
@@ -225,7 +225,7 @@ def _fit_missing(base: TwoClassBase, shared: Any, tasks: Sequence[Task], n_jobs:
 
 
 def centre(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
-    """Make decision values comparable between machines trained without different homes.
+    """Make decision values comparable between machines that each leave out a different home.
 
     `values` and the result have one array per home. The mean of each array is replaced by the mean of these
     means, which is the average value expected on an unseen home.

@@ -122,7 +122,7 @@ class FlatKMeans(BaseEstimator):
 
     @classmethod
     def from_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Self:
-        """Rebuild the clusterings from the arrays of `to_arrays`, or from what ``numpy.load`` returns."""
+        """Rebuild the clusterings from the arrays of `to_arrays` or the result of ``numpy.load``."""
         numbers = tuple(arrays["numbers"].tolist())
         model = cls(numbers, int(arrays["max_iter"]), int(arrays["seed"]))
         model.n_points_, model.n_features_in_ = int(arrays["n_points"]), int(arrays["n_features"])

@@ -228,7 +228,7 @@ class HierarchicalKMeans(BaseEstimator):
             raise PlacecatError("a loaded codebook does not know its training points: use assign")
         code = np.full(len(self.node_centers_), -1, np.int32)
         code[cut] = np.arange(n_clusters, dtype=np.int32)
-        # Later splits are below earlier ones, so one ordered pass reaches every node below the cut.
+        # A node is split after its parent, so one ordered pass reaches every node below the cut.
         for step, node in enumerate(self.split_nodes_):
             if code[node] >= 0:
                 code[1 + self.branching * step : 1 + self.branching * (step + 1)] = code[node]
@@ -269,7 +269,7 @@ class HierarchicalKMeans(BaseEstimator):
 
     @classmethod
     def from_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Self:
-        """Rebuild a tree from the arrays of `to_arrays`, or from what ``numpy.load`` returns.
+        """Rebuild a tree from the arrays of `to_arrays` or the result of ``numpy.load``.
 
         Raises PlacecatError if an array is missing or their sizes disagree.
         """

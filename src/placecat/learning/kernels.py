@@ -51,7 +51,7 @@ def check_samples(X: ArrayLike, name: str = "X") -> NDArray[np.float32]:
 
 
 def _short_of(samples: NDArray[Any]) -> str:
-    """Say what is missing in a matrix, in the words that scikit-learn's checks expect."""
+    """Describe the wrong shape of a matrix in the words that scikit-learn's checks expect."""
     if samples.ndim != 2:
         return ". Reshape your data"
     what = "sample" if len(samples) == 0 else "feature"
@@ -153,7 +153,7 @@ def rbf_gram(
     gamma
         Inverse squared width, > 0, in units of 1 / X^2 (thesis 4.2: 2.0; the scale of X is open there).
     dtype
-        Of the result: float32, or float64 for libsvm. The values are those of float32.
+        dtype of the result: float32, or float64 for libsvm. The values are computed in float32.
     n_jobs
         Threads. The result does not depend on it.
 

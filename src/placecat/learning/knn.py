@@ -181,7 +181,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         closest clusters merge and the point starts a new cluster. The number of clusters and the codebook do
         not change. Only distances to changed centres are recomputed.
 
-        Raises PlacecatError if the class is unknown, or D is not that of the training data.
+        Raises PlacecatError if the class is unknown, or D differs from the training data.
         """
         check_is_fitted(self)
         point = self._read_points(np.asarray(x)[None])[0].astype(np.float64)

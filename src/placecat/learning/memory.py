@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 _Result = TypeVar("_Result")
 _by_value = (str, bytes, int, float, type(None))
-# From the kind of result to the key, to the objects in the key (kept alive) and the result.
+# Maps each kind of result to its keys, and each key to its objects (to keep them alive) and the result.
 _memory: ContextVar[dict[str, dict[Any, tuple[Any, Any]]] | None] = ContextVar("memory", default=None)
 
 

@@ -42,10 +42,9 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         (thesis 4.8 compares combinations of their outputs), or only samples of the ``remaining`` classes,
         without the classes of earlier nodes. The thesis does not give this.
     decision
-        The rule of `predict`: the first node that says yes, else the last class, where yes is a positive
-        ``sign`` of the two-class decision value, or a ``probability`` p(o_k|x) above 0.5; or the largest of
-        the probability-like output, ``product``. The thesis mentions negative decisions, which means the
-        sign.
+        Rule of `predict`. ``sign`` and ``probability`` pick the first node that says yes, else the last
+        class; yes is a positive two-class decision value, or p(o_k|x) above 0.5. ``product`` picks the
+        largest probability-like output. The thesis mentions negative decisions, which means the sign.
     output
         Result of `predict_proba`: the probability-like ``product``, whose largest entry may differ from
         `predict`, or ``decision``, 1 for the class from `predict`.

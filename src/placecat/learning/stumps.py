@@ -90,7 +90,7 @@ def _sums(bins: NDArray[Any], width: int) -> Any:
     order = np.argsort(bins, axis=1, kind="stable").astype(np.int32)
     counts = np.stack([np.bincount(row, minlength=width) for row in bins], axis=1)
     pointers = np.concatenate([[0], np.cumsum(counts.ravel())])
-    # Row (bin, feature) takes the samples of one run of `order`.
+    # Row (bin, feature) contains the samples of one run of `order`.
     starts = (np.cumsum(counts, axis=0) - counts) + n * np.arange(n_features)
     sizes = counts.ravel()
     places = np.repeat(starts.ravel() - pointers[:-1], sizes) + np.arange(order.size)

@@ -1,1 +1,1 @@
-"""Training plans (which homes and frames train what), and training and applying a system by a plan."""
+"""Training plans, and training and application of systems by a plan."""

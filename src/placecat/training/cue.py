@@ -53,7 +53,7 @@ class TrainingFrames:
     Attributes
     ----------
     described
-        Their descriptors.
+        Descriptors of the frames.
     truth, home_of_frame
         (n,) classes of the frames, and the names of their sequences.
     """
@@ -70,9 +70,9 @@ class TrainedCue:
     Attributes
     ----------
     descriptor
-        Its descriptor.
+        Descriptor of the cue.
     model
-        Its model.
+        Trained model.
     truth, home_of_frame
         (n,) classes of the training frames, and the names of their sequences.
     cross_validated

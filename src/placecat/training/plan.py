@@ -1,4 +1,4 @@
-"""Training plans: which sequences train what on which frames, and which are tested."""
+"""Training plans: which sequences and frames train each part, and which sequences are tested."""
 
 from __future__ import annotations
 

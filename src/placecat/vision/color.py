@@ -137,7 +137,7 @@ def blue_yellow(
 def _full_planes(
     strip: NDArray[np.uint8], colors: list[NDArray[np.uint8]], work: FloatArray, color: bool, clip: bool
 ) -> list[FloatArray]:
-    """Return r + g + b and, with color, R + 1.5, G + 1.5, D (or the clipped R, G, B, Y) of full-size rows."""
+    """Return r + g + b of full-size rows and, with `color`, R + 1.5, G + 1.5, D (or clipped R, G, B, Y)."""
     cv2.split(strip, colors)
     b, g, r = colors
     total, red, green, difference = work

@@ -46,7 +46,7 @@ def parts_of(
 ) -> list[dict[str, Any]]:
     """Distribute the settings of a function decorated with `passing_on` among the functions it calls.
 
-    Raises TypeError for a setting that none of them has.
+    Raises TypeError for an unknown setting.
     """
     unknown = settings.keys() - _keywords(owner)
     if unknown:

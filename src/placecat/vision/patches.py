@@ -114,7 +114,7 @@ def _places(
 
 
 def _inside(index: NDArray[np.intp], length: NDArray[np.intp], border: str) -> NDArray[np.intp]:
-    """Replace indices (n, side) outside the image by those of pixels inside; `length` is (n, 1)."""
+    """Replace pixel indices (n, side) outside the image by indices inside; `length` is (n, 1)."""
     if border == "replicate":
         return np.minimum(np.maximum(index, 0), length - 1)
     period = np.maximum(2 * length - 2, 1)

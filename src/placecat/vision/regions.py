@@ -38,7 +38,7 @@ def find_scales(maps: FrameMaps, fused: Saliency, points: NDArray[np.intp]) -> N
     maps
         Maps of the frame.
     fused
-        Their fusion by `placecat.vision.saliency.saliency`.
+        Result of `placecat.vision.saliency.saliency` for these maps.
     points
         (n,) flat indices into the saliency map.
 
@@ -126,7 +126,8 @@ def _far(
     old: Sequence[int] | NDArray[np.intp],
     new: NDArray[np.intp],
 ) -> NDArray[np.bool_]:
-    """Mark which points `new` lie far enough from points `old`: (old, new); false from a point to itself."""
+    """Mark pairs of points `old` and `new` that are far enough apart: (old, new); false for a point and
+    itself."""
     apart = np.zeros((len(old), len(new)))
     for axis in place:
         difference = axis[old][:, None] - axis[new]

@@ -118,7 +118,7 @@ def saliency(
     total = np.zeros((height, width), np.float32)
     for channel in CHANNELS if use_residual else CHANNELS[:-1]:
         settings = (channel, fusion_scale, maximum_window, units[channel])
-        # Region variants differ in the channels that they add, or share even these.
+        # Region variants may add different channels, but each channel is the same.
         one = maps.remembered((_fuse, *settings), partial(_fuse, maps, *settings))
         total += np.float32(one.weight) * one.conspicuity
         fused[channel] = one

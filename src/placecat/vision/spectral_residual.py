@@ -30,8 +30,9 @@ def spectral_residual(
     residual_box
         Side of the box filter over the log amplitude, odd; 3 in Hou and Zhang. The thesis does not give this.
     residual_sigma
-        Standard deviation in pixels of the Gaussian over the squared magnitude; 0 for none. The thesis does
-        not give this. The authors' code uses 2.5 for a single image 64 pixels wide; several scales need less.
+        Standard deviation, in pixels, of the Gaussian over the squared magnitude; 0 turns it off. The thesis
+        does not give this. The authors' code uses 2.5 for a single image 64 pixels wide; several scales need
+        less.
     residual_width
         Width in pixels to which a wider image is reduced; the authors use 64. None for no reduction, as the
         thesis describes for pyramid levels.
