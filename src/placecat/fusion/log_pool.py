@@ -76,7 +76,7 @@ def fit_weights(
     options = {"maxiter": 1000, "ftol": 1e-12, "gtol": 1e-8}
     found = minimize(loss, start, jac=True, method="L-BFGS-B", bounds=bounds, options=options)
     if not np.isfinite(found.x).all():
-        raise PlacecatError("the weights of the integration are not found: raise integrator.shrinkage")
+        raise PlacecatError("no finite integration weights were found: raise integrator.shrinkage")
     weights: Float = found.x
     return weights
 

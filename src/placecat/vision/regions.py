@@ -126,8 +126,7 @@ def _far(
     old: Sequence[int] | NDArray[np.intp],
     new: NDArray[np.intp],
 ) -> NDArray[np.bool_]:
-    """Mark pairs of points `old` and `new` that are far enough apart: (old, new); false for a point and
-    itself."""
+    """Mark pairs of points that are far enough apart: (old, new); false for a point and itself."""
     apart = np.zeros((len(old), len(new)))
     for axis in place:
         difference = axis[old][:, None] - axis[new]

@@ -107,7 +107,7 @@ def saliency(
         )
     if use_residual and not maps.residual:
         raise PlacecatError(
-            "the maps hold no spectral residual: compute them with it, or set use_residual to false"
+            "the maps have no spectral residual: compute them with it, or set use_residual to false"
         )
     units = dict(zip(CHANNELS, (intensity_unit, color_unit, orientation_unit, residual_unit), strict=True))
     for channel, unit in units.items():
@@ -205,7 +205,7 @@ def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
     Flat indices, ascending.
     """
     if window < 3 or window % 2 == 0:
-        raise PlacecatError(f"maximum_window must be an odd number from 3 on, not {window}")
+        raise PlacecatError(f"maximum_window must be an odd number of at least 3, not {window}")
     if plane.size < 2:
         return np.zeros(0, np.intp)
     around = np.ones((window, window), np.uint8)

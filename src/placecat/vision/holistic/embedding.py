@@ -141,5 +141,5 @@ def _vector(features: NDArray[np.float32], network: str, pool: str | None) -> ND
             f"{how}, or name another output"
         )
     if not np.isfinite(features).all():
-        raise PlacecatError(f"{_OWNER}: {network} gives numbers that are not finite: check mean and std")
+        raise PlacecatError(f"{_OWNER}: {network} returns numbers that are not finite: check mean and std")
     return np.ascontiguousarray(features, np.float32)
