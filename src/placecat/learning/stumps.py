@@ -22,8 +22,8 @@ class BinnedFeatures:
         D ascending float32 arrays of at most max_bins - 1 values; x > thresholds[d][b] means bin > b.
     blocks
         scipy CSR matrices of ones, one for each `BLOCK_FEATURES` features. For B features the shape is (width
-        * B, n), with the first bin of every feature first. The product with weights (n, m) is all weighted
-        histograms of these features.
+        * B, n), with the first bin of every feature first. Its product with weights (n, m) contains all
+        weighted histograms of these features.
     width
         Bins per feature in `blocks`.
     """

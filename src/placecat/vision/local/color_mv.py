@@ -29,8 +29,8 @@ def describe(
     Parameters
     ----------
     grid
-        Cells along each axis, else PlacecatError; 0 for the full region only. The thesis uses 3, and in 4.4.2
-        the variant 0 with 8 dimensions.
+        Cells along each axis, else PlacecatError; 0 for the full region only. The thesis uses 3, and 0 (8
+        dimensions) in a variant in 4.4.2.
 
     Returns
     -------
