@@ -1,8 +1,8 @@
 """Cues: from the descriptors of a frame to a distribution over places (thesis 3.3.1 and 3.3.2).
 
-Each module is one model: `one_against_all` (Figure 8, two-class classifiers), `knn` (Figure 8, modified
-nearest neighbours) and `joint_probability` (Figure 10). A cue's setting ``classifier.model`` names the
-module; there is no list to extend.
+Each module is one model, such as `one_against_all` (Figure 8, two-class classifiers), `knn` (Figure 8,
+modified nearest neighbours) and `joint_probability` (Figure 10). The setting ``classifier.model`` of a cue
+names the module; a new module needs no registration.
 """
 
 import logging
@@ -25,14 +25,14 @@ logger = logging.getLogger(__name__)
 
 __all__ = ["Codebook", "CueModel", "Descriptors", "cross_validate", "fit", "model_names", "of_regions_only"]
 
-# Number of parts if frames are left out instead of homes.
+# Number of parts when frames are left out instead of homes.
 _PARTS = 5
-# Fewest training frames of each place in the other homes, since calibration needs some of them.
+# Minimum of training frames per place in the other homes; calibration needs them.
 _LEAST = 2
 
 
 def model_names() -> list[str]:
-    """Names of the models: the modules of this package that have a `fit`."""
+    """Return the names of the models: modules of this package with a `fit`."""
     return lookup.names(__name__, "fit")
 
 
@@ -47,10 +47,10 @@ def fit(
 ) -> CueModel:
     """Train one cue on the descriptors of training frames.
 
-    `labels` are (n,) class indices in [0, len(classes)), every class present, and `homes` the (n,) home of
+    `labels` are (n,) class indices in [0, len(classes)), every class present. `homes` is the (n,) home of
     each frame: cross-validation keeps homes together, since neighbouring frames are near-duplicates.
-    ``model`` of `classifier` names a module of this package; the rest are its settings. `codebook` has
-    clusters of the same training homes, for the models that need them. Raises PlacecatError for an unknown
+    ``model`` in `classifier` names a module of this package; the other keys are its settings. `codebook`
+    holds clusters of the same training homes, for models that need them. Raises PlacecatError for an unknown
     model, unknown or impossible settings, or a class without training frames.
     """
     missing = sorted(set(range(len(classes))) - set(np.unique(labels).tolist()))
@@ -76,10 +76,10 @@ def cross_validate(
 ) -> NDArray[np.float64]:
     """Judge each home's training frames by a cue trained on the other homes: (n, n_classes) distributions.
 
-    Parameters and errors are those of :func:`fit`. Everything is fitted again for each home, calibration and
-    scaling too, so the distributions of different homes compare. Only a codebook, which knows no labels, is
-    shared. If the other homes have fewer than two frames of a place, or there is only one home, five parts of
-    consecutive frames of each place are left out instead of homes, with a warning.
+    Parameters and errors are as in :func:`fit`. Everything is refitted for each home, including calibration
+    and scaling, so distributions of different homes are comparable. Only the codebook, which uses no labels,
+    is shared. If the other homes have fewer than two frames of a place, or there is only one home, five parts
+    of consecutive frames of each place are left out instead of homes, with a warning.
     """
     index = labels.astype(np.intp)
     names = np.unique(homes)
@@ -102,7 +102,7 @@ def cross_validate(
 
 
 def of_regions_only(name: str) -> bool:
-    """Whether a model takes only sets of regions, never whole frames."""
+    """Whether a model accepts only sets of regions, never whole frames."""
     return bool(getattr(_load(name), "OF_REGIONS_ONLY", False))
 
 

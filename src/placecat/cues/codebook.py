@@ -1,4 +1,4 @@
-"""Codewords of a frame: one tree for all salient regions, or one per cell of a holistic descriptor."""
+"""Codewords of a frame: one tree for all salient regions, or one tree per cell of a holistic descriptor."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from placecat.errors import PlacecatError
 from placecat.learning.flat_kmeans import FlatKMeans
 from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
 
-# Names of descriptors' settings, and of renamed values, in the text that seeds derive from.
-# Frozen, since another text gives another clustering: a renamed setting keeps its old name here.
+# Names of descriptor settings, and of renamed values, in the text that seeds are derived from. Frozen: a
+# different text changes the clustering. A renamed setting keeps its old name here.
 FROZEN = {
     name: name for name in ("kind", "name", "y_pos", "y_weight", "color", "max_regions", "tracked", "variant")
 }
@@ -27,11 +27,11 @@ RENAMED: dict[Any, str] = {}
 def seed_of(
     dataset: str, descriptor: Mapping[str, Any], cells: int, training_set: str, seed: int | str
 ) -> int:
-    """Derive the seed of a codebook, in [0, 2**32), from its data, so that equal clusterings share it.
+    """Derive the seed of a codebook, in [0, 2**32), from its data; equal clusterings share a seed.
 
-    The data are the data set's name, the descriptor, as a cue names it, the number of cells of a holistic
-    one, the name of the training homes, and one of ``protocol.seeds``. Renaming a setting or a descriptor
-    does not change the seed (`FROZEN`, `RENAMED`); a setting that `FROZEN` does not name raises
+    The data are the name of the data set, the descriptor as in the cue, the number of cells of a holistic
+    descriptor, the name of the training set, and one of ``protocol.seeds``. Renaming a setting or a
+    descriptor does not change the seed (`FROZEN`, `RENAMED`); a setting that is not in `FROZEN` raises
     PlacecatError.
     """
     settings.refuse_unknown(descriptor, list(FROZEN), "the text that seeds of codebooks derive from")
@@ -42,10 +42,10 @@ def seed_of(
 
 
 def settings_of(params: Mapping[str, Any], name: str) -> dict[str, Any]:
-    """Look up the settings of a codebook, with the cluster numbers that its cues ask for if it needs them.
+    """Look up the settings of a codebook; add the cluster numbers of its cues if the codebook needs them.
 
-    A hierarchy serves every number up to its ``max_clusters``; flat k-means clusters once for each number,
-    and its ``tree`` has ``numbers``. `name` is one of ``codebooks``, else PlacecatError.
+    A hierarchy serves every number up to ``max_clusters``. Flat k-means clusters once per number, so its
+    ``tree`` has ``numbers``. `name` is one of ``codebooks``, else PlacecatError.
     """
     codebook = dict(settings.get(params, f"codebooks.{name}"))
     tree = codebook["tree"]
@@ -59,8 +59,8 @@ def settings_of(params: Mapping[str, Any], name: str) -> dict[str, Any]:
 class Codebook:
     """Trees that serve every cluster number (thesis 3.3.1.1, 4.2).
 
-    There is one tree for salient regions, and one per cell for a holistic descriptor whose cells lie one
-    after the other.
+    Salient regions share one tree. A holistic descriptor, whose cells are stored one after another, has one
+    tree per cell.
     """
 
     def __init__(self, trees: list[Any], *, of_sets: bool) -> None:
@@ -80,9 +80,9 @@ class Codebook:
         """Cluster the descriptors of n training frames.
 
         `cells` is the number of equal parts of a holistic descriptor (16 in the thesis); 1 for regions. The
-        seed of each tree derives from `seed` and the cell. `tree` has the ``name`` of a module of
-        `placecat.learning` that clusters, and its settings. `numbers` are the cluster numbers that will be
-        used; None for those of the settings.
+        seed of each tree is derived from `seed` and the cell. `tree` holds the ``name`` of a clustering
+        module of `placecat.learning` and its settings. `numbers` are the cluster numbers that will be used;
+        None for the numbers in the settings.
         """
         if train.is_set:
             parts = [train.rows()]
@@ -101,7 +101,7 @@ class Codebook:
         return cls(trees, of_sets=train.is_set)
 
     def words(self, frames: Descriptors, n_clusters: int) -> NDArray[np.int32]:
-        """Nearest cluster of each region, (n, max_regions) padded with -1, or of each cell, (n, cells)."""
+        """Return the nearest cluster of each region, (n, max_regions) padded with -1, or cell, (n, cells)."""
         if self.of_sets:
             words = np.full(frames.x.shape[:2], -1, dtype=np.int32)
             words[frames.valid()] = self.trees[0].assign(frames.rows(), n_clusters)
@@ -114,7 +114,7 @@ class Codebook:
         return np.stack(columns, axis=1).astype(np.int32)
 
     def to_arrays(self) -> dict[str, np.ndarray]:
-        """Plain arrays for storage without pickle."""
+        """Return plain arrays, to store the codebook without pickle."""
         arrays = {"of_sets": np.array(self.of_sets), "n_trees": np.array(len(self.trees))}
         for number, tree in enumerate(self.trees):
             arrays |= {f"{number:02d}/{name}": array for name, array in tree.to_arrays().items()}

@@ -1,4 +1,4 @@
-"""The input of a cue: descriptors of some frames."""
+"""Input of a cue: descriptors of frames."""
 
 from dataclasses import dataclass
 
@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 class Descriptors:
     """Descriptors of n frames: one vector (holistic) or a set of vectors (salient regions) per frame.
 
-    `x` is float32, (n, d) holistic or (n, max_regions, d) of regions. `counts` are the (n,) numbers of
-    regions of the frames, the other rows being padding; None for holistic ones.
+    `x` is float32: (n, d) for holistic descriptors, (n, max_regions, d) for regions. `counts` is the (n,)
+    number of regions per frame; the other rows are padding. It is None for holistic descriptors.
     """
 
     x: NDArray[np.float32]
@@ -21,7 +21,7 @@ class Descriptors:
         return len(self.x)
 
     def take(self, frames: NDArray[np.intp]) -> "Descriptors":
-        """The descriptors of some frames, by index and in this order."""
+        """Return the descriptors of the frames with these indices, in this order."""
         return Descriptors(self.x[frames], None if self.counts is None else self.counts[frames])
 
     @property
@@ -39,7 +39,7 @@ class Descriptors:
         return self.x if self.counts is None else self.x[self.valid()]
 
     def frame_of_row(self) -> NDArray[np.int64]:
-        """The frame of each row of :meth:`rows`."""
+        """Frame of each row of :meth:`rows`."""
         if self.counts is None:
             return np.arange(len(self.x))
         return np.repeat(np.arange(len(self.x)), self.counts)

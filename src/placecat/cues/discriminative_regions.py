@@ -1,4 +1,4 @@
-"""An addition: a model that uses only the regions whose codewords tell places apart."""
+"""Model that uses only regions whose codewords tell places apart (an addition to the thesis)."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -14,12 +14,12 @@ from placecat.learning.activations import activations
 from placecat.learning.discriminative import discriminative_codewords
 from placecat.ranges import Count, PositiveShare
 
-#: Whether the model takes only sets of regions, never whole frames.
+#: Whether the model accepts only sets of regions, never whole frames.
 OF_REGIONS_ONLY = True
 
 
 class DiscriminativeRegionsCue:
-    """A cue that ignores regions without a chosen codeword."""
+    """Cue that ignores regions without a chosen codeword."""
 
     def __init__(self, codebook: Codebook, kept: NDArray[np.bool_], cue: CueModel) -> None:
         self.codebook = codebook
@@ -33,7 +33,7 @@ class DiscriminativeRegionsCue:
 
 
 def only(frames: Descriptors, words: NDArray[np.int32], kept: NDArray[np.bool_]) -> Descriptors:
-    """Keep the regions whose codeword, (n, max_regions) and -1 as padding, the (N,) mask `kept` chooses."""
+    """Keep regions whose codeword is in the (N,) mask `kept`; `words` is (n, max_regions), padded with -1."""
     taken = (words >= 0) & kept[words]
     counts = taken.sum(axis=1)
     x = np.zeros_like(frames.x)
@@ -54,9 +54,8 @@ def fit(
 ) -> DiscriminativeRegionsCue:
     """Choose codewords on the training frames, then train a cue on their regions.
 
-    `cue` has the settings of that cue's classifier, without its number of clusters, which is also `clusters`.
-    `keep` is the share of the clusters to choose, see
-    :func:`placecat.learning.discriminative.discriminative_codewords`.
+    `cue` holds the settings of that cue's classifier; its number of clusters is `clusters` too. `keep` is the
+    share of clusters to choose, see :func:`placecat.learning.discriminative.discriminative_codewords`.
     """
     from placecat import cues
 

@@ -1,4 +1,4 @@
-"""Estimators of `placecat.learning` by the name of their module."""
+"""Estimators of `placecat.learning`, looked up by module name."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -7,10 +7,10 @@ from placecat import learning, lookup, signatures
 
 
 def build(options: Mapping[str, Any], where: str, **fixed: Any) -> Any:
-    """Make the estimator that ``options["name"]`` names, with the other options as its parameters.
+    """Make the estimator named by ``options["name"]``; the other options are its parameters.
 
-    The name is that of a module of `placecat.learning` that defines one estimator. An unknown estimator or
-    parameter raises PlacecatError, which names `where` and the valid ones. `fixed` are parameters that are
+    ``name`` is a module of `placecat.learning` that defines one estimator. An unknown estimator or
+    parameter raises PlacecatError, which names `where` and the valid choices. `fixed` are parameters that are
     not settings, e.g. a seed.
     """
     class_name = signatures.check_estimator(options, where)

@@ -25,7 +25,7 @@ class JointProbabilityCue:
     facts: dict[str, Any] = field(default_factory=dict)
 
     def codes(self, frames: Descriptors) -> NDArray[Any]:
-        """(n, variables) values of the random variables c_1 .. c_N of equation (10)."""
+        """Values (n, variables) of the random variables c_1 .. c_N of equation (10)."""
         words = self.codebook.words(frames, self.clusters)
         if frames.counts is None:
             return words
@@ -48,8 +48,8 @@ def fit(
 ) -> JointProbabilityCue:
     """Train a joint model.
 
-    `base` is an estimator of `placecat.learning` over integer codes: `naive_bayes` (12) or `dependency_tree`
-    (11). `clusters` is the number of clusters of each codebook, (16-1) k + 1.
+    `base` is an estimator of `placecat.learning` over integer codes: `naive_bayes` (equation 12) or
+    `dependency_tree` (equation 11). `clusters` is the number of clusters of each codebook, (16-1) k + 1.
     """
     if codebook is None:
         raise PlacecatError(

@@ -38,7 +38,7 @@ def fit(
     base: Mapping[str, Any],
     clusters: Count,
 ) -> NearestNeighboursCue:
-    """Train the modified nearest neighbours on every region (or frame) with its frame's label."""
+    """Train the modified nearest neighbours on all regions (or frames); a region has its frame's label."""
     if codebook is None:
         raise PlacecatError("classifier.model 'knn' needs a codebook: set the cue's codebook and input")
     if len(codebook.trees) != 1:

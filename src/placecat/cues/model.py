@@ -9,7 +9,7 @@ from placecat.cues.descriptors import Descriptors
 
 
 class CueModel(Protocol):
-    """A trained cue; `facts` about its training, e.g. the nu that was feasible, have JSON types only."""
+    """A trained cue; `facts` about its training, e.g. the feasible nu, contain only JSON types."""
 
     facts: dict[str, Any]
 
@@ -23,8 +23,8 @@ def product_of_rows(
 ) -> NDArray[np.float64]:
     """Multiply the distributions of a frame's regions and normalise (thesis 3.3.1 and 4.4.1).
 
-    `log_proba` are (rows, n_classes) logarithms of the regions' distributions, and `frame_of_row` the (rows,)
-    frame index of each. Returns (n_frames, n_classes); uniform for a frame without regions.
+    `log_proba` holds the (rows, n_classes) log-probabilities of the regions, and `frame_of_row` the (rows,)
+    frame index of each region. Returns (n_frames, n_classes); uniform for a frame without regions.
     """
     total = np.zeros((n_frames, log_proba.shape[1]))
     np.add.at(total, frame_of_row, log_proba)

@@ -17,10 +17,10 @@ def confusion_matrix(truth: ArrayLike, decision: ArrayLike, n_classes: int) -> N
 
 
 def class_accuracies(confusion: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Percentage of each class's frames that were decided right; NaN for a class without frames.
+    """Percentage of correct decisions on the frames of each class; NaN for a class without frames.
 
-    The thesis's measure: a home's accuracy is the mean of these over the classes present (see
-    :func:`home_accuracy`), so that big classes cannot outweigh small ones.
+    This is the thesis's measure: a home's accuracy is their mean over the classes present (see
+    :func:`home_accuracy`), so large classes cannot outweigh small ones.
     """
     totals = confusion.sum(axis=1)
     with np.errstate(invalid="ignore"):

@@ -1,4 +1,4 @@
-"""Intervals from a paired bootstrap over a handful of units."""
+"""Bootstrap intervals over a handful of units."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -17,8 +17,8 @@ class Interval:
     high: float
 
     def rounded(self, decimals: int = 2) -> "Interval":
-        """The same with rounded numbers, never -0."""
-        # Rounded twice, since the last bits of equal numbers may lie on different sides of a half.
+        """Return the same interval with rounded numbers, never -0."""
+        # Round twice: the last bits of equal numbers may lie on different sides of a half.
         return Interval(
             *(round(round(x, decimals + 6), decimals) + 0.0 for x in (self.estimate, self.low, self.high))
         )
@@ -32,18 +32,19 @@ def paired_bootstrap(
     level: float = 0.95,
     resamples: int = 10000,
 ) -> Interval:
-    """Interval of a statistic of units, e.g. the mean difference of two results over homes.
+    """Interval of a statistic over units, e.g. the mean difference of two results over homes.
 
-    Units are drawn with replacement. A drawn unit brings all its measurements, so effects common to both
-    sides of a difference cancel.
+    Units are drawn with replacement, each with all its measurements, so effects common to both sides of a
+    difference cancel.
 
-    With six units the plain percentile interval is far too narrow, for two reasons that are known exactly for
-    a mean: the bootstrap's variance divides by n instead of n - 1, and it uses a normal quantile instead of
-    one of Student's t with n - 1 degrees of freedom. So both arms of the percentile interval are stretched
-    about the estimate by sqrt(n / (n - 1)) t / z. Hesterberg corrects for both by more extreme quantiles (the
-    expanded percentile interval), which four or six units do not have: that interval ends at the smallest and
-    the largest unit. BCa corrects for skewness, not for n. The bootstrap-t divides by standard errors that
-    vanish if units tie, as the seeds of one home can: its intervals are then infinite.
+    With six units the plain percentile interval is far too narrow. For a mean, both reasons are known
+    exactly: the bootstrap variance divides by n instead of n - 1, and the interval uses a normal quantile
+    instead of a quantile of Student's t with n - 1 degrees of freedom. So both arms of the percentile
+    interval are stretched about the estimate by sqrt(n / (n - 1)) t / z. Hesterberg corrects for both with
+    more extreme quantiles (the expanded percentile interval), but four or six units do not reach them: that
+    interval ends at the smallest and the largest unit. BCa corrects for skewness, not for n. The bootstrap-t
+    divides by standard errors that vanish if units tie, as seeds of one home can. Its intervals are then
+    infinite.
 
     Coverage of the intervals of a mean, `level` 0.95, in 4000 simulations each:
 
@@ -58,17 +59,18 @@ def paired_bootstrap(
     6    Student, 3 df 0.84       0.93     0.95      0.83  0.93
     ==== ============= ========== ======== ========= ===== ===========
 
-    This function gives the stretched interval. Its median length is 0.85 (n = 6) and 0.54 (n = 4) of the
-    bootstrap-t's.
+    This function returns the stretched interval. Its median length is 0.85 (n = 6) and 0.54 (n = 4) times
+    that of the bootstrap-t interval.
 
-    Two homes with two seeds are four dependent units. If homes and seeds vary alike, the interval covers the
-    mean over these two homes in 0.96 of the simulations, and more often the less seeds matter, but the mean
-    over all homes in only 0.89, and in 0.70 if seeds do not matter. It is an interval for these homes only.
+    Two homes with two seeds are four dependent units. If homes and seeds vary equally, the interval covers
+    the mean over these two homes in 0.96 of the simulations, and more often if seeds matter less. It covers
+    the mean over all homes in only 0.89, and in 0.70 if seeds do not matter. So the interval is valid for
+    these homes only.
 
     Parameters
     ----------
     statistic
-        Takes (resamples, n) weights of the units, each row summing to 1, and gives (resamples,) values.
+        Function of (resamples, n) unit weights, each row summing to 1; returns (resamples,) values.
     n_units
         n, at least 2.
     seed, level, resamples
@@ -76,8 +78,8 @@ def paired_bootstrap(
 
     Returns
     -------
-    In `estimate` all units weigh the same; it lies within the interval unless the statistic is very biased.
-    Identical units give a point.
+    The interval. Its `estimate` weighs all units the same and lies within the interval unless the statistic
+    is very biased. Identical units yield a point.
 
     References
     ----------
@@ -98,11 +100,11 @@ def stratified_bootstrap(
     level: float = 0.95,
     resamples: int = 10000,
 ) -> Interval:
-    """Interval of a statistic of blocks, e.g. stays in rooms, with a fixed number of blocks per stratum.
+    """Interval of a statistic over blocks, e.g. stays in rooms, with a fixed number of blocks per stratum.
 
-    A mean over places has one stratum per place. Of the n blocks of a stratum n - 1 are drawn with
-    replacement (Rao and Wu), so that the variance of its mean divides by n - 1, which matters most for strata
-    as small as two. A stratum of one block has no spread. Both arms are stretched by t / z; the degrees of
+    A mean over places has one stratum per place. From the n blocks of a stratum, n - 1 are drawn with
+    replacement (Rao and Wu). The variance of its mean then divides by n - 1, which matters most for strata as
+    small as two. A stratum of one block has no spread. Both arms are stretched by t / z; the degrees of
     freedom are the blocks beyond one per stratum.
 
     Coverage of the intervals of the mean of five strata's means, `level` 0.95, in 2000 simulations each:
@@ -118,12 +120,11 @@ def stratified_bootstrap(
     Parameters
     ----------
     statistic
-        Takes (resamples, n) weights of the blocks, those of each stratum summing to 1, and gives (resamples,)
-        values.
+        Function of (resamples, n) block weights, which sum to 1 in each stratum; returns (resamples,) values.
     strata
-        (n,) number of the stratum of each block, from 0.
+        (n,) stratum number of each block, from 0.
     seed, level, resamples
-        As for :func:`paired_bootstrap`.
+        As in :func:`paired_bootstrap`.
 
     References
     ----------
@@ -145,13 +146,13 @@ def stratified_bootstrap(
 
 
 def _stretched(estimate: float, values: NDArray[np.float64], level: float, factor: float) -> Interval:
-    """The percentile interval of resampled values, both arms times a factor."""
+    """Percentile interval of resampled values, with both arms multiplied by a factor."""
     arms = np.quantile(values, [(1.0 - level) / 2.0, (1.0 + level) / 2.0]) - estimate
     low, high = estimate + factor * arms
     return Interval(estimate, float(low), float(high))
 
 
 def stretch(n_units: int, level: float) -> float:
-    """Factor of the arms of a percentile interval, at least 1: sqrt(n / (n - 1)) t / z."""
+    """Return the stretch factor of a percentile interval's arms, sqrt(n / (n - 1)) t / z, at least 1."""
     upper = (1.0 + level) / 2.0
     return float(np.sqrt(n_units / (n_units - 1.0)) * stats.t.ppf(upper, n_units - 1) / stats.norm.ppf(upper))

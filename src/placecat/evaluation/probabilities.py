@@ -1,4 +1,4 @@
-"""Quality of distributions over places: log-loss and calibration, with every place weighing the same."""
+"""Quality of distributions over places: log-loss and calibration; all places weigh the same."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -10,7 +10,7 @@ from placecat.errors import PlacecatError
 
 
 class Reliability(NamedTuple):
-    """The points of a reliability diagram: how often decisions of about the same confidence are right.
+    """Points of a reliability diagram: how often decisions of similar confidence are right.
 
     `confidence` is the (bins,) mean probability of the decided place and `accuracy` the (bins,) share of
     right decisions, both 0 to 1 and NaN in a bin without frames. `weight` is the (bins,) share of the frames;
@@ -23,10 +23,10 @@ class Reliability(NamedTuple):
 
 
 def balanced_weights(truth: ArrayLike) -> NDArray[np.float64]:
-    """Frame weights that make every place present weigh the same, as in the accuracy (thesis 4.2).
+    """Return frame weights that let all places present weigh the same, as in the accuracy (thesis 4.2).
 
     `truth` is (n,) integers, -1 for frames that are not scored. The (n,) weights sum to 1 and are 0 for
-    frames that are not scored; all 0 if none is.
+    frames that are not scored; all are 0 if no frame is scored.
     """
     truth = np.asarray(truth, dtype=np.int64)
     scored = truth >= 0
@@ -37,12 +37,12 @@ def balanced_weights(truth: ArrayLike) -> NDArray[np.float64]:
 
 
 def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
-    """Mean of -ln p(true place) over the frames of each place present, and over these places, in nats.
+    """Mean of -ln p(true place) over the frames of each place, then over the places present, in nats.
 
     `truth` is (n,) integers, -1 for frames that are not scored, and `proba` (n, n_classes) distributions.
-    Uniform distributions over k places have ln k; NaN if no frame is scored. Probabilities below `smallest`,
-    in (0, 1), else PlacecatError, count as this one, so that a single 0 does not make the mean infinite: a
-    frame costs at most -ln `smallest`.
+    Uniform distributions over k places score ln k. The result is NaN if no frame is scored. Probabilities
+    below `smallest`, in (0, 1), else PlacecatError, are raised to it: a single 0 cannot make the mean
+    infinite, since a frame costs at most -ln `smallest`.
     """
     if not isinstance(smallest, int | float) or not 0.0 < smallest < 1.0:
         raise PlacecatError(f"probabilities.smallest must be a number in (0, 1), but is {smallest!r}")
@@ -56,16 +56,16 @@ def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
 
 
 def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability:
-    """Compare the confidence of decisions with their accuracy; every place weighs the same.
+    """Compare the confidence of decisions with their accuracy; all places weigh the same.
 
     `truth` is (n,) integers, -1 for frames that are not scored, and `proba` (n, n_classes) distributions; the
-    first of equal largest ones is the decision, and its probability the confidence. Confidences in ((m - 1) /
-    `bins`, m / `bins`] share a bin; `bins` is at least 1, else PlacecatError.
+    decision is the most probable class (the first of several), and its probability is the confidence.
+    Confidences in ((m - 1) / `bins`, m / `bins`] share a bin; `bins` is at least 1, else PlacecatError.
 
     References
     ----------
-    C. Guo, G. Pleiss, Y. Sun and K. Q. Weinberger, On Calibration of Modern Neural Networks, ICML 2017; there
-    all frames weigh the same.
+    C. Guo, G. Pleiss, Y. Sun and K. Q. Weinberger, On Calibration of Modern Neural Networks, ICML 2017.
+    There, all frames weigh the same.
     """
     if isinstance(bins, bool) or not isinstance(bins, int) or bins < 1:
         raise PlacecatError(f"probabilities.bins must be a whole number from 1 on, but is {bins!r}")

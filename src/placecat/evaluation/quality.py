@@ -1,4 +1,4 @@
-"""Quality of the distributions of one home, in a few numbers."""
+"""Quality measures of one home's distributions."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -11,11 +11,11 @@ from placecat.evaluation.stays import stay_accuracy, stays_by_class
 
 
 class HomeQuality(NamedTuple):
-    """Numbers of one home, places weighing the same; NaN where nothing is labelled.
+    """Quality measures of one home; all places weigh the same. NaN if no frame is labelled.
 
     `log_loss` is in nats (:func:`placecat.evaluation.probabilities.log_loss`) and `calibration_error` in
     percent (:func:`placecat.evaluation.probabilities.calibration_error`). `stays` and `stays_right` are the
-    number of stays and of those named right (:func:`placecat.evaluation.stays.stays_by_class`), and
+    numbers of all stays and of correctly named stays (:func:`placecat.evaluation.stays.stays_by_class`), and
     `stay_accuracy` is in percent (:func:`placecat.evaluation.stays.stay_accuracy`).
     """
 
@@ -31,10 +31,9 @@ def home_quality(
 ) -> HomeQuality:
     """Measure the distributions of one home.
 
-    `truth` is (frames,) class indices in order of time, -1 for unlabelled; `proba` (frames, n_classes)
-    distributions; `sequences` are stretches of frames without a cut that cover all frames. `bins` and
-    `smallest` are as for :func:`placecat.evaluation.probabilities.reliability` and ``log_loss`` there, with
-    their errors.
+    `truth` is (frames,) class indices in temporal order, -1 for unlabelled; `proba` (frames, n_classes)
+    distributions; `sequences` are uncut stretches that together cover all frames. `bins`, `smallest` and
+    their errors are as in `reliability` and `log_loss` of `placecat.evaluation.probabilities`.
     """
     counts = stays_by_class(truth, proba.argmax(axis=1), sequences, proba.shape[1])
     stays, right = (int(count) for count in counts.sum(axis=0))

@@ -1,4 +1,4 @@
-"""Decisions withheld below a confidence: how many remain, and how many of these are wrong."""
+"""Decisions withheld below a confidence threshold: how many remain, and how many of these are wrong."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -14,9 +14,9 @@ _ROUNDING = 1e-9
 
 
 class Decided(NamedTuple):
-    """The decisions on the n labelled frames of one home: their probabilities, and whether they are wrong.
+    """Decisions on the n labelled frames of one home: their probabilities, and whether they are wrong.
 
-    The weights sum to 1: homes weigh the same, and in a home its places, as in the accuracy.
+    The weights sum to 1: all homes weigh the same, and so do the places within a home, as in the accuracy.
     """
 
     confidence: NDArray[np.float64]
@@ -25,10 +25,10 @@ class Decided(NamedTuple):
 
 
 class Selection(NamedTuple):
-    """The decisions at or above a threshold in some homes, in numbers from 0 to 1.
+    """Coverage and risk of the decisions at or above a threshold in some homes, from 0 to 1.
 
-    `coverage` is their share of all decisions, `risk` the share of them that is wrong, and `worst` the
-    highest risk in a home; both risks are NaN without such decisions.
+    `coverage` is their share of all decisions, `risk` the share of wrong decisions among them, and `worst`
+    the highest risk in any home. Both risks are NaN if no decision reaches the threshold.
     """
 
     coverage: float
@@ -39,8 +39,8 @@ class Selection(NamedTuple):
 def decided(truth: ArrayLike, proba: ArrayLike) -> Decided:
     """Judge the decisions in one home.
 
-    `truth` is (n,) integers, -1 for frames that are not scored, and `proba` (n, n_classes) distributions; of
-    equal largest ones the first is the decision.
+    `truth` is (n,) integers, -1 for frames that are not scored, and `proba` (n, n_classes) distributions; the
+    decision is the most probable class, the first of several.
     """
     truth, proba = np.asarray(truth, np.int64), np.asarray(proba, np.float64)
     scored = truth >= 0
@@ -49,28 +49,28 @@ def decided(truth: ArrayLike, proba: ArrayLike) -> Decided:
 
 
 def choose_threshold(homes: Sequence[Decided], risk: float) -> float:
-    """Choose the lowest confidence at or above which the share of wrong decisions is at most `risk`, 0 to 1.
+    """Choose the lowest threshold that keeps the share of wrong decisions at or below `risk`, 0 to 1.
 
-    `homes` are decisions of systems that have not seen them. Returns one of the confidences; infinite if none
-    will do.
+    `homes` holds decisions of systems that have not seen the home. Returns one of the confidences, or
+    infinity if none is high enough.
 
     References
     ----------
-    Y. Geifman and R. El-Yaniv, Selective Classification for Deep Neural Networks, NeurIPS 2017. They add a
-    bound for frames that are independent, which those of a walk are not.
+    Y. Geifman and R. El-Yaniv, Selective Classification for Deep Neural Networks, NeurIPS 2017. Their bound
+    assumes independent frames and is not used: the frames of a walk are dependent.
     """
     confidence, wrong, weight = (np.concatenate(parts) for parts in zip(*homes, strict=True))
     order = np.argsort(-confidence, kind="stable")
     confidence, weight = confidence[order], weight[order]
     risks = np.cumsum(weight * wrong[order]) / np.cumsum(weight)
-    # Equal confidences are taken together.
+    # Equal confidences form one group.
     is_last = np.append(confidence[1:] != confidence[:-1], True)
     good = np.flatnonzero(is_last & (risks <= risk + _ROUNDING))
     return float(confidence[good[-1]]) if len(good) else math.inf
 
 
 def select(homes: Sequence[Decided], thresholds: Sequence[float]) -> Selection:
-    """Measure the decisions at or above a threshold in each home."""
+    """Measure the decisions at or above each home's threshold."""
     left = []
     for home, threshold in zip(homes, thresholds, strict=True):
         is_left = home.confidence >= threshold
@@ -88,7 +88,7 @@ def select(homes: Sequence[Decided], thresholds: Sequence[float]) -> Selection:
 
 
 def select_unseen(homes: Mapping[str, Decided], risk: float) -> Selection:
-    """Measure each of at least two homes with the threshold that the others choose."""
+    """Measure each home (at least two) with the threshold chosen on the other homes."""
     thresholds = [
         choose_threshold([other for name, other in homes.items() if name != home], risk) for home in homes
     ]

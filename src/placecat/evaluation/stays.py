@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 
 class Stay(NamedTuple):
-    """A visit: the class index of its place, its first frame, and the one after its last."""
+    """A visit: class index of the place, first frame, and the frame after the last."""
 
     place: int
     start: int
@@ -16,10 +16,10 @@ class Stay(NamedTuple):
 
 
 def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
-    """Find the longest runs of one labelled place, in order of time.
+    """Find the maximal runs of one labelled place, in temporal order.
 
-    `truth` is (frames,) class indices in order of time, -1 for unlabelled frames and transitions, which end a
-    stay. `sequences` are stretches without a cut that cover all frames; a cut ends a stay too.
+    `truth` is (frames,) class indices in temporal order, -1 for unlabelled frames and transitions, which end
+    a stay. `sequences` are uncut stretches that together cover all frames; a cut also ends a stay.
     """
     truth = np.asarray(truth, dtype=np.int64)
     if not len(truth):
@@ -38,11 +38,11 @@ def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
 def stays_by_class(
     truth: ArrayLike, decision: ArrayLike, sequences: Sequence[slice], n_classes: int
 ) -> NDArray[np.int64]:
-    """Count stays of each class, and those named right: (n_classes, 2).
+    """Count all stays and the correctly named stays of each class: (n_classes, 2).
 
-    A stay is named right if its place is decided in more of its frames than every other. A tie is wrong, so
-    that the order of the classes does not matter. `truth` and `sequences` are as for :func:`find_stays`;
-    `decision` is (frames,) integers in [0, n_classes).
+    A stay is named correctly if more of its frames are decided as its place than as any other place. A tie
+    counts as wrong, so the order of the classes does not matter. `truth` and `sequences` are as in
+    :func:`find_stays`; `decision` is (frames,) integers in [0, n_classes).
     """
     decision = np.asarray(decision, dtype=np.int64)
     counts = np.zeros((n_classes, 2), np.int64)
@@ -54,10 +54,10 @@ def stays_by_class(
 
 
 def stay_accuracy(counts: NDArray[np.int64]) -> float:
-    """Percentage of stays named right, the mean over the classes present; NaN if there is no stay.
+    """Percentage of correctly named stays, averaged over the classes present; NaN without stays.
 
-    The measure of frames (thesis 4.2) applied to stays: a place visited often does not outweigh others.
-    `counts` are from :func:`stays_by_class`.
+    This applies the frame measure (thesis 4.2) to stays: a place visited often does not outweigh others.
+    `counts` comes from :func:`stays_by_class`.
     """
     there = counts[counts[:, 0] > 0]
     return float((100.0 * there[:, 1] / there[:, 0]).mean()) if len(there) else float("nan")

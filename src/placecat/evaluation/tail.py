@@ -1,4 +1,4 @@
-"""The share of cases beyond a threshold, estimated from a few units."""
+"""Estimate of the share of cases beyond a threshold from a few units."""
 
 from collections.abc import Sequence
 from functools import lru_cache
@@ -9,21 +9,21 @@ from scipy import optimize, special
 
 from placecat.evaluation.bootstrap import Interval
 
-# Nodes of the quadrature over the scale of a t distribution.
+# Quadrature nodes over the scale of a t distribution.
 _NODES = 200
 
 
 def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level: float = 0.95) -> Interval:
-    """Share, 0 to 1, of the cases of all units, known and unknown, that lie at or below a threshold.
+    """Estimate the share, 0 to 1, of cases at or below a threshold, over known and unknown units.
 
-    A unit, e.g. a home, has several cases, e.g. the gains of some methods. Cases are modelled as normal, with
-    the mean over units, and the variance between the units' means plus the mean variance within units.
-    Counting cases could never show that a share is small: for six homes without such a case the upper end is
-    46 % (Clopper and Pearson). The limits are those of the noncentral t distribution. They are exact if each
-    unit has one case or identical cases, and wide otherwise, since the units then count as one case each.
+    A unit, e.g. a home, has several cases, e.g. the gains of some methods. Cases are modelled as normal: the
+    mean is taken over units, and the variance is the variance of the unit means plus the mean variance within
+    units. Counting cases could never show that a share is small: for six homes without such a case, the upper
+    limit is 46 % (Clopper and Pearson). The limits come from the noncentral t distribution. They are exact if
+    each unit has one case or identical cases, and wide otherwise, since each unit then counts as one case.
 
-    There are at least 2 `units`, each with (cases,) values; identical values give the point 0 or 1. `level`,
-    that of the interval, is between 0 and 1.
+    `units` holds at least 2 arrays of (cases,) values; if all are identical, the interval is the point 0 or
+    1. `level`, the level of the interval, is between 0 and 1.
 
     References
     ----------
@@ -46,8 +46,8 @@ def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level
 
 
 def _noncentrality(t: float, freedom: int, below: float) -> float:
-    """The noncentrality for which a t distribution is at most `t` with probability `below`."""
-    # scipy's distribution function fails far from 0, so the mean over the scale is computed here.
+    """Find the noncentrality at which a t variable is at most `t` with probability `below`."""
+    # scipy's distribution function fails far from 0, so this code averages over the scale instead.
     scale, weights = _scales(freedom)
     reach = 10.0 + 5.0 * abs(t)
     return float(

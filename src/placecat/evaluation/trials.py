@@ -1,4 +1,4 @@
-"""Trials: the cues behind a table's cells, each with some settings changed."""
+"""Trials: the cues behind the cells of a table, each with some settings changed."""
 
 import itertools
 import json
@@ -15,11 +15,11 @@ HOMES = "homes"
 
 @dataclass(frozen=True)
 class Trial:
-    """One cue to train and to test in some homes.
+    """One cue to train and test in some homes.
 
-    `name` is the table and the labels of its axes, that of the homes empty, e.g. ``trials/table_12/HOG +
-    y-Pos||196``. `settings` are ``descriptor``, ``classifier`` and, for classifiers on clusters,
-    ``codebook``. `homes` are the test homes.
+    `name` consists of the table and its axis labels, with an empty label for the homes, e.g.
+    ``trials/table_12/HOG + y-Pos||196``. `settings` are ``descriptor``, ``classifier`` and, for classifiers
+    on clusters, ``codebook``. `homes` are the test homes.
     """
 
     name: str
@@ -27,17 +27,17 @@ class Trial:
     homes: tuple[str, ...]
 
     def key(self) -> str:
-        """The computation as text: equal trials of several tables are computed once."""
+        """Text that identifies the computation; equal trials of several tables are computed once."""
         return json.dumps(self.settings, sort_keys=True)
 
 
 def trial_name(table: str, group: str, row: str, column: str) -> str:
-    """Name of the result of one trial."""
+    """Name of a trial's result."""
     return f"trials/{table}/{group}|{row}|{column}"
 
 
 def homes_of(table: Mapping[str, Any], homes: list[str]) -> list[tuple[int, str]]:
-    """Number (from 1) and name of each home that a table tests on and the data set has.
+    """Number (from 1) and name of each home that a table tests and the data set contains.
 
     The table's ``homes`` are numbers from 1, or ``all``; `homes` are the names of the data set's homes.
     """

@@ -1,4 +1,4 @@
-"""From intervals to verdicts on claims."""
+"""Verdicts on claims, based on intervals."""
 
 from collections.abc import Collection
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ UNDECIDED = "undecided"
 
 @dataclass(frozen=True)
 class Range:
-    """The range that a claim allows for a difference: strictly between `low` and `high` (or infinite)."""
+    """Range that a claim allows for a difference: strictly between `low` and `high`; ends may be infinite."""
 
     low: float
     high: float
@@ -25,18 +25,18 @@ class Range:
         return f"between {self.low:g} and {self.high:g}"
 
     def margin(self, interval: Interval) -> float:
-        """Distance of the interval from the nearer end; negative if it reaches beyond."""
+        """Distance from the interval to the nearer end of the range; negative if it extends beyond."""
         return min(interval.low - self.low, self.high - interval.high)
 
 
 def corrected_level(level: float, comparisons: int) -> float:
-    """Level of each of several intervals so that all of them cover with probability `level` (Bonferroni).
+    """Return the level that each of several intervals needs for a joint level of `level` (Bonferroni).
 
-    Holm's procedure starts with the same level, so it finds a failing comparison exactly where this does.
-    With intervals of four or six units, each exactly on the edge of failing, one of 2, 5 or 14 independent
-    comparisons fails in 3 to 5 % of 12000 simulations if units are normal, in 2 to 4 % if they are Student's
-    with 3 degrees of freedom, but in 15 to 36 % if they are exponential with the long tail on the side of the
-    claim, since intervals of so few skewed units are too short there.
+    Holm's procedure starts with the same level, so it finds a failing comparison exactly when this does. In
+    12000 simulations, with intervals over four or six units and every comparison exactly on the edge of
+    failing, at least one of 2, 5 or 14 independent comparisons fails in 3 to 5 % if units are normal and in 2
+    to 4 % if they follow Student's t with 3 degrees of freedom. It is 15 to 36 % if units are exponential
+    with the long tail on the claim's side, where intervals over so few skewed units are too short.
     """
     return 1.0 - (1.0 - level) / comparisons
 
@@ -44,8 +44,9 @@ def corrected_level(level: float, comparisons: int) -> float:
 def judge(interval: Interval, claimed: Range, corrected: Interval | None = None) -> str:
     """Judge one comparison: `HOLDS`, `FAILS` or `UNDECIDED`.
 
-    It holds if all of the interval is in the range. It fails if nothing of `corrected` is: the wider interval
-    of a claim with several comparisons (:func:`corrected_level`), None for the same one.
+    It holds if the interval lies entirely in the range. It fails if `corrected` lies entirely outside.
+    `corrected` is the wider interval of a claim with several comparisons (:func:`corrected_level`); None to
+    use `interval`.
     """
     if claimed.low < interval.low and interval.high < claimed.high:
         return HOLDS
@@ -58,9 +59,9 @@ def judge(interval: Interval, claimed: Range, corrected: Interval | None = None)
 def combine(verdicts: Collection[str]) -> str:
     """Verdict on a claim with several comparisons: all must hold, and a single failure is enough.
 
-    "All hold" needs no correction for their number: if one is false, that one alone must hold by chance (an
-    intersection-union test). "One fails" does: each of k true ones may fail by chance, so `judge` uses the
-    corrected interval for it.
+    "All hold" needs no correction for the number of comparisons: if one is false, that one must hold by
+    chance (an intersection-union test). "One fails" needs it: each of k true comparisons may fail by chance,
+    so `judge` uses the corrected interval.
     """
     if FAILS in verdicts:
         return FAILS
@@ -70,10 +71,10 @@ def combine(verdicts: Collection[str]) -> str:
 def judge_shares(worse: Interval, better: Interval, rare: float) -> str:
     """Judge whether something hurts as well as helps.
 
-    `worse` and `better` are the shares of the cases, 0 to 1, that it makes worse and better; `rare` is the
-    largest share that counts as an exception. `HOLDS` if both whole intervals are above `rare`, `FAILS` if
-    one of them is below it, else `UNDECIDED`. Two intervals of 95 % make a false `FAILS` in at most 5 %,
-    since each errs in 2.5 % on its lower side.
+    `worse` and `better` are the shares of cases, 0 to 1, that it makes worse and better; `rare` is the
+    largest share that counts as an exception. The verdict is `HOLDS` if both intervals lie entirely above
+    `rare`, `FAILS` if one lies entirely below it, else `UNDECIDED`. With two 95 % intervals a false `FAILS`
+    occurs in at most 5 % of cases, since each is too low in 2.5 %.
     """
     if worse.low > rare and better.low > rare:
         return HOLDS

@@ -13,12 +13,12 @@ class Delay:
 
     The thesis sets alpha = -1 in equation (14) and leaves h open, so its lag depends on the frame rate. Here
     alpha = -1 / tau with a time constant tau, and h = 1 - exp(-dt / tau) is the exact solution of equation
-    (14) for a set point that stays for dt seconds. After tau seconds the output has gone 63 % of the way to a
-    new set point, at any frame rate.
+    (14) for a set point that stays for dt seconds. After tau seconds the output has covered 63 % of the way
+    to a new set point, at any frame rate.
 
-    The output for frame t is p(t+1), which uses p*(t): the frame itself counts, no later one does. The first
-    output is the first set point. tau is `seconds`, 0 or more, else PlacecatError; 0 passes the input
-    through.
+    The output for frame t is p(t+1), which uses p*(t): it depends on frame t but on no later frame. The first
+    output is the first set point. tau is `seconds`, 0 or more, else PlacecatError; 0 passes the input through
+    unchanged.
     """
 
     def __init__(self, seconds: float) -> None:

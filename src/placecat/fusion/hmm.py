@@ -23,15 +23,15 @@ def transition_matrix(
     """Count transitions between places in training sequences, at the highest of their frame rates.
 
     Successive labelled frames are counted. Unlabelled frames (-1) between them are skipped, so a walk from
-    the kitchen through a corridor to the bedroom counts once as kitchen to bedroom. A sequence of a lower
-    frame rate counts as if its frames were repeated: the camera changes place as often, and stays in a place
-    for proportionally more frames.
+    the kitchen through a corridor to the bedroom counts once as kitchen to bedroom. A sequence with a lower
+    frame rate counts as if its frames were repeated: the camera changes place as often but stays for
+    proportionally more frames.
 
-    `sequences` are each (frames,) class indices in order of time, -1 for unlabelled; `frame_rates` their
-    frames per second, above 0, None if all are equal. `smoothing`, finite and above 0, else PlacecatError, is
-    added to every count. The thesis does not give it; without it a transition never seen in training would be
-    impossible for ever. Returns (n_classes, n_classes), row q' column q is p(l_t = q | l_{t-1} = q'); rows
-    sum to 1.
+    `sequences` holds (frames,) class indices in temporal order, -1 for unlabelled frames. `frame_rates` are
+    in frames per second, above 0; None if they are all equal. `smoothing`, finite and above 0, else
+    PlacecatError, is added to every count. The thesis does not give it. Without it, a transition never seen
+    in training could never happen. Returns (n_classes, n_classes): row q', column q is p(l_t = q | l_{t-1} =
+    q'). Rows sum to 1.
     """
     counts = np.full((n_classes, n_classes), above_zero("smoothing.transition_counts", smoothing))
     rates = [1.0] * len(sequences) if frame_rates is None else frame_rates
@@ -53,13 +53,13 @@ def emission_matrix(
     reliability: str = "hard",
     smoothing: float = 1.0,
 ) -> Float:
-    """Estimate p(o | l), the integrator's answers in each place, from its cross-validated outputs.
+    """Estimate p(o | l), how the integrator decides in each place, from its cross-validated outputs.
 
-    `truth` is (n,) class indices of training frames, and `proba` (n, n_classes) distributions of the
-    integrator for them, each from a model that saw neither the frame nor its home. `reliability` "hard"
-    counts the decisions (arg-max), "soft" adds up the distributions; `smoothing`, finite and above 0, is
-    added to every count; else PlacecatError. The thesis gives neither. Returns (n_classes, n_classes), row q
-    column o is p(o | l = q); rows sum to 1.
+    `truth` is the (n,) class indices of training frames. `proba` is the integrator's (n, n_classes)
+    distributions, each from a model that saw neither the frame nor its home. `reliability` "hard" counts the
+    decisions (arg-max), "soft" adds up the distributions; `smoothing`, finite and above 0, is added to every
+    count. Other values raise PlacecatError. The thesis gives neither. Returns (n_classes, n_classes): row q,
+    column o is p(o | l = q). Rows sum to 1.
     """
     if reliability == "hard":
         answers = np.eye(n_classes)[np.argmax(proba, axis=1)]
@@ -75,10 +75,11 @@ def emission_matrix(
 def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Float:
     """Likelihood of each frame's observation under each place, p(o_t | l_t = q): (frames, n_classes).
 
-    `proba` is (frames, n_classes) distributions of the integrator, `emission` from :func:`emission_matrix`;
-    the result is positive where the emission is. With `evidence` "hard" the observation is the decision,
-    p(o_t | q) = emission[q, argmax]. With "soft" the decision is uncertain, p(o_t | q) = sum_o emission[q, o]
-    proba[o], as equation (6) treats the outputs of the two-class classifiers. The thesis does not say which.
+    `proba` is the integrator's (frames, n_classes) distributions; `emission` comes from
+    :func:`emission_matrix`. The result is positive wherever the emission is positive. With `evidence` "hard"
+    the observation is the decision, p(o_t | q) = emission[q, argmax]. With "soft" the decision is uncertain,
+    p(o_t | q) = sum_o emission[q, o] proba[o], as equation (6) treats the outputs of the two-class
+    classifiers. The thesis does not say which.
     """
     if evidence == "hard":
         return emission.T[np.argmax(proba, axis=1)]
@@ -91,8 +92,8 @@ class ForwardFilter:
     """Filter one sequence forwards, frame by frame: equation (13). Frame t uses frames up to t only.
 
     `transition` is (n_classes, n_classes), from one frame to the next at its frame rate; rows sum to 1.
-    `initial` is the (n_classes,) distribution of the first place; uniform by default (the thesis does not
-    give it).
+    `initial` is the (n_classes,) distribution of the first place, uniform by default (not given in the
+    thesis).
     """
 
     def __init__(self, transition: Float, *, initial: Float | None = None) -> None:
@@ -108,8 +109,8 @@ class ForwardFilter:
 
         `likelihood` is (n_classes,) p(o_t | l_t = q), 0 or more, at least one above 0. `steps` is the time
         since the last frame, 0 or more, in steps of the transition matrix: places change with P^steps.
-        `weight` is the number of frames that this one counts as, 0 or more: the likelihood's exponent. With
-        `steps` and `weight` of 1, this is equation (13) to the bit.
+        `weight`, the exponent of the likelihood, is the number of frames that this frame counts as, 0 or
+        more. With `steps` and `weight` 1, this is exactly equation (13).
         """
         predicted = self._initial if self._filtered is None else self._filtered @ self._transitions(steps)
         if weight != 1.0:
@@ -122,7 +123,7 @@ class ForwardFilter:
 
 
 def above_zero(name: str, value: float) -> float:
-    """Return a setting that must be a finite number above 0; otherwise the PlacecatError names it."""
+    """Return a setting if it is a finite number above 0; otherwise raise a PlacecatError that names it."""
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     if not is_number or not math.isfinite(value) or value <= 0:
         raise PlacecatError(f"{name} must be a finite number above 0, but is {value!r}")

@@ -1,6 +1,6 @@
 """Integration of cues: SVM-DAS or a plain vote (thesis 3.3.3), or a log-opinion pool (an addition).
 
-SVM-DAS is the discriminative accumulation scheme of Nilsback and Caputo, and Pronobis et al.
+SVM-DAS is the discriminative accumulation scheme by Nilsback and Caputo, and Pronobis et al.
 """
 
 from collections.abc import Mapping, Sequence
@@ -28,10 +28,10 @@ def learns_from_held_out(method: str) -> bool:
 class Integrator:
     """A trained integration by one of `METHODS`.
 
-    `model` is the integrating classifier of SVM-DAS, `weights` are the (cues,) weights of the logarithmic
-    opinion pool, and `smallest` is its floor, see :func:`placecat.fusion.log_pool.pool`; None for the others.
-    `temperatures` are (cues,) numbers that temper the cues' distributions first, see
-    :func:`placecat.fusion.temperature.temper`; None to take them as they are.
+    `model` is the integrating classifier of SVM-DAS. `weights` are the (cues,) weights of the logarithmic
+    opinion pool and `smallest` its floor (:func:`placecat.fusion.log_pool.pool`). They are None for other
+    methods. `temperatures` are (cues,) numbers that first temper the cues' distributions
+    (:func:`placecat.fusion.temperature.temper`); None leaves them unchanged.
     """
 
     method: str
@@ -53,10 +53,10 @@ class Integrator:
 
 @dataclass(frozen=True)
 class Trained:
-    """An integration and facts of its training, in JSON types.
+    """A trained integration, with facts about its training in JSON types.
 
-    `cross_validated` are (n, n_classes) distributions of the training frames by a model that saw neither the
-    frame nor its home, None if not asked for, and `truth` their (n,) classes; home after home.
+    `cross_validated` are (n, n_classes) distributions of the training frames, home by home, each from a model
+    that saw neither the frame nor its home; None if not requested. `truth` is their (n,) classes.
     """
 
     integrator: Integrator
@@ -82,20 +82,20 @@ def fit(
     Parameters
     ----------
     train
-        Home to (n, cues, n_classes) distributions of the cues for its training frames. A method for which
-        :func:`learns_from_held_out` is true needs those of cues that have not seen the home.
+        Maps each home to the cues' (n, cues, n_classes) distributions for its training frames. If
+        :func:`learns_from_held_out` is true for the method, the cues must not have seen the home.
     truth
-        Home to (n,) class indices of the same frames; may hold more homes.
+        Maps each home to the (n,) class indices of the same frames; may contain more homes.
     classes, method
         Names of the places, and one of `METHODS`: ``das`` is SVM-DAS.
     classifier
-        Of SVM-DAS, as for :func:`placecat.cues.fit`.
+        Classifier of SVM-DAS, as in :func:`placecat.cues.fit`.
     shrinkage, smallest
-        Of the logarithmic opinion pool, as for :func:`placecat.fusion.log_pool.fit_weights`.
+        Settings of the logarithmic opinion pool, as in :func:`placecat.fusion.log_pool.fit_weights`.
     temperatures
-        Of each cue, as for :class:`Integrator`.
+        One per cue, as in :class:`Integrator`.
     cross_validated
-        Whether to judge each home's frames by an integration of the others as well.
+        Whether to also judge each home's frames by an integration trained on the other homes.
     """
     if method not in METHODS:
         raise PlacecatError(f"integrator.method {method!r} does not exist: use one of {', '.join(METHODS)}")
@@ -121,7 +121,7 @@ def fit(
 
 
 def _joined(proba: NDArray[np.float64]) -> cues.Descriptors:
-    """From (frames, cues, n_classes) to (frames, cues * n_classes) float32: the frames of SVM-DAS."""
+    """Reshape (frames, cues, n_classes) to (frames, cues * n_classes) float32, the input of SVM-DAS."""
     return cues.Descriptors(np.ascontiguousarray(proba.reshape(len(proba), -1), dtype=np.float32))
 
 
@@ -133,7 +133,7 @@ def _fit_pool(
     shrinkage: float,
     smallest: float,
 ) -> Trained:
-    """A logarithmic opinion pool; each home's frames are judged by the weights of the others."""
+    """Fit a logarithmic opinion pool; weights from the other homes judge each home's frames."""
     settings = {"shrinkage": shrinkage, "smallest": smallest}
     weights = log_pool.fit_weights(proba, labels, homes, **settings)
     held_out = np.empty((len(proba), proba.shape[2]))

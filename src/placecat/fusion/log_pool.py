@@ -1,4 +1,4 @@
-"""Logarithmic opinion pool: a product of the cues' distributions, each to a power that is learnt."""
+"""Logarithmic opinion pool: a product of the cues' distributions, each raised to a learned power."""
 
 from collections.abc import Sequence
 
@@ -10,16 +10,16 @@ from placecat.errors import PlacecatError
 
 Float = NDArray[np.float64]
 
-# Floor of the probabilities: one wrong certainty would be a veto.
+# Floor of the probabilities: without it, a single wrong 0 would veto a place.
 SMALLEST = 1e-6
 
 
 def pool(proba: Float, weights: Float, smallest: float = SMALLEST) -> Float:
-    """Multiply distributions, each to the power of its cue's weight, and normalise.
+    """Raise each distribution to the power of its cue's weight, multiply them and normalise.
 
-    `proba` is (n, cues, n_classes) distributions, in which probabilities below `smallest`, in (0, 1), count
-    as that; `weights` are (cues,) at or above 0, and all 0 give uniform distributions. Returns (n,
-    n_classes); rows sum to 1.
+    `proba` is (n, cues, n_classes) distributions; probabilities below `smallest`, in (0, 1), are raised to
+    it. `weights` are (cues,), 0 or more; if all are 0, the result is uniform. Returns (n, n_classes); rows
+    sum to 1.
 
     >>> pool(np.array([[[0.8, 0.2], [0.1, 0.9]]]), np.array([1.0, 0.0])).round(3).tolist()
     [[0.8, 0.2]]
@@ -36,15 +36,16 @@ def fit_weights(
     shrinkage: float,
     smallest: float = SMALLEST,
 ) -> Float:
-    """Find the (cues,) weights, at or above 0, with the least log-loss on frames that the cues have not seen.
+    """Find the (cues,) weights, 0 or more, with the lowest log-loss on frames that the cues have not seen.
 
-    The loss is convex in the weights. Every home weighs the same, and in it every class. A cue alone at its
-    best power is among the candidates, so that without shrinkage the pool is no worse than any of them here.
+    The loss is convex in the weights. All homes weigh the same, and so do the classes within a home. Each cue
+    alone at its best power is a candidate, so without shrinkage the pool is at least as good as any cue on
+    these frames.
 
-    `proba` is (n, cues, n_classes) distributions by cues that saw neither the frame nor its home, with the
-    floor `smallest` as for :func:`pool`; `truth` and `homes` are (n,) class indices, and the home of each
-    frame. `shrinkage`, at or above 0, times the sum of the squared weights is added to the loss (in nats).
-    Raises PlacecatError if no finite weights are found.
+    `proba` is (n, cues, n_classes) distributions by cues that saw neither the frame nor its home; the floor
+    `smallest` is as in :func:`pool`. `truth` is (n,) class indices and `homes` the (n,) homes of the frames.
+    `shrinkage`, 0 or more, times the sum of squared weights is added to the loss (in nats). Raises
+    PlacecatError if no finite weights are found.
 
     References
     ----------
@@ -75,7 +76,7 @@ def fit_weights(
     options = {"maxiter": 1000, "ftol": 1e-12, "gtol": 1e-8}
     found = minimize(loss, start, jac=True, method="L-BFGS-B", bounds=bounds, options=options)
     if not np.isfinite(found.x).all():
-        raise PlacecatError("the weights of the integration are not found: raise integrator.shrinkage")
+        raise PlacecatError("no finite integration weights were found: raise integrator.shrinkage")
     weights: Float = found.x
     return weights
 
@@ -85,8 +86,8 @@ def _logs(proba: Float, smallest: float) -> Float:
 
 
 def _scores(logs: Float, weights: Float) -> Float:
-    """(n, n_classes) weighted sums of (n, cues, n_classes) logarithms, the largest of a row 0."""
-    # Cue after cue, so that a frame alone gets the same bits as among others.
+    """Weighted sums, (n, n_classes), of (n, cues, n_classes) logarithms; the largest in each row is 0."""
+    # One cue at a time: a frame's bits then do not depend on the other frames.
     total = np.zeros((len(logs), logs.shape[2]))
     for cue, weight in enumerate(weights.tolist()):
         total += weight * logs[:, cue]
@@ -94,7 +95,7 @@ def _scores(logs: Float, weights: Float) -> Float:
 
 
 def _importance(truth: NDArray[np.intp], homes: NDArray[np.str_]) -> Float:
-    """(n,) weights of frames that sum to 1: homes weigh the same, and in a home its classes."""
+    """Frame weights (n,) that sum to 1; homes weigh the same, and so do the classes within a home."""
     _, home = np.unique(homes, return_inverse=True)
     group = home * (truth.max() + 1) + truth
     sizes = np.bincount(group)

@@ -12,18 +12,18 @@ from placecat.errors import PlacecatError
 from placecat.fusion.delay import Delay
 from placecat.fusion.hmm import ForwardFilter, above_zero, emission_matrix, likelihoods, transition_matrix
 
-# Times of frames are rounded: a step this close to one counts as one.
+# Frame times are rounded, so a step this close to 1 counts as 1.
 _ROUNDING = 1e-6
 
 
 @dataclass(frozen=True)
 class SmoothingModel:
-    """Statistics of training homes, and settings of the smoothing.
+    """Statistics of training homes, and the smoothing settings.
 
-    `transition` and `emission` are (n_classes, n_classes), see `placecat.fusion.hmm`, as is `evidence`;
-    `evidence_seconds` is the longest time that one frame is evidence for, see :class:`Smoother`;
-    `delay_seconds` is that of :class:`placecat.fusion.delay.Delay`; `frame_rate`, in frames per second, is
-    that of the transitions.
+    `transition` and `emission` are (n_classes, n_classes); they and `evidence` are explained in
+    `placecat.fusion.hmm`. `evidence_seconds` is the longest time for which one frame is evidence, see
+    :class:`Smoother`. `delay_seconds` is explained in :class:`placecat.fusion.delay.Delay`. `frame_rate` is
+    the frame rate of the transitions, in frames per second.
     """
 
     transition: NDArray[np.float64]
@@ -37,10 +37,10 @@ class SmoothingModel:
 class Smoother:
     """Smooth one sequence, frame by frame; frame t uses frames up to t only.
 
-    Frames may come at any rate, also a changing one: transitions, evidence and delay count in seconds. A
-    frame counts as the frames at the model's rate that fit into the time since the last one: at twice the
-    rate the same views are repeated and give no more evidence. After a long time, the view cannot have been
-    there all along, so a frame counts for `evidence_seconds` at most (but always as one frame).
+    The frame rate may be anything and may change: transitions, evidence and delay are measured in seconds. A
+    frame counts as many times as frames at the model's rate fit into the time since the last frame: doubling
+    the rate repeats the same views and adds no evidence. After a long gap the view was not there all the
+    time, so a frame counts for at most `evidence_seconds` (or one frame of the model, if that is longer).
     """
 
     def __init__(self, model: SmoothingModel) -> None:
@@ -54,8 +54,8 @@ class Smoother:
         """Return the distributions of the filter and of the delay for the next frame.
 
         `proba` is the (n_classes,) distribution of the integrator. `seconds` is the time since the last
-        frame, finite and 0 or more, else PlacecatError; for the first frame, its duration. None is one frame
-        at the model's rate; an equal time gives the same bits.
+        frame (for the first frame, its duration), finite and 0 or more, else PlacecatError. None means one
+        frame at the model's rate; passing that time explicitly returns the same bits.
         """
         steps = 1.0
         check_elapsed(seconds)
@@ -89,14 +89,14 @@ def fit(
     transition_counts: float,
     emission_counts: float,
 ) -> SmoothingModel:
-    """Count the statistics of training homes; raises PlacecatError for a setting of a wrong type or range.
+    """Count the statistics of training homes; raise PlacecatError for a setting of the wrong type or range.
 
-    `training_sequences` are labels of the training homes in order of time, -1 for unlabelled, for the
-    transitions, and `training_frame_rates` their frames per second; the model has the highest, see
-    :func:`placecat.fusion.hmm.transition_matrix`. `training_proba` and `training_truth` are cross-validated
-    outputs of the integrator on training frames, for the emission. `delay_seconds` is that of
-    :class:`placecat.fusion.delay.Delay`, `evidence_seconds`, finite and above 0, that of :class:`Smoother`;
-    the other settings are those of `placecat.fusion.hmm`.
+    The transitions use `training_sequences`, the labels of the training homes in temporal order (-1 for
+    unlabelled), and `training_frame_rates`, their frames per second; the model uses the highest rate, see
+    :func:`placecat.fusion.hmm.transition_matrix`. The emission uses `training_proba` and `training_truth`,
+    cross-validated outputs of the integrator on training frames and their classes. `delay_seconds` is as in
+    :class:`placecat.fusion.delay.Delay`, `evidence_seconds`, finite and above 0, as in :class:`Smoother`; the
+    other settings are as in `placecat.fusion.hmm`.
     """
     Delay(delay_seconds)
     above_zero("smoothing.evidence_seconds", evidence_seconds)
@@ -124,7 +124,7 @@ def smooth(
     times: NDArray[np.float64] | None = None,
     **training: Any,
 ) -> dict[str, NDArray[np.float64]]:
-    """Smooth one home with statistics of its training homes: :func:`fit` on `training`, then `apply`."""
+    """Smooth one home with statistics from its training homes: :func:`fit` on `training`, then `apply`."""
     return apply(fit(**training), proba, sequences, frame_rate=frame_rate, times=times)
 
 
@@ -138,10 +138,10 @@ def apply(
 ) -> dict[str, NDArray[np.float64]]:
     """Smooth one home with a model.
 
-    `proba` is (frames, n_classes) distributions for every frame of the home, labelled or not; `sequences` are
-    stretches of frames without a cut, and the filter restarts at each; `frame_rate` is in frames per second;
-    `times` are the (frames,) seconds since the start of their sequence, None if evenly timed. Returns ``hmm``
-    and ``delayed``, each (frames, n_classes); rows sum to 1.
+    `proba` is (frames, n_classes) distributions for every frame of the home, labelled or not. `sequences` are
+    uncut stretches of frames; the filter restarts at each. `frame_rate` is in frames per second. `times` are
+    (frames,) seconds since the start of the sequence; None if frames are evenly spaced. Returns ``hmm`` and
+    ``delayed``, each (frames, n_classes); rows sum to 1.
     """
     filtered, delayed = np.empty(proba.shape), np.empty(proba.shape)
     for part in sequences:

@@ -1,4 +1,4 @@
-"""Temperatures that set how certain a cue's distributions are."""
+"""Temperatures that adjust how certain a cue's distributions are."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,9 +11,9 @@ _EXPONENTS = (0.01, 100.0)
 def temper(proba: NDArray[np.float64], temperature: float | NDArray[np.float64]) -> NDArray[np.float64]:
     """Raise distributions to the power of 1 / T and normalise: flatter for T > 1, sharper for T < 1.
 
-    `proba` is (..., n_classes), and so is the result; rows sum to 1, and the order of the classes stays. The
-    temperature is above 0: one number, or an array that broadcasts against ``proba[..., 0]``. 1 changes only
-    last bits.
+    `proba` and the result are (..., n_classes); rows sum to 1, and the ranking of the classes is unchanged.
+    The temperature, above 0, is one number or an array that broadcasts against ``proba[..., 0]``. A
+    temperature of 1 changes only the last bits.
 
     >>> temper(np.array([[0.8, 0.2]]), 2.0).round(3).tolist()
     [[0.667, 0.333]]
@@ -25,13 +25,13 @@ def temper(proba: NDArray[np.float64], temperature: float | NDArray[np.float64])
 
 
 def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> float:
-    """Find the temperature, in [0.01, 100], with the least log-loss on frames that the model has not seen.
+    """Find the temperature, in [0.01, 100], with the lowest log-loss on frames that the model has not seen.
 
-    The thesis has none. Naive Bayes multiplies over codewords as if they were independent, and is far too
-    certain; the parallel scheme averages, and is not certain enough.
+    The thesis does not use temperatures. Naive Bayes multiplies codewords as if they were independent and is
+    far too certain; the parallel scheme averages and is not certain enough.
 
     `proba` is (n, n_classes) distributions by a model that saw neither the frame nor its home; `truth` is
-    (n,) class indices, and every class present weighs the same.
+    (n,) class indices; all classes present weigh the same.
 
     References
     ----------
@@ -55,6 +55,6 @@ def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> flo
         normaliser = top + np.log(np.exp(scaled - top[:, None]).sum(axis=1))
         return float(weight @ (normaliser - np.exp(log_exponent) * right))
 
-    # The loss is convex in the exponent, so it also has one minimum in its logarithm.
+    # The loss is convex in the exponent, so it has a single minimum in the log exponent too.
     found = minimize_scalar(loss, bounds=np.log(_EXPONENTS), method="bounded", options={"xatol": 1e-6})
     return float(np.exp(-found.x))

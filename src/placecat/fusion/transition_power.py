@@ -8,17 +8,16 @@ Float = NDArray[np.float64]
 
 
 def generator(transition: Float) -> Float:
-    """Rates of change of place, per step of a transition matrix: Q with exp(Q) = P, or close to it.
+    """Return the rates of change of place per step of a transition matrix: Q with exp(Q) = P or close to P.
 
-    P is (n, n), at or above 0, with rows that sum to 1; Q is (n, n), off the diagonal at or above 0, with
-    rows that sum to 0. Q is the logarithm of P if that is a matrix of rates. Some stochastic matrices have no
-    such logarithm (they are not *embeddable*): then no chain in continuous time gives P, and Q follows these
-    rules:
+    P is (n, n), 0 or more; rows sum to 1. Q is (n, n), 0 or more off the diagonal; rows sum to 0. Q is the
+    logarithm of P if that is a rate matrix. Some stochastic matrices have no such logarithm (they are not
+    *embeddable*): no continuous-time chain produces P. Q then follows these rules:
 
     - Negative rates of the logarithm become 0, and the diagonal is adjusted (Israel, Rosenthal and
       Wei, Finding generators for Markov chains via empirical transition matrices, 2001).
-    - If P has an eigenvalue at or below 0, it has no real logarithm. Q is then P - I: the chain changes as P
-      says, at random times, once per step on average.
+    - If P has an eigenvalue at or below 0, it has no real logarithm. Q is then P - I: the chain changes as in
+      P, but at random times, once per step on average.
     """
     identity = np.eye(len(transition))
     values = np.linalg.eigvals(transition)
@@ -29,10 +28,10 @@ def generator(transition: Float) -> Float:
 
 
 class TransitionPower:
-    """Powers P^x of a transition matrix P, (n, n) with rows that sum to 1, for any real x of 0 or more.
+    """Powers P^x of a transition matrix P, (n, n) with rows that sum to 1, for any real x >= 0.
 
-    P^x is exp(x Q), see :func:`generator`; rows sum to 1, and P^x P^y = P^(x + y) up to rounding. P^1 is P
-    itself, to the bit.
+    P^x is exp(x Q), see :func:`generator`. Rows sum to 1, and P^x P^y = P^(x + y) up to rounding. P^1 is
+    exactly P.
     """
 
     def __init__(self, transition: Float) -> None:

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 
 def vote_distribution(proba: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Every cue votes with its whole distribution: the mean over cues.
+    """Average the cues' distributions: every cue votes with its full distribution.
 
     From (frames, cues, n_classes) to (frames, n_classes).
     """
@@ -13,7 +13,7 @@ def vote_distribution(proba: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def vote_decision(proba: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Every cue votes for its most probable class only, weighted by that class's probability.
+    """Let every cue vote only for its most probable class, weighted by the probability of that class.
 
     From (frames, cues, n_classes) to (frames, n_classes); rows sum to 1.
     """

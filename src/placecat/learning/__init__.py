@@ -1,1 +1,1 @@
-"""Codebooks and classifiers with scikit-learn's conventions. This package opens no files."""
+"""Codebooks and classifiers that follow scikit-learn's conventions. This package does not open files."""

@@ -1,4 +1,4 @@
-"""Padded arrays of salient regions, and the clusters that the regions of a frame activate."""
+"""Padded arrays of salient regions, and the clusters that a frame's regions activate."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,7 +15,7 @@ def region_mask(counts: ArrayLike, max_regions: int) -> NDArray[np.bool_]:
     Parameters
     ----------
     counts : array-like of shape (frames,), integers in [0, max_regions]
-        Regions of each frame; they come first. Raises PlacecatError for a count out of range.
+        Number of regions in each frame; they fill the first rows. A count out of range raises PlacecatError.
     max_regions : int
 
     Returns
@@ -44,7 +44,7 @@ def activations(codewords: NDArray[np.integer], n_clusters: int, counts: ArrayLi
     Parameters
     ----------
     codewords : ndarray of shape (frames, max_regions), integers
-        Entries beyond a frame's count are ignored.
+        Entries beyond the frame's count are ignored.
     n_clusters : int
         N, the number of codewords.
     counts : array-like of shape (frames,), integers
@@ -58,7 +58,7 @@ def activations(codewords: NDArray[np.integer], n_clusters: int, counts: ArrayLi
     Raises
     ------
     PlacecatError
-        If the shapes do not fit, or a codeword is out of range.
+        If the shapes do not match, or a codeword is out of range.
 
     Examples
     --------

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 from placecat.learning.stumps import BinnedFeatures, Stump, best_stumps
 
-# Machines whose histograms are summed together: each look at a sample's bins serves all of them.
+# Number of machines whose histograms are summed together: one pass over a sample's bins serves all.
 _TOGETHER = 8
 
 # A two-class problem: (n,) bool labels, indices of the training samples (None: all), its name in messages.
@@ -16,19 +16,18 @@ Task = tuple[NDArray[np.bool_], NDArray[np.intp] | None, str]
 
 
 class Boosting:
-    """The machines of some two-class problems on the same samples, which can always be boosted further.
+    """Boosted machines for several two-class problems on the same samples; boosting can always continue.
 
-    A machine has the same bits whichever others are boosted with it. Its first stumps do not depend on the
-    number of rounds.
+    The bits of a machine do not depend on the other machines, nor its first stumps on the number of rounds.
 
     Parameters
     ----------
     binned
         The n samples.
     tasks
-        The problems. Raises PlacecatError if only one class is among the training samples of one.
+        Two-class problems. Raises PlacecatError if the training samples of a problem have only one class.
     weight_trim
-        As for :class:`~placecat.learning.gentle_adaboost.GentleAdaBoost`.
+        As in :class:`~placecat.learning.gentle_adaboost.GentleAdaBoost`.
     """
 
     def __init__(self, binned: BinnedFeatures, tasks: Sequence[Task], weight_trim: float) -> None:
@@ -38,7 +37,7 @@ class Boosting:
         self._groups = [self._machines[start::n_groups] for start in range(n_groups)]
 
     def stumps(self, n_rounds: int) -> list[list[Stump]]:
-        """The first stumps of each machine, at most `n_rounds` and at least one."""
+        """Return the first stumps of each machine: at least one, at most `n_rounds`."""
         for group in self._groups:
             while boosted := [m for m in group if not m.ended and len(m.stumps) < n_rounds]:
                 self._boost(boosted)
@@ -96,12 +95,12 @@ class _Machine:
         f = np.where(binned.bins[stump.feature] > stump.cut, stump.high, stump.low)
         self._weight *= np.exp(-self.target * f)
         total = self._weight.sum()
-        # No weight is left if every margin exceeds the range of floats.
+        # All weights are 0 if every margin exceeds the range of floats.
         if total > 0:
             self._weight /= total
         else:
             self.ended = True
 
     def first(self, n_rounds: int) -> list[Stump]:
-        """The first stumps; the base rate if no feature can be cut."""
+        """Return the first stumps, or the base rate if no feature can be cut."""
         return self.stumps[:n_rounds] or [self._base_rate]

@@ -30,26 +30,26 @@ Fold = tuple[NDArray[np.intp], NDArray[np.intp]]
 
 @dataclass(frozen=True)
 class Calibration:
-    """How decision values become probabilities.
+    """Conversion of decision values to probabilities.
 
-    The values of machines that left different homes out do not compare: where a home has many positives, the
-    machine that judges it saw few of them, and its values are low. They are never pooled as they are, since a
-    sigmoid fitted to them can fall where it should rise.
+    Machines that each leave out a different home have values that are not comparable: if a home has many
+    positives, the machine that judges it saw few positives, so its values are low. They are never pooled
+    unchanged: a sigmoid fitted to them can fall where it should rise.
 
     Attributes
     ----------
     kind
-        What is held out, and how the values are used. ``samples``: `folds` random parts of each class, as
-        dlib does for the thesis (3.3.1.2). ``consecutive``: `folds` parts of consecutive samples, as dlib
-        does without shuffling. Both fit one sigmoid to all values. ``homes_centred``: one home at a time; the
-        mean of each home's values is replaced by the mean of all, then one sigmoid is fitted.
+        Which samples are held out, and how their values are used. ``samples``: `folds` random parts of each
+        class, as dlib does for the thesis (3.3.1.2). ``consecutive``: `folds` parts of consecutive samples,
+        as dlib does without shuffling. Both fit one sigmoid to all values. ``homes_centred``: one home at a
+        time; the mean of each home's values is replaced by the mean of all, then one sigmoid is fitted.
         ``homes_averaged``: one home at a time, one sigmoid per machine; their probabilities are averaged.
     folds
-        Number of parts, at least 2; ignored where homes are held out.
+        Number of parts, at least 2; ignored if homes are held out.
     own
-        Use the base's own sigmoid instead of Platt's.
+        Use the sigmoid of the base classifier instead of Platt's.
     balanced
-        Weights of Platt's sigmoid, see :func:`placecat.learning.platt.fit_sigmoid`.
+        Weighting in Platt's sigmoid, see :func:`placecat.learning.platt.fit_sigmoid`.
     """
 
     kind: str = SAMPLES
@@ -75,7 +75,7 @@ class Problem:
     positive
         (n,) bool.
     member
-        (n,) bool, the samples to train and calibrate on.
+        (n,) bool: the samples for training and calibration.
     """
 
     name: str
@@ -85,7 +85,7 @@ class Problem:
 
 @dataclass
 class FittedProblem:
-    """The fitted machines of one two-class problem, and their outputs for held-out samples.
+    """Fitted machines for one two-class problem, and their outputs for held-out samples.
 
     Attributes
     ----------
@@ -96,7 +96,7 @@ class FittedProblem:
     outputs
         (n,) held-out p(o|x).
     nu
-        nu of each held-out part's machine, NaN for a base without one.
+        nu of the machine for each held-out part; NaN for a base without nu.
     flat
         Number of sigmoids that are flat because they would have fallen.
     """
@@ -114,12 +114,12 @@ def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, kind: str, folds: 
     Parameters
     ----------
     y
-        (n,) class index, each class at least twice.
+        (n,) class indices; each class occurs at least twice.
     groups
         (n,) the home of each sample, or None. Raises PlacecatError if `kind` needs homes and they are missing
         or not one per sample.
     kind
-        Of a :class:`Calibration`. With one home only, consecutive samples are held out instead of homes.
+        Kind of :class:`Calibration`. With a single home, consecutive samples are held out instead of homes.
     folds
         Number of stratified parts, fewer if a class is smaller.
 
@@ -165,9 +165,9 @@ def fit_problems(
 
     Threads run over (problem, fold).
 
-    If the training part of a fold lacks positives or negatives (a class that only one home has), the problem
-    holds out stratified consecutive samples instead, with a warning. `shared` is from ``base.prepare``,
-    `folds` from :func:`make_folds`; `base` itself stays unfitted.
+    If the training part of a fold lacks positives or negatives (e.g. only one home has the class), stratified
+    consecutive samples are held out instead, with a warning. `shared` comes from ``base.prepare``, `folds`
+    from :func:`make_folds`; `base` itself is not fitted.
     """
     n = len(problems[0].positive)
     everything = np.arange(n)
@@ -195,7 +195,7 @@ def fit_problems(
         fitted.append(FittedProblem(kept, sigmoids, outputs, nu, flat))
     flat_names = [problem.name for problem, one in zip(problems, fitted, strict=True) if one.flat]
     if flat_names:
-        # A stage has thousands: the caller that sums the counts warns.
+        # A stage has thousands of these, so the caller sums the counts and warns.
         logger.info(
             "held-out decision values of %s are uninformative or reversed: its sigmoid is flat",
             ", ".join(flat_names),
@@ -208,7 +208,7 @@ def _fit_all(base: TwoClassBase, shared: Any, tasks: Sequence[Task], n_jobs: int
     settings = base.get_params()
     if not all(isinstance(value, str | int | float | None) for value in settings.values()):
         return _fit_missing(base, shared, tasks, n_jobs)
-    # The machines of one preparation only, since it may be large.
+    # Keep the machines of one preparation only, since it may be large.
     machines: dict[Any, Any] = remembered("machines", (shared,), dict, latest=True)
     of_base = type(base).__name__, tuple(sorted(settings.items()))
     keys = [(of_base, positive.tobytes(), bytes_of(rows)) for positive, rows, _ in tasks]
@@ -225,10 +225,10 @@ def _fit_missing(base: TwoClassBase, shared: Any, tasks: Sequence[Task], n_jobs:
 
 
 def centre(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
-    """Make the decision values of machines that left different homes out comparable.
+    """Make decision values comparable between machines that each leave out a different home.
 
-    Takes and gives an array for each home. The mean of each home's values is replaced by the mean of these
-    means: the average value to expect on an unseen home.
+    `values` and the result have one array per home. The mean of each array is replaced by the mean of these
+    means, which is the average value expected on an unseen home.
 
     Examples
     --------
@@ -246,7 +246,7 @@ def _calibrate(
     values: Sequence[NDArray[np.float64]],
     calibration: Calibration,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], int, list[int]]:
-    """Return sigmoids, held-out outputs, number of flat sigmoids, and folds whose machines are averaged."""
+    """Return sigmoids, held-out outputs, the number of flat sigmoids, and the folds to average over."""
     outputs = np.empty(len(problem.positive))
     positive, member = problem.positive, problem.member
     if calibration.kind == AVERAGED:
@@ -275,7 +275,7 @@ def _sigmoid(
         return base.own_sigmoid, False
     positive = positive[member]
     sigmoid = fit_sigmoid(decided[member], positive, calibration.balanced)
-    # A home that lacks one of the classes gives no slope.
+    # A home with only one of the classes does not determine a slope.
     return sigmoid, bool(sigmoid[0] == 0.0 and positive.any() and not positive.all())
 
 

@@ -1,11 +1,11 @@
-"""Counts of discrete variables, the mutual information of pairs, and its maximum spanning tree."""
+"""Counts of discrete variables, mutual information of pairs, and the maximum spanning tree."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-# Up to this many cells per sample bincount counts a pair's table, beyond it sorting.
+# Up to this many cells per sample, bincount counts the table of a pair; above it, sorting does.
 CELLS_PER_SAMPLE = 16
-# Largest whole number up to which float32 is exact.
+# float32 is exact for whole numbers up to this one.
 _EXACT_FLOAT32 = 1 << 24
 
 
@@ -71,7 +71,7 @@ def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.
 
 
 def both_ones(codes: NDArray[np.integer]) -> NDArray[np.int64]:
-    """Count the samples in which both variables of a pair are 1.
+    """Count the samples where both variables of a pair are 1.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def both_ones(codes: NDArray[np.integer]) -> NDArray[np.int64]:
     Returns
     -------
     ndarray of shape (V, V), int64
-        The diagonal counts the ones of each variable.
+        The diagonal has the number of ones of each variable.
 
     Examples
     --------
@@ -88,23 +88,23 @@ def both_ones(codes: NDArray[np.integer]) -> NDArray[np.int64]:
     [[2, 1], [1, 1]]
     """
     ones = codes.astype(_exact_dtype(len(codes)))
-    # BLAS computes half of a product of an array with itself.
+    # BLAS computes only half of the product of an array with itself.
     return (ones.T @ ones).astype(np.int64)
 
 
 def binary_information(both: NDArray[np.int64], n: int) -> NDArray[np.float64]:
-    """Mutual information of binary variables of `n` samples, as `mutual_information`, from `both_ones`."""
+    """Compute `mutual_information` of binary variables in `n` samples from the counts of `both_ones`."""
     weighted_log = _weighted_logs(n)
     ones = np.diagonal(both)
     first_only = ones[:, None] - both
     only_logs = weighted_log[first_only]
-    # Grouped so that the sum of a pair does not depend on its order.
+    # This grouping makes the sum independent of the order of a pair.
     joint = (weighted_log[both] + weighted_log[n - ones - first_only]) + (only_logs + only_logs.T)
     return _information(joint, weighted_log[ones] + weighted_log[n - ones], weighted_log)
 
 
 def _weighted_logs(n: int) -> NDArray[np.float64]:
-    """m log m of every count up to `n`."""
+    """m log m for each count up to `n`."""
     number = np.arange(n + 1, dtype=np.float64)
     return number * np.log(np.maximum(number, 1))
 
@@ -124,7 +124,7 @@ def _information(
 def maximum_spanning_tree(weights: NDArray[np.float64], root: int) -> NDArray[np.int32]:
     """Find the spanning tree of greatest total weight (Prim's algorithm), directed away from a root.
 
-    Among equal weights the lowest variable joins first, under the parent that joined first.
+    Among equal weights, the lowest variable joins first, below the parent that joined first.
 
     Parameters
     ----------
@@ -205,9 +205,10 @@ def _joint_by_sorting(
 
 
 def count_into(counts: NDArray[np.int32], cells: NDArray[np.int64]) -> None:
-    """Count the cells as ``np.bincount`` does, into an existing array.
+    """Count cells like ``np.bincount``, but into an existing array.
 
-    A new array for every table would cost several times the counting, since the system clears its memory.
+    A new array per table would cost several times as much as the counting, since the system clears its
+    memory.
 
     Parameters
     ----------

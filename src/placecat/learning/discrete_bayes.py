@@ -1,4 +1,4 @@
-"""The common base of the two models of a joint probability: codes in, Bayes' rule out."""
+"""Common base of the two joint-probability models: Bayes' rule on codes."""
 
 from abc import abstractmethod
 from typing import Any, Self
@@ -18,7 +18,7 @@ PRIORS = ("uniform", "frequency")
 class DiscreteBayes(ClassifierMixin, BaseEstimator):
     """Bayes' rule (thesis equation 10) over a model of p(c_1 = q_1, ..., c_V = q_V | l_i).
 
-    A model implements `_fit_model` and `_log_likelihood`.
+    Subclasses implement `_fit_model` and `_log_likelihood`.
     """
 
     alpha: float
@@ -76,8 +76,8 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
     def predict_joint_log_likelihood(self, X: ArrayLike) -> NDArray[np.float64]:
         """Return log p(codes, class), the numerator of equation (10): (n, n_classes) float64.
 
-        Raises PlacecatError if a code of X, (n, V) integers in [0, n_values_), is out of range, or if V is
-        not that of the training data.
+        Raises PlacecatError if a code of X, (n, V) integers in [0, n_values_), is out of range, or if V
+        differs from the training data.
         """
         check_is_fitted(self)
         codes = self._read_codes(X)
@@ -116,7 +116,7 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         return codes.astype(np.int64)
 
     def _narrow(self, codes: NDArray[np.integer]) -> NDArray[np.integer]:
-        """Check the codes' range and store them in few bytes."""
+        """Check the range of the codes and store them in the smallest dtype."""
         if codes.min() >= 0 and codes.max() < self.n_values_:
             return codes.astype(np.uint8 if self.n_values_ <= 256 else np.int32, copy=False)
         sample, variable = np.argwhere((codes < 0) | (codes >= self.n_values_))[0]

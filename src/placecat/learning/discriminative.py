@@ -1,4 +1,4 @@
-"""The choice of codewords that tell classes apart."""
+"""Selection of codewords that tell classes apart."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -8,22 +8,22 @@ from placecat.learning.contingency import value_counts
 
 
 def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: float) -> NDArray[np.bool_]:
-    """Mark the codewords whose presence in a frame is most informative about its class.
+    """Mark the codewords whose presence in a frame says most about its class.
 
     Parameters
     ----------
     active
-        (frames, N) uint8, 1 where a frame has a region of the codeword: see
+        (frames, N) uint8, 1 where a frame has a region with the codeword: see
         :func:`placecat.learning.activations.activations`.
     y
         (frames,) classes.
     keep
-        Share of the codewords to mark, in (0, 1], at least one codeword. Lower numbers win ties. Raises
-        PlacecatError out of this range.
+        Share of codewords to mark, in (0, 1], else PlacecatError. At least one codeword is marked. Lower
+        numbers win ties.
 
     Returns
     -------
-    (N,) bool, by the mutual information of presence and class.
+    (N,) bool, selected by the mutual information of presence and class.
 
     Examples
     --------
@@ -36,7 +36,7 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     information = _information(active, np.asarray(y))
     kept = np.zeros(len(information), bool)
     number = max(1, round(keep * len(information)))
-    # Rounded: the last bits of sums must not decide.
+    # Round, because the last bits of sums must not decide.
     kept[np.argsort(-information.round(12), kind="stable")[:number]] = True
     return kept
 

@@ -15,27 +15,27 @@ from placecat.ranges import Count
 
 
 class FlatKMeans(BaseEstimator):
-    """Lloyd's k-means with k-means++ seeds (scikit-learn's), one clustering for each cluster number.
+    """Lloyd's k-means with k-means++ seeds (from scikit-learn), one clustering per cluster number.
 
-    It has the interface of :class:`~placecat.learning.hierarchical_kmeans.HierarchicalKMeans` that
-    classifiers use.
+    For classifiers it has the same interface as
+    :class:`~placecat.learning.hierarchical_kmeans.HierarchicalKMeans`.
 
     Parameters
     ----------
     numbers : sequence of int
         The cluster numbers to serve.
     max_iter : int
-        Most Lloyd iterations. The thesis does not give it; 11 as in the hierarchical clustering, so that only
+        Maximum of Lloyd iterations (not given in the thesis); 11 as in the hierarchical clustering, so only
         the hierarchy differs.
     seed : int
-        At least 0. The clusterings of different numbers draw independently.
+        Seed, at least 0. Clusterings with different numbers draw independently.
 
     Attributes
     ----------
     centers_ : dict of int to ndarray of shape (number, D), float32
-        Numbers above that of the training points are missing.
+        Numbers larger than the number of training points are missing.
     n_points_ : int
-        Training points.
+        Number of training points.
     n_features_in_ : int
 
     Examples
@@ -92,7 +92,7 @@ class FlatKMeans(BaseEstimator):
         NotComputable
             If there are fewer training points than clusters.
         PlacecatError
-            If the number was not asked for.
+            If the number is not one of `numbers`.
         """
         check_is_fitted(self)
         if n_clusters in self.centers_:
@@ -122,7 +122,7 @@ class FlatKMeans(BaseEstimator):
 
     @classmethod
     def from_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Self:
-        """Rebuild the clusterings from the arrays of `to_arrays`, or from what ``numpy.load`` returns."""
+        """Rebuild the clusterings from the arrays of `to_arrays` or the result of ``numpy.load``."""
         numbers = tuple(arrays["numbers"].tolist())
         model = cls(numbers, int(arrays["max_iter"]), int(arrays["seed"]))
         model.n_points_, model.n_features_in_ = int(arrays["n_points"]), int(arrays["n_features"])

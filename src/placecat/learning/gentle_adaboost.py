@@ -32,7 +32,7 @@ class StumpEnsembles:
     low, high
         (K, T) float64.
     width
-        D, features of a sample.
+        D, the number of features.
     """
 
     feature: NDArray[np.int64]
@@ -42,7 +42,7 @@ class StumpEnsembles:
     width: int
 
     def decisions(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Evaluate all K sums for finite X (n, D): (n, K) float64. Other matrices raise PlacecatError."""
+        """Evaluate all K sums for finite X (n, D): (n, K) float64. Other input raises PlacecatError."""
         samples = check_samples(X)
         if samples.shape[1] != self.width:
             raise PlacecatError(
@@ -51,7 +51,7 @@ class StumpEnsembles:
         result = np.empty((len(samples), len(self.feature)))
         for k in range(len(self.feature)):
             above = np.take(samples, self.feature[k], axis=1) > self.threshold[k]
-            # Stump by stump, as in `decide_rows`: a sum over rows may take another order.
+            # Add stump by stump, as in `decide_rows`: a sum over rows may use another order.
             result[:, k] = np.cumsum(np.where(above, self.high[k], self.low[k]), axis=1)[:, -1]
         return result
 
@@ -59,26 +59,26 @@ class StumpEnsembles:
 class GentleAdaBoost(ClassifierMixin, BaseEstimator):
     """Two-class Gentle AdaBoost with regression stumps (thesis 3.3.1.2 and 4.2, [20]).
 
-    Each round takes the stump that fits the labels +-1 best in weighted squared error, adds its two means
-    to F and multiplies each weight by exp(-y f(x)).
+    Each round picks the stump with the lowest weighted squared error on the labels +-1, adds its two means to
+    F and multiplies each weight by exp(-y f(x)).
 
     Parameters
     ----------
     n_rounds
-        Weak classifiers (thesis Table 2: 20, 50, 100).
+        Number of weak classifiers (thesis Table 2: 20, 50, 100).
     max_bins
-        Bins per feature. Features with fewer distinct values have a cut at each, as in exact boosting. The
-        thesis does not give this.
+        Bins per feature. A feature with fewer distinct values has a cut between all of them, as in exact
+        boosting. The thesis does not give this.
     weight_trim
-        A round's stump is fitted without the lightest samples that hold 1 - weight_trim of the weight; 1
-        keeps all. 0.95 is OpenCV's standard parameter, which the thesis uses.
+        Each round leaves out the lightest samples, which together have 1 - weight_trim of the weight; 1 keeps
+        all samples. 0.95 is OpenCV's default, which the thesis uses.
 
     Attributes
     ----------
     classes_
         The two labels, sorted; the second is the positive one. Set by `fit`.
     feature_, threshold_, low_, high_
-        (T,) feature, cut, and the values of a stump at or below and above its cut, T <= n_rounds.
+        (T,) feature and cut of each stump, and its values at or below, and above, the cut; T <= n_rounds.
     n_features_in_
         D.
 
@@ -154,7 +154,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
         positive
             (n,) bool. Raises PlacecatError if only one class is among the rows.
         rows
-            Indices of the training samples, all by default.
+            Indices of the training samples; all by default.
         context
             The problem's name in messages.
         """
@@ -163,7 +163,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
         return self._set(stumps, shared)
 
     def fit_together(self, shared: BinnedFeatures, tasks: Sequence[Task]) -> list["GentleAdaBoost"]:
-        """Fit a copy for each of some problems, with the bits of `fit_rows`; parameters are as there."""
+        """Fit one copy per problem; results (to the bit) and parameters are as in `fit_rows`."""
         self.check_parameters()
         contents = (
             content for positive, rows, _ in tasks for content in (positive.tobytes(), bytes_of(rows))
@@ -197,7 +197,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
 
     @staticmethod
     def collect(machines: Sequence["GentleAdaBoost"], X: object = None) -> StumpEnsembles:
-        """Join machines fitted on the same features; zeros fill up the shorter ones. `X` is ignored."""
+        """Join machines fitted on the same features, padding shorter ones with zeros. `X` is ignored."""
         length = max(len(machine.feature_) for machine in machines)
 
         def stack(name: str) -> NDArray[Any]:

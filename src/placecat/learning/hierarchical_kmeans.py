@@ -43,29 +43,29 @@ def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
 
 
 class HierarchicalKMeans(BaseEstimator):
-    """Hierarchical k-means in the manner of FLANN, the thesis's codebook (sections 3.3.2 and 4.2).
+    """Hierarchical k-means as in FLANN: the codebook of the thesis (sections 3.3.2 and 4.2).
 
-    The points are split into `branching` clusters by k-means (k-means++ seeds, then Lloyd's iterations), each
-    cluster again into `branching`, and so on. A cut of this tree starts at the root and always splits the
+    K-means (k-means++ seeds, then Lloyd's iterations) splits the points into `branching` clusters, splits
+    each cluster into `branching` more, and so on. A cut of this tree starts at the root and always splits the
     node that lowers the total variance (the sum of squared distances to the centres) most. The cut to fewer
     clusters is a prefix of the cut to more, so one tree serves every cluster number (branching - 1) k + 1.
 
-    A node needs at least `branching` distinct points to be split. An emptied cluster takes the point farthest
-    from its centre. A node's centre is the mean of its points. Distances are computed in float32 about the
-    node's centre, so a split resolves about 1/1000 of the node's radius.
+    A node needs at least `branching` distinct points to be split. An empty cluster receives the point
+    farthest from its centre. A node's centre is the mean of its points. Distances are computed in float32
+    about the node's centre, so a split resolves about 1/1000 of the node's radius.
 
-    The tree grows lazily, with the same result: a split gains at most the node's sum of squares, so a node is
-    split only once that bound reaches the best known gain. A node's draws depend on its place in the tree,
-    not on the order of work.
+    The tree grows lazily, which does not change the result: a split gains at most the node's sum of squares,
+    so a node is split only when that bound reaches the best known gain. The random draws of a node depend on
+    its position in the tree, not on the order of splits.
 
     Parameters
     ----------
     branching : int
-        Children of a node; the thesis has 16.
+        Children per node; 16 in the thesis.
     max_clusters : int
-        The largest cut the tree is grown to, (branching - 1) k + 1; the thesis's largest is 991.
+        Size of the largest cut that the tree is grown to, (branching - 1) k + 1; at most 991 in the thesis.
     max_iter : int
-        Most Lloyd iterations of one split. The thesis does not give this; 11 is FLANN's default.
+        Maximum of Lloyd iterations per split. The thesis does not give this; 11 is FLANN's default.
     seed : int
         Seed of the k-means++ draws, at least 0.
 
@@ -74,13 +74,13 @@ class HierarchicalKMeans(BaseEstimator):
     max_clusters_ : int
         The largest possible cut: `max_clusters`, or less if the data have too few distinct points.
     node_centers_ : ndarray of shape (n_nodes, D), float32
-        Node 0 is the root; the children of the k-th split are nodes 1 + branching k and the following.
+        Node 0 is the root; the children of split k start at node 1 + branching k.
     node_sizes_ : ndarray of shape (n_nodes,), int64
-        Training points of each node.
+        Number of training points in each node.
     node_sse_ : ndarray of shape (n_nodes,), float64
         Sum of squared distances of a node's training points to its centre.
     split_nodes_ : ndarray of shape (n_splits,), int32
-        The node split in each step of the cut.
+        Node that each step of the cut splits.
     training_nodes_ : ndarray of shape (n,), int32 or None
         The node of each training point in the largest cut; None in a tree made by `from_arrays`.
     n_features_in_ : int
@@ -184,8 +184,8 @@ class HierarchicalKMeans(BaseEstimator):
     def centers(self, n_clusters: int) -> NDArray[np.float32]:
         """Return a copy of the cut's centres, (n_clusters, D) float32, in the order of the tree's nodes.
 
-        Raises PlacecatError if no cut has this number (it names the two nearest), if the tree was not grown
-        so far, or if the training data cannot give so many (it names the largest number).
+        Raises PlacecatError if no cut has this number (the message names the two nearest), if the tree was
+        not grown that far, or if the training data yield fewer clusters (the message names the maximum).
         """
         cut = self._cut(n_clusters)
         return self.node_centers_[cut]
@@ -194,14 +194,14 @@ class HierarchicalKMeans(BaseEstimator):
         """Find the nearest centre of the cut for each point: its codeword.
 
         All centres are compared (see `nearest_centers`); the lowest index wins ties. The thesis does not say
-        whether it descends the tree instead.
+        if it descends the tree instead.
 
         Parameters
         ----------
         X : array-like of shape (n, D)
-            Descriptors, finite; n may be 0. Another D than in training raises PlacecatError.
+            Finite descriptors; n may be 0. PlacecatError if D differs from training.
         n_clusters : int
-            As for `centers`, with its errors.
+            As in `centers`, with the same errors.
 
         Returns
         -------
@@ -220,22 +220,22 @@ class HierarchicalKMeans(BaseEstimator):
     def labels(self, n_clusters: int) -> NDArray[np.int32]:
         """Return the tree cell of each training point in the cut, (n,) int32, indices into `centers`.
 
-        This is the partition that k-means found; near borders it differs from `assign`. Raises PlacecatError
-        like `centers`, and for a tree from `from_arrays`.
+        This is the partition from k-means; near cluster borders it differs from `assign`. Raises
+        PlacecatError like `centers`, and for a tree from `from_arrays`.
         """
         cut = self._cut(n_clusters)
         if self.training_nodes_ is None:
             raise PlacecatError("a loaded codebook does not know its training points: use assign")
         code = np.full(len(self.node_centers_), -1, np.int32)
         code[cut] = np.arange(n_clusters, dtype=np.int32)
-        # Later splits are below earlier ones, so one ordered pass reaches every node below the cut.
+        # A node is split after its parent, so one ordered pass reaches every node below the cut.
         for step, node in enumerate(self.split_nodes_):
             if code[node] >= 0:
                 code[1 + self.branching * step : 1 + self.branching * (step + 1)] = code[node]
         return code[self.training_nodes_]
 
     def _cut(self, n_clusters: int) -> NDArray[np.intp]:
-        """Return the nodes of a cut in rising order."""
+        """Return the nodes of a cut in ascending order."""
         check_is_fitted(self)
         check_cluster_number(n_clusters, self.branching)
         if n_clusters > self.max_clusters_:
@@ -269,7 +269,7 @@ class HierarchicalKMeans(BaseEstimator):
 
     @classmethod
     def from_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Self:
-        """Rebuild a tree from the arrays of `to_arrays`, or from what ``numpy.load`` returns.
+        """Rebuild a tree from the arrays of `to_arrays` or the result of ``numpy.load``.
 
         Raises PlacecatError if an array is missing or their sizes disagree.
         """

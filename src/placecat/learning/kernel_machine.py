@@ -1,4 +1,4 @@
-"""The common base of the two-class classifiers on a Gram matrix."""
+"""Common base of the two-class classifiers that use a Gram matrix."""
 
 from abc import abstractmethod
 from collections.abc import Sequence
@@ -20,7 +20,7 @@ from placecat.learning.memory import remembered
 
 
 class KernelMachine:
-    """A two-class classifier whose decision is a sum over support vectors.
+    """Two-class classifier whose decision value is a sum over support vectors.
 
     A subclass has the parameter `gamma` and a `fit_rows` that sets `support_`, `dual_coef_` and `intercept_`.
 
@@ -73,7 +73,7 @@ class KernelMachine:
     ) -> Self:
         """Fit on some rows of a Gram matrix.
 
-        Raises PlacecatError if only one class is among the rows, or a setting is impossible.
+        Raises PlacecatError if the rows have only one class, or a setting is impossible.
 
         Parameters
         ----------
@@ -97,7 +97,7 @@ class KernelMachine:
         X
             (n, D) float32.
         gram
-            A ready (n, n) matrix of the same samples and gamma. Another shape raises PlacecatError.
+            Precomputed (n, n) matrix for the same samples and gamma. Another shape raises PlacecatError.
         n_jobs
             Threads.
 

@@ -19,7 +19,7 @@ from placecat.learning.single_thread import single_blas_thread
 # Rows and columns of one tile: 2 MiB of float32.
 ROW_TILE = 512
 COLUMN_TILE = 1024
-# The same for predictions, where each row has the bits that it has alone.
+# The same for predictions, where the bits of a row do not depend on other rows.
 PREDICTION_ROWS = 480
 PREDICTION_COLUMNS = 912
 
@@ -51,7 +51,7 @@ def check_samples(X: ArrayLike, name: str = "X") -> NDArray[np.float32]:
 
 
 def _short_of(samples: NDArray[Any]) -> str:
-    """Say what a matrix lacks, in the words that scikit-learn's own checks expect."""
+    """Describe the wrong shape of a matrix in the words that scikit-learn's checks expect."""
     if samples.ndim != 2:
         return ". Reshape your data"
     what = "sample" if len(samples) == 0 else "feature"
@@ -59,7 +59,7 @@ def _short_of(samples: NDArray[Any]) -> str:
 
 
 def check_width(X: NDArray[Any], estimator: Any) -> None:
-    """Refuse samples with another number of features than the estimator was fitted on."""
+    """Refuse samples whose number of features differs from the training data."""
     expected = estimator.n_features_in_
     if X.shape[1] != expected:
         raise PlacecatError(
@@ -71,8 +71,8 @@ def check_width(X: NDArray[Any], estimator: Any) -> None:
 def check_labels(y: ArrayLike | None, n: int) -> NDArray[Any]:
     """Return class labels (n,).
 
-    Raises PlacecatError if there are none or not `n`, or for numbers that are no classes, such as 0.5 and
-    NaN.
+    Raises PlacecatError if labels are missing, if there are not `n`, or if they are not classes, such as 0.5
+    and NaN.
     """
     if y is None:
         raise PlacecatError("a classifier requires y to be passed, but the target y is None")
@@ -81,7 +81,7 @@ def check_labels(y: ArrayLike | None, n: int) -> NDArray[Any]:
         labels = column_or_1d(labels, warn=True)
     if labels.shape != (n,):
         raise PlacecatError(f"y has shape {labels.shape} for {n} samples; give one label per sample")
-    # Integers and booleans are classes and need no closer look.
+    # Integers and booleans are always classes.
     if labels.dtype.kind not in "iub":
         try:
             check_classification_targets(labels)
@@ -128,7 +128,7 @@ def _rows(X: NDArray[np.float32], origin: NDArray[np.float32], gamma: float) -> 
 
 def _to_kernel(products: NDArray[np.float32]) -> NDArray[np.float32]:
     """Turn the products into exp of -gamma ||x - y||^2, in place."""
-    # Rounding may have made a distance negative.
+    # Rounding may make a distance negative.
     np.minimum(products, 0.0, out=products)
     return np.exp(products, out=products)
 
@@ -142,9 +142,9 @@ def _check_gamma(gamma: float) -> float:
 def rbf_gram(
     X: ArrayLike, gamma: float, dtype: DTypeLike = np.float32, n_jobs: int | None = None
 ) -> NDArray[Any]:
-    """Gram matrix exp(-gamma ||x_i - x_j||^2) of one training set, for every class and fold.
+    """Compute the Gram matrix exp(-gamma ||x_i - x_j||^2) of one training set, for all classes and folds.
 
-    Computed in float32 by blocks of a matrix product; symmetric to the bit with ones on the diagonal.
+    It is computed in float32, block by block, and is exactly symmetric with ones on the diagonal.
 
     Parameters
     ----------
@@ -153,7 +153,7 @@ def rbf_gram(
     gamma
         Inverse squared width, > 0, in units of 1 / X^2 (thesis 4.2: 2.0; the scale of X is open there).
     dtype
-        Of the result: float32, or float64 for libsvm. The values are those of float32.
+        dtype of the result: float32, or float64 for libsvm. The values are computed in float32.
     n_jobs
         Threads. The result does not depend on it.
 
@@ -251,8 +251,8 @@ class KernelExpansion:
     def decisions(self, X: ArrayLike) -> NDArray[np.float64]:
         """Evaluate all K functions for finite X (n, D): (n, K) float64. Other matrices raise PlacecatError.
 
-        One matrix product gives the kernel, one the sums. A row's values do not depend on the others, to the
-        bit.
+        One matrix product computes the kernel, another the sums. The bits of a row do not depend on other
+        rows.
         """
         samples = check_samples(X)
         width = self.support_vectors.shape[1]

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 # Floats of one block of points: 1 MB of float32, half a level-2 cache.
 _BLOCK = 1 << 18
-# Below this part of |x|^2 + |c|^2 a float32 |x|^2 - 2xc + |c|^2 has lost its digits.
+# Below this fraction of |x|^2 + |c|^2, a float32 |x|^2 - 2xc + |c|^2 has lost its digits.
 _CANCELLATION = 1e-4
 
 
@@ -89,7 +89,7 @@ def seed_clusters(
 def _squared_distances(
     points: NDArray[np.float32], norms: NDArray[np.float32], seed: int
 ) -> NDArray[np.float32]:
-    """Squared distances of all points to one of them, exactly 0 for its duplicates."""
+    """Squared distances from all points to one of them; exactly 0 for its duplicates."""
     distances = points @ points[seed]
     distances *= -2
     distances += norms
@@ -132,7 +132,7 @@ def _block_rows(points: NDArray[np.float32]) -> int:
 
 def nearest(points: NDArray[np.float32], centers: NDArray[np.float64]) -> NDArray[np.uint16]:
     """Index of the nearest of a few centres (K, D) for each of (n, D) points; the lowest wins ties."""
-    # Not nearest_centers: for a handful of centres the transposed product is faster.
+    # For a handful of centres, the transposed product is faster than nearest_centers.
     half_norms = (0.5 * np.einsum("ij,ij->i", centers, centers))[:, None].astype(np.float32)
     centers32 = centers.astype(np.float32)
     labels = np.empty(len(points), np.uint16)
@@ -156,7 +156,7 @@ def _sums(points: NDArray[np.float32], labels: NDArray[np.integer], n_clusters: 
 
 
 def fill_empty(points: NDArray[np.float32], labels: NDArray[np.uint16], centers: NDArray[np.float64]) -> None:
-    """Give each empty cluster, in place, the farthest point from its centre among clusters of two or more."""
+    """Fill each empty cluster, in place, with the point farthest from its centre in a larger cluster."""
     counts = np.bincount(labels, minlength=len(centers))
     empty = np.flatnonzero(counts == 0)
     if len(empty) == 0:

@@ -23,13 +23,13 @@ _BLOCK = 1 << 20
 class ModifiedKNN(ClassifierMixin, BaseEstimator):
     """Modified K-nearest neighbours: the neighbours are cluster centres with class frequencies.
 
-    A set of n points x_k gives, by equations (4) and (5),
+    For a set of n points x_k, equations (4) and (5) are
 
         p(l | x_1, ..., x_n) ~ 1 / f(l) * prod_k f(l, x_k),    f(l, x_k) = sum_j f(l, c_j) / |x_k - c_j|
 
     over the K centres nearest to x_k; for K = 1 this is equation (2). f(l, c) counts the training points of
-    class l in cluster c, f(l) those of class l. A centre at distance 0 takes all the weight. Computed with
-    logarithms.
+    class l in cluster c, f(l) those of class l. A centre at distance 0 has all the weight. Logarithms are
+    used for the computation.
 
     Parameters
     ----------
@@ -38,13 +38,12 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
     n_neighbors : int
         K.
     smoothing : float
-        Added to every f(l, c), hence n_clusters times to f(l). The thesis does not give this. With 0 a
-        cluster vetoes every class that it has not seen; if it vetoes all, the answer is uniform.
+        Added to every f(l, c), hence n_clusters times to f(l). The thesis does not give this. With 0, a
+        cluster vetoes every class that it has not seen; if all classes are vetoed, the result is uniform.
     class_weighting : {"once", "per_region"}
         "once" divides by f(l) once, like equations (2) and (4) and the text. "per_region" divides by f(l)^n,
         which follows from equation (1) with p(c_k | l) = f(c_k, l) / f(l). They agree for single points and
-        for balanced classes; otherwise "once" favours frequent classes, the more the more regions a frame
-        has.
+        balanced classes. Otherwise "once" favours frequent classes, more so if a frame has many regions.
     codebook : HierarchicalKMeans, optional
         A fitted tree to cut. Default: a new one, grown to `n_clusters` on the training points.
     seed : int
@@ -105,7 +104,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         Raises
         ------
         PlacecatError
-            If a setting is impossible, or as `HierarchicalKMeans.centers`.
+            If a setting is impossible, or for the reasons in `HierarchicalKMeans.centers`.
         """
         self._check_settings()
         points = check_array(X, dtype=np.float32, order="C", estimator=self)
@@ -178,11 +177,11 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         """Learn one more labelled point x (D,) at run time; `label` is one of `classes_`.
 
         A point at least as close to some centre as the two closest centres are to each other joins its
-        cluster, whose centre moves to the centre of mass. For a point farther from all centres, the two
-        closest clusters merge and the point founds a new one. The number of clusters stays. Only distances to
-        a changed centre are computed again. The codebook stays unchanged.
+        cluster, whose centre moves to the centre of mass. If a point is farther from all centres, the two
+        closest clusters merge and the point starts a new cluster. The number of clusters and the codebook do
+        not change. Only distances to changed centres are recomputed.
 
-        Raises PlacecatError if the class is unknown, or D is not that of the training data.
+        Raises PlacecatError if the class is unknown, or D differs from the training data.
         """
         check_is_fitted(self)
         point = self._read_points(np.asarray(x)[None])[0].astype(np.float64)
@@ -240,7 +239,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         neighbors = nearest_centers(points, self.centers_, self.n_neighbors)
         with np.errstate(divide="ignore"):
             if self.n_neighbors == 1:
-                # All classes share the one weight.
+                # All classes share one weight.
                 return np.log(frequencies)[neighbors[:, 0]]
             interpolated = np.empty((len(points), len(self.classes_)))
             rows = max(1, _BLOCK // (self.n_neighbors * self.n_features_in_))
@@ -254,7 +253,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
             return np.log(interpolated)
 
     def _normalize(self, logs: NDArray[np.float64], n_regions: NDArray[np.int64]) -> NDArray[np.float64]:
-        """Divide by f(l) once or for each region, then by the sum over classes."""
+        """Divide by f(l) once or per region, then by the sum over classes."""
         log_class = np.log((self.frequencies_ + self.smoothing).sum(axis=0))
         powers = np.minimum(n_regions, 1) if self.class_weighting == "once" else n_regions
         logs = logs - powers[:, None] * log_class

@@ -1,4 +1,4 @@
-"""A memory of intermediate results, for classifiers that are trained on the same data one after the other."""
+"""Cache of intermediate results for classifiers that are trained on the same data one after another."""
 
 import hashlib
 from collections.abc import Callable, Iterator
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 _Result = TypeVar("_Result")
 _by_value = (str, bytes, int, float, type(None))
-# Name of the kind of result to key to (objects of the key, which must stay alive, and the result).
+# Maps each kind of result to its keys, and each key to its objects (to keep them alive) and the result.
 _memory: ContextVar[dict[str, dict[Any, tuple[Any, Any]]] | None] = ContextVar("memory", default=None)
 
 
@@ -19,7 +19,7 @@ _memory: ContextVar[dict[str, dict[Any, tuple[Any, Any]]] | None] = ContextVar("
 def remembering() -> Iterator[None]:
     """Keep the results of :func:`remembered` until the end of the block. Other threads do not see them.
 
-    Results stay the same with or without it, to the bit: it saves time only.
+    It saves time only; results are identical with and without it.
     """
     token = _memory.set({})
     try:
@@ -31,15 +31,15 @@ def remembering() -> Iterator[None]:
 def remembered(
     name: str, key: tuple[Any, ...], compute: Callable[[], _Result], *, latest: bool = False
 ) -> _Result:
-    """Return a result from the memory, or compute and keep it. Without a memory it is computed.
+    """Return a result from the cache, or compute and store it. Without a cache it is always computed.
 
     Parameters
     ----------
     name
         Name of the kind of result.
     key
-        All that the result depends on. Text, bytes and numbers are compared by value; other objects, such as
-        arrays, by identity, so neither they nor the result may be changed in place.
+        Everything that the result depends on. Text, bytes and numbers are compared by value, other objects,
+        such as arrays, by identity. Do not change them or the result in place.
     compute
         Computes the result.
     latest
@@ -60,7 +60,7 @@ def remembered(
     results = memory.setdefault(name, {})
     if parts not in results:
         if latest:
-            # Before the new one is computed, so that two never take space.
+            # Delete it before computing the new result, so only one takes up memory.
             results.clear()
         results[parts] = (key, compute())
     result: _Result = results[parts][1]
@@ -68,12 +68,12 @@ def remembered(
 
 
 def bytes_of(array: NDArray[Any] | None) -> bytes | None:
-    """The content of an array of known dtype and shape, as a part of a key."""
+    """Content of an array of known dtype and shape, for use in a key."""
     return None if array is None else np.ascontiguousarray(array).tobytes()
 
 
 def content(array: NDArray[Any]) -> bytes:
-    """A checksum of an array as a part of a key, for arrays that are made again; b"" without a memory."""
+    """Checksum of an array, for use in a key if the array is created repeatedly; b"" without a cache."""
     if _memory.get() is None:
         return b""
     head = f"{array.dtype.str}{array.shape}".encode()

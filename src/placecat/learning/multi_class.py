@@ -1,4 +1,4 @@
-"""The common base of the multi-class schemes: one two-class classifier per class, and its p(o_k|x)."""
+"""Common base of the multi-class schemes: one two-class classifier per class, with its p(o_k|x)."""
 
 from collections.abc import Callable, Sequence
 from typing import Any, Self
@@ -18,7 +18,7 @@ from placecat.learning.two_class import as_base, is_balanced, uses_own
 class MultiClass:
     """The K classifiers of a scheme, fitted and calibrated together.
 
-    A scheme has the parameters and sets the attributes that `OneAgainstAll` lists first.
+    A scheme has the first parameters of `OneAgainstAll`, and sets its first attributes.
     """
 
     base: Any
@@ -50,7 +50,7 @@ class MultiClass:
         X
             (n, D) real.
         y
-            (n,) labels, every class at least twice.
+            (n,) labels; every class occurs at least twice.
         groups
             (n,) the home of each sample, for a calibration by home.
         gram
@@ -61,8 +61,8 @@ class MultiClass:
         Raises
         ------
         PlacecatError
-            For fewer than 2 classes, a class of 1 sample, an impossible setting, or an infeasible nu under
-            the policy ``refuse``.
+            If there are fewer than 2 classes, a class has only 1 sample, a setting is impossible, or nu is
+            infeasible under the policy ``refuse``.
         """
         base = as_base(self.base)
         own, balanced = uses_own(self.sigmoid, base), is_balanced(self.sigmoid_weights)
@@ -91,7 +91,7 @@ class MultiClass:
         return self
 
     def outputs(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return p(o_k|x) (n, K) of samples (n, D): the mean over the machines of each class."""
+        """Return p(o_k|x) (n, K) for samples (n, D): the mean over the machines of each class."""
         check_is_fitted(self, "scorer_")
         samples = check_samples(X)
         check_width(samples, self)
@@ -111,11 +111,11 @@ class MultiClass:
         index: NDArray[np.intp],
         fit_some: Callable[[Sequence[Problem]], list[FittedProblem]],
     ) -> list[FittedProblem]:
-        """Return the final problems, some of them fitted again."""
+        """Return the final problems; some may be refitted."""
         return fitted
 
     def _fit_combination(self, index: NDArray[np.intp]) -> None:
-        """Fit the combination; `index` has the class of each sample."""
+        """Fit the combination; `index` is the class of each sample."""
 
 
 def encode_classes(

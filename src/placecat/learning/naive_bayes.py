@@ -15,21 +15,21 @@ _BLOCK = 1 << 18
 
 
 class NaiveBayes(DiscreteBayes):
-    """p(c_1 = q_1, ..., c_V = q_V | l_i) as the product of the p(c_k = q_k | l_i) (equation 12).
+    """p(c_1 = q_1, ..., c_V = q_V | l_i) as the product of all p(c_k = q_k | l_i) (equation 12).
 
-    The variables are the codewords of the 16 image cells (section 4.2), or the activations of all clusters of
-    a codebook by an image's regions (3.3.2), where a *missing* cluster is evidence too.
+    The variables are the codewords of the 16 image cells (section 4.2), or the activations of all clusters in
+    a codebook (3.3.2). With activations, a *missing* cluster is evidence too.
 
     Parameters
     ----------
     alpha : float
         Added to every count (Laplace smoothing), above 0. The thesis does not give this.
     n_values : int, optional
-        Values a variable can have: the cluster number, or 2 for activations. Default: the largest code of the
-        training data plus 1.
+        Number of values of a variable: the cluster number, or 2 for activations. Default: the largest code in
+        the training data plus 1.
     prior : {"uniform", "frequency"}
-        p(l_i) in equation (10). The thesis does not give this; uniform agrees with its KNN (3.3.1.1) and its
-        measure, the mean of the classes' accuracies.
+        p(l_i) in equation (10). The thesis does not give this; uniform matches its KNN (3.3.1.1) and its
+        measure, the mean accuracy over classes.
 
     Attributes
     ----------
@@ -73,7 +73,7 @@ class NaiveBayes(DiscreteBayes):
             gain = self.feature_log_prob_[:, :, 1] - absent
             return row_products(codes, gain) + absent.sum(axis=1)
         n, n_variables = codes.shape
-        # One row for each (variable, value), so that a look-up reads all classes at once.
+        # One row per (variable, value): a look-up reads all classes at once.
         table = np.ascontiguousarray(self.feature_log_prob_.reshape(len(self.classes_), -1).T)
         offsets = np.arange(n_variables) * self.n_values_
         result = np.empty((n, len(self.classes_)))

@@ -13,9 +13,9 @@ _BLOCK = 1 << 20
 def nearest_centers(X: ArrayLike, centers: NDArray[np.floating], n_neighbors: int = 1) -> NDArray[np.int32]:
     """Find the nearest centres of each point, nearest first.
 
-    Every centre is compared, in float32 after subtracting the centres' mean from both sides. Centres whose
-    distances float32 cannot tell apart count as equal; the lowest index wins ties. A point's result does not
-    depend on the other points.
+    All centres are compared, in float32, after the mean of the centres is subtracted. Distances that float32
+    cannot distinguish count as equal; the lowest index wins ties. A point's result does not depend on the
+    other points.
 
     Parameters
     ----------

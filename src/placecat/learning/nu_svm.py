@@ -1,4 +1,4 @@
-"""Two-class nu-SVM with RBF kernel on a shared Gram matrix."""
+"""Two-class nu-SVM with an RBF kernel on a shared Gram matrix."""
 
 import logging
 from typing import Annotated, Self
@@ -17,7 +17,7 @@ POLICIES = ("lower", "refuse")
 
 
 def largest_feasible_nu(n_positive: int, n_negative: int) -> float:
-    """Return 2 min(n+, n-) / n, above which the nu-SVM has no solution.
+    """Return 2 min(n+, n-) / n; for a larger nu the nu-SVM has no solution.
 
     References
     ----------
@@ -32,10 +32,10 @@ def largest_feasible_nu(n_positive: int, n_negative: int) -> float:
 
 
 def accepted_nu(nu: float, n_positive: int, n_negative: int) -> float:
-    """Return `nu`, or a value just below the largest feasible one if `nu` reaches it.
+    """Return `nu`, or a value just below the largest feasible nu if `nu` reaches it.
 
-    At the limit every sample of the smaller class is at its bound. libsvm finds the margin from a sample that
-    is not, and would divide by zero or infinity.
+    At the limit, every sample of the smaller class is at its bound. libsvm computes the margin from a sample
+    that is not at its bound, and would divide by zero or infinity.
     """
     return min(nu, largest_feasible_nu(n_positive, n_negative) * (1.0 - 1e-7))
 
@@ -43,8 +43,8 @@ def accepted_nu(nu: float, n_positive: int, n_negative: int) -> float:
 class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     """Binary nu-SVM (thesis 3.3.1.2, [66]) with the kernel exp(-gamma ||x - y||^2).
 
-    The solver is libsvm by way of scikit-learn's NuSVC. `fit` takes samples; `prepare` and `fit_rows` let
-    many fits share one Gram matrix.
+    The solver is libsvm, called through scikit-learn's NuSVC. `fit` takes samples; `prepare` and `fit_rows`
+    let many fits share one Gram matrix.
 
     Parameters
     ----------
@@ -53,18 +53,18 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     nu
         Share of margin errors, in (0, 1] (thesis 4.2: 0.2).
     nu_policy
-        If nu exceeds 2 min(n+, n-) / n: ``lower`` it to that (thesis 4.2 and 4.3), or ``refuse``.
+        If nu exceeds 2 min(n+, n-) / n: ``lower`` nu to this limit (thesis 4.2 and 4.3), or ``refuse``.
     tol
         libsvm's stopping tolerance. The thesis does not give this.
     cache_mb
-        libsvm's cache per fit in MB. Changes nothing but speed.
+        libsvm's cache per fit in MB; it affects only speed.
 
     Attributes
     ----------
     classes_
         The two labels, sorted; the second is the positive one. Set by `fit`.
     nu_
-        The nu in force: `nu`, or the largest feasible one if lower, doubled until there is a margin.
+        The nu in use: `nu`, or the largest feasible nu if that is lower, doubled until there is a margin.
     support_, dual_coef_, intercept_
         As in `KernelMachine`.
     support_vectors_
@@ -100,7 +100,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
         self.cache_mb = cache_mb
 
     def check_parameters(self) -> None:
-        """Raise PlacecatError for a setting that no data can make possible."""
+        """Raise PlacecatError for a setting that is impossible for any data."""
         if not 0 < self.nu <= 1:
             raise PlacecatError(f"nu = {self.nu} is outside (0, 1]; the thesis uses 0.2")
         if self.nu_policy not in POLICIES:
@@ -115,7 +115,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     ) -> Self:
         """Fit on some rows of a Gram matrix, without a copy; see `KernelMachine.fit_rows`.
 
-        Also raises PlacecatError if nu is infeasible or leaves no margin under the policy ``refuse``.
+        Also raises PlacecatError if, under the policy ``refuse``, nu is infeasible or leaves no margin.
         """
         import sklearn
         from sklearn.svm import NuSVC
@@ -137,7 +137,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
                     f"{largest:.6g}; lower nu or set nu_policy to 'lower'"
                 )
             logger.info("nu lowered from %g to %.6g for %s (%s)", self.nu, largest, context, counts)
-        # A zero weight leaves a sample out without a copy of the matrix.
+        # A zero weight excludes a sample without copying the matrix.
         weights = None
         if len(chosen) < len(shared):
             weights = np.zeros(len(shared))
@@ -166,7 +166,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
                 logger.info("nu raised from %g for %s: no margin", nu, context)
                 nu = min(2 * nu, largest)
         self.nu_ = nu
-        # scikit-learn's support_ counts samples of nonzero weight only.
+        # scikit-learn's support_ counts only samples with a nonzero weight.
         self.support_ = chosen[machine.support_].astype(np.intp)
         self.dual_coef_ = np.asarray(machine.dual_coef_[0], dtype=np.float64)
         self.intercept_ = float(machine.intercept_[0])

@@ -1,4 +1,4 @@
-"""The parallel probabilistic scheme: one two-class classifier per class, and their combination."""
+"""Parallel probabilistic scheme: one two-class classifier per class, and their combination."""
 
 from typing import Annotated, Any
 
@@ -19,48 +19,48 @@ PRIORS = ("training", "uniform")
 
 
 class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
-    """The parallel probabilistic multi-class scheme, thesis 3.3.1.2, equations (6) to (9).
+    """Parallel probabilistic multi-class scheme (thesis 3.3.1.2, equations 6 to 9).
 
-    One base classifier per class gives p(o_k|x). With reliabilities p(o_k|l_i) from cross-validation and
+    One base classifier per class estimates p(o_k|x). With reliabilities p(o_k|l_i) from cross-validation and
     class frequencies p(l_i), p(l_i|o_k) = p(o_k|l_i) p(l_i) / p(o_k) and p(l_i|x) = sum_k p(l_i|o_k)
     p(o_k|x), normalised.
 
     Parameters
     ----------
     base
-        Two-class classifier: `NuSVM` (the default), `RVM`, `GentleAdaBoost`, or any of scikit-learn's (the
-        latter without shared preparation).
+        Two-class classifier: `NuSVM` (the default), `RVM`, `GentleAdaBoost`, or any scikit-learn classifier
+        (without shared preparation).
     calibration
-        What is held out for the sigmoids and the reliabilities, see
+        Which samples are held out for the sigmoids and the reliabilities, see
         :class:`~placecat.learning.calibration.Calibration`: ``samples`` (the default), ``consecutive``,
         ``homes_centred`` or ``homes_averaged``.
     sigmoid
-        Source of p(o_k|x): ``platt`` fits a sigmoid to held-out decision values; ``own`` takes the base's
-        probability: equation (8) for boosting, the logistic likelihood for the RVM. ``auto`` takes equation
-        (8) for boosting and Platt for nu-SVM and RVM, like dlib and so the thesis.
+        Source of p(o_k|x): ``platt`` fits a sigmoid to held-out decision values; ``own`` uses the base's
+        probability: equation (8) for boosting, the logistic likelihood for the RVM. ``auto`` uses equation
+        (8) for boosting and Platt for nu-SVM and RVM, like dlib and therefore the thesis.
     sigmoid_weights
         ``balanced`` weighs positives and negatives equally in Platt's sigmoid; ``none`` does not (Platt).
     combination
-        ``parallel``, equation (6); or ``certainty``, the p(o_k|x) normalised: the most certain classifier
-        decides, the simpler way of 3.3.1.2.
+        ``parallel``: equation (6). ``certainty``: the normalised p(o_k|x), so the most certain classifier
+        decides, the simpler method of 3.3.1.2.
     exclusive
-        Divide the p(o_k|x) of a sample by their sum before (6) and (7), since (6) is the law of total
-        probability only if exactly one of the o_k happens.
+        Divide the p(o_k|x) of a sample by their sum before equations (6) and (7): (6) is the law of total
+        probability only if exactly one o_k occurs.
     reliability
         p(o_k|l_i) over held-out samples of class i: ``soft``, the mean of p(o_k|x); ``hard``, the share with
         p(o_k|x) >= 0.5 or, with `exclusive`, the share where it is the largest. The thesis says only
         "statistics from cross-validating".
     reliability_smoothing
-        Added to each count; with 0, a classifier that never says yes is ignored. The thesis does not give
+        Added to each count. With 0, a classifier that never says yes is ignored. The thesis does not give
         this.
     prior
-        p(l_i): the ``training`` frequencies, as in the thesis; or ``uniform``, as in its nearest neighbours
-        (3.3.1.1), which suits the measure, a mean over places.
+        p(l_i): ``training`` for the training frequencies, as in the thesis, or ``uniform``, as in its nearest
+        neighbours (3.3.1.1). Uniform suits the measure, a mean over places.
     uncertainty
         gamma of equation (9). beta = gamma (1 / max_k p(o_k|x) - 1) is spread evenly over the classes before
         normalisation. 0 is off.
     folds
-        Held-out parts of the samples. The thesis does not give this.
+        Number of held-out parts of the samples. The thesis does not give this.
     n_jobs
         Threads over (class, fold) pairs. The result does not depend on it.
 
@@ -80,15 +80,15 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
         (M,) the k of each machine, ascending; p(o_k|x) is the mean over the class's machines. Only
         ``homes_averaged`` has several per class.
     flat_
-        (K,) number of flat sigmoids of each class, see `FittedProblem`.
+        (K,) number of flat sigmoids per class, see `FittedProblem`.
     cv_outputs_
         (n, K) held-out p(o_k|x) of the training samples.
     nu_
-        (K,) nu in force of each class, NaN for a base without one.
+        (K,) nu in use for each class; NaN for a base without nu.
     fold_nu_
-        K arrays, nu of each held-out part.
+        K arrays: nu for each held-out part.
     scorer_
-        The M decision functions together.
+        All M decision functions in one object.
     n_features_in_
         D.
 
@@ -184,7 +184,7 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
         return np.divide(proba, total, out=uniform, where=total > 0)
 
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Distributions (n, K) float64 over `classes_` of samples (n, D); rows sum to 1."""
+        """Return distributions (n, K) float64 over `classes_` for samples (n, D); rows sum to 1."""
         return self.combine(self.outputs(X))
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:

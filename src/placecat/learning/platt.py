@@ -16,8 +16,8 @@ def fit_sigmoid(
 ) -> tuple[float, float]:
     """Fit p(positive | d) = 1 / (1 + exp(A d + B)), A <= 0, by maximum likelihood on smoothed targets.
 
-    Targets are (n+ + 1) / (n+ + 2) and 1 / (n- + 2). Newton's method with step halving solves the convex
-    problem. The thesis (3.3.1.2) uses dlib's probabilistic decision function, which is this method.
+    The targets are (n+ + 1) / (n+ + 2) and 1 / (n- + 2). Newton's method with step halving solves the convex
+    problem. The thesis (3.3.1.2) uses this method as dlib's probabilistic decision function.
 
     A larger decision value never makes the positive class less probable: if the best sigmoid falls, the
     result is flat, A = 0.
@@ -25,15 +25,15 @@ def fit_sigmoid(
     Parameters
     ----------
     decisions
-        (n,) real, finite and at least one, else PlacecatError; best held out by cross-validation.
+        (n,) real and finite, n at least 1, else PlacecatError; preferably held out by cross-validation.
     positive
         (n,) bool.
     balanced
-        Weigh positives and negatives so that both count n / 2: the probability for equally frequent classes.
+        Weight positives and negatives so that each total n / 2: the probability for equally frequent classes.
     tol
         Stop when the gradient, per sample and in units of the standardised decisions, falls below it.
     max_iter
-        Newton steps at most.
+        Maximum of Newton steps.
 
     Returns
     -------
@@ -101,7 +101,7 @@ def fit_sigmoid(
         else:
             break
         slope, offset, value = slope + step * d_slope, offset + step * d_offset, new
-    # By convexity, if the best sigmoid falls, the best non-falling one is at the boundary.
+    # By convexity, if the best sigmoid falls, the best one that does not fall is at the boundary.
     return flat if slope > 0.0 else (slope / scale, offset - slope * shift / scale)
 
 

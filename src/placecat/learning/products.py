@@ -1,9 +1,9 @@
-"""Matrix products whose rows each depend on their own row only, to the bit.
+"""Matrix products where each row of the result depends only on the matching input row, to the bit.
 
-BLAS does not promise this. It multiplies in tiles, sums in another order at the edges of a matrix, and takes
-another routine for one row than for many, so a frame alone would get other last bits than among others. Here
-every product has one of a few fixed numbers of rows, the last filled up with zeros, and the columns have
-margins of zeros for the edges. Whether this suffices depends on the processor's kernels: each shape is tried
+BLAS does not guarantee this. It multiplies in tiles, sums in a different order at the edges of a matrix, and
+uses different routines for one row and for many. So the last bits for a frame would depend on the other
+frames. Here every product has one of a few fixed row counts (the last product is padded with zeros), and zero
+margins surround the columns. Whether this works depends on the processor's kernels: each shape is tested
 once, and if it fails, rows are multiplied one by one.
 """
 
@@ -16,18 +16,18 @@ from numpy.typing import ArrayLike, NDArray
 
 from placecat.learning.single_thread import single_blas_thread
 
-# Columns of one product without margins; with them 320, one block of OpenBLAS's AVX2 kernels of float32.
+# Columns of one product without margins; with margins 320, one block of OpenBLAS's AVX2 float32 kernels.
 _COLUMNS = 304
-# Zero columns on both sides, the tile of these kernels (8) and its double.
+# Zero columns on the two sides: the tile size of these kernels (8), and twice that.
 _MARGIN, _TILE = 8, 16
-# Numbers of rows of one product, preferred first: multiples of 12, a tile of these kernels.
+# Row counts of one product, preferred first: multiples of 12, the tile height of these kernels.
 _ROWS = (48, 240, 12)
-# Fewest columns of random numbers to try a shape on.
+# Minimum of random columns to test a shape with.
 _TRIED = 256
 
 
 class RowProducts:
-    """left @ right.T for one `right`; every row of the result has the bits that it has alone.
+    """Compute left @ right.T for one `right`; the bits of a row do not depend on other rows.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def row_products(left: ArrayLike, right: ArrayLike) -> NDArray[Any]:
 def sum_products(left: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64]:
     """Multiply (n, k) by (m, k) rows of float64 as :func:`row_products` does: (n, m) float64.
 
-    For few k, at least 1: term by term, without BLAS.
+    It is meant for small k, at least 1, and adds term by term without BLAS.
     """
     result = left[:, :1] * right[:, 0]
     for term in range(1, right.shape[1]):
@@ -84,10 +84,10 @@ def sum_products(left: NDArray[np.float64], right: NDArray[np.float64]) -> NDArr
 
 
 def squared_lengths(X: NDArray[np.floating]) -> NDArray[np.float64]:
-    """Sum of squares of each row of (n, k), in float64: (n,), every row as if it were alone."""
+    """Sum of squares of each row of (n, k), as (n,) float64; rows do not affect each other."""
     result = np.empty(len(X))
     for start in range(0, len(X), _ROWS[0]):
-        # Converted first, since einsum's conversion buffers may end within a row.
+        # Convert first: einsum's conversion buffers may end within a row.
         part = np.ascontiguousarray(X[start : start + _ROWS[0]], np.float64)
         np.einsum("ij,ij->i", part, part, out=result[start : start + _ROWS[0]])
     return result
@@ -103,9 +103,9 @@ def _padded(columns: int) -> int:
 
 @cache
 def _numbers_of_rows(k: int, columns: int, dtype: str) -> tuple[int, ...]:
-    """Numbers of rows, falling, whose products agree in every row; empty if none do.
+    """Return the row counts, descending, whose products agree in every row; empty if no count works.
 
-    They are tried on random numbers: all rows of the products of one repeated row must be equal to the bit.
+    The test repeats one row of random numbers: all rows of the product must be equal to the bit.
     """
     rng = np.random.default_rng(0)
     agreeing = list(_ROWS)
@@ -122,11 +122,11 @@ def _numbers_of_rows(k: int, columns: int, dtype: str) -> tuple[int, ...]:
 
 
 def _blocks(n: int, sizes: tuple[int, ...]) -> Iterator[tuple[int, int]]:
-    """First row and number of rows of the products that cover n rows; the last may reach beyond them."""
+    """First row and row count of the products that cover n rows; the last product may extend past the end."""
     start = 0
     while start < n:
         rest = n - start
-        # The largest that is at least half full.
+        # The largest block that is at least half full.
         size = next((size for size in sizes if 2 * rest > size), sizes[-1])
         yield start, size
         start += size
@@ -144,7 +144,7 @@ def _by_blocks(rows: NDArray[Any], tile: NDArray[Any], columns: NDArray[Any], si
 
 
 def _one_by_one(rows: NDArray[Any], tile: NDArray[Any], columns: NDArray[Any]) -> None:
-    # Always at one address, since a kernel may depend on it.
+    # Always use the same address: the kernel may depend on it.
     row = np.empty(rows.shape[1], rows.dtype)
     for number in range(len(rows)):
         row[:] = rows[number]

@@ -19,7 +19,7 @@ logger = logging.getLogger(__name__)
 
 # Rows of the Gram matrix squared at a time: 4 MiB at 8000 samples.
 SQUARE_ROWS = 128
-# Functions whose sparsity factors every round updates.
+# Number of functions whose sparsity factors each round updates.
 SHORTLIST = 1024
 
 
@@ -29,19 +29,19 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     Weights w ~ N(0, diag(1/alpha)) on one basis function per training sample and a bias, logistic likelihood.
     The evidence is maximised over alpha by adding, re-estimating and deleting one basis function at a time
     (Tipping and Faul 2003). The Laplace approximation at the mode of w makes the problem Gaussian. Many such
-    steps are taken between two Laplace approximations, on the functions in the model and the most promising
-    outside it. Each approximation updates the statistics of all functions.
+    steps follow each Laplace approximation, on the functions in the model and the most promising others. Each
+    approximation updates the statistics of all functions.
 
     Parameters
     ----------
     gamma
-        Kernel width, > 0. The thesis gives no value for the RVM; the nu-SVM's 2.0.
+        Kernel width, > 0. The thesis gives no value for the RVM; the default is the nu-SVM's 2.0.
     tol
-        Stop when one more round raises the log evidence by less than this, in nats a sample.
+        Stop if another round raises the log evidence by less than this, in nats per sample.
     max_iter
-        Most Laplace approximations. Reaching it logs a message.
+        Maximum of Laplace approximations; a warning is logged if it is reached.
     candidates
-        Basis functions outside the model to consider in one round.
+        Number of basis functions outside the model that one round considers.
 
     Attributes
     ----------
@@ -142,13 +142,13 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
                 mode = _laplace_mode(new_basis, target, alpha, start)
                 risen = mode.evidence - best.evidence
                 if risen <= 0 and steps > 1:
-                    # The Gaussian problem was followed too far: go back, and change less.
+                    # The steps on the Gaussian problem went too far: go back, and change less.
                     steps = max(steps // 4, 1)
                     continue
                 if risen > 0:
                     active, basis, best = new_active, new_basis, mode
                     steps = min(2 * steps, most)
-            # A small rise may be due to few changes: convergence takes several.
+            # A small rise may come from few changes, so convergence needs several.
             small_rises = small_rises + 1 if risen < tol else 0
             if statistics.current and (expected < tol or small_rises > 2):
                 break
@@ -188,7 +188,7 @@ class _Mode:
     def impossible(
         cls, weights: NDArray[np.float64], alpha: NDArray[np.float64], error: NDArray[np.float64]
     ) -> Self:
-        """A model whose functions are too alike for a posterior; it is never kept."""
+        """Model whose functions are too similar for a posterior; it is never kept."""
         nothing = np.full((len(alpha), len(alpha)), np.nan)
         return cls(weights, alpha, error, np.full(len(error), np.nan), nothing, -np.inf)
 
@@ -220,7 +220,7 @@ def _laplace_mode(
     value, f = penalised(weights)
     for _ in range(50):
         p = expit(f)
-        # Only the direction may be rough, not gradient and value.
+        # Only the direction may be approximate, not the gradient or the value.
         rough = narrow * np.sqrt(p * (1.0 - p)).astype(np.float32)
         hessian = (rough @ rough.T).astype(np.float64)
         hessian[diagonal] += alpha
@@ -228,7 +228,7 @@ def _laplace_mode(
         try:
             factor = cho_factor(hessian, lower=True)
         except LinAlgError:
-            # Too rough where functions are nearly alike.
+            # Too inaccurate if functions are nearly identical.
             factor = _factor(basis, p * (1.0 - p), alpha)
             if factor is None:
                 return _Mode.impossible(weights, alpha, target - p)
@@ -269,7 +269,7 @@ def _factor(
 
 
 class _Statistics:
-    """Sparsity and quality factors of all n kernels and the bias, to find promising functions.
+    """Sparsity and quality factors of all n kernels and the bias, used to find promising functions.
 
     The quality factors are always current. Sparsity factors cost a product of Gram matrix rows with all
     functions in the model: they are current for the most promising functions, and updated for all before
@@ -282,7 +282,7 @@ class _Statistics:
         self.current = False
 
     def promising(self, basis: NDArray[np.float64], mode: _Mode, count: int, renew: bool) -> NDArray[np.intp]:
-        """Return the `count` functions, ascending, that would raise the evidence most if added alone."""
+        """Return the `count` functions, ascending, that would each raise the evidence most if added."""
         gram, n = self.gram, len(self.gram)
         squared_quality = np.empty(n + 1)
         squared_quality[:n] = gram @ mode.error.astype(np.float32)
@@ -350,14 +350,14 @@ class _Surrogate:
     def ascend(
         self, alpha: NDArray[np.float64], steps: int
     ) -> tuple[NDArray[np.intp], NDArray[np.float64], NDArray[np.float64], float]:
-        """Change one alpha after the other, greatest gain first.
+        """Change alphas one by one, greatest gain first.
 
         Parameters
         ----------
         alpha
             (m,) of the functions in the model.
         steps
-            Most changes.
+            Maximum of changes.
 
         Returns
         -------

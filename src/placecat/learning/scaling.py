@@ -1,4 +1,4 @@
-"""Scaling of descriptors before the kernel, which sets the scale on which gamma acts."""
+"""Scaling of descriptors before the kernel, which sets the scale for gamma."""
 
 from typing import Annotated, Self
 
@@ -16,12 +16,12 @@ KINDS = ("none", "minmax", "standard", "root", "distance", "unit")
 
 
 class KernelScaling(TransformerMixin, BaseEstimator):
-    """Scale descriptors so that one gamma suits descriptors of any unit and length.
+    """Scale descriptors so that one gamma fits descriptors of any unit and length.
 
     The thesis gives gamma = 2 but not its scale. The kinds, with the resulting mean of ||x - y||^2 over
     distinct training pairs (D: number of dimensions that vary):
 
-    - ``none``: x as it is.
+    - ``none``: x is unchanged.
     - ``minmax``: each dimension to [0, 1] on the training data; the mean depends on the data.
     - ``standard``: each dimension to mean 0 and variance 1 / D; mean 2 n / (n - 1).
     - ``root``: each dimension to mean 0 and divided by the root of its deviation, halfway between
@@ -37,15 +37,15 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     kind
         One of the above.
     gamma_scale
-        A further factor of squared distances, > 0; 1 leaves the means above.
+        Additional factor for squared distances, > 0; 1 keeps the means above.
 
     Attributes
     ----------
     offset_
         (D,) float64, subtracted first.
     factor_
-        (D,) float64, multiplied then. 0 for a dimension that is constant in training, whose test values could
-        dominate otherwise; but ``none``, ``distance`` and ``unit`` keep the factor of constant dimensions.
+        (D,) float64, multiplied next. 0 for a dimension that is constant in training, because its test values
+        could dominate; but ``none``, ``distance`` and ``unit`` keep the factor of constant dimensions.
     n_features_in_
         D.
 
@@ -62,7 +62,7 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     def fit(self, X: ArrayLike, y: object = None) -> Self:
         """Learn offset and factor from the training data X, (n, D) real and finite. `y` is ignored.
 
-        Raises PlacecatError if the kind is unknown or X is another matrix.
+        Raises PlacecatError if the kind is unknown or X is invalid.
         """
         if self.kind not in KINDS:
             raise PlacecatError(f"unknown scaling {self.kind!r}; choose one of {', '.join(KINDS)}")
@@ -94,7 +94,7 @@ class KernelScaling(TransformerMixin, BaseEstimator):
         return self
 
     def transform(self, X: ArrayLike) -> NDArray[np.float32]:
-        """Scale finite (n, D) samples: (n, D) float32. Other matrices raise PlacecatError."""
+        """Scale finite (n, D) samples to (n, D) float32. Other input raises PlacecatError."""
         check_is_fitted(self)
         samples = check_samples(X)
         check_width(samples, self)
@@ -112,6 +112,6 @@ class KernelScaling(TransformerMixin, BaseEstimator):
 
 
 def _inverse(spread: NDArray[np.float64], size: NDArray[np.float64]) -> NDArray[np.float64]:
-    # A spread of the size of float32's rounding is none.
+    # A spread as small as float32 rounding counts as 0.
     varies = spread > 1e-6 * size
     return np.divide(1.0, spread, out=np.zeros_like(spread), where=varies)

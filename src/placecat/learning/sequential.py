@@ -1,4 +1,4 @@
-"""The sequential multi-class scheme of Mozos: a list of two-class decisions, strongest first."""
+"""Sequential multi-class scheme of Mozos: a list of two-class decisions, strongest first."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -24,9 +24,9 @@ OUTPUTS = ("product", "decision")
 class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     """Decision list over two-class classifiers, the baseline of thesis 4.8.
 
-    The node of the strongest class decides first. A sample that it rejects goes on to the next node; a sample
-    that all reject gets the last class. The probability-like output of the class at place k is p(o_k|x)
-    prod_{j before k} (1 - p(o_j|x)), and the last class gets the remainder.
+    The node of the strongest class decides first. If it rejects a sample, the next node decides; if all nodes
+    reject it, it gets the last class. The probability-like output for the class at position k is p(o_k|x)
+    prod_{j before k} (1 - p(o_j|x)); the last class gets the remainder.
 
     Parameters
     ----------
@@ -35,26 +35,26 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     order
         Strength of a class's classifier against all others, from its held-out decisions:
         ``balanced_accuracy``, the mean of its two per-class rates, or ``error``, the share of wrong decisions
-        (lowest first), which favours rare classes. Ties keep the order of `classes_`. The thesis says only
+        (lowest first), which favours rare classes. Ties follow the order of `classes_`. The thesis says only
         "strongest".
     training
         Training samples of a node: ``all``, so that the list shares its classifiers with the parallel scheme
-        (thesis 4.8 compares combinations of their outputs), or those of the ``remaining`` classes, without
-        those of earlier nodes. The thesis does not give this.
+        (thesis 4.8 compares combinations of their outputs), or only samples of the ``remaining`` classes,
+        without the classes of earlier nodes. The thesis does not give this.
     decision
-        The rule of `predict`: the first node that says yes, else the last class, where yes is a positive
-        ``sign`` of the two-class decision value, or a ``probability`` p(o_k|x) above 0.5; or the largest of
-        the probability-like output, ``product``. The thesis mentions negative decisions, that is the sign.
+        Rule of `predict`. ``sign`` and ``probability`` pick the first node that says yes, else the last
+        class; yes is a positive two-class decision value, or p(o_k|x) above 0.5. ``product`` picks the
+        largest probability-like output. The thesis mentions negative decisions, which means the sign.
     output
-        The result of `predict_proba`: the probability-like ``product``, whose largest entry may differ from
-        `predict`, or 1 for the class of `predict` (``decision``).
+        Result of `predict_proba`: the probability-like ``product``, whose largest entry may differ from
+        `predict`, or ``decision``, 1 for the class from `predict`.
 
     Attributes
     ----------
     classes_
         (K,) labels, sorted. Columns of all outputs follow it.
     order_
-        (K,) indices into `classes_`, strongest first. The last has no node.
+        (K,) indices into `classes_`, strongest first. The last class has no node.
     strength_
         (K,) the measure of `order` of each class, larger is stronger.
     sigmoid_, machine_class_, flat_, cv_outputs_, nu_, fold_nu_, scorer_, n_features_in_
@@ -138,7 +138,8 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
                 raise PlacecatError(f"unknown {name} {value!r}; choose one of {', '.join(known)}")
 
     def _threshold(self, sigmoids: NDArray[np.float64]) -> float:
-        # The sign: p at decision value 0. A flat sigmoid gives exactly this to every sample, which is no yes.
+        # For the sign: p at decision value 0. A flat sigmoid returns exactly this for every sample, so never
+        # says yes.
         return float(expit(-sigmoids[:, 1]).mean()) if self.decision == "sign" else 0.5
 
     def _strength(self, outputs: NDArray[np.float64], threshold: float, positive: NDArray[np.bool_]) -> float:

@@ -18,13 +18,13 @@ _limit: Any = None
 
 @cache
 def _libraries() -> ThreadpoolController:
-    # Listing them takes 30 times as long as setting their threads.
+    # Listing the libraries takes 30 times as long as setting their threads.
     return ThreadpoolController()
 
 
 @contextmanager
 def single_blas_thread() -> Iterator[None]:
-    """Hold BLAS at one thread, so that sums do not depend on the number of cores.
+    """Limit BLAS to one thread, so that sums do not depend on the number of cores.
 
     The limit is per process: the first of several concurrent users sets it, the last restores it.
     """

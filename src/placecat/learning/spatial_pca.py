@@ -1,4 +1,4 @@
-"""PCA per image cell; plain PCA is the case of one cell."""
+"""PCA per image cell; one cell is plain PCA."""
 
 from typing import Self
 
@@ -23,13 +23,13 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
     Parameters
     ----------
     cells
-        The D dimensions are `cells` equal consecutive parts.
+        Number of equal, consecutive parts of the D dimensions.
     components
         Dimensions kept per cell. 256 -> 64 in the thesis.
     factor
-        Instead of `components`: keep 1 / factor of each cell's dimensions, rounded.
+        Alternative to `components`: keep 1 / factor of each cell's dimensions, rounded.
     whiten
-        Divide each component by its standard deviation. The thesis does not give this; off.
+        Divide each component by its standard deviation. Off by default; the thesis does not give this.
 
     Attributes
     ----------
@@ -84,8 +84,8 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
     def fit(self, X: ArrayLike, y: object = None) -> Self:
         """Learn one PCA per cell from X, (n, D) real. `y` is ignored.
 
-        Raises PlacecatError if D is not divisible by `cells`, the number of components is impossible, or n
-        does not exceed it.
+        Raises PlacecatError if D is not divisible by `cells`, the number of components is impossible, or n is
+        not larger than it.
         """
         samples = check_samples(X)
         n, total = samples.shape

@@ -1,4 +1,4 @@
-"""Features cut into bins, and the regression stumps that fit weighted samples best."""
+"""Binned features, and the regression stumps that fit weighted samples best."""
 
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -6,13 +6,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-# Features of one block: the histograms of a few machines stay in the level-2 cache.
+# Number of features per block; the histograms of a few machines stay in the level-2 cache.
 BLOCK_FEATURES = 32
 
 
 @dataclass(frozen=True)
 class BinnedFeatures:
-    """Features cut into bins, and the sparse matrices that sum samples by bin.
+    """Binned features, and the sparse matrices that sum samples by bin.
 
     Attributes
     ----------
@@ -21,9 +21,9 @@ class BinnedFeatures:
     thresholds
         D ascending float32 arrays of at most max_bins - 1 values; x > thresholds[d][b] means bin > b.
     blocks
-        scipy CSR matrices of ones, one for each `BLOCK_FEATURES` features. That of B features has the shape
-        (width * B, n), the first bin of each feature first. Times weights (n, m) it gives all weighted
-        histograms of these features.
+        scipy CSR matrices of ones, one for each `BLOCK_FEATURES` features. For B features the shape is (width
+        * B, n), with the first bin of every feature first. Its product with weights (n, m) contains all
+        weighted histograms of these features.
     width
         Bins per feature in `blocks`.
     """
@@ -62,7 +62,7 @@ def bin_features(X: NDArray[np.float32], max_bins: int) -> BinnedFeatures:
         if len(distinct) <= max_bins:
             cuts = _midpoints(distinct[:-1], distinct[1:])
         else:
-            # Midpoints between the neighbours of each quantile: a threshold is never a training value.
+            # Use midpoints between the neighbours of each quantile: a threshold is never a training value.
             first = (np.arange(1, max_bins) * n) // max_bins
             place = np.unique(np.searchsorted(distinct, values[first]))
             place = place[place > 0]
@@ -90,7 +90,7 @@ def _sums(bins: NDArray[Any], width: int) -> Any:
     order = np.argsort(bins, axis=1, kind="stable").astype(np.int32)
     counts = np.stack([np.bincount(row, minlength=width) for row in bins], axis=1)
     pointers = np.concatenate([[0], np.cumsum(counts.ravel())])
-    # Row (bin, feature) takes the samples of one run of `order`.
+    # Row (bin, feature) contains the samples of one run of `order`.
     starts = (np.cumsum(counts, axis=0) - counts) + n * np.arange(n_features)
     sizes = counts.ravel()
     places = np.repeat(starts.ravel() - pointers[:-1], sizes) + np.arange(order.size)
@@ -160,7 +160,7 @@ def _gain(
     total_signed: NDArray[np.float64],
     dust: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """How much each cut lowers the weighted squared error; -inf for a cut with an empty side."""
+    """Reduction of the weighted squared error by each cut; -inf for a cut with an empty side."""
     above = total - below
     impossible = np.minimum(below, above) <= dust
     above_signed = total_signed - below_signed

@@ -1,4 +1,4 @@
-"""The toy problem of thesis 4.8: four disjoint circles in the plane and the area around them."""
+"""Toy problem of thesis 4.8: four disjoint circles in the plane and the area around them."""
 
 import math
 
@@ -9,7 +9,7 @@ from placecat.errors import PlacecatError
 
 # Names of the classes, in order.
 NAMES = ("circle_1", "circle_2", "circle_3", "circle_4", "around")
-# In half widths of the square, in the order of the classes.
+# In half side lengths of the square, in the order of the classes.
 _MIDDLES = ((-0.5, -0.5), (-0.5, 0.5), (0.5, -0.5), (0.5, 0.5))
 
 
@@ -25,9 +25,9 @@ def toy_circles(
     n
         Points, at least 1.
     seed
-        Of the generator.
+        Seed of the random generator.
     radius
-        Of each circle, above 0.
+        Radius of each circle, above 0.
     inside
         Share of the square that the circles cover, above 0 and below pi / 4, where they touch. Half a side of
         the square is ``radius sqrt(pi / inside)``.

@@ -1,4 +1,4 @@
-"""The interface of two-class classifiers for the multi-class schemes."""
+"""Interface between two-class classifiers and the multi-class schemes."""
 
 from collections.abc import Sequence
 from typing import Any, Protocol, Self, cast
@@ -16,12 +16,12 @@ SIGMOID_WEIGHTS = ("none", "balanced")
 
 
 class TwoClassBase(Protocol):
-    """A base classifier whose preparation classes and folds can share."""
+    """Base classifier whose preparation is shared by all classes and folds."""
 
     own_sigmoid: tuple[float, float] | None
 
     def get_params(self, deep: bool = True) -> dict[str, Any]:
-        """The settings, by name."""
+        """Return the settings by name."""
 
     def check_parameters(self) -> None:
         """Raise PlacecatError for an impossible setting."""
@@ -29,7 +29,7 @@ class TwoClassBase(Protocol):
     def prepare(
         self, X: NDArray[np.float32], gram: NDArray[Any] | None = None, n_jobs: int | None = None
     ) -> Any:
-        """Compute everything that depends on the samples only."""
+        """Compute everything that depends only on the samples."""
 
     def fit_rows(
         self,
@@ -48,7 +48,7 @@ class TwoClassBase(Protocol):
 
 
 class _GenericBase:
-    """Adapter that makes any scikit-learn two-class classifier a base, without sharing."""
+    """Adapter that turns any scikit-learn two-class classifier into a base, without sharing."""
 
     def __init__(self, estimator: Any) -> None:
         self.estimator = estimator
@@ -101,7 +101,7 @@ class _GenericScorer:
 
 
 def as_base(base: Any) -> TwoClassBase:
-    """Return `base` itself if it shares its preparation, else an adapter of a scikit-learn classifier."""
+    """Return `base` if it shares its preparation, else wrap the scikit-learn classifier in an adapter."""
     base = NuSVM() if base is None else base
     adapted: Any = base if hasattr(base, "fit_rows") else _GenericBase(base)
     adapted.check_parameters()
@@ -109,7 +109,7 @@ def as_base(base: Any) -> TwoClassBase:
 
 
 def uses_own(sigmoid: str, base: TwoClassBase) -> bool:
-    """Whether to use the base's own sigmoid instead of Platt's."""
+    """Whether to use the sigmoid of the base instead of Platt's."""
     if sigmoid not in SIGMOIDS:
         raise PlacecatError(f"unknown sigmoid {sigmoid!r}; choose one of {', '.join(SIGMOIDS)}")
     if sigmoid == "own" and base.own_sigmoid is None:

@@ -1,1 +1,1 @@
-"""Training: plans of who trains on which frames, and the one way to train and apply a system by a plan."""
+"""Training plans, and training and application of systems by a plan."""

@@ -1,4 +1,4 @@
-"""Training of one cue by a plan: read its frames, cluster them, learn, and judge other frames."""
+"""Training of one cue by a plan: read frames, cluster them, learn, and judge other frames."""
 
 from __future__ import annotations
 
@@ -24,11 +24,12 @@ class Cue:
     Attributes
     ----------
     descriptor
-        As for :func:`placecat.cue_input.check`.
+        As in :func:`placecat.cue_input.check`.
     classifier
-        As for :func:`placecat.cues.fit`.
+        As in :func:`placecat.cues.fit`.
     codebook
-        ``cells`` and ``tree``, as for :meth:`placecat.cues.codebook.Codebook.fit`; None without clusters.
+        ``cells`` and ``tree``, as in :meth:`placecat.cues.codebook.Codebook.fit`; None for a cue without
+        clusters.
     """
 
     descriptor: Mapping[str, Any]
@@ -47,14 +48,14 @@ class Cue:
 
 @dataclass(frozen=True)
 class TrainingFrames:
-    """Training frames, part after part.
+    """Training frames, one part after another.
 
     Attributes
     ----------
     described
-        Their descriptors.
+        Descriptors of the frames.
     truth, home_of_frame
-        (n,) their classes, and the names of their sequences.
+        (n,) classes of the frames, and the names of their sequences.
     """
 
     described: Descriptors
@@ -69,13 +70,13 @@ class TrainedCue:
     Attributes
     ----------
     descriptor
-        Its descriptor.
+        Descriptor of the cue.
     model
-        Its model.
+        Trained model.
     truth, home_of_frame
-        (n,) class and sequence of its training frames.
+        (n,) classes of the training frames, and the names of their sequences.
     cross_validated
-        (n, n_classes) distributions of them by :func:`placecat.cues.cross_validate`, if asked for.
+        (n, n_classes) distributions of these frames by :func:`placecat.cues.cross_validate`, if requested.
     """
 
     descriptor: Mapping[str, Any]
@@ -85,15 +86,15 @@ class TrainedCue:
     cross_validated: NDArray[np.float64] | None
 
     def predict(self, home: str, rows: NDArray[np.int64] | None = None) -> NDArray[np.float64]:
-        """(n, n_classes) distributions for some frames of a sequence; for all without `rows`."""
+        """Distributions (n, n_classes) for some frames of a sequence, or for all frames if `rows` is None."""
         return self.model.predict_proba(store.read_descriptors(home, self.descriptor, rows))
 
     def predict_chosen(self, parts: Sequence[Part]) -> dict[str, NDArray[np.float64]]:
-        """Distributions for the chosen frames of some sequences, by name."""
+        """Distributions for the chosen frames of each part, by name of the sequence."""
         return {part.home: self.predict(part.home, part.chosen()[0]) for part in parts}
 
     def held_out(self) -> dict[str, NDArray[np.float64]]:
-        """Distributions for the training frames by cues that have not seen their sequence, by its name."""
+        """Distributions for the training frames, by sequence, from cues that have not seen the sequence."""
         assert self.cross_validated is not None
         return {
             str(home): self.cross_validated[self.home_of_frame == home]
@@ -102,12 +103,12 @@ class TrainedCue:
 
     @cached_property
     def temperature(self) -> float:
-        """Temperature of its distributions; 1 if it was not cross-validated."""
+        """Temperature of the distributions; 1 if the cue was not cross-validated."""
         return 1.0 if self.cross_validated is None else fit_temperature(self.cross_validated, self.truth)
 
 
 def read_frames(parts: Sequence[Part], descriptor: Mapping[str, Any]) -> TrainingFrames:
-    """Read the chosen frames of some sequences, in this order.
+    """Read the chosen frames of the parts, in order.
 
     Raises PlacecatError for a descriptor that was not computed, see :func:`placecat.store.read_descriptors`.
     """
@@ -128,11 +129,11 @@ def cluster(
     Parameters
     ----------
     frames
-        Those that train the plan's cues.
+        Frames that train the plan's cues.
     seed
-        One of ``protocol.seeds``; the seed of the clustering derives from it and the plan's names.
+        One of ``protocol.seeds``; the clustering's seed is derived from it and the names in the plan.
     numbers
-        The cluster numbers that will be used; None for those of the codebook's settings.
+        Cluster numbers that will be used; None for the numbers in the codebook's settings.
     """
     assert cue.codebook is not None
     cells = cue.codebook["cells"]
@@ -153,7 +154,7 @@ def fit(
     *,
     cross_validate: bool = False,
 ) -> TrainedCue:
-    """Train a cue on frames, with a codebook if it needs one; errors as in :func:`placecat.cues.fit`.
+    """Train a cue on frames, with a codebook if it needs one. Errors are as in :func:`placecat.cues.fit`.
 
     With `cross_validate`, each sequence's frames are also judged by a cue trained on the others. `classes`
     are the names of the places.
@@ -175,8 +176,8 @@ def train(
 ) -> TrainedCue:
     """Train a cue by a plan: read its frames, cluster them if needed, and learn.
 
-    `seed` and `numbers` are as for :func:`cluster` (a cue without clusters needs none), `cross_validate` as
-    for :func:`fit`. Raises PlacecatError like :func:`read_frames` and :func:`fit`.
+    `seed` and `numbers` are as in :func:`cluster` (not needed without clusters), `cross_validate` as in
+    :func:`fit`. Raises PlacecatError like :func:`read_frames` and :func:`fit`.
     """
     frames = read_frames(plan.cues, cue.descriptor)
     codebook = None

@@ -1,4 +1,4 @@
-"""Integration and smoothing by a plan, of the distributions of cues."""
+"""Integration and smoothing of the cues' distributions by a plan."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -14,13 +14,13 @@ Probabilities = Mapping[str, NDArray[np.float64]]
 
 
 def smoothing_settings(params: Mapping[str, Any]) -> dict[str, Any]:
-    """The settings of params.yaml for :func:`placecat.fusion.smoothing.fit`."""
+    """Read the settings of params.yaml for :func:`placecat.fusion.smoothing.fit`."""
     section = settings.get(params, "smoothing")
     return {name: value for name, value in section.items() if name not in ("cues", "filtered")}
 
 
 def fused_parts(plan: Plan, *, method: str, extra: bool) -> tuple[Part, ...]:
-    """Name what an integration by some method trains on: frames that its cues were judged on, or others."""
+    """Return the parts that an integration method trains on: those of the cross-validation, or others."""
     if integrate.learns_from_held_out(method):
         return plan.cues
     return (*plan.integration, *(plan.extra if extra else ()))
@@ -40,13 +40,13 @@ def fuse(
     Parameters
     ----------
     parts
-        Its training parts.
+        Parts that train the integration.
     outputs
-        For each cue, name of a part to the distributions of its chosen frames.
+        One dictionary per cue: from the name of a part to the distributions of its chosen frames.
     classes
         Names of the places.
     integrator, temperatures, cross_validated
-        As for :func:`placecat.fusion.integrate.fit`.
+        As in :func:`placecat.fusion.integrate.fit`.
     """
     train = {part.home: np.stack([proba[part.home] for proba in outputs], axis=1) for part in parts}
     truth = {part.home: part.chosen()[1] for part in parts}
@@ -56,9 +56,9 @@ def fuse(
 
 
 def training_walks(parts: Sequence[Part]) -> tuple[list[NDArray[np.int16]], list[float]]:
-    """Labels of each stretch without a cut, and its frames per second, to count transitions.
+    """Return the labels and the frame rate of each uncut stretch, to count transitions.
 
-    Of unevenly timed frames, those are taken that a camera of this rate would have shown.
+    Unevenly timed frames are resampled as a camera with this frame rate would have shown them.
     """
     walks: list[NDArray[np.int16]] = []
     rates: list[float] = []
@@ -85,18 +85,18 @@ def smooth(
     training_truth: NDArray[np.int16],
     options: Mapping[str, Any],
 ) -> dict[str, NDArray[np.float64]]:
-    """Smooth the distributions of a sequence with statistics of others.
+    """Smooth the distributions of one sequence with statistics from other sequences.
 
     Parameters
     ----------
     proba
         (frames, n_classes) for every frame of `home`.
     parts
-        Parts for the statistics.
+        Parts that the statistics come from.
     training_proba, training_truth
         (n, n_classes) cross-validated distributions of their frames, and (n,) classes.
     options
-        As for :func:`placecat.fusion.smoothing.fit`.
+        As in :func:`placecat.fusion.smoothing.fit`.
 
     Returns
     -------

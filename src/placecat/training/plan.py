@@ -1,4 +1,4 @@
-"""Training plans: which sequences train what on which frames, and which are tested."""
+"""Training plans: which sequences and frames train each part, and which sequences are tested."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ class Part:
     Attributes
     ----------
     home
-        Name of the sequence, as for :func:`placecat.paths.sequences`.
+        Name of the sequence, as in :func:`placecat.paths.sequences`.
     numbers
-        The class index of each place of the sequence's own data set; -1 for a place that does not count.
+        Class index of each place in the data set of the sequence; -1 for a place that does not count.
     offset, step
-        Which frames: see :func:`placecat.training.protocol.select_frames`.
+        Selection of frames, see :func:`placecat.training.protocol.select_frames`.
     """
 
     home: str
@@ -38,11 +38,11 @@ class Part:
         return self.home.rpartition("/")[2]
 
     def labels(self) -> NDArray[np.int16]:
-        """(frames,) class indices of all frames of the sequence, -1 where none counts."""
+        """Class indices (frames,) of all frames of the sequence; -1 for a frame that does not count."""
         return np.array([*self.numbers, -1], dtype=np.int16)[listing.read_labels(self.home)]
 
     def chosen(self) -> tuple[NDArray[np.int64], NDArray[np.int16]]:
-        """(n,) ascending indices of the chosen frames, which all have a class, and their (n,) classes."""
+        """Ascending indices (n,) of the chosen frames, which all have a class, and their classes (n,)."""
         labels = self.labels()
         rows = protocol.select_frames(labels, offset=self.offset, step=self.step)
         return rows, labels[rows]
@@ -61,13 +61,13 @@ class Plan:
     integration
         Parts that train the integration and the smoothing.
     extra
-        Further sequences, for the integration of systems that ask for them (thesis 4.5).
+        Further sequences that train the integration if a system asks for them (thesis 4.5).
     tested
-        Sequences that nothing fitted has seen.
+        Sequences that no trained part has seen.
     dataset
         Name of the data set.
     left_out
-        Homes that the training of the cues leaves out; None on a fixed split.
+        Homes that do not train the cues; None for a fixed split.
     """
 
     classes: tuple[str, ...]
@@ -80,7 +80,7 @@ class Plan:
 
     @property
     def training_set(self) -> str:
-        """Name of the cues' training set. Seeds of codebooks derive from it and from `dataset`."""
+        """Name of the cues' training set; codebook seeds are derived from it and `dataset`."""
         return self.dataset if self.left_out is None else protocol.training_set(self.left_out)
 
     @property
@@ -90,7 +90,7 @@ class Plan:
         return part.home
 
     def with_cue_frames(self, frames: Mapping[str, int]) -> Plan:
-        """The same plan with other frames (``offset`` and ``step``) to train the cues."""
+        """Return the same plan with other frames (``offset`` and ``step``) to train the cues."""
         return replace(
             self,
             cues=tuple(replace(part, offset=frames["offset"], step=frames["step"]) for part in self.cues),
@@ -106,8 +106,8 @@ def of_homes(
 ) -> list[Plan]:
     """Plan every fold of the main data set.
 
-    `params` are all settings; `scheme` and `tested` are as for :func:`placecat.training.protocol.folds`, with
-    its errors. `extra` adds the sequences of ``protocol.extra``.
+    `params` holds all settings; `scheme`, `tested` and the errors are as in
+    :func:`placecat.training.protocol.folds`. `extra` adds the sequences of ``protocol.extra``.
     """
     homes = settings.get(params, "dataset.homes")
     return [_of_fold(params, fold, extra=extra) for fold in protocol.folds(homes, scheme, tested)]
@@ -116,27 +116,27 @@ def of_homes(
 def of_release(
     params: Mapping[str, Any], scheme: str, without: Sequence[str] = (), *, extra: bool = False
 ) -> Plan:
-    """Plan a system for other footage: every home trains but those of `without`, which are tested.
+    """Plan a system for other footage: all homes train except those in `without`, which are tested.
 
     Parameters
     ----------
     params, scheme, extra
-        As for :func:`of_homes`.
+        As in :func:`of_homes`.
     without
-        As for :func:`placecat.training.protocol.fold_without`.
+        As in :func:`placecat.training.protocol.fold_without`.
     """
     fold = protocol.fold_without(settings.get(params, "dataset.homes"), scheme, without)
     return _of_fold(params, fold, extra=extra)
 
 
 def without_homes(params: Mapping[str, Any], left_out: Sequence[str], tested: Sequence[str]) -> Plan:
-    """Plan a test on training homes: the homes `left_out` do not train, and some of them are `tested`."""
+    """Plan a test on training homes: homes in `left_out` do not train; some of them, `tested`, are tested."""
     homes = [home for home in settings.get(params, "dataset.homes") if home not in left_out]
     return _of_main(params, homes, homes, tested, tuple(left_out))
 
 
 def of_split(params: Mapping[str, Any], split: str) -> Plan:
-    """Plan a fixed split, in which some sequences train with some of their places (thesis 4.9 and 4.10)."""
+    """Plan a fixed split, where some sequences train with some of their places (thesis 4.9 and 4.10)."""
     own = settings.get(params, f"splits.{split}")
     classes = own["dataset"]["classes"]
 
@@ -159,7 +159,7 @@ def of_split(params: Mapping[str, Any], split: str) -> Plan:
 
 
 def on_training_homes(plan: Plan) -> list[Plan]:
-    """Plan a test on each training home of a plan with one tested sequence, which takes no part.
+    """Plan a test on each training home of a plan; the plan's single tested sequence is not used.
 
     The other training homes train.
     """
@@ -188,7 +188,7 @@ def _of_main(
     tested: Sequence[str],
     left_out: tuple[str, ...],
 ) -> Plan:
-    """A plan of homes of the main data set, without further sequences."""
+    """Make a plan for homes of the main data set, without further sequences."""
     return Plan(
         classes=tuple(settings.get(params, "dataset.classes")),
         cues=_parts(params, cues, "cue_frames"),
@@ -201,7 +201,7 @@ def _of_main(
 
 
 def _parts(params: Mapping[str, Any], homes: Sequence[str], frames: str | None) -> tuple[Part, ...]:
-    """Frames of homes of the main data set; all labelled ones without a setting."""
+    """Frames of homes of the main data set; all labelled frames if no setting selects them."""
     numbers = tuple(range(len(settings.get(params, "dataset.classes"))))
     chosen: Mapping[str, int] = {} if frames is None else settings.get(params, f"protocol.{frames}")
     return tuple(Part(home, numbers, **chosen) for home in homes)
@@ -218,7 +218,7 @@ def _extra(params: Mapping[str, Any]) -> tuple[Part, ...]:
 
 
 def _numbers(classes: Sequence[str], counted: Sequence[str] | None) -> tuple[int, ...]:
-    """Class index of each place, -1 for those that are not counted; None counts all."""
+    """Class index of each place, -1 for places that do not count; None counts all."""
     return tuple(
         number if counted is None or place in counted else -1 for number, place in enumerate(classes)
     )

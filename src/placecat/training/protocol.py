@@ -1,4 +1,4 @@
-"""Which homes train and which is tested: 5-5-1 and 4-5-1 of thesis 4.5, for any number of homes."""
+"""Protocols 5-5-1 and 4-5-1 of thesis 4.5 for any number of homes: which homes train, which is tested."""
 
 import difflib
 from collections.abc import Sequence
@@ -17,15 +17,15 @@ NOT_TESTED = "not among protocol.test_homes"
 
 @dataclass(frozen=True)
 class Fold:
-    """One test home and the homes that train for it.
+    """A test home and the homes that train for it.
 
     Attributes
     ----------
     scheme
-        "5-5-1": cues and integration train on all other homes, on different frames. "4-5-1": one of the
-        other homes is kept from the cues and seen by the integration only.
+        "5-5-1": cues and integration train on all other homes, on different frames. "4-5-1": one of the other
+        homes trains only the integration, not the cues.
     without
-        Homes that nothing fitted has seen, the tested one first; none if all homes train.
+        Homes that no trained part has seen, the tested home first; empty if all homes train.
     cue_homes
         Homes that codebooks, scalings and cue classifiers train on.
     integration_homes
@@ -39,18 +39,18 @@ class Fold:
 
     @property
     def test(self) -> str:
-        """The home that is tested; "" if all homes train."""
+        """The tested home; "" if all homes train."""
         return self.without[0] if self.without else ""
 
     @property
     def left_out(self) -> tuple[str, ...]:
-        """Homes that the training of the cues leaves out, the test home first."""
+        """Homes that do not train the cues, the test home first."""
         kept = [home for home in self.integration_homes if home not in self.cue_homes]
         return (*self.without, *kept)
 
     @property
     def training_set(self) -> str:
-        """Name of the cues' training set. Seeds derive from it."""
+        """Name of the cues' training set; seeds are derived from it."""
         return training_set(self.left_out)
 
 
@@ -60,9 +60,9 @@ def training_set(left_out: Sequence[str]) -> str:
 
 
 def tested_homes(homes: Sequence[str], wanted: str | Sequence[str] = ALL) -> tuple[str, ...]:
-    """Return the homes to test on, in the order of `homes`; training sets do not depend on it.
+    """Return the homes to test on, in the order of `homes`; training sets do not depend on the choice.
 
-    `wanted` is ``all`` or the names of some. Raises PlacecatError for an empty list or an unknown home.
+    `wanted` is ``all`` or a list of names. Raises PlacecatError for an empty list or an unknown home.
     """
     if wanted == ALL:
         return tuple(homes)
@@ -83,22 +83,22 @@ def tested_homes(homes: Sequence[str], wanted: str | Sequence[str] = ALL) -> tup
 def folds(homes: Sequence[str], scheme: str, tested: str | Sequence[str] = ALL) -> list[Fold]:
     """Make one fold per tested home.
 
-    In 4-5-1 the home after the test home, cyclically, is kept from the cues, so every home is kept once. The
-    thesis does not say which it was.
+    In 4-5-1 the home after the test home (cyclically) does not train the cues, so each home is left out once.
+    The thesis does not say which home it left out.
 
     Parameters
     ----------
     homes
-        Names in order; at least 3 for 5-5-1 and 4 for 4-5-1.
+        Ordered names; at least 3 for 5-5-1 and 4 for 4-5-1.
     scheme
         "5-5-1" or "4-5-1"; the names are the thesis's, for any number of homes.
     tested
-        As for :func:`tested_homes`. It does not change the fold of a home.
+        As in :func:`tested_homes`. The fold of a home does not depend on it.
 
     Raises
     ------
     PlacecatError
-        An unknown scheme, too few homes for it, or an unknown tested home.
+        If the scheme or a tested home is unknown, or there are too few homes for the scheme.
     """
     _check(homes, scheme, 1)
     wanted = tested_homes(homes, tested)
@@ -106,22 +106,22 @@ def folds(homes: Sequence[str], scheme: str, tested: str | Sequence[str] = ALL) 
 
 
 def fold_without(homes: Sequence[str], scheme: str, without: Sequence[str] = ()) -> Fold:
-    """Let all homes train but some, for these or for other footage.
+    """Let all homes except `without` train, to test on these or on other footage.
 
-    In 4-5-1 the home kept from the cues is the next after the first of `without`, cyclically; the first of
-    all if every home trains.
+    In 4-5-1 the home after the first of `without` (cyclically) does not train the cues, or the first home if
+    every home trains.
 
     Parameters
     ----------
     homes, scheme
-        As for :func:`folds`.
+        As in :func:`folds`.
     without
-        Names of homes, the tested one first; may be empty.
+        Names of homes, the tested home first; may be empty.
 
     Raises
     ------
     PlacecatError
-        An unknown scheme, too few homes for it, or one that is not there.
+        If the scheme or a home is unknown, or there are too few homes for the scheme.
     """
     for home in without:
         if home not in homes:
@@ -135,13 +135,13 @@ def fold_without(homes: Sequence[str], scheme: str, without: Sequence[str] = ())
 
 
 def least_homes(scheme: str) -> int:
-    """Number of homes that a scheme needs, the tested one included."""
-    # Statistics come from cross-validation by home, so that what trains the cues must be two homes at least.
+    """Number of homes that a scheme needs, including the tested home."""
+    # Cross-validation by home yields the statistics, so at least two homes must train the cues.
     return 3 if scheme == "5-5-1" else 4
 
 
 def _check(homes: Sequence[str], scheme: str, left_out: int) -> None:
-    """Refuse an unknown scheme, and homes that do not suffice for it."""
+    """Refuse an unknown scheme, or too few homes for it."""
     if scheme not in SCHEMES:
         raise PlacecatError(f"scheme {scheme!r} is unknown: use one of {', '.join(SCHEMES)}")
     needed = least_homes(scheme) - 1 + max(1, left_out)
@@ -156,9 +156,9 @@ def _check(homes: Sequence[str], scheme: str, left_out: int) -> None:
 
 
 def select_frames(labels: NDArray[np.int16], *, offset: int, step: int) -> NDArray[np.int64]:
-    """Labelled training frames of one home: every `step`-th frame from `offset`.
+    """Select labelled training frames of one home: every `step`-th frame from `offset` on.
 
-    The step counts all frames, of which the labelled ones are taken. So two selections with the same step and
+    The step counts all frames; the unlabelled ones are then dropped. So two selections with the same step and
     different offsets never share a frame (thesis 4.2 and 4.5).
 
     Parameters

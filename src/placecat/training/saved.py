@@ -1,4 +1,4 @@
-"""Results of cues and systems that stages saved, read for further training."""
+"""Saved results of cues and systems, read for further training."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -15,12 +15,12 @@ from placecat.training.plan import Part, Plan
 
 
 class CueResults:
-    """Results of the stage `cues` for a system's cues, one test home and one seed.
+    """Results of the stage `cues` for the cues of a system, for one test home and one seed.
 
     Parameters
     ----------
     system
-        Its settings.
+        Settings of the system.
     test
         The test home.
     seed
@@ -34,7 +34,7 @@ class CueResults:
         }
 
     def arrays(self, name: str) -> list[NDArray[Any]]:
-        """Read one array of every cue; a cue that was not applied to these frames raises PlacecatError."""
+        """Read one array per cue; raise PlacecatError if a cue was not applied to these frames."""
         found = []
         for cue, place in self._places.items():
             if not fold_file.has(place, name):
@@ -46,18 +46,18 @@ class CueResults:
         return found
 
     def outputs(self, plan: Plan, parts: Sequence[Part]) -> list[dict[str, NDArray[np.float64]]]:
-        """For each cue, name of a part to the distributions of its chosen frames."""
+        """For each cue, map the name of each part to the distributions of its chosen frames."""
         found: list[dict[str, NDArray[np.float64]]] = [{} for _ in self._places]
         for part in parts:
             is_extra = part in plan.extra
             name = f"extra_{part.sequence}" if is_extra else f"integration_{part.home}"
             for of_cue, proba in zip(found, self.arrays(name), strict=True):
-                # Of a further sequence, cues judge every frame.
+                # Cues judge every frame of a further sequence.
                 of_cue[part.home] = proba[part.chosen()[0]] if is_extra else proba
         return found
 
     def held_out(self, plan: Plan) -> list[dict[str, NDArray[np.float64]]]:
-        """Of each cue the distributions for its training frames by cues that have not seen their home."""
+        """For each cue, return distributions of its training frames by cues that have not seen their home."""
         ends = np.cumsum([len(part.chosen()[0]) for part in plan.cues])
         return [
             dict(zip((part.home for part in plan.cues), np.split(proba, ends[:-1]), strict=True))
@@ -67,7 +67,7 @@ class CueResults:
     def training(
         self, plan: Plan, parts: Sequence[Part], method: str
     ) -> list[dict[str, NDArray[np.float64]]]:
-        """Of each cue the distributions that an integration by some method trains on, see `fused_parts`."""
+        """For each cue, return the distributions that an integration method trains on, see `fused_parts`."""
         if integrate.learns_from_held_out(method):
             return self.held_out(plan)
         return self.outputs(plan, parts)
@@ -78,7 +78,7 @@ class CueResults:
         Raises
         ------
         PlacecatError
-            A cue that was not cross-validated.
+            If a cue was not cross-validated.
         """
         found = []
         for cue, place in self._places.items():
@@ -92,10 +92,10 @@ class CueResults:
 
 
 def smooth_home(source: Path, plan: Plan, model: Mapping[str, Any]) -> dict[str, np.ndarray]:
-    """Smooth the test home of one fold with statistics of its training homes.
+    """Smooth the test home of one fold with statistics from its training homes.
 
-    `source` is the file of a cue or a system for the fold; without cross-validation it raises PlacecatError.
-    `model` is as for :func:`placecat.fusion.smoothing.fit`.
+    `source` is the fold's result file of a cue or a system; a file without cross-validation raises
+    PlacecatError. `model` is as in :func:`placecat.fusion.smoothing.fit`.
     """
     if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(

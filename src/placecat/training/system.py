@@ -1,4 +1,4 @@
-"""Training of one system by a plan: cues, integration and smoothing, trained and applied."""
+"""Training and application of one system by a plan: cues, integration and smoothing."""
 
 from __future__ import annotations
 
@@ -32,13 +32,13 @@ class System:
     cues
         By name, in order.
     integrator
-        ``method`` and ``classifier``, as for :func:`placecat.fusion.integrate.fit`.
+        ``method`` and ``classifier``, as in :func:`placecat.fusion.integrate.fit`.
     tempered
         Whether the cues' distributions are tempered first.
     extra
         Whether the integration also trains on the plan's further sequences.
     smoothing
-        As for :func:`placecat.fusion.smoothing.fit`.
+        As in :func:`placecat.fusion.smoothing.fit`.
     """
 
     cues: Mapping[str, Cue]
@@ -74,7 +74,7 @@ class Trained:
     cues
         By name, in order.
     integrator, smoothing
-        Trained on their distributions.
+        Trained on the cues' distributions.
     """
 
     cues: Mapping[str, TrainedCue]
@@ -82,10 +82,10 @@ class Trained:
     smoothing: smoothing.SmoothingModel
 
     def test(self, home: str) -> dict[str, NDArray[np.float64]]:
-        """Name the places of every frame of a sequence.
+        """Estimate the place in every frame of a sequence.
 
-        Returns (frames, n_classes) distributions of each cue by its name, of the ``integration``, of the
-        filter, ``hmm``, and after the delay, ``delayed``.
+        Returns (frames, n_classes) distributions: of each cue by name, of the ``integration``, of the filter
+        (``hmm``) and after the delay (``delayed``).
         """
         by_cue = {name: cue.predict(home) for name, cue in self.cues.items()}
         fused = self.integrator.predict_proba(np.stack(list(by_cue.values()), axis=1))
@@ -100,9 +100,9 @@ class Trained:
 
 
 def train(plan: Plan, system: System, seed: int) -> Trained:
-    """Train a system by a plan, its cues in parallel.
+    """Train a system by a plan; its cues are trained in parallel.
 
-    `seed` is one of ``protocol.seeds``, for the clusterings. Raises PlacecatError for missing features or
+    `seed`, for the clusterings, is one of ``protocol.seeds``. Raises PlacecatError for missing features or
     impossible settings.
     """
     method = system.integrator["method"]
@@ -134,9 +134,9 @@ def train(plan: Plan, system: System, seed: int) -> Trained:
 def _train_cue(
     plan: Plan, cue: Cue, seed: int, parts: Sequence[Part] | None, tempered: bool
 ) -> tuple[TrainedCue, Probabilities, float]:
-    """Train one cue; give it, its distributions for the integration's frames, and its temperature.
+    """Train one cue; return it, its distributions for the integration's frames, and its temperature.
 
-    Without `parts` the integration has the frames that the cue was cross-validated on.
+    Without `parts`, the integration trains on the frames that the cue was cross-validated on.
     """
     trained = of_cue.train(plan, cue, seed, cross_validate=tempered or parts is None)
     outputs = trained.held_out() if parts is None else trained.predict_chosen(parts)

@@ -1,4 +1,4 @@
-"""Trials of cues by a plan: their decisions on the tested sequence."""
+"""Trials of cues by a plan: decisions on the tested sequence."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -14,24 +14,24 @@ from placecat.learning.memory import remembering
 from placecat.training.cue import Cue, TrainingFrames, cluster, fit, read_frames
 from placecat.training.plan import Plan
 
-# Counts of decisions (rows are true places), or the reason why there are none; and facts of the model.
+# Counts of decisions (rows are true places) or the reason they are missing, and facts about the model.
 Outcome = tuple[NDArray[np.int64] | str, Mapping[str, Any]]
 
 
 def of_settings(settings: Mapping[str, Any]) -> Cue:
-    """Read a trial's settings: ``descriptor``, ``classifier`` and, for some, ``codebook``."""
+    """Read the settings of a trial: ``descriptor``, ``classifier`` and, if it has one, ``codebook``."""
     return Cue(settings["descriptor"], settings["classifier"], settings.get("codebook"))
 
 
 def judge(plan: Plan, cues: Sequence[Cue], seed: int | None) -> list[Outcome]:
-    """Train cues on the same descriptor and clusters, and count their decisions on the tested sequence.
+    """Train cues that share a descriptor and clusters; count their decisions on the tested sequence.
 
     Parameters
     ----------
     plan
-        With one tested sequence. Its labelled frames count; for a variant of the regions, the described ones.
+        Plan with one tested sequence. Its labelled frames count; for a region variant, the described frames.
     cues
-        All with the descriptor and codebook of the first.
+        Cues that all share the first one's descriptor and codebook.
     seed
         One of ``protocol.seeds``; None without clusters.
     """

@@ -1,1 +1,1 @@
-"""From a frame to its salient regions and descriptors. This package knows no labels and opens no files."""
+"""Salient regions and descriptors of a frame. This package does not use labels or open files."""

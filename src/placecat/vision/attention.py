@@ -1,4 +1,4 @@
-"""Visual attention: from a frame to its maps and salient regions (thesis 3.1.1)."""
+"""Visual attention: the maps and salient regions of a frame (thesis 3.1.1)."""
 
 from collections.abc import Collection, Sequence
 from typing import Any
@@ -36,12 +36,12 @@ def compute_maps(
     frame_bgr
         (H, W, 3) uint8, BGR.
     fields
-        The fields of `FrameMaps` to compute; the others stay empty. No value depends on it. `find_regions`
-        needs all but ``color``.
+        Fields of `FrameMaps` to compute; the others stay empty. The values of a field do not depend on this
+        choice. `find_regions` needs all fields except ``color``.
     scales
-        Pyramid levels in use, ascending, from 1 on; (2, 3, 4, 5) in the thesis.
+        Pyramid levels to use, ascending, at least 1; (2, 3, 4, 5) in the thesis.
     radii
-        Radii of the centre-surround neighbourhoods in pixels of a level; 1 and 3 in the thesis (3x3, 7x7).
+        Radii of the centre-surround neighbourhoods, in pixels of the level; 1 and 3 in the thesis (3x3, 7x7).
     clip_color
         Set negative colour values of single pixels to 0, as Itti et al. do. The thesis does not give this.
     use_residual
@@ -70,7 +70,8 @@ def compute_maps(
         raise PlacecatError(f"radii must be whole numbers from 1 on, such as (1, 3), not {sizes}")
     in_color = "color" in fields or "color_contrast" in fields
     total, planes = reduced_planes(frame, color=in_color, clip=clip_color)
-    # The sum of the colours is whole, so a flat frame stays flat to the last bit; divided by 3 at the end.
+    # The sum of the colours is a whole number, so a flat frame stays exactly flat. It is divided by 3 at the
+    # end.
     totals = gaussian_pyramid(total, 1, levels[-1] + 1)
     grey = {s: totals[s] / np.float32(3) for s in sorted({*levels, *(s + 1 for s in levels)})}
     pyramids = [gaussian_pyramid(plane, 1, levels[-1]) for plane in planes]
@@ -106,14 +107,14 @@ def find_regions(maps: FrameMaps, **settings: Any) -> FloatArray:
     maps
         From `compute_maps`.
     **settings
-        Those of `placecat.vision.regions.select_regions`, such as ``max_regions``, and of
-        `placecat.vision.saliency.saliency`, such as ``use_residual``. Raises PlacecatError for an impossible
-        one.
+        Settings of `placecat.vision.regions.select_regions`, such as ``max_regions``, and of
+        `placecat.vision.saliency.saliency`, such as ``use_residual``. An impossible setting raises
+        PlacecatError.
 
     Returns
     -------
-    (n, 4) float32: x, y of the centre in pixels of the frame, scale, saliency; saliency falling. n is at most
-    ``max_regions``, 0 for a flat frame.
+    (n, 4) float32: x, y of the centre in pixels of the frame, scale, saliency; sorted by falling saliency. n
+    is at most ``max_regions``, and 0 for a flat frame.
     """
     selection, fusion = parts_of(settings, find_regions, select_regions, saliency)
     return select_regions(maps, saliency(maps, **fusion), **selection)

@@ -12,7 +12,7 @@ from placecat.errors import PlacecatError
 
 CODES = 256
 
-# Most pixels per cell for which one histogram over cells and codes is faster than one for each cell.
+# Up to this many pixels per cell, one histogram over cells and codes is faster than one per cell.
 _FEW = 10_000
 
 # Left to right, top to bottom; the first is the highest bit.
@@ -28,8 +28,9 @@ LAPLACIANS = {
 def census(images: NDArray[Any]) -> NDArray[np.uint8]:
     """Census transform: one bit for each of the eight neighbours of a pixel.
 
-    A bit is set where the centre is at least its neighbour. The neighbours run left to right and top to
-    bottom, from the highest bit (top left, 128) to the lowest (bottom right, 1). Border pixels have no code.
+    A bit is set if the centre is at least as bright as the neighbour. The neighbours are read left to right
+    and top to bottom, from the highest bit (top left, 128) to the lowest (bottom right, 1). Border pixels
+    have no code.
 
     Parameters
     ----------
@@ -47,7 +48,7 @@ def census(images: NDArray[Any]) -> NDArray[np.uint8]:
     *_, height, width = images.shape
     if height < 3 or width < 3:
         raise PlacecatError(f"The census transform needs at least 3x3 pixels, not {width}x{height}.")
-    # In flat order each neighbour is a constant step away, across images too: only border pixels are wrong.
+    # In flat order each neighbour is a constant step away, even across images; only border pixels are wrong.
     flat = np.ascontiguousarray(images).reshape(-1)
     margin = width + 1
     inner = slice(margin, max(margin, flat.size - margin))
@@ -75,7 +76,7 @@ def histograms(codes: NDArray[np.uint8]) -> NDArray[np.float32]:
 def cell_histograms(codes: NDArray[np.uint8], cells: int) -> NDArray[np.float32]:
     """Histogram of the codes in each cell of a ``cells`` x ``cells`` grid.
 
-    Counts need whole pixels: cell k of n covers the pixels from floor(k length / n) up to
+    Cells have whole pixels: cell k of n covers the pixels from floor(k length / n) up to, but excluding,
     floor((k + 1) length / n). The thesis does not give this.
 
     Parameters

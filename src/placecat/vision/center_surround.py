@@ -8,7 +8,7 @@ import numpy as np
 from placecat.vision.color import blue_yellow
 from placecat.vision.maps import FloatArray
 
-# Responses up to these are rounding errors of float32, which would give flat areas local maxima.
+# Responses up to these limits are float32 rounding errors, which would create local maxima in flat areas.
 GREY_ROUNDING = 1e-3
 COLOR_ROUNDING = 1e-5
 
@@ -53,7 +53,7 @@ def color_contrast(planes: Sequence[FloatArray], radii: Sequence[int] = (1, 3)) 
     Parameters
     ----------
     planes
-        The colour planes of one level, as for `placecat.vision.color.channels`.
+        Colour planes of one level, as in `placecat.vision.color.channels`.
     radii
         Radii of the neighbourhoods.
 
@@ -64,7 +64,7 @@ def color_contrast(planes: Sequence[FloatArray], radii: Sequence[int] = (1, 3)) 
     out = np.empty((len(radii), 4, *planes[0].shape), np.float32)
     difference = np.empty_like(planes[0])
     for target, radius in zip(out, radii, strict=True):
-        # Three planes give the third and fourth channel together.
+        # With three planes, the third and fourth channel are computed together.
         for plane, own in zip(planes, target if len(planes) == 4 else (*target[:2], difference), strict=True):
             _surround_difference(plane, radius, own)
         if len(planes) == 3:

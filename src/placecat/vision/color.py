@@ -1,12 +1,13 @@
-"""Intensity and intensity-normalised opponent colours of a frame, reduced on the fly.
+"""Intensity and intensity-normalised opponent colours of a frame, reduced in one pass.
 
 After division by the intensity i = (r + g + b) / 3 the three colours sum to 3, so the channels R, G, B, Y of
 the thesis follow from three planes, R, G and D = |R - G|::
 
     R = 1.5 (r/i - 1)        G = 1.5 (g/i - 1)        B = -(R + G)        Y = 2 (R + G) - 4/3 D
 
-Reduction and centre-surround are linear, so they work on R, G, D; B and Y are formed at their use. A black
-pixel has no colour and counts as grey: R = G = D = 0 gives B = Y = 0, so the identities hold for it too.
+Reduction and centre-surround are linear, so they are applied to R, G, D; B and Y are computed only where they
+are used. A black pixel has no colour and counts as grey: R = G = D = 0 yields B = Y = 0, so the identities
+still hold.
 """
 
 from collections.abc import Sequence
@@ -19,20 +20,20 @@ from placecat.errors import PlacecatError
 from placecat.vision.maps import FloatArray
 from placecat.vision.pyramid import level_size
 
-# Lower strips fit a core's cache, but their additional calls cost more than that saves.
+# Lower strips would fit the cache of a core, but the extra calls cost more time than this saves.
 STRIP_ROWS = 144
 SHIFT = np.float32(1.5)
 
 
 def check_frame(frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Return a frame, (H, W, 3) uint8 BGR, made C-contiguous.
+    """Check a frame, (H, W, 3) uint8 BGR, and return it C-contiguous.
 
     Raises
     ------
     TypeError
-        If it is not an array of uint8.
+        If the frame is not an array of uint8.
     PlacecatError
-        If it is not (H, W, 3), or empty.
+        If the frame is empty or not (H, W, 3).
     """
     if not isinstance(frame, np.ndarray) or frame.dtype != np.uint8:
         kind = frame.dtype if isinstance(frame, np.ndarray) else type(frame).__name__
@@ -49,17 +50,17 @@ def reduced_planes(
 ) -> tuple[FloatArray, list[FloatArray]]:
     """Return level 1 of the sum r + g + b and of the colour planes (thesis 3.1.1.1).
 
-    The frame is processed in strips to save memory; they do not change the result.
+    The frame is processed in strips to save memory; the result does not depend on them.
 
     Parameters
     ----------
     frame
         (H, W, 3) uint8, BGR.
     color
-        False: only the sum, no planes.
+        If false, compute only the sum and no planes.
     clip
-        False: the planes are R, G, D. True: negative colour values of single pixels become 0, as in Itti et
-        al., and the planes are R, G, B, Y. The thesis does not give this.
+        If false, the planes are R, G, D. If true, negative colour values of single pixels become 0, as in
+        Itti et al., and the planes are R, G, B, Y. The thesis does not give this.
     strip_rows
         Rows per strip, even, at least 4.
 
@@ -86,7 +87,8 @@ def reduced_planes(
         planes = _full_planes(frame[top:bottom], list(split[:, :count]), work[:, :count], color, clip)
         rows = slice(top // 2, (bottom + 1) // 2)
         for target, plane in zip(reduced, planes, strict=True):
-            # Outermost rows lack pixels. The next strip rewrites the lower one; the upper was right already.
+            # The outermost rows lack pixels. The next strip rewrites the lower row; the upper row is already
+            # right.
             above = target[top // 2].copy()
             cv2.pyrDown(plane, dst=target[rows])
             if top:
@@ -99,7 +101,7 @@ def reduced_planes(
 
 
 def channels(planes: Sequence[FloatArray]) -> FloatArray:
-    """Form R, G, B, Y from the planes of `reduced_planes`, or of anything linear in them.
+    """Compute R, G, B, Y from the planes of `reduced_planes`, or from linear functions of them.
 
     Parameters
     ----------
@@ -125,7 +127,7 @@ def blue_yellow(
 ) -> None:
     """Write B = -(R + G) and Y = 2 (R + G) - 4/3 D to `blue` and `yellow`.
 
-    All planes are (h, w) float32, the two written ones contiguous.
+    All planes are (h, w) float32; `blue` and `yellow` must be contiguous.
     """
     np.add(red, green, out=blue)
     cv2.addWeighted(blue, 2, difference, -4 / 3, 0, dst=yellow)
@@ -135,7 +137,7 @@ def blue_yellow(
 def _full_planes(
     strip: NDArray[np.uint8], colors: list[NDArray[np.uint8]], work: FloatArray, color: bool, clip: bool
 ) -> list[FloatArray]:
-    """Return r + g + b and, in color, R + 1.5, G + 1.5, D (or the clipped R, G, B, Y) of full-size rows."""
+    """Return r + g + b of full-size rows and, with `color`, R + 1.5, G + 1.5, D (or clipped R, G, B, Y)."""
     cv2.split(strip, colors)
     b, g, r = colors
     total, red, green, difference = work

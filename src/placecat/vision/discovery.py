@@ -1,4 +1,4 @@
-"""The descriptor modules that settings name, and checks of their settings."""
+"""Look-up of descriptor modules by name, and checks of their settings."""
 
 import inspect
 from collections.abc import Callable, Mapping
@@ -13,17 +13,17 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 
 def settings_of(function: Callable[..., Any]) -> dict[str, Any]:
-    """List the settings of a function, its keyword-only parameters, and their defaults, in order.
+    """List the settings of a function (its keyword-only parameters) and their defaults, in order.
 
-    A setting without a default has `inspect.Parameter.empty`.
+    The default of a required setting is `inspect.Parameter.empty`.
     """
     return dict(_keywords(function))
 
 
 def passing_on(*functions: Callable[..., Any]) -> Callable[[_Function], _Function]:
-    """Decorate a function with ``**settings`` that passes them on to other functions.
+    """Decorate a function that passes its ``**settings`` to other functions.
 
-    `settings_of` then lists theirs too, so each default is written once, at the function that uses it.
+    `settings_of` then lists their settings too, so each default is written once, where it is used.
     """
 
     def decorate(function: _Function) -> _Function:
@@ -44,9 +44,9 @@ def passing_on(*functions: Callable[..., Any]) -> Callable[[_Function], _Functio
 def parts_of(
     settings: Mapping[str, Any], owner: Callable[..., Any], *functions: Callable[..., Any]
 ) -> list[dict[str, Any]]:
-    """Divide the settings of an owner with `passing_on` among its functions.
+    """Distribute the settings of a function decorated with `passing_on` among the functions it calls.
 
-    Raises TypeError for a setting that the owner does not have.
+    Raises TypeError for an unknown setting.
     """
     unknown = settings.keys() - _keywords(owner)
     if unknown:
@@ -61,17 +61,17 @@ def _keywords(function: Callable[..., Any]) -> dict[str, Any]:
 
 
 def check_settings(function: Callable[..., Any], settings: Mapping[str, Any], owner: str) -> None:
-    """Refuse settings that a function does not take as keywords.
+    """Refuse settings that a function does not accept.
 
     Parameters
     ----------
     function
-        Its settings are listed by `settings_of`.
+        Function whose settings `settings_of` lists.
     settings
-        Setting to value.
+        Maps settings to values.
     owner
-        Their owner in the PlacecatError, e.g. "local descriptor 'hog'", which names the first unknown setting
-        and the valid ones.
+        Owner of the settings in the message, e.g. "local descriptor 'hog'". The PlacecatError names the first
+        unknown setting and the valid ones.
     """
     refuse_unknown(settings, list(settings_of(function)), f"The {owner}")
 
@@ -79,15 +79,15 @@ def check_settings(function: Callable[..., Any], settings: Mapping[str, Any], ow
 def entry(
     package: str, name: str, settings: Mapping[str, Any], kind: str
 ) -> tuple[ModuleType, dict[str, Any]]:
-    """Find the descriptor module of an entry ``name: settings`` and check its settings.
+    """Find the descriptor module of an entry ``name: settings``, and check the settings.
 
-    The name is that of the module. A variant has a name of its own, and ``descriptor`` names its module:
+    The name is the module's name. A variant may have any name; ``descriptor`` then names the module:
     ``centrist_laplacian: {descriptor: centrist, image: laplacian}``.
 
     Parameters
     ----------
     package
-        The package's full name.
+        Full name of the package.
     name
         Name of the entry.
     settings
@@ -98,12 +98,12 @@ def entry(
     Returns
     -------
     module, settings
-        The settings without ``descriptor``.
+        Module of the descriptor, and the settings without ``descriptor``.
 
     Raises
     ------
     PlacecatError
-        Naming the entry, the unknown module or setting, and the valid ones.
+        For an unknown module or setting; it names the entry and the valid choices.
     """
     own = dict(settings)
     wanted = own.pop("descriptor", name)

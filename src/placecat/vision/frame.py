@@ -1,4 +1,4 @@
-"""All features of a frame, in one pass: maps, regions, descriptors, information."""
+"""All features of a frame: maps, regions, descriptors, information."""
 
 from collections.abc import Mapping
 from types import ModuleType
@@ -26,14 +26,14 @@ from placecat.vision.variants import (
 SECTIONS = ("attention", "regions", "local", "holistic", "information", "variants")
 
 _Section = Mapping[str, Any]
-# Name of an array to its module and settings.
+# From the name of an array to its module and settings.
 _Entries = dict[str, tuple[ModuleType, dict[str, Any]]]
 
 
 def check(settings: Mapping[str, _Section | None]) -> None:
     """Refuse unknown sections, descriptors and settings, before any frame is read.
 
-    `settings` are as for `describe_frame`. The PlacecatError names the unknown and the valid names.
+    `settings` is as in `describe_frame`. The PlacecatError names the unknown entry and the valid ones.
     """
     for section in settings:
         if section not in SECTIONS:
@@ -51,7 +51,7 @@ def check(settings: Mapping[str, _Section | None]) -> None:
 
 
 def _entries(settings: Mapping[str, _Section | None]) -> tuple[_Entries, _Entries]:
-    """Modules and settings of the local and of the holistic descriptors."""
+    """Modules and settings of the local and the holistic descriptors."""
     return (
         {name: local.entry(name, own or {}) for name, own in (settings.get("local") or {}).items()},
         {name: holistic.entry(name, own or {}) for name, own in (settings.get("holistic") or {}).items()},
@@ -64,7 +64,7 @@ def describe_frame(
     *,
     regions: NDArray[np.float32] | None = None,
 ) -> dict[str, NDArray[Any]]:
-    """Compute the maps of a frame once, and from them all features asked for (thesis 3.1, 3.2, 4.6).
+    """Compute the maps of a frame once, and all requested features from them (thesis 3.1, 3.2, 4.6).
 
     Parameters
     ----------
@@ -72,13 +72,13 @@ def describe_frame(
         (H, W, 3) uint8 BGR.
     settings
         Sections, each optional: ``attention`` (settings of `compute_maps`), ``regions`` (of `find_regions`),
-        ``information`` (of `information`), ``local`` and ``holistic`` (descriptor name to its settings;
-        only the descriptors named are computed). A variant has any name and, among its settings,
-        ``descriptor``, whose variant it is: ``{"centrist_full": {"descriptor": "centrist", "width": None}}``.
-        ``variants`` are those of the regions (`describe_variants`), by descriptors in ``local``.
+        ``information`` (of `information`), ``local`` and ``holistic`` (from descriptor names to settings;
+        only these descriptors are computed). A variant of a descriptor may have any name; its setting
+        ``descriptor`` names the original: ``{"centrist_full": {"descriptor": "centrist", "width": None}}``.
+        ``variants`` are region variants (`describe_variants`), described with descriptors in ``local``.
     regions
-        (n, 4) float32 regions to describe, such as tracked ones (thesis 4.7); None to find them here. With
-        given regions there are no variants, and maps that no descriptor reads are not computed.
+        (n, 4) float32 regions to describe, such as tracked regions (thesis 4.7); None to find them. If they
+        are passed, variants are not computed, nor are maps that no descriptor reads.
 
     Returns
     -------
@@ -108,7 +108,7 @@ def describe_frame(
         others = wanted_variants(own["variants"], own["regions"])
         shared = SharedRegions(maps, [wanted, *others.values()], own["local"])
         variants = describe_variants(shared, others)
-        # The regions are a feature themselves: they are found even if no descriptor needs them.
+        # The regions are themselves a feature, so they are found even if no descriptor needs them.
         regions = shared.find(wanted)
         described = {name: shared.describe(wanted, name) for name in locals_}
     else:
@@ -130,7 +130,7 @@ def describe_frame(
 def layout(settings: Mapping[str, _Section | None]) -> dict[str, tuple[tuple[int, ...], np.dtype[Any]]]:
     """Return the shape and dtype of every array of `describe_frame`, by name and in its order.
 
-    They depend on the settings alone, which are as for `describe_frame`, with its errors.
+    They depend only on the settings. Settings and errors are as in `describe_frame`.
     """
     blank = np.zeros((256, 256, 3), np.uint8)
     return {name: (array.shape, array.dtype) for name, array in describe_frame(blank, settings).items()}

@@ -8,15 +8,15 @@ from numpy.typing import NDArray
 
 @lru_cache(maxsize=256)
 def cell_weights(length: int, cells: int) -> NDArray[np.float64]:
-    """Weights that average ``length`` pixels into ``cells`` equal cells.
+    """Return weights that average ``length`` pixels into ``cells`` equal cells.
 
-    A pixel across a border counts for both cells in proportion, so all cells have the same size. The thesis
-    does not say how to cut a length that the grid does not divide.
+    A pixel that a cell border cuts counts for both cells in proportion, so all cells have the same size. The
+    thesis does not say how it divides a length that is not a multiple of the grid.
 
     Parameters
     ----------
     length
-        Pixels along the axis, at least 1; may be less than ``cells``.
+        Number of pixels along the axis, at least 1; may be less than ``cells``.
     cells
         Cells along the axis, at least 1.
 
@@ -40,7 +40,7 @@ def _weights32(length: int, cells: int) -> NDArray[np.float32]:
 
 
 def cell_means(maps: NDArray[np.float32], cells: int) -> NDArray[np.float32]:
-    """Mean of each map (..., h, w) float32 in a ``cells`` x ``cells`` grid, by two small matrix products.
+    """Average each map (..., h, w) float32 in a ``cells`` x ``cells`` grid, with two small matrix products.
 
     Returns (..., cells, cells) float32, rows from the top, columns from the left.
     """
@@ -50,23 +50,23 @@ def cell_means(maps: NDArray[np.float32], cells: int) -> NDArray[np.float32]:
 
 
 def mean_variance(patches: NDArray[np.float32], grid: int) -> NDArray[np.float32]:
-    """Means and variances of the channels of patches, in the whole patch and in the cells of a grid.
+    """Compute means and variances of patch channels, over the full patch and in the cells of a grid.
 
     Parameters
     ----------
     patches
         (n, c, h, w) float32.
     grid
-        Cells along each axis; 0 for the whole patch only.
+        Cells along each axis; 0 for the full patch only.
 
     Returns
     -------
-    (n, 2 c (1 + grid**2)) float32, area by area: the whole patch, then the cells row by row from the top
-    left. Each area holds the c means, then the c variances (divisor N), which are never negative.
+    (n, 2 c (1 + grid**2)) float32, one area after another: the full patch, then the cells row by row from the
+    top left. Each area has c means, then c variances (divisor N), which are never negative.
     """
     count, channels = patches.shape[:2]
     values = patches.astype(np.float64)
-    # Variances are differences of squares, which lose no digits if the values are centred.
+    # Variances are differences of squares; centred values keep their digits.
     centre = values.mean(axis=(2, 3), keepdims=True)
     values -= centre
     areas = [_moments(values, centre[:, :, 0, 0], 1)]

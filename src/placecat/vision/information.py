@@ -8,21 +8,22 @@ from placecat.vision.pyramid import expand, level_size
 
 
 def information(maps: FrameMaps, *, fine: int = 2, coarse: int | None = None, unit: float = 256 / 3) -> float:
-    """Measure the intermediate frequencies of a frame (thesis 4.6).
+    """Measure the energy of a frame at intermediate frequencies (thesis 4.6).
 
-    This is the mean absolute difference of level ``fine`` of the intensity pyramid and the expanded level
-    ``coarse``. The thesis gives no unit. Its thresholds 0.09766 and 0.13021 are 25 / 256 and 25 / 192. If
-    intensities ran from 0 to 1, 0.09766 would reject nearly every indoor view. If 256 levels of the sum r + g
-    + b count as 1, the default, it rejects a quarter, and 0.13021 two fifths.
+    It is the mean absolute difference between level ``fine`` of the intensity pyramid and the expanded level
+    ``coarse``. The thesis gives no unit. Its thresholds 0.09766 and 0.13021 are 25 / 256 and 25 / 192. With
+    intensities from 0 to 1, the threshold 0.09766 would reject nearly every indoor view. By default, 256
+    levels of the sum r + g + b count as 1; then 0.09766 rejects a quarter of the views and 0.13021 two
+    fifths.
 
     Parameters
     ----------
     maps
-        Of the frame; ``grey`` is used.
+        Maps of the frame; only ``grey`` is used.
     fine
         The finer level: the "second" scale.
     coarse
-        The coarser level, above ``fine``; None for the last.
+        The coarser level, above ``fine``; None for the last level.
     unit
         Grey levels of the intensity (r + g + b) / 3 that count as 1, > 0; 256 for intensities from 0 to 1.
 

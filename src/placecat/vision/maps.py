@@ -21,14 +21,14 @@ FIELDS = ("grey", "color", "intensity_contrast", "color_contrast", "orientation"
 class FrameMaps:
     """Pyramids and feature maps of one frame (thesis 3.1.1); all arrays float32.
 
-    Level ``s`` has size (ceil(height / 2**s), ceil(width / 2**s)). Fields that were not asked for are empty.
+    Level ``s`` has size (ceil(height / 2**s), ceil(width / 2**s)). Fields that were not requested are empty.
 
     Attributes
     ----------
     width, height
         Size of the frame in pixels (level 0).
     scales
-        Pyramid levels in use, ascending, (2, 3, 4, 5) in the thesis. The keys of every dict below.
+        Pyramid levels in use, ascending; (2, 3, 4, 5) in the thesis. They are the keys of every dict below.
     grey
         (h_s, w_s), the intensity pyramid, 0 to 255.
     color
@@ -58,9 +58,9 @@ class FrameMaps:
     )
 
     def at_scales(self, scales: Collection[int]) -> FrameMaps:
-        """The same maps at some scales only, as if no others had been computed.
+        """Return the maps at some scales only, as if no other scales had been computed.
 
-        Raises PlacecatError for no scale, or a scale without maps.
+        Raises PlacecatError if `scales` is empty or has a scale without maps.
         """
         wanted = tuple(scale for scale in self.scales if scale in scales)
         if not wanted or len(wanted) < len(set(scales)):
@@ -80,16 +80,16 @@ class FrameMaps:
         function
             A module-level function without side effects.
         array
-            The frame or one of the maps, which do not change.
+            The frame or one of the maps; it must not change.
         *arguments
             Further arguments, hashable.
 
         Returns
         -------
-        The same object for every descriptor: do not write into it.
+        The result. All descriptors share this object: do not write into it.
         """
         key = (function, id(array), *arguments)
-        # The array is stored too, so that no other can get its id.
+        # Store the array too, so no other array can get its id.
         known, result = self._kept.get(key, (None, None))
         if known is not array:
             result = function(array, *arguments)
@@ -97,7 +97,7 @@ class FrameMaps:
         return result
 
     def remembered(self, key: tuple[Hashable, ...], compute: Callable[[], Any]) -> Any:
-        """Return what `compute` gives, computed once per frame and key; do not write into it."""
+        """Return the result of `compute`, computed once per frame and key; do not write into it."""
         if key not in self._kept:
             self._kept[key] = None, compute()
         return self._kept[key][1]

@@ -29,16 +29,16 @@ def gabor_kernel(
     Parameters
     ----------
     angle
-        Direction of the wave, degrees: 0 responds to vertical edges, 90 to horizontal ones, 45 to those that
-        rise to the right.
+        Direction of the wave in degrees: 0 responds to vertical edges, 90 to horizontal edges, 45 to edges
+        that rise to the right.
     phase
         Radians; 0 is even (lines), pi / 2 odd (edges).
     size
         Side of the kernel in pixels, odd.
     sigma, wavelength
-        Of the envelope and of the wave, in pixels.
+        Standard deviation of the envelope and length of the wave, in pixels.
     aspect
-        Extent of the envelope along the wave over that along the crest.
+        Ratio of the envelope's extent along the wave to its extent along the crest.
 
     Returns
     -------
@@ -47,11 +47,11 @@ def gabor_kernel(
     Raises
     ------
     PlacecatError
-        An even or non-positive size, or another value that is not positive.
+        If the size is even or not positive, or another value is not positive.
 
     References
     ----------
-    The thesis names only Gabor filters and four angles. The form is that of cv2.getGaborKernel.
+    The thesis mentions only Gabor filters and four angles. The formula follows cv2.getGaborKernel.
     """
     if size < 1 or size % 2 == 0:
         raise PlacecatError(f"gabor_size must be an odd number of pixels, not {size}")
@@ -81,8 +81,8 @@ def orientation_maps(
 ) -> FloatArray:
     """Return the Gabor magnitude at 0, 45, 90 and 135 degrees (thesis 3.1.1.1).
 
-    The thesis does not give the parameters. The defaults are those of the steerable pyramid of Itti et al.: a
-    wave of a quarter cycle per pixel, where the Laplacian level has its energy, under a round envelope.
+    The thesis does not give the parameters. The defaults follow the steerable pyramid of Itti et al.: a
+    quarter cycle per pixel, where the Laplacian level has its energy, under a round envelope.
 
     Parameters
     ----------
@@ -91,8 +91,8 @@ def orientation_maps(
     gabor_size, gabor_sigma, gabor_wavelength, gabor_aspect
         See `gabor_kernel`.
     gabor_phase
-        None: modulus of the even and the odd response. A number: absolute value of the response at
-        this phase, in radians.
+        None for the modulus of the even and odd responses; a number, in radians, for the absolute value of
+        the response at this phase.
 
     Returns
     -------
@@ -101,7 +101,7 @@ def orientation_maps(
     """
     bank = _bank(gabor_size, gabor_sigma, gabor_wavelength, gabor_aspect, gabor_phase)
     responses = [_respond(laplacian, parts) for parts in bank]
-    # In place, since the last bit of cv2.magnitude depends on its arrays' place in memory.
+    # In place: the last bit of cv2.magnitude depends on where its arrays lie in memory.
     out = responses[0]
     if len(responses) == 1:
         np.abs(out, out=out)
@@ -118,7 +118,7 @@ def orientation_maps(
 def _bank(
     size: int, sigma: float, wavelength: float, aspect: float, phase: float | None
 ) -> tuple[tuple[Separable, ...], ...]:
-    """Return for each phase the kernels at 0 and 90, and the parts of that at 45 even and odd in x."""
+    """Return, per phase, the kernels at 0 and 90 and the even and odd parts (in x) of the one at 45."""
     phases = (0.0, np.pi / 2) if phase is None else (phase,)
     bank = []
     for shift in phases:
@@ -137,7 +137,7 @@ def _respond(plane: FloatArray, parts: tuple[Separable, ...]) -> FloatArray:
     level, rising, upright, falling = out
     _filter(plane, parts[0], level)
     _filter(plane, parts[1], upright)
-    # The kernel at 135 degrees is that at 45 with x mirrored.
+    # The kernel at 135 degrees is the kernel at 45 with x mirrored.
     even, odd = _filter(plane, parts[2]), _filter(plane, parts[3])
     np.add(even, odd, out=rising)
     np.subtract(even, odd, out=falling)
@@ -154,7 +154,7 @@ def _separate(kernel: NDArray[np.float64]) -> Separable:
 
 
 def _clean(factor: NDArray[np.float64]) -> FloatArray:
-    """Make a factor that is even or odd up to rounding exactly so: OpenCV then needs half the products."""
+    """Make a factor that is even or odd up to rounding exactly even or odd, which halves OpenCV's work."""
     for sign in (1, -1):
         if np.abs(factor - sign * factor[::-1]).max() < 1e-9 * np.abs(factor).max():
             factor = (factor + sign * factor[::-1]) / 2

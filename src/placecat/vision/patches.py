@@ -1,4 +1,4 @@
-"""Square patches around salient regions, in the pyramid level of each region's scale."""
+"""Square patches around salient regions, from the pyramid level at each region's scale."""
 
 from collections.abc import Mapping
 from functools import lru_cache
@@ -15,8 +15,8 @@ BORDERS = ("replicate", "reflect")
 def region_side(width: int) -> int:
     """Side of a region's patch in pixels of its level: the diameter, 2 width / 128 (thesis 3.1.1.3).
 
-    `width` is that of the frame in pixels (level 0). The side is rounded to whole pixels and at least 4. It
-    is the same for every scale, since the radius doubles with each level.
+    `width` is the width of the frame in pixels (level 0). The side is rounded to whole pixels, at least 4. It
+    is the same at every scale, since the radius doubles with each level.
     """
     return max(MIN_SIDE, round(width / 64))
 
@@ -28,22 +28,22 @@ def cut(
     *,
     border: str = "replicate",
 ) -> NDArray[np.float32]:
-    """Cut a square around each region from the level of its scale.
+    """Cut a square around each region from the pyramid level at its scale.
 
-    Position x of level 0 is x / 2**s in level s (cv2.pyrDown keeps the even pixels). A square of odd side is
-    centred on the nearest pixel, one of even side on the nearest corner between pixels.
+    Position x of level 0 is x / 2**s in level s (cv2.pyrDown keeps the even pixels). A square with an odd
+    side is centred on the nearest pixel, a square with an even side on the nearest corner between pixels.
 
     Parameters
     ----------
     levels
-        A dict of `FrameMaps`: (..., h_s, w_s) float32 for each scale s.
+        A dict from `FrameMaps`: (..., h_s, w_s) float32 for each scale s.
     regions
         (n, 4) float32, columns x, y (pixels of level 0), scale, strength.
     side
         Side of the squares in pixels of the level.
     border
-        Pixels outside the image: ``replicate`` repeats the outermost ones, ``reflect`` mirrors the image
-        about them. The thesis does not give this.
+        How pixels outside the image are filled: ``replicate`` repeats the outermost pixels, ``reflect``
+        mirrors the image about them. The thesis does not give this.
 
     Returns
     -------
@@ -52,7 +52,7 @@ def cut(
     Raises
     ------
     PlacecatError
-        If regions have another shape, a scale is not among the levels, or the border is unknown.
+        If the regions have another shape, a scale has no level, or the border is unknown.
     """
     if border not in BORDERS:
         raise PlacecatError(
@@ -79,7 +79,7 @@ def cut(
 def _places(
     shapes: tuple[tuple[int, int, int], ...], regions: bytes, side: int, border: str
 ) -> list[tuple[int, NDArray[np.intp], NDArray[np.intp]]]:
-    """Regions in each level, and their pixels there.
+    """Find the regions of each level, and their pixels.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def _places(
 
     Returns
     -------
-    For each level with regions its scale, their indices (m,) and flat indices of pixels (m, side, side).
+    For each level with regions: its scale, their indices (m,) and flat pixel indices (m, side, side).
     """
     x, y, scales, _ = np.frombuffer(regions, np.float32).reshape(-1, 4).astype(np.float64).T
     order = np.argsort(scales, kind="stable")
@@ -114,7 +114,7 @@ def _places(
 
 
 def _inside(index: NDArray[np.intp], length: NDArray[np.intp], border: str) -> NDArray[np.intp]:
-    """Indices of the pixels that replace those outside, (n, side), in levels of (n, 1) lengths."""
+    """Replace pixel indices (n, side) outside the image by indices inside; `length` is (n, 1)."""
     if border == "replicate":
         return np.minimum(np.maximum(index, 0), length - 1)
     period = np.maximum(2 * length - 2, 1)

@@ -16,7 +16,7 @@ def level_size(width: int, height: int, level: int) -> tuple[int, int]:
 
 
 def check_scales(scales: tuple[int, ...], width: int, height: int) -> tuple[int, ...]:
-    """Return the pyramid levels in use if they are possible for a frame of `width` x `height` pixels.
+    """Return the pyramid levels if they are possible for a frame of `width` x `height` pixels.
 
     Raises PlacecatError for scales that are empty, not whole, below 1 or not ascending, or a frame whose
     coarsest level would be less than two pixels wide or high.
@@ -39,8 +39,8 @@ def check_scales(scales: tuple[int, ...], width: int, height: int) -> tuple[int,
 def reduce(plane: FloatArray) -> FloatArray:
     """Blur with the 5x5 binomial kernel and keep every second row and column (thesis 3.1.1.1).
 
-    Returns (ceil(h / 2), ceil(w / 2)) float32 of a (h, w) float32 plane; its pixel (x, y) lies at (2x, 2y) of
-    the input. The border is mirrored without repeating the edge pixel (reflect-101).
+    The (h, w) float32 plane becomes (ceil(h / 2), ceil(w / 2)) float32; pixel (x, y) of the result lies at
+    (2x, 2y) of the input. The border is mirrored without repeating the edge pixel (reflect-101).
     """
     return _float(cv2.pyrDown(plane))
 
@@ -49,7 +49,7 @@ def expand(plane: FloatArray, width: int, height: int) -> FloatArray:
     """Double a (ceil(height / 2), ceil(width / 2)) float32 level with the same 5x5 kernel.
 
     Returns (height, width) float32; pixel (x, y) of the input lies at (2x, 2y). OpenCV mirrors at the left
-    and upper border and repeats the last pixel at the right and lower one.
+    and upper border, and repeats the last pixel at the right and lower border.
     """
     return _float(cv2.pyrUp(plane, dstsize=(width, height)))
 
@@ -57,7 +57,7 @@ def expand(plane: FloatArray, width: int, height: int) -> FloatArray:
 def gaussian_pyramid(plane: FloatArray, first: int, last: int) -> dict[int, FloatArray]:
     """Reduce a (h, w) float32 plane, the level `first`, repeatedly (thesis 3.1.1.1).
 
-    Returns a dict of level to float32 plane, from `first` to `last`.
+    Returns a dict from level to float32 plane, for the levels `first` to `last`.
     """
     levels = {first: plane}
     for level in range(first + 1, last + 1):
@@ -66,9 +66,9 @@ def gaussian_pyramid(plane: FloatArray, first: int, last: int) -> dict[int, Floa
 
 
 def laplacian(gaussian: dict[int, FloatArray], level: int) -> FloatArray:
-    """Return (h, w) float32, signed: a level of the approximate Laplacian pyramid (thesis 3.1.1.1).
+    """Return a level of the approximate Laplacian pyramid, (h, w) float32, signed (thesis 3.1.1.1).
 
-    It is `level` of the Gaussian pyramid minus the expanded next one, in the pyramid's units.
+    It is `level` of the Gaussian pyramid minus the expanded next level, in the units of the pyramid.
     """
     plane = gaussian[level]
     height, width = plane.shape

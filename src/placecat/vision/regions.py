@@ -18,8 +18,8 @@ BLOCK = 128
 def radius(scale: FloatArray | float, width: int, *, radius_factor: float = 1 / 128) -> FloatArray:
     """Return the radius of a region in pixels of the frame, width / 128 * 2^s (thesis 3.1.1.3).
 
-    `scale`, s, has any shape, which the float32 result shares. `width` is that of the frame in pixels,
-    `radius_factor` 1/128 in the thesis.
+    `scale`, s, may have any shape; the float32 result has the same shape. `width` is the width of the frame
+    in pixels. `radius_factor` is 1/128 in the thesis.
     """
     return np.asarray(width * radius_factor * np.exp2(np.asarray(scale, np.float64)), np.float32)
 
@@ -27,18 +27,18 @@ def radius(scale: FloatArray | float, width: int, *, radius_factor: float = 1 / 
 def find_scales(maps: FrameMaps, fused: Saliency, points: NDArray[np.intp]) -> NDArray[np.intp]:
     """Find the scale of the strongest feature at salient points (thesis 3.1.1.3).
 
-    First the conspicuity map with the highest response there is chosen, then its sub-channel, then the scale.
-    Conspicuity maps and sub-channels are compared as they enter their sums, normalised and weighted. A
-    scale's response is its feature map, expanded as for the sum, at the stronger of its radii (our reading;
-    the thesis says only "highest response"). Ties go to the first of intensity, color, orientation, residual,
-    and to low scales.
+    At each point, the conspicuity map with the highest response is chosen first, then its sub-channel, then
+    the scale. Conspicuity maps and sub-channels are compared after normalisation and weighting, as they enter
+    their sums. The response of a scale is its expanded feature map at the stronger radius (our reading; the
+    thesis says only "highest response"). Ties go to the first of intensity, color, orientation, residual, and
+    to the lower scale.
 
     Parameters
     ----------
     maps
         Maps of the frame.
     fused
-        Their fusion by `placecat.vision.saliency.saliency`.
+        Result of `placecat.vision.saliency.saliency` for these maps.
     points
         (n,) flat indices into the saliency map.
 
@@ -77,20 +77,20 @@ def accept(
     scale_distance: float = 1 / 256,
     min_distance: float = 1 / 40,
 ) -> NDArray[np.intp]:
-    """Pick points in turn that lie far enough from all points picked before (thesis 3.1.1.3).
+    """Accept points, one by one, that lie far enough from all accepted points (thesis 3.1.1.3).
 
-    A new point q is accepted when for every accepted point p::
+    A new point q is accepted if, for every accepted point p::
 
         sqrt((p_x - q_x)^2 + (p_y - q_y)^2 + (width/256)^2 (p_s - q_s)^2) > q_s width/40
 
     Parameters
     ----------
     points
-        (n, 3), x and y in pixels of the frame and scale, the most salient first.
+        (n, 3): x and y in pixels of the frame, and scale; the most salient point first.
     width
         Width of the frame in pixels.
     max_regions
-        Largest number of points to accept; below 1 raises PlacecatError.
+        Maximum number of points; a value below 1 raises PlacecatError.
     scale_distance, min_distance
         1/256 and 1/40 in the thesis.
 
@@ -108,7 +108,7 @@ def accept(
         block = np.arange(start, min(start + BLOCK, least.size))
         if accepted:
             block = block[_far(place, least, accepted, block).all(axis=0)]
-        # An integer for each point, with a bit for each point far enough away: fast to intersect.
+        # One integer per point, with a bit for each point far enough away: intersections are fast.
         far = np.packbits(_far(place, least, block, block), axis=1, bitorder="little")
         open_ = (1 << block.size) - 1
         while open_ and len(accepted) < max_regions:
@@ -126,7 +126,7 @@ def _far(
     old: Sequence[int] | NDArray[np.intp],
     new: NDArray[np.intp],
 ) -> NDArray[np.bool_]:
-    """Whether points `new` lie far enough from points `old`, (old, new); false from a point to itself."""
+    """Mark pairs of points that are far enough apart: (old, new); false for a point and itself."""
     apart = np.zeros((len(old), len(new)))
     for axis in place:
         difference = axis[old][:, None] - axis[new]
@@ -151,14 +151,14 @@ def select_regions(
     maps, fused
         Maps of the frame and their fusion.
     max_regions, **settings
-        As for `accept`, with its error.
+        As in `accept`, with the same errors.
     maximum_window
         See `placecat.vision.saliency.local_maxima`.
 
     Returns
     -------
     (n, 4) float32, 0 <= n <= `max_regions`: x, y of the centre in pixels of the frame, scale, saliency;
-    saliency falling, ties by y, then x.
+    sorted by falling saliency, ties by y, then x.
     """
     (distances,) = parts_of(settings, select_regions, accept)
     points = local_maxima(fused.saliency, maximum_window)
@@ -166,7 +166,7 @@ def select_regions(
     order = np.argsort(-strength, kind="stable")
     points, strength = points[order], strength[order]
     step = 2**fused.scale
-    # Weaker points do not affect stronger ones, so more are looked at only if needed.
+    # Weaker points do not affect stronger points, so the search goes further only if needed.
     count = 16 * max_regions
     while True:
         rows, columns = np.divmod(points[:count], fused.saliency.shape[1])
@@ -186,14 +186,14 @@ def select_regions(
 def _corners(
     rows: NDArray[np.intp], columns: NDArray[np.intp], sizes: NDArray[np.intp], ups: NDArray[np.intp]
 ) -> tuple[NDArray[np.intp], FloatArray]:
-    """Bilinear interpolation of maps at n pixels of a finer level: indices and weights, each (maps, 4, n).
+    """Interpolate maps bilinearly at n pixels of a finer level: indices and weights, each (maps, 4, n).
 
     A map continues unchanged beyond its last pixel.
 
     Parameters
     ----------
     rows, columns
-        (n,) in the finer level.
+        (n,) pixel positions in the finer level.
     sizes
         (maps, 2), height and width of each map.
     ups

@@ -17,7 +17,7 @@ CHANNELS = ("intensity", "color", "orientation", "residual")
 
 @dataclass(frozen=True)
 class Saliency:
-    """Saliency map of a frame and its parts; maps are float32 of the size of level `scale`.
+    """Saliency map of a frame and its parts; maps are float32 and have the size of level `scale`.
 
     Pixel (x, y) of a map lies at (x, y) 2**scale of the frame.
 
@@ -28,15 +28,15 @@ class Saliency:
     saliency
         (h, w), >= 0: the sum of the conspicuity maps times their weights.
     conspicuity
-        Channel name to (h, w), from 0 to the largest local maximum of the channel's feature maps over its
-        unit.
+        From channel name to (h, w); values from 0 to the largest local maximum of the channel's feature maps,
+        divided by its unit.
     weights
-        Channel name to 1 / sqrt(m) of its conspicuity map.
+        From channel name to 1 / sqrt(m) of its conspicuity map.
     subchannels
-        Channel name to (k, h, w), feature maps added across scales and radii: I' (2: bright, dark), C' (4:
-        R, G, B, Y), O' (4: 0, 45, 90, 135 degrees) and the residual (1).
+        From channel name to (k, h, w), the feature maps added across scales and radii: I' (2: bright, dark),
+        C' (4: R, G, B, Y), O' (4: 0, 45, 90, 135 degrees) and the residual (1).
     subchannel_weights
-        Channel name to (k,), 1 / sqrt(m) of each of those.
+        From channel name to (k,), 1 / sqrt(m) of each sub-channel.
     """
 
     scale: int
@@ -48,9 +48,9 @@ class Saliency:
 
 
 def feature_maps(maps: FrameMaps, channel: str) -> dict[int, FloatArray]:
-    """Return the feature maps of a channel of `CHANNELS` in one layout.
+    """Return the feature maps of a channel of `CHANNELS` in a common layout.
 
-    Returns a dict of scale to (radii, subchannels, h, w), views; radii is 1 without centre-surround.
+    Returns a dict from scale to (radii, subchannels, h, w) views; radii is 1 without centre-surround.
     """
     if channel == "intensity":
         return maps.intensity_contrast
@@ -76,9 +76,8 @@ def saliency(
 
     Maps are added across scales and radii within each sub-channel. With weights 1 / sqrt(m) the sub-channels
     are added into conspicuity maps. Each of these is stretched linearly to [0, largest local maximum of its
-    sub-channels], and they are added with weights 1 / sqrt(m) again. m is the number of local maxima strictly
-    above the median of the map's local maxima; m = 0 gives the weight 0, so a map with a single peak does not
-    count.
+    sub-channels], and they are added with weights 1 / sqrt(m) again. m is the number of local maxima of the
+    map strictly above their median. If m is 0, so is the weight: a map with a single peak does not count.
 
     Parameters
     ----------
@@ -89,18 +88,18 @@ def saliency(
     use_residual
         Use the spectral residual as a fourth channel (3.1.1.2).
     maximum_window
-        Side of the neighbourhood a local maximum dominates, odd. The thesis does not give this.
+        Side of the neighbourhood that a local maximum dominates, odd. The thesis does not give this.
     intensity_unit, color_unit, orientation_unit, residual_unit
-        Divisors of the conspicuity maps, since the largest local maximum is in the units of its channel:
-        black to white, pure red, a wave from black to white. The residual, unlike the others, reaches 1 in
-        every frame and at every scale; 4 makes it comparable in photographs of homes. The thesis does not
-        give these.
+        Divisors of the conspicuity maps, since the largest local maximum is in the units of its channel. The
+        units are black to white, pure red, and a wave from black to white. The residual reaches 1 in every
+        frame and at every scale, unlike the others; 4 makes it comparable in photographs of homes. The thesis
+        does not give these.
 
     Raises
     ------
     PlacecatError
-        For a fusion scale above the lowest scale or below 0, an even window, a unit not above 0, or a missing
-        residual.
+        If the fusion scale is above the lowest scale or below 0, the window is even, a unit is not above 0,
+        or the residual is missing.
     """
     if not 0 <= fusion_scale <= maps.scales[0]:
         raise PlacecatError(
@@ -108,7 +107,7 @@ def saliency(
         )
     if use_residual and not maps.residual:
         raise PlacecatError(
-            "the maps hold no spectral residual: compute them with it, or set use_residual to false"
+            "the maps have no spectral residual: compute them with it, or set use_residual to false"
         )
     units = dict(zip(CHANNELS, (intensity_unit, color_unit, orientation_unit, residual_unit), strict=True))
     for channel, unit in units.items():
@@ -119,7 +118,7 @@ def saliency(
     total = np.zeros((height, width), np.float32)
     for channel in CHANNELS if use_residual else CHANNELS[:-1]:
         settings = (channel, fusion_scale, maximum_window, units[channel])
-        # Variants of the regions differ in the channels that are added, or not even in these.
+        # Region variants may add different channels, but each channel is the same.
         one = maps.remembered((_fuse, *settings), partial(_fuse, maps, *settings))
         total += np.float32(one.weight) * one.conspicuity
         fused[channel] = one
@@ -134,7 +133,7 @@ def saliency(
 
 
 class _Channel(NamedTuple):
-    """The parts of `Saliency` of one channel."""
+    """One channel of `Saliency`."""
 
     conspicuity: FloatArray
     weight: float
@@ -162,13 +161,13 @@ def add_across_scales(
     """Expand maps of several scales to one level and add them (thesis 3.1.1.1).
 
     Expansion is bilinear: pixel (x, y) of level s lies at (x, y) 2**(s - fusion_scale), as in the pyramid,
-    and a map continues unchanged beyond its last pixel. Repeated doubling equals direct expansion, so the
-    coarser sum is carried along.
+    and a map continues unchanged beyond its last pixel. Repeated doubling equals direct expansion, so the sum
+    of the coarser levels is expanded step by step.
 
     Parameters
     ----------
     levels
-        Scale to (k, h_s, w_s) float32.
+        From scale to (k, h_s, w_s) float32.
     width, height
         Frame size in pixels (level 0).
     fusion_scale
@@ -190,9 +189,9 @@ def add_across_scales(
 def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
     """Find the local maxima of a map.
 
-    A local maximum is above zero and not below any pixel of the window around it; beyond the border counts as
-    low. Touching equal pixels count once, as the first by row, then column, and only if all are local maxima:
-    a flat area that leads uphill has none, nor has a constant map.
+    A local maximum is above zero and not below any pixel in the window around it; pixels outside the map
+    count as low. Touching equal pixels count once, as the first by row, then column, and only if all of them
+    are local maxima. So a flat area next to a higher pixel has no maximum, and neither does a constant map.
 
     Parameters
     ----------
@@ -206,7 +205,7 @@ def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
     Flat indices, ascending.
     """
     if window < 3 or window % 2 == 0:
-        raise PlacecatError(f"maximum_window must be an odd number from 3 on, not {window}")
+        raise PlacecatError(f"maximum_window must be an odd number of at least 3, not {window}")
     if plane.size < 2:
         return np.zeros(0, np.intp)
     around = np.ones((window, window), np.uint8)
@@ -257,7 +256,7 @@ def _sum_radii(stack: FloatArray) -> FloatArray:
 
 
 def _weighted_sum(stack: FloatArray, weights: FloatArray) -> FloatArray:
-    # Plane by plane: a matrix product's order of summation may depend on threads.
+    # Plane by plane, since the summation order of a matrix product may depend on threads.
     total = stack[0] * weights[0]
     for plane, own in zip(stack[1:], weights[1:], strict=True):
         total += plane * own
@@ -265,7 +264,7 @@ def _weighted_sum(stack: FloatArray, weights: FloatArray) -> FloatArray:
 
 
 def _double(stack: FloatArray, width: int, height: int) -> FloatArray:
-    """Bilinear expansion by two of (k, ceil(height / 2), ceil(width / 2)), even pixels kept."""
+    """Expand (k, ceil(height / 2), ceil(width / 2)) bilinearly by two; even pixels keep their values."""
     count, rows, columns = stack.shape
     flat = stack.reshape(-1, columns)
     between = np.empty_like(flat)
@@ -282,19 +281,19 @@ def _double(stack: FloatArray, width: int, height: int) -> FloatArray:
 
 
 def _halfway(first: FloatArray, second: FloatArray, out: FloatArray) -> None:
-    """Write the means of two planes. Halves are exact, so the sum is rounded only once."""
+    """Write the mean of two planes. Halves are exact, so only the sum is rounded."""
     if out.size:
         cv2.addWeighted(first, 0.5, second, 0.5, 0, dst=out)
 
 
 def _plateaus(plane: FloatArray, tied: NDArray[np.bool_]) -> NDArray[np.intp]:
-    """Flat indices of the first pixel of each flat top; tied pixels equal the highest one around them."""
+    """Find the first pixel of each flat top, as flat indices; tied pixels equal their highest neighbour."""
     height, width = plane.shape
     found = np.flatnonzero(tied)
     if found.size == plane.size:  # the same everywhere
         return found[:0]
     rows, columns = np.divmod(found, width)
-    # A tied pixel next to an equal, untied one has an uphill way out.
+    # A tied pixel next to an equal, untied pixel leads uphill.
     near = np.arange(-1, 2)[:, None]
     down = np.clip(rows + near, 0, height - 1) * width
     around = down[:, None] + np.clip(columns + near, 0, width - 1)
@@ -302,7 +301,7 @@ def _plateaus(plane: FloatArray, tied: NDArray[np.bool_]) -> NDArray[np.intp]:
     uphill = others.any(axis=(0, 1))
     if uphill.all():
         return found[:0]
-    # Ties are few and close together, except in drawn images: label the rectangle around them.
+    # Label only the rectangle around the ties: they are rare and close together, except in drawn images.
     rows -= rows.min()
     columns -= columns.min()
     mask = np.zeros((rows.max() + 1, columns.max() + 1), np.uint8)

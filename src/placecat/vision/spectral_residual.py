@@ -20,7 +20,7 @@ def spectral_residual(
     """Return the spectral residual saliency of an image (thesis 3.1.1.2).
 
     The log amplitude spectrum minus its box mean is transformed back with the original phase. The squared
-    magnitude is smoothed and stretched to [0, 1], as in the authors' code, so that scales can be added. The
+    magnitude is smoothed and stretched to [0, 1], as in the authors' code, so the scales can be added. The
     box is periodic like the spectrum, so the inverse transform is real.
 
     Parameters
@@ -28,16 +28,17 @@ def spectral_residual(
     grey
         (h, w) float32, 0 to 255, at least 2x2.
     residual_box
-        Side of the box over the log amplitude, odd; 3 in Hou and Zhang. The thesis does not give this.
+        Side of the box filter over the log amplitude, odd; 3 in Hou and Zhang. The thesis does not give this.
     residual_sigma
-        Standard deviation in pixels of the Gaussian over the squared magnitude; 0 for none. The thesis does
-        not give this. The authors' code has 2.5 for a single image 64 pixels wide; several scales need less.
+        Standard deviation, in pixels, of the Gaussian over the squared magnitude; 0 turns it off. The thesis
+        does not give this. The authors' code uses 2.5 for a single image 64 pixels wide; several scales need
+        less.
     residual_width
-        Width in pixels to reduce a wider image to; the authors use 64. None for no reduction, as the thesis
-        says of the pyramid's levels.
+        Width in pixels to which a wider image is reduced; the authors use 64. None for no reduction, as the
+        thesis describes for pyramid levels.
     residual_floor
-        The logarithm is that of sqrt(amplitude^2 + residual_floor^2), in grey levels. Amplitudes below it are
-        float32's rounding errors, which the method would amplify. The thesis does not give this.
+        Floor f, in grey levels, in the logarithm of sqrt(amplitude^2 + f^2). Smaller amplitudes are float32
+        rounding errors, which the method would amplify. The thesis does not give this.
 
     Returns
     -------
@@ -46,7 +47,7 @@ def spectral_residual(
     Raises
     ------
     PlacecatError
-        A box that is even or below 1, a negative sigma, a width below 2, or a floor that is not above 0.
+        If the box is even or below 1, sigma is negative, the width is below 2, or the floor is not above 0.
 
     References
     ----------
@@ -79,7 +80,7 @@ def spectral_residual(
     mean = _periodic_mean(logarithm, small.shape[1], residual_box)
     spectrum *= np.exp(np.float32(-0.5) * mean)
     power = np.square(scipy.fft.irfft2(spectrum, s=small.shape))
-    # The whitened image has values of about 1 / number of pixels: stretch before the blur.
+    # Stretch before the blur: the whitened image has values of about 1 / number of pixels.
     power /= power.max()
     if residual_sigma > 0:
         power = cv2.GaussianBlur(power, (0, 0), residual_sigma, borderType=cv2.BORDER_REFLECT_101)
@@ -93,7 +94,7 @@ def spectral_residual(
 
 
 def _periodic_mean(half: FloatArray, width: int, box: int) -> FloatArray:
-    """Box mean of an even periodic map, of which only columns 0 to width // 2 are stored."""
+    """Box mean of an even periodic map; only its columns 0 to width // 2 are stored."""
     height, stored = half.shape
     reach = box // 2
     padded = np.empty((height + 2 * reach, stored + 2 * reach), np.float32)

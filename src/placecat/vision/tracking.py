@@ -12,36 +12,37 @@ from placecat.vision.regions import accept
 
 
 class RegionTracker:
-    """Track salient regions until they leave the image (thesis 4.7), in one sequence without a cut.
+    """Track salient regions until they leave the image (thesis 4.7), in one uncut sequence.
 
-    The thesis does not give its tracker. This one is the pyramidal Lucas-Kanade method on the grey frame at a
-    reduced width. In every frame
+    The thesis does not describe its tracker. This tracker uses the pyramidal Lucas-Kanade method on the grey
+    frame at a reduced width. In every frame
 
-    1. each region moves on. It is given up when its centre leaves the image, when it is not found, or when
-       following it back does not lead to where it was (a forward-backward check). Closer to the border than
-       half a window it may be lost a little before its centre leaves;
-    2. the tracked regions, those followed longest first, and then the newly found ones, strongest first, have
-       to satisfy the acceptance inequality of 3.1.1.3. So a found region enters only where nothing is
-       tracked, and of two tracked ones that come too close the younger is given up;
-    3. they fill at most `max_regions` places. Tracked regions never make room for stronger new ones: an
-       object keeps its file (Kahneman and Treisman) for as long as it is seen.
+    1. each region is moved. It is dropped if its centre leaves the image, if it is not found, or if tracking
+       it back does not lead to its old position (forward-backward check). Within half a window of the border,
+       a region may be lost shortly before its centre leaves;
+    2. tracked regions (longest tracked first), then new regions (strongest first), must satisfy the
+       acceptance inequality of 3.1.1.3. So a new region enters only where nothing is tracked, and if two
+       tracked regions come too close, the younger is dropped;
+    3. they fill at most `max_regions` places. Tracked regions never make room for stronger new regions: an
+       object keeps its file (Kahneman and Treisman) as long as it is visible.
 
-    A region keeps the scale and the strength with which it was found. Its look may change while it is
-    followed, since each frame is compared with the one before.
+    A region keeps its initial scale and strength. Its appearance may change while it is tracked, since each
+    frame is compared with the previous frame.
 
     Parameters
     ----------
     max_regions
-        Largest number of regions, 25 in the thesis.
+        Maximum number of regions; 25 in the thesis.
     width
-        Width in pixels to reduce a wider frame to, in proportion.
+        Width in pixels to which a wider frame is reduced, in proportion.
     window
         Side of the compared window in pixels of the reduced frame, odd, at least 3. At a width of 320, 21 is
         the size of the smallest regions.
     levels
-        Halvings of the reduced frame for large motions; fewer if a level would be smaller than the window.
+        Number of halvings of the reduced frame, for large motions; fewer if a level would be smaller than the
+        window.
     iterations, epsilon
-        The search on a level ends after `iterations` steps, or with a step shorter than `epsilon` pixels.
+        The search on a level ends after `iterations` steps or after a step shorter than `epsilon` pixels.
     min_eigenvalue
         Smallest eigenvalue of the gradient matrix, per pixel of the window; flatter windows are lost.
     forward_backward
@@ -52,13 +53,12 @@ class RegionTracker:
     Raises
     ------
     PlacecatError
-        An impossible setting.
+        If a setting is impossible.
 
     Attributes
     ----------
     ages
-        (m,) int64, for each region of the last frame the number of frames it has been followed through, 0 for
-        a new one.
+        (m,) int64: for how many frames each region of the last frame has been tracked, 0 for a new region.
 
     References
     ----------
@@ -110,19 +110,19 @@ class RegionTracker:
         self.ages = np.zeros(0, np.int64)
 
     def step(self, frame: NDArray[np.uint8], found: FloatArray) -> FloatArray:
-        """Track the regions into the next frame, and fill the free places.
+        """Track the regions into the next frame, and add new regions in the free places.
 
         Parameters
         ----------
         frame
-            (H, W, 3) uint8 BGR, of one size in a sequence.
+            (H, W, 3) uint8 BGR, the same size throughout a sequence.
         found
             (n, 4) float32, the salient regions of this frame: x, y (pixels of the frame), scale, strength;
             strongest first.
 
         Returns
         -------
-        (m, 4) float32, m <= `max_regions`, in the same form: the longest tracked first, then new ones,
+        (m, 4) float32, m <= `max_regions`, in the same form: longest tracked first, then new regions,
         strongest first.
         """
         image = reduced_grey(frame, self.width)
@@ -136,8 +136,8 @@ class RegionTracker:
         return self._regions.copy()
 
     def _move(self, last: NDArray[np.uint8], image: NDArray[np.uint8], size: NDArray[np.int64]) -> None:
-        """Move the regions along, and drop those that are lost or have left the image."""
-        # Pixels are areas: their centres are scaled, not their corners.
+        """Move the regions, and drop regions that are lost or have left the image."""
+        # Pixels are areas: scale their centres, not their corners.
         factor = np.array(image.shape[::-1]) / size
         points = ((self._regions[:, :2] + 0.5) * factor - 0.5).astype(np.float32)
         moved, seen = self._flow(last, image, points)
@@ -153,16 +153,16 @@ class RegionTracker:
     def _flow(
         self, first: NDArray[np.uint8], second: NDArray[np.uint8], points: FloatArray
     ) -> tuple[FloatArray, NDArray[np.bool_]]:
-        """Positions of (n, 2) points of one image in another, and whether they were found there."""
+        """Find the positions of (n, 2) points of one image in another, and whether they were found."""
         moved, status, _ = self._follow(first, second, points[:, None], np.empty_like(points[:, None]))
         return np.asarray(moved, np.float32).reshape(-1, 2), np.asarray(status).reshape(-1) == 1
 
 
 def reduced_grey(frame: NDArray[np.uint8], width: int) -> NDArray[np.uint8]:
-    """Reduce a frame to a width in pixels and to grey values; the shape stays.
+    """Convert a frame to grey and reduce it to a width in pixels; the aspect ratio is preserved.
 
-    `frame` is (H, W, 3) uint8 BGR. Returns (max(1, round(H width / W)), width) uint8: the mean of OpenCV's
-    grey values over the area of each pixel. A frame that is not wider than `width` keeps its size.
+    `frame` is (H, W, 3) uint8 BGR. Returns (max(1, round(H width / W)), width) uint8: OpenCV's grey values,
+    averaged over the area of each pixel. A frame not wider than `width` keeps its size.
     """
     grey = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
     height, full = grey.shape

@@ -1,4 +1,4 @@
-"""Salient regions of the same maps found with other settings, to compare these (thesis 3.1.1, 4.4)."""
+"""Salient regions found in the same maps with other settings, for comparison (thesis 3.1.1, 4.4)."""
 
 from collections.abc import Collection, Hashable, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -19,8 +19,8 @@ _Section = Mapping[str, Any]
 def check_variants(variants: Mapping[str, _Section], local_settings: Mapping[str, _Section]) -> None:
     """Refuse variants with unknown settings or descriptors.
 
-    `variants` are as for `describe_variants`; `local_settings` are those of every local descriptor. The
-    PlacecatError names the unknown and the valid names.
+    `variants` is as in `describe_variants`; `local_settings` holds the settings of every local descriptor.
+    The PlacecatError names the unknown entry and the valid ones.
     """
     for name, own in variants.items():
         where = f"variant '{name}' of the regions"
@@ -33,7 +33,7 @@ def check_variants(variants: Mapping[str, _Section], local_settings: Mapping[str
 
 
 class Wanted(NamedTuple):
-    """Salient regions that are asked for: scales (None for all), settings of `find_regions`, descriptors."""
+    """Requested salient regions: scales (None for all), settings of `find_regions`, descriptors."""
 
     scales: Sequence[int] | None
     regions: _Section
@@ -41,31 +41,31 @@ class Wanted(NamedTuple):
 
     @property
     def most(self) -> int:
-        """The largest number of regions."""
+        """Maximum number of regions."""
         return most_regions(self.regions)
 
     @property
     def others(self) -> Hashable:
-        """All settings but the number of regions; a number below 1, which is refused, stays with itself."""
+        """All settings except the number of regions; a number below 1, refused later, stays separate."""
         others = {name: value for name, value in self.regions.items() if name != "max_regions"}
         return None if self.scales is None else tuple(self.scales), *sorted(others.items()), self.most < 1
 
 
 class SharedRegions:
-    """Salient regions of a frame by several settings, and their descriptors, each computed once.
+    """Salient regions of a frame for several settings, and their descriptors, each computed once.
 
-    Fewer regions of the same settings are the first of more, since weaker points do not affect stronger ones
-    (`placecat.vision.regions.accept`), and the descriptor of a region does not depend on the other regions.
-    So they are found and described for the largest number that is asked for.
+    With the same settings, fewer regions are always the first of more regions: weaker points do not affect
+    stronger points (`placecat.vision.regions.accept`), and a region's descriptor does not depend on other
+    regions. So regions are found and described once, for the largest requested number.
 
     Parameters
     ----------
     maps
-        Of the frame, all fields.
+        Maps of the frame, all fields.
     wanted
-        All that will be asked for.
+        All regions that will be requested.
     local_settings
-        Settings of the local descriptors by name.
+        Settings of the local descriptors, by name.
     """
 
     def __init__(
@@ -80,7 +80,7 @@ class SharedRegions:
                 self._most[key] = max(one.most, self._most.get(key, one.most))
 
     def find(self, wanted: Wanted) -> NDArray[np.float32]:
-        """Return the regions as `find_regions` does, with its errors."""
+        """Return the regions like `find_regions`, with the same errors."""
         return self._largest(wanted)[: wanted.most]
 
     def describe(self, wanted: Wanted, name: str) -> NDArray[np.float32]:
@@ -112,20 +112,20 @@ class SharedRegions:
 
 
 def most_regions(regions: _Section) -> int:
-    """The largest number of regions by settings of `find_regions`."""
+    """Maximum number of regions in settings of `find_regions`."""
     return int(regions.get("max_regions", settings_of(find_regions)["max_regions"]))
 
 
 def wanted_variants(variants: Mapping[str, _Section], regions: _Section) -> dict[str, Wanted]:
-    """List what the variants of the regions ask for, by name.
+    """List the regions that each region variant requests, by name.
 
     Parameters
     ----------
     variants
-        Name to ``scales`` (some of those of the maps, None for all), ``regions`` (settings of `find_regions`
-        to change) and ``descriptors`` (names of local descriptors).
+        From name to ``scales`` (a subset of the maps' scales, None for all), ``regions`` (changed settings of
+        `find_regions`) and ``descriptors`` (names of local descriptors).
     regions
-        Settings of `find_regions` that variants start from.
+        Settings of `find_regions` that the variants change.
     """
     return {
         name: Wanted(own["scales"], {**regions, **own["regions"]}, own["descriptors"])
@@ -139,13 +139,13 @@ def describe_variants(shared: SharedRegions, variants: Mapping[str, Wanted]) -> 
     Parameters
     ----------
     shared
-        Regions of the frame, with all of `variants` among those that are asked for.
+        Regions of the frame; they must include all of `variants`.
     variants
-        From `wanted_variants`. A scale without maps, or an impossible setting, raises PlacecatError.
+        Result of `wanted_variants`. A scale without maps or an impossible setting raises PlacecatError.
 
     Returns
     -------
-    ``variant_NAME/count``, ``variant_NAME/regions`` and ``variant_NAME/local_DESCRIPTOR``, in the form of
+    ``variant_NAME/count``, ``variant_NAME/regions`` and ``variant_NAME/local_DESCRIPTOR``, as in
     `placecat.vision.frame.describe_frame`.
     """
     result: dict[str, NDArray[Any]] = {}
@@ -161,7 +161,7 @@ def describe_variants(shared: SharedRegions, variants: Mapping[str, Wanted]) -> 
 
 
 def padded(rows: NDArray[np.float32], most: int) -> NDArray[np.float32]:
-    """Rows of regions followed by zeros, ``(most, D)``."""
+    """Pad rows of regions with zeros to ``(most, D)``."""
     result = np.zeros((most, rows.shape[1]), np.float32)
     result[: len(rows)] = rows
     return result

@@ -1,8 +1,8 @@
-"""The descriptors of whole frames (thesis 3.2), one module each.
+"""Holistic descriptors of frames (thesis 3.2), one module each.
 
-A new descriptor is one module of its name. It has ``describe(frame, maps, *, settings...)``, which returns
-(D,) float32, and ``MAPS``, the fields of `FrameMaps` that it reads. If it needs packages of an extra, it
-imports them when it describes, and lists them in ``PACKAGES``, so that tests skip it without them.
+To add a descriptor, add a module with its name. It has ``describe(frame, maps, *, settings...)``, which
+returns (D,) float32, and ``MAPS``, the fields of `FrameMaps` that it reads. If it needs packages of an extra,
+it imports them in ``describe`` and lists them in ``PACKAGES``; tests skip it if they are missing.
 """
 
 from collections.abc import Mapping

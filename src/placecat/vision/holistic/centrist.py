@@ -1,4 +1,4 @@
-"""CENTRIST of whole frames: census histograms in the cells of a grid."""
+"""CENTRIST of a frame: census histograms in the cells of a grid."""
 
 from typing import Annotated, Any
 
@@ -33,24 +33,24 @@ def describe(
     Parameters
     ----------
     frame
-        (H, W, 3) uint8 BGR. Its grey image is OpenCV's, 0.299 r + 0.587 g + 0.114 b, which the thesis does
-        not give.
+        (H, W, 3) uint8 BGR. It is converted to grey like in OpenCV, 0.299 r + 0.587 g + 0.114 b (not given in
+        the thesis).
     maps
-        Cache of the resized image, which the variants share; no map is used.
+        Cache of the resized image, shared by variants; no map is used.
     width
-        Reduce the frame to this width, in proportion; a narrower frame stays as it is. None for the full size
+        Reduce the frame to this width, in proportion; a narrower frame is unchanged. None for the full size
         (variant in thesis 4.3).
     image
         The image to transform: ``laplacian``, or ``intensity`` (variant in thesis 4.3).
     kernel
-        The Laplacian's, as in `placecat.vision.census.laplacian`.
+        Kernel of the Laplacian, as in `placecat.vision.census.laplacian`.
     interpolation
-        ``area`` or ``linear``, for the reduction. The thesis does not give this.
+        ``area`` or ``linear``, used to reduce the frame. The thesis does not give this.
 
     Returns
     -------
-    (4096,) float32: the 16 cells row by row from the top left, 256 codes each with sum 1 (the thesis does
-    not give the normalisation). Cells divide the pixels that have a code.
+    (4096,) float32: the 16 cells row by row from the top left, each a histogram of 256 codes with sum 1 (the
+    thesis does not give the normalisation). The cells divide the pixels that have a code.
 
     Raises
     ------

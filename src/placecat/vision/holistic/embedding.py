@@ -1,4 +1,4 @@
-"""Embedding: the features that a pretrained network computes of a frame. The thesis has no such cue."""
+"""Embedding: features of a frame from a pretrained network (not in the thesis)."""
 
 from collections.abc import Sequence
 from typing import Annotated
@@ -16,7 +16,7 @@ from placecat.vision.networks import efficientnet_lite
 
 # The fields of `FrameMaps` that it reads.
 MAPS: tuple[str, ...] = ()
-# What it imports by default, all of the extra `deep`.
+# Packages that it imports by default, all from the extra `deep`.
 PACKAGES = efficientnet_lite.PACKAGES
 
 _OWNER = "holistic descriptor 'embedding'"
@@ -47,29 +47,29 @@ def describe(
     network
         ``efficientnet_lite0``, ``1`` or ``2``, or the path of an ONNX file, relative to the project.
     width, height
-        Size in pixels to which the whole frame is scaled, whatever its shape. None for both takes the size
-        that the network was trained with (224x224 for an ONNX file). None for one keeps the frame's shape.
+        Size in pixels to which the frame is scaled, whatever its aspect ratio. If both are None, the
+        network's training size is used (224x224 for an ONNX file). If one is None, the aspect ratio is kept.
     mean, std
-        Of red, green and blue, from 0 to 1: `mean` is subtracted, then the difference is divided by `std`.
-        None takes those that the network was trained with (those of ImageNet for an ONNX file).
+        Values for red, green and blue, from 0 to 1: `mean` is subtracted, then the result is divided by
+        `std`. None for the values used to train the network (ImageNet's for an ONNX file).
     output
         Name of the output to use, for an ONNX file; None for its first.
     pool
-        How an output with places, (D, rows, columns), or tokens, (tokens, D), becomes a vector: ``mean`` of
-        all, or the ``first`` token. None for an output that is a vector.
+        How to turn an output with positions, (D, rows, columns), or tokens, (tokens, D), into a vector:
+        ``mean`` over all, or the ``first`` token. None if the output is a vector.
     sha256
-        Checksum that an ONNX file must have, in hexadecimal; None for any. Without it the stages do not
-        notice that the file has changed.
+        Required checksum of an ONNX file, in hexadecimal; None for any. Without it, the stages do not notice
+        a changed file.
 
     Returns
     -------
-    (size,) float32, as the network gives it.
+    (size,) float32, the unchanged output of the network.
 
     Raises
     ------
     PlacecatError
         If a setting is impossible, if the network or a package is missing, or if the network refuses the
-        image or does not give a vector of finite numbers.
+        image or does not return a vector of finite numbers.
     """
     image = _input(frame, _prepared(frame, networks.preparation(network), width, height, mean, std))
     return _vector(_features(image, network, output, sha256), network, pool)
@@ -83,7 +83,7 @@ def _prepared(
     mean: Sequence[float] | None,
     std: Sequence[float] | None,
 ) -> networks.Preparation:
-    """How a frame is prepared by the settings; what they leave out is the network's own."""
+    """Return how to prepare a frame; the network's defaults fill in missing settings."""
     if min(width or 1, height or 1) < 1 or 0 in (width, height):
         raise PlacecatError(f"The width and height of {_OWNER} must be at least 1, not {width} and {height}.")
     if mean is not None and len(mean) != 3:
@@ -104,7 +104,7 @@ def _prepared(
 
 
 def _input(frame: NDArray[np.uint8], prepared: networks.Preparation) -> NDArray[np.float32]:
-    """The frame as (1, 3, height, width) float32 RGB."""
+    """Convert the frame to (1, 3, height, width) float32 RGB."""
     scaled = cv2.resize(frame, (prepared.width, prepared.height), interpolation=cv2.INTER_AREA)
     rgb = scaled[:, :, ::-1].astype(np.float32) / np.float32(255)
     normal = (rgb - np.array(prepared.mean, np.float32)) / np.array(prepared.std, np.float32)
@@ -114,7 +114,7 @@ def _input(frame: NDArray[np.uint8], prepared: networks.Preparation) -> NDArray[
 def _features(
     image: NDArray[np.float32], network: str, output: str | None, sha256: str | None
 ) -> NDArray[np.float32]:
-    """What the network gives for one image, without the axis of images."""
+    """Return the network's output for one image, without the image axis."""
     try:
         features = networks.load(network, output, sha256)(image)
     except PlacecatError as error:
@@ -141,5 +141,5 @@ def _vector(features: NDArray[np.float32], network: str, pool: str | None) -> ND
             f"{how}, or name another output"
         )
     if not np.isfinite(features).all():
-        raise PlacecatError(f"{_OWNER}: {network} gives numbers that are not finite: check mean and std")
+        raise PlacecatError(f"{_OWNER}: {network} returns numbers that are not finite: check mean and std")
     return np.ascontiguousarray(features, np.float32)

@@ -1,4 +1,4 @@
-"""Gist: the mean of every feature map in the cells of a grid."""
+"""Gist: the mean of each feature map in the cells of a grid."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,18 +22,18 @@ def describe(
     frame
         (H, W, 3) uint8 BGR; not used.
     maps
-        Of the frame.
+        Maps of the frame.
     color
         Include the colour maps. Thesis 4.2 has a variant without them.
     center_surround
-        Take intensity and colour from the centre-surround maps, otherwise from the pyramids (variant in
-        thesis 4.2). The orientation maps have no centre-surround.
+        If true, use the centre-surround maps of intensity and colour, otherwise the pyramids (variant in
+        thesis 4.2). Orientation has no centre-surround maps.
 
     Returns
     -------
-    (size,) float32. The 16 cells row by row from the top left, each with the same maps in one block:
-    intensity (on, off), colour (R, G, B, Y), orientation (0, 45, 90, 135 degrees); within a channel
-    sub-channel, then scale, then radius, the last fastest. By default 16, 32 and 16 values.
+    (size,) float32: the 16 cells row by row from the top left. Each cell has the same block of maps:
+    intensity (on, off), colour (R, G, B, Y), orientation (0, 45, 90, 135 degrees). Within a channel the order
+    is sub-channel, scale, radius (radius varies fastest). By default the channels have 16, 32 and 16 values.
 
     References
     ----------
@@ -54,6 +54,6 @@ def describe(
 
 
 def _means(level: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Cell means as (radii, sub-channels, 4, 4); axes that a channel lacks have length 1."""
+    """Cell means as (radii, sub-channels, 4, 4); a missing axis has length 1."""
     means = cell_means(level, CELLS)
     return means.reshape((1,) * (4 - means.ndim) + means.shape)

@@ -1,11 +1,11 @@
-"""The descriptors of salient regions (thesis 3.1.2), one module each.
+"""Descriptors of salient regions (thesis 3.1.2), one module each.
 
-A new descriptor is one module of its name. It has ``describe(maps, regions, *, settings...)``, which returns
-(n, D) float32; ``MAPS``, the fields of `FrameMaps` that it reads; and ``SPREAD``, its fixed unit in
+To add a descriptor, add a module with its name. It has ``describe(maps, regions, *, settings...)``, which
+returns (n, D) float32; ``MAPS``, the fields of `FrameMaps` that it reads; and ``SPREAD``, its fixed unit in
 `concatenate`.
 
-In all of them `maps` are those of the frame, `regions` (n, 4) float32 with x, y (pixels of the frame), scale
-and strength, and `border` is that of `placecat.vision.patches.cut`, whose errors they raise too.
+In every module, `maps` are the maps of the frame and `regions` is (n, 4) float32: x, y (pixels of the frame),
+scale and strength. `border` is passed to `placecat.vision.patches.cut`, whose errors are raised too.
 """
 
 from collections.abc import Mapping

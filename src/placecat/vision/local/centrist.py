@@ -1,4 +1,4 @@
-"""CENTRIST of salient regions: a histogram of their census transform."""
+"""CENTRIST of salient regions: the histogram of their census transform."""
 
 from typing import Annotated
 
@@ -33,18 +33,18 @@ def describe(
     Parameters
     ----------
     image
-        The image to transform: ``intensity``, the thesis's choice, or ``laplacian`` (its variant in the
-        text).
+        The image to transform: ``intensity``, as in the thesis, or ``laplacian``, a variant in its text.
     kernel
-        The Laplacian's, as in `placecat.vision.census.laplacian`.
+        Kernel of the Laplacian, as in `placecat.vision.census.laplacian`.
     quantise
-        Round intensities to whole grey levels first, as in an 8-bit image, so that flat areas give ties
+        Round intensities to whole grey levels first, as in an 8-bit image: flat areas then produce ties
         instead of noise. The thesis does not give this.
 
     Returns
     -------
     (n, 256) float32; each row has sum 1 (the thesis does not give this). Only pixels with all their
-    neighbours inside the patch have a code. Unchanged when a whole number is added to the intensities.
+    neighbours inside the patch have a code. Adding a whole number to the intensities does not change the
+    result.
 
     Raises
     ------
@@ -61,7 +61,7 @@ def describe(
         )
     check_kernel(kernel)
     filtered = image == "laplacian"
-    # One more pixel on each side, so that every pixel of the patch has real neighbours.
+    # Add one pixel on each side: every pixel of the patch then has real neighbours.
     patches = cut(maps.grey, regions, region_side(maps.width) + 2 * filtered, border=border)
     values = to_bytes(patches).astype(np.int16) if quantise else patches
     return histograms(census(_laplacians(values, kernel) if filtered else values))

@@ -29,13 +29,13 @@ def describe(
     Parameters
     ----------
     grid
-        Cells along each axis, else PlacecatError; 0 for the whole region only. The thesis has 3, and in 4.4.2
-        the variant 0 with 8 dimensions.
+        Cells along each axis, else PlacecatError; 0 for the full region only. The thesis uses 3, and 0 (8
+        dimensions) in a variant in 4.4.2.
 
     Returns
     -------
-    (n, 8 (1 + grid**2)) float32. First the whole region, then the cells row by row from the top left; each
-    area has 4 means, then 4 variances (>= 0). Cells are of equal size, in fractions of pixels.
+    (n, 8 (1 + grid**2)) float32. The full region comes first, then the cells row by row from the top left.
+    Each area has 4 means, then 4 variances (>= 0). All cells have the same size, in fractions of pixels.
     """
     if grid < 0:
         raise PlacecatError(f"The grid of local descriptor 'color_mv' is {grid}: it must be 0 or more.")

@@ -18,24 +18,23 @@ def concatenate(
 ) -> NDArray[np.float32]:
     """Append the vertical position and the colour descriptor to a shape descriptor.
 
-    The parts have different magnitudes (SIFT goes to 255, HOG to 1), and the thesis does not give their
-    weights. So each descriptor is divided by its spread, the fixed ``SPREAD`` of its module. Its total
-    standard deviation over indoor regions is then about 1, and equal weights mean equal influence on a
-    distance.
+    The parts have different magnitudes (SIFT reaches 255, HOG 1), and the thesis does not give their weights.
+    So each descriptor is divided by its spread, the constant ``SPREAD`` of its module. Its total standard
+    deviation over indoor regions is then about 1, and equal weights have equal influence on a distance.
 
     Parameters
     ----------
     shape
         (n, D) float32.
     y
-        (n,) float32, the vertical position of the centre over the height of the image, 0 to 1 (top to
-        bottom); None for none.
+        (n,) float32: vertical position of the centre divided by the image height, 0 to 1 (top to bottom);
+        None to omit it.
     color
-        (n, C) float32, or None for none.
+        (n, C) float32; None to omit it.
     y_weight, color_weight
         Factors of y and of the colour descriptor, >= 0.
     shape_spread, color_spread
-        Spreads, > 0; 1 leaves a part as it is.
+        Spreads, > 0; 1 leaves a part unchanged.
 
     Returns
     -------
@@ -44,7 +43,7 @@ def concatenate(
     Raises
     ------
     PlacecatError
-        For parts of different length, a negative weight or a spread that is not positive.
+        If the parts have different lengths, a weight is negative or a spread is not positive.
     """
     for name, weight in (("y_weight", y_weight), ("color_weight", color_weight)):
         if not (np.isfinite(weight) and weight >= 0):

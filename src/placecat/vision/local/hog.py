@@ -36,17 +36,18 @@ def describe(
     """Describe regions by OpenCV's HOG: window 64, block 64, stride 32, cell 16, 8 bins (thesis 3.1.2).
 
     The intensity patch, in whole grey levels, is resized to 64x64. The result equals
-    `cv2.HOGDescriptor.compute` on each patch; one call computes all, side by side with mirrored borders.
+    `cv2.HOGDescriptor.compute` on each patch, but one call computes all patches, placed side by side with
+    mirrored borders.
 
     Parameters
     ----------
     interpolation
-        ``nearest``, ``linear`` or ``cubic``, for the resizing. The thesis does not give this.
+        ``nearest``, ``linear`` or ``cubic``, used to resize the patch. The thesis does not give this.
 
     Returns
     -------
-    (n, 128) float32 in [0, 1]; columns of 4 cells from the left, cells from the top, 8 bins over 180
-    degrees. L2-Hys normalised; 0 for a patch without gradients.
+    (n, 128) float32 in [0, 1]: columns from the left, their 4 cells from the top, 8 bins over 180 degrees
+    each. L2-Hys normalised; 0 for a patch without gradients.
 
     Raises
     ------
@@ -69,7 +70,7 @@ def describe(
 
 
 def _mosaic_hog(patches: NDArray[np.uint8], interpolation: int) -> NDArray[Any]:
-    """HOG of (n, side, side) patches, each resized and framed by mirrored pixels in one mosaic."""
+    """HOG of (n, side, side) patches, each resized and framed by mirrored pixels, in one mosaic."""
     tile = WINDOW + 2
     places = [divmod(index, _COLUMNS) for index in range(len(patches))]
     mosaic = np.zeros((places[-1][0] + 1, tile, _COLUMNS, tile), np.uint8)

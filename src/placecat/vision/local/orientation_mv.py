@@ -26,7 +26,7 @@ def describe(
 ) -> NDArray[np.float32]:
     """Describe regions by means and variances of the orientation maps (thesis 3.1.2).
 
-    These are the Gabor responses at 0, 45, 90 and 135 degrees; see `color_mv` for the rest.
+    The maps are the Gabor responses at 0, 45, 90 and 135 degrees; everything else is as in `color_mv`.
     """
     if grid < 0:
         raise PlacecatError(f"The grid of local descriptor 'orientation_mv' is {grid}: it must be 0 or more.")

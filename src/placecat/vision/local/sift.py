@@ -31,11 +31,12 @@ def describe(
     orientation: Annotated[str, OneOf(ORIENTATIONS)] = "upright",
     border: Annotated[str, OneOf(BORDERS)] = "replicate",
 ) -> NDArray[np.float32]:
-    """Describe each region by one SIFT descriptor whose 4x4 cells cover it (thesis 3.1.2).
+    """Describe each region with one SIFT descriptor whose 4x4 cells cover it (thesis 3.1.2).
 
     A cell is a quarter of the region's side. As in the programs of Lowe, Hess and OpenCV, a gradient votes
-    for the nearest cells and bins with trilinear weights, so gradients up to half a cell outside count too. A
-    Gaussian of half the region's side weights them. The level is not blurred again.
+    for the nearest cells and bins with trilinear weights, so gradients up to half a cell outside the region
+    count too. A Gaussian with a sigma of half the region's side weights the gradients. The pyramid level is
+    not blurred again.
 
     Parameters
     ----------
@@ -97,13 +98,13 @@ def dominant_angles(
     magnitude, angle
         (n, 2 R + 1, 2 R + 1) float32, the angle in radians.
     scale
-        Lowe's scale of the region in pixels: a third of a cell. The window is a Gaussian of 1.5 scales, cut
-        at 4.5 scales or at the patch's end.
+        Lowe's scale of the region in pixels: a third of a cell. The window is a Gaussian with a sigma of 1.5
+        scales, cut off at 4.5 scales or at the edge of the patch.
 
     Returns
     -------
-    (n,) float64 radians in [0, 2 pi): the highest of 36 bins, smoothed, with parabolic interpolation. 0 for a
-    patch without gradients.
+    (n,) float64 radians in [0, 2 pi): the highest of 36 smoothed bins, refined by parabolic interpolation. 0
+    for a patch without gradients.
     """
     count, centre = len(magnitude), magnitude.shape[1] // 2
     radius = min(round(4.5 * scale), centre)
@@ -152,14 +153,14 @@ def _upright_weights(radius: int, cell: float) -> NDArray[np.float32]:
 def _votes(
     magnitude: NDArray[np.float32], angle: NDArray[np.float32], turn: NDArray[np.float64]
 ) -> NDArray[np.float32]:
-    """Share of each pixel in each bin, (n, pixels, 8): linear between the two nearest bins."""
+    """Share of each pixel in each bin, (n, pixels, 8); the two nearest bins share it linearly."""
     count = len(magnitude)
     magnitude = magnitude.reshape(count, -1)
     position = (angle.reshape(count, -1) - turn[:, None].astype(np.float32)) * np.float32(BINS / (2 * np.pi))
     lower = np.floor(position)
     position -= lower
     upper_part = np.multiply(position, magnitude, out=position)
-    # BINS is a power of two, so the mask gives the remainder, also of negative numbers.
+    # BINS is a power of two, so the mask yields the remainder, even for negative numbers.
     first = lower.astype(np.intp)
     first &= BINS - 1
     second = first + 1

