@@ -1,4 +1,4 @@
-"""``placecat predict``."""
+"""The command ``placecat predict``."""
 
 import os
 import sys
@@ -29,7 +29,7 @@ from placecat.progress import Progress
 
 TIMELINE, SPEED = "timeline.png", "speed.json"
 ANNOTATED = "annotated"
-# Segments on the terminal; the file has all.
+# Number of segments printed; the file lists all.
 SHOWN_SEGMENTS = 12
 # The largest --every.
 MOST_EVERY = 1_000_000
@@ -37,7 +37,7 @@ MOST_EVERY = 1_000_000
 
 @dataclass(frozen=True)
 class Options:
-    """Options of `placecat predict`; see its help."""
+    """Options of `placecat predict`, described in its help."""
 
     source: str
     model: Path
@@ -57,13 +57,13 @@ class Options:
 
     @property
     def exports(self) -> dict[str, Path]:
-        """The files that are wanted, by their options."""
+        """The files to export, by option."""
         return {option: path for option in exports.OPTIONS if (path := getattr(self, option)) is not None}
 
 
 @dataclass(frozen=True)
 class _Job:
-    """The footage, the system and how frames are fitted to it; the labels of all frames, if there are any."""
+    """The footage, the system, how frames are fitted to it, and the labels of all frames, if any."""
 
     options: Options
     source: Source
@@ -165,7 +165,7 @@ def _write(folder: Path, job: _Job) -> None:
 
 
 def _draw(path: Path, prediction: Prediction, title: str, shown: NDArray[np.int16] | None) -> None:
-    # Matplotlib takes longer to import than to draw, and no frame needs it.
+    # Imported late: Matplotlib takes longer to import than to draw.
     from placecat.drawing.style import house_style, save
     from placecat.predict import timeline
 
@@ -190,10 +190,10 @@ def _check(options: Options) -> None:
 
 
 def _quiet() -> None:
-    """One message of ours, instead of several of FFmpeg's and OpenCV's."""
+    """Silence FFmpeg and OpenCV; placecat prints one message of its own."""
     os.environ.setdefault("OPENCV_FFMPEG_LOGLEVEL", "-8")
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
-    # For a title in letters that the font of the timeline lacks.
+    # The title may have letters that the timeline's font lacks.
     warnings.filterwarnings("ignore", message="Glyph .* missing from font")
 
 
@@ -216,7 +216,7 @@ def _announce(job: _Job) -> None:
 
 
 def _total(source: Source, wish: Wish) -> int | None:
-    """Number of frames to categorize, probably; None if it is not known."""
+    """Estimate the number of frames to categorize; None if unknown."""
     if source.timing is None:
         return None
     taken = np.searchsorted(source.timing.seconds, np.inf if wish.seconds is None else wish.seconds)
@@ -234,7 +234,7 @@ def _speed(speed: Speed, source: Source) -> dict[str, float]:
 
 def _summary(job: _Job, prediction: Prediction, agreement: dict[str, Any] | None) -> dict[str, Any]:
     card, damage = job.categorizer.card, job.source.damage()
-    # Left out for whole footage.
+    # The summary omits empty entries.
     odd = {
         "lost_frames": list(damage.lost),
         "damaged_frames": list(damage.damaged),
