@@ -22,7 +22,7 @@ _CODECS = {
 class Film:
     """Writer of a video file, for a ``with`` block.
 
-    `path` ends with .mp4 (H.264) or .webm (VP8), `fps` is in frames per second, and `size` is (width, height),
+    `path` ends with .mp4 (H.264) or .webm (VP8), `fps` is in frames per second, `size` is (width, height),
     both even. Raises PlacecatError if FFmpeg cannot write the format, or if the file is incomplete at the end
     of the block.
     """

@@ -102,7 +102,7 @@ class Recorded(Source):
             self.topic, self.start = recording.topic, recording.start
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode one of each `every` frames: the first that is not lost."""
+        """Decode the first frame of each `every` that is not lost."""
         last = -1
         for picture in self._recording.pictures():
             self.reached = number = picture.number
