@@ -184,8 +184,8 @@ class Categorizer:
     ) -> Decision:
         """Categorize the next frame.
 
-        Without `seconds` and `time`, the frame comes one period of `frame_rate` after the last. A second frame
-        at the same time adds no evidence.
+        Without `seconds` and `time`, the frame comes one period of `frame_rate` after the last. A repeated
+        frame, at the same time, adds no evidence.
 
         Parameters
         ----------

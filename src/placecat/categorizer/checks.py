@@ -96,7 +96,7 @@ class Vision(Section):
 
 
 class Content(Section):
-    """Everything except the card, with objects and arrays as :mod:`placecat.categorizer.plain` writes them."""
+    """Everything except the card; :mod:`placecat.categorizer.plain` writes the objects and arrays."""
 
     vision: Vision
     tracking: Settings | None

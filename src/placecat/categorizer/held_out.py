@@ -69,9 +69,9 @@ def unknown(held_out: HeldOut, chosen: float, shown: Sequence[float]) -> dict[st
     -------
     dict
         For the card. ``risk``: `chosen`. ``threshold``: None if no confidence is high enough. ``measured``:
-        for each share its ``threshold``, and ``coverage``, ``wrong`` and ``worst``, measured in each home with
-        the threshold of the other homes (:class:`placecat.evaluation.selection.Selection`). Returns None if
-        there are fewer than two homes.
+        for each share its ``threshold``, and ``coverage``, ``wrong`` and ``worst``, measured in each home
+        with the threshold of the other homes (:class:`placecat.evaluation.selection.Selection`). Returns
+        None if there are fewer than two homes.
     """
     homes = {home: decided(read_labels(home), proba) for home, proba in held_out.items()}
     if len(homes) < 2:
