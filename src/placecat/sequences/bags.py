@@ -1,6 +1,6 @@
 """Layout with a folder per home and a bag per floor: ``<name>/<floor>.bag``, ``<floor>.mcap``, or a folder.
 
-The labels of a floor are in ``<name>/<floor>.csv``, or on a topic of strings in the bag. Without labels, every
+The labels of a floor are in ``<name>/<floor>.csv``, or on a string topic of the bag. Without labels, every
 frame is unlabelled.
 """
 

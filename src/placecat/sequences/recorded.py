@@ -1,7 +1,7 @@
 """Homes made of recordings (videos or bags): each recording is a sequence with a label CSV next to it.
 
-All frames are decoded once to find the lost ones. A lost frame has no row but keeps its number, because labels
-refer to frame numbers.
+All frames are decoded once to find the lost ones. A lost frame has no row but keeps its number, because
+labels refer to frame numbers.
 """
 
 from collections.abc import Sequence
