@@ -47,8 +47,8 @@ class BagRecording:
     """The frames of a bag: the pictures of a topic, ordered by their stamps.
 
     Opening reads the topic once. A frame that is not later than all frames before it came late or twice: it
-    is skipped and has no number. Raises PlacecatError if the bag cannot be read, the topic has no pictures, or
-    its times are impossible.
+    is skipped and has no number. Raises PlacecatError if the bag cannot be read, the topic has no pictures,
+    or its times are impossible.
 
     Parameters
     ----------
