@@ -24,8 +24,8 @@ class Cluster:
 
     `scheduler` is an address, e.g. ``tcp://10.0.0.1:8786``. `wait` is the time in seconds to wait for the
     scheduler, for a first worker, and for a new worker after all have gone. `may_differ` lists the items of
-    :func:`placecat.compute.fingerprint.fingerprint` that may differ from this process. Raises PlacecatError if
-    Dask is not installed, no scheduler answers, or workers are missing or unfit.
+    :func:`placecat.compute.fingerprint.fingerprint` that may differ from this process. Raises PlacecatError
+    if Dask is not installed, no scheduler answers, or workers are missing or unfit.
     """
 
     def __init__(self, *, scheduler: str, wait: float = 30, may_differ: Sequence[str] = ()) -> None:

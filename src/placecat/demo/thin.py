@@ -13,7 +13,7 @@ def thin(root: Path, home: str, every: int, target: Path) -> float:
     """Write the first of each `every` frames of a home, in the layout `folder`.
 
     It reads ``root/HOME.mp4`` and ``root/HOME.csv``, and writes JPEG files to ``target/HOME`` and the labels
-    to ``target/HOME.csv``. Returns the new frame rate in frames per second. Damaged files raise PlacecatError.
+    to ``target/HOME.csv``. Returns the new rate in frames per second. Damaged files raise PlacecatError.
     """
     recording = Recording(root / f"{home}.mp4")
     fps = recording.timing().fps

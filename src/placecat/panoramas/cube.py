@@ -31,7 +31,7 @@ _IN_ROW = 3
 
 
 def prepare(faces: Sequence[NDArray[np.uint8]], focal: float) -> NDArray[np.uint8]:
-    """Prepare the faces of a cube, six (N, N, 3) uint8 in the order of `FACES`, for :func:`look`.
+    """Prepare the faces of a cube, six (N, N, 3) uint8 in the order of `FACES`, for `look`.
 
     `focal` is as for :func:`placecat.panoramas.sphere.prepare`. Returns (2 (N' + 2), 3 (N' + 2), 3) uint8:
     all faces, each with a border of pixels from its neighbours.

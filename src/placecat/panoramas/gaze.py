@@ -30,7 +30,7 @@ def gaze(
     fov, tilt
         Ranges of the horizontal field of view, which stays constant, and of the tilt, in degrees.
     turn, speed
-        Ranges of the angle of a turn to either side, in degrees, and of its mean speed, in degrees per second.
+        Ranges of the angle of a turn to either side, in degrees, and of its mean speed, in degrees/s.
     rest
         Range of the pause between two turns, in seconds.
     rng
@@ -67,7 +67,7 @@ def gaze(
 
 
 def least_jerk(done: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Map a share of the time to a share of the way, both 0 to 1, at rest at both ends (Flash and Hogan 1985).
+    """Map a share of the time to a share of the way, 0 to 1, at rest at both ends (Flash and Hogan 1985).
 
     Examples
     --------

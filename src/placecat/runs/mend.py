@@ -48,7 +48,10 @@ def mend() -> list[str]:
 
 
 def keep() -> None:
-    """Back up the complete records of dvc.lock; keep earlier copies of others. Without it, delete the backup."""
+    """Back up the complete records of dvc.lock, and keep earlier copies of the others.
+
+    Without a dvc.lock, the backup is deleted.
+    """
     if not lock.TEMPORARY.is_dir():
         return
     if not LOCK.exists():
