@@ -79,7 +79,7 @@ class Archive:
         if sum(max(info.file_size, info.compress_size) for info in infos) > path.stat().st_size:
             raise self.damaged("its members claim more bytes than the file has")
         if len(set(self.names)) < len(self.names):
-            raise self.damaged("two of its members have one name")
+            raise self.damaged("two of its members share a name")
 
     def damaged(self, why: object) -> PlacecatError:
         """Return the error for a damaged file, with the reason `why`."""
@@ -104,7 +104,7 @@ class Archive:
         content = self.content(name)
         header = _HEADER.match(content)
         if header is None:
-            raise self.damaged(f"{name} has no header of an array")
+            raise self.damaged(f"{name} has no array header")
         data = content[header.end() :]
         try:
             kind, shape = np.dtype(header[1].decode()), tuple(map(int, re.findall(rb"[0-9]+", header[2])))
@@ -144,5 +144,5 @@ def _check_seal(path: Path, file: BinaryIO) -> None:
         left -= len(part)
     if digest.hexdigest().encode() != end[len(_MARK) :]:
         raise PlacecatError(
-            f"{path} is damaged: its checksum is not that of its contents; restore the file, or {TRAIN_AGAIN}"
+            f"{path} is damaged: its checksum does not match its contents; restore the file, or {TRAIN_AGAIN}"
         )

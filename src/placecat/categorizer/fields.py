@@ -44,7 +44,7 @@ def check(class_name: str, state: Mapping[str, Any]) -> None:
         return
     different = sorted(set(fields) ^ set(state))
     if different:
-        raise PlacecatError(f"a {class_name} has other attributes than it should ({', '.join(different)})")
+        raise PlacecatError(f"a {class_name} has wrong attributes ({', '.join(different)})")
     sizes: Sizes = {}
     for name, field in fields.items():
         try:
@@ -53,7 +53,7 @@ def check(class_name: str, state: Mapping[str, Any]) -> None:
             raise PlacecatError(f"{name} of a {class_name} {error}") from None
     relation = RELATIONS.get(class_name)
     if relation is not None and not relation(state, sizes):
-        raise PlacecatError(f"the attributes of a {class_name} do not fit one another")
+        raise PlacecatError(f"the attributes of a {class_name} do not match")
 
 
 _CUE = having("predict_proba")

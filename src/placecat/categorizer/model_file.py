@@ -79,7 +79,7 @@ def read(path: Path) -> TrainedSystem:
             integrator = from_plain(content["integrator"], arrays)
             smoothing = from_plain(content["smoothing"], arrays)
             if not isinstance(integrator, Integrator) or not isinstance(smoothing, SmoothingModel):
-                raise PlacecatError("its parts are of other kinds")
+                raise PlacecatError("its parts have the wrong types")
             system = TrainedSystem(card, content["vision"], content["tracking"], cues, integrator, smoothing)
             checks.check_system(system)
         except (PlacecatError, RecursionError) as error:

@@ -64,7 +64,7 @@ def from_plain(plain: Any, arrays: Sequence[NDArray[Any]]) -> Any:
             index = plain["index"]
             if type(index) is not int or not 0 <= index < len(arrays):
                 raise PlacecatError(
-                    f"a part of the model is array {index!r}, of which there are {len(arrays)}"
+                    f"a part of the model is array {index!r}, but there are {len(arrays)} arrays"
                 )
             array = arrays[index]
             return array if kind == "array" else array[()]
@@ -88,7 +88,7 @@ def _rebuild(name: str, state: dict[str, Any]) -> Any:
     if kind is None:
         raise PlacecatError(f"a part of the model is a {name}, which this version of placecat does not have")
     if not all(attribute.isidentifier() and not attribute.startswith("__") for attribute in state):
-        raise PlacecatError(f"a part of the model, a {name}, has an attribute that cannot be one")
+        raise PlacecatError(f"a part of the model, a {name}, has an invalid attribute name")
     fields.check(kind.__name__, state)
     rebuilt: Any = object.__new__(kind)
     # Bypass __setattr__, which frozen classes refuse.

@@ -69,7 +69,7 @@ class Cluster:
             if isinstance(said, Exception):
                 raise PlacecatError(
                     f"worker {address} cannot run placecat ({type(said).__name__}: {said}): start it with "
-                    f"`placecat worker {scheduler}`, from an environment as this one"
+                    f"`placecat worker {scheduler}`, in an environment like this one"
                 )
             if said is not None:
                 raise PlacecatError(said)
@@ -145,7 +145,7 @@ def _result(future: Any) -> bytes:
         last = getattr(error.last_worker, "address", error.last_worker)
         raise PlacecatError(
             f"{error.allowed_failures + 1} workers died of the same task, the last one {last}: their logs "
-            "say why; if memory ran out, start fewer on a machine (--nworkers N of `placecat worker`)"
+            "say why; if memory ran out, start fewer per machine (--nworkers N of `placecat worker`)"
         ) from None
 
 

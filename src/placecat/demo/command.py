@@ -82,7 +82,7 @@ def _check(folder: Path) -> None:
         raise PlacecatError(f"{folder} is a file, where the demo writes a folder: move it away")
     for path in sorted(folder.iterdir()) if folder.is_dir() else ():
         if path.name not in FILES:
-            raise PlacecatError(f"{path} is not the demo's, which would replace {folder}: move it away")
+            raise PlacecatError(f"{path} is not from the demo, which would replace {folder}: move it away")
 
 
 def _walk(params: Mapping[str, Any], system: Any, home: str, folder: Path) -> pd.DataFrame:

@@ -86,7 +86,7 @@ def list_frames(folder: Path) -> list[str]:
             if first != name:
                 raise PlacecatError(
                     f"{folder / name}: the same frame as {first}, by its name, such as colour and depth, or "
-                    "two cameras; leave one picture a frame in the folder, or number them through."
+                    "two cameras; keep one picture per frame, or number all pictures consecutively."
                 )
     return names
 

@@ -159,7 +159,7 @@ class Recording:
         if self.damaged:
             parts.append(f"{named(self.damaged)} {are(self.damaged)} damaged")
         if parts:
-            parts.append("what follows may show it up to the next key frame")
+            parts.append("later frames may be damaged up to the next key frame")
         if self._reached == self.count:
             parts += self._unread
         return f"{self.path}: {'; '.join(parts)}. Restore the file if you can." if parts else ""
@@ -285,7 +285,7 @@ class Recording:
                 "cut off or damaged"
             )
         elif "mov" not in name and streams.errors() > before:
-            self._unread.append("the file itself is damaged, so that more frames may be missing")
+            self._unread.append("the file itself is damaged: more frames may be missing")
         # Other formats do not store their duration.
         elif ("matroska" in name or "mov" in name) and container.duration is not None:
             until = (container.duration + (container.start_time or 0)) / 1e6

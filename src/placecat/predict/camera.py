@@ -64,7 +64,7 @@ class Camera(Source):
         done, first = self._capture.read()
         if not done or first is None:
             self._capture.release()
-            raise PlacecatError(f"{title} can be opened, but gives no frame: is it used elsewhere?")
+            raise PlacecatError(f"{title} can be opened, but delivers no frame: is another program using it?")
         self.size = (first.shape[1], first.shape[0])
         known = self._capture.get(cv2.CAP_PROP_FPS)
         self.fps = fps if fps is not None else known if 0 < known <= MOST_RATE else USUAL_FPS

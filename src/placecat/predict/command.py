@@ -87,9 +87,7 @@ def predict_command(options: Options) -> int:
     categorizer = Categorizer.load(options.model)
     source = _open(options, categorizer)
     if source.is_live and options.every != 1:
-        raise PlacecatError(
-            "--every is for files: of a camera the newest frame is taken whenever one is done"
-        )
+        raise PlacecatError("--every is for files: a camera always uses its newest frame")
     chosen = fit(source.size, categorizer.frame_sizes, resize=options.resize)
     if options.labels is None:
         labels = source.truth(categorizer.classes, options.ignore)
@@ -182,7 +180,7 @@ def _check(options: Options) -> None:
     if options.ignore and options.labels is None and not is_home:
         raise PlacecatError("--ignore is for labels: give --labels as well")
     if options.overrides and not is_home:
-        raise PlacecatError("--set chooses the data set of home:NAME: give such a SOURCE")
+        raise PlacecatError("--set chooses the data set of home:NAME: give home:NAME as SOURCE")
     if options.labels is not None and is_home:
         raise PlacecatError("--labels is for other footage: the data set has the labels of its homes")
     if options.seconds is not None and not (np.isfinite(options.seconds) and options.seconds > 0):
@@ -208,10 +206,10 @@ def _announce(job: _Job) -> None:
     if source.topic:
         print(f"Topic: {source.topic}.")
     if isinstance(source, Folder) and options.fps is None:
-        print(f"A folder has no frame rate: {source.fps:g} frames/s, as the model's footage (--fps sets it).")
+        print(f"A folder has no frame rate: using the model's {source.fps:g} frames/s (--fps sets it).")
     if source.is_live:
         end = f"after {options.seconds:g} s" if options.seconds is not None else "with Ctrl-C"
-        print(f"Always the newest frame is taken, others are dropped. Ends {end}; then all is written.")
+        print(f"Only the newest frame is used; older ones are dropped. Ends {end}, then writes the results.")
     sys.stdout.flush()
 
 

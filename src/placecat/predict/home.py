@@ -40,7 +40,7 @@ class DataSetHome(Source):
             raise PlacecatError(f"{PREFIX} has no name: name a home: {', '.join(dataset['homes'])}")
         if name not in dataset["homes"]:
             raise PlacecatError(
-                f"{PREFIX}{name}: {dataset['title']} has no such home, but {', '.join(dataset['homes'])}; "
+                f"{PREFIX}{name}: {dataset['title']} has no such home, only {', '.join(dataset['homes'])}; "
                 "--set dataset=... --set dataset.root=PATH chooses other data"
             )
         self._home = home = open_home_of(dataset, name, **{} if fps is None else {"fps": fps})
@@ -88,8 +88,8 @@ class DataSetHome(Source):
         for number in np.unique(labels[labels >= 0]):
             if own[number] not in classes:
                 raise PlacecatError(
-                    f"{self.name}: the model knows no {own[number]!r}, only {', '.join(classes)}: leave such "
-                    f"frames unscored with --ignore {own[number]}"
+                    f"{self.name}: the model does not know {own[number]!r}, only {', '.join(classes)}: leave "
+                    f"such frames unscored with --ignore {own[number]}"
                 )
         numbers = [classes.index(name) if name in classes else -1 for name in own]
         return np.array([*numbers, -1], np.int16)[labels]

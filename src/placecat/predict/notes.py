@@ -24,7 +24,7 @@ def _turned(prediction: Prediction) -> str:
         return ""
     return (
         f"{len(prediction.turned)} frames from frame {prediction.turned[0]} on have another size than the "
-        "first (was the phone turned?): their middle is taken"
+        "first (was the phone turned?): only their centre is used"
     )
 
 

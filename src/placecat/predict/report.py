@@ -37,7 +37,7 @@ def shares(prediction: Prediction) -> list[str]:
     width = max(map(len, prediction.classes))
     lines = [f"  {name:{width}}  {value:6.1%}" for name, value in longest_first if value > 0]
     unknown = _share_unknown(prediction)
-    return [*lines, f"  In {unknown:.1%} of the time it is not sure enough: unknown."] if unknown else lines
+    return [*lines, f"  The place is unknown in {unknown:.1%} of the time."] if unknown else lines
 
 
 def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str]:

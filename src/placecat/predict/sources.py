@@ -83,7 +83,7 @@ def _bag(path: Path, fps: float | None, topic: str | None) -> "Recorded":
 def _video(path: Path, fps: float | None) -> "Recorded":
     if path.suffix.lower() not in video.SUFFIXES:
         raise PlacecatError(
-            f"{path}: not a video by its ending ({', '.join(video.SUFFIXES)}); convert it, e.g. "
+            f"{path}: not a supported video suffix ({', '.join(video.SUFFIXES)}); convert it, e.g. "
             f"`ffmpeg -i {path.name} {path.stem}.mp4`; images go into a folder"
         )
     recording = Recording(path)

@@ -32,8 +32,8 @@ def read(path: Path, timing: Timing, classes: Sequence[str], ignored: Collection
     for label, line in zip(labels, lines, strict=True):
         if label not in numbers:
             raise PlacecatError(
-                f"{path} line {line}: the model knows no {label!r}, only {', '.join(classes)}: correct the "
-                f"label, or leave such frames unscored with --ignore {label}"
+                f"{path} line {line}: the model does not know {label!r}, only {', '.join(classes)}: correct "
+                f"the label, or leave such frames unscored with --ignore {label}"
             )
     return np.array([numbers[label] for label in labels], dtype=np.int16)
 

@@ -38,7 +38,7 @@ def mend() -> list[str]:
         if mended != text:
             files.write_text(LOCK, mended)
             again = f"; these stages run again: {', '.join(lost)}" if lost else ""
-            said.append(f"{LOCK} was cut when a run was killed: its records are restored{again}.")
+            said.append(f"{LOCK} was truncated when a run was killed: its records are restored{again}.")
     keep()
     # All entries belong to killed processes.
     lock.DVC_IN_USE.unlink(missing_ok=True)

@@ -61,7 +61,7 @@ def read_home(
         else:
             if files := label_csvs(root, label_file):
                 raise PlacecatError(
-                    f"{root / files[0]}: dataset.labels_topic labels the same frames; remove one of both."
+                    f"{root / files[0]}: dataset.labels_topic labels the same frames; remove one of the two."
                 )
             labels = _labels_on_topic(recording, labels_topic)
         floors.append(read_recorded(root, recording, recording.timing, floor, labels, "bag"))

@@ -62,8 +62,8 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
         if segment.start > last + 1:
             gap, has = _frames(last + 1, segment.start - 1), "has" if segment.start == last + 2 else "have"
             raise PlacecatError(
-                f"{where}: {gap} of {sequence} {has} no label (a gap); write a row before, for example of "
-                "transition."
+                f"{where}: {gap} of {sequence} {has} no label (a gap); add a row before this line, for "
+                "example transition."
             )
         if segment.start <= last:
             before = (

@@ -60,7 +60,7 @@ def read_recorded(
             continue
         if size != first:
             raise PlacecatError(
-                f"{recording.path}: frame {frame.number} is {size[0]}x{size[1]}, those before "
+                f"{recording.path}: frame {frame.number} is {size[0]}x{size[1]}, earlier ones "
                 f"{first[0]}x{first[1]} (was the camera turned?); a home needs one frame size: cut the "
                 f"{kind} there."
             )
