@@ -30,7 +30,7 @@ TRAIN_AGAIN = "train it again with `placecat train`"
 
 
 def write(path: Path, members: Mapping[str, bytes]) -> None:
-    """Write an archive; the same members give the same bytes."""
+    """Write an archive; equal members produce equal bytes."""
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as archive:
         archive.comment = _MARK + b"0" * _DIGITS
@@ -43,7 +43,7 @@ def write(path: Path, members: Mapping[str, bytes]) -> None:
 
 @contextmanager
 def opened(path: Path) -> Iterator["Archive"]:
-    """Open an archive. Raises PlacecatError if it cannot be opened, is no archive, or was changed."""
+    """Open an archive. Raises PlacecatError if it cannot be opened, is not an archive, or was changed."""
     try:
         if not path.is_file():
             raise PlacecatError(f"there is no model {path}: `make repro` or `placecat train` makes one")
@@ -99,7 +99,7 @@ class Archive:
     def array(self, name: str) -> NDArray[np.generic]:
         """Read an array (``.npy``) of numbers, booleans or text, without pickle.
 
-        Raises PlacecatError if the member is not such an array, or its header does not match its size.
+        Raises PlacecatError if the member is of another kind, or its header does not match its size.
         """
         content = self.content(name)
         header = _HEADER.match(content)

@@ -114,7 +114,7 @@ def several(item: Field, *, least: int = 0, side: str = "") -> Field:
 
 
 def by_number(item: Field) -> Field:
-    """A mapping from whole numbers."""
+    """A mapping whose keys are whole numbers."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if not isinstance(value, dict) or not all(type(key) is int for key in value):

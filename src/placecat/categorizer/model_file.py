@@ -21,7 +21,7 @@ _CARD, _TEXT, _SYSTEM = "card.json", "card.md", "system.json"
 
 
 def write(path: Path, system: TrainedSystem) -> None:
-    """Write a trained system; the same system gives the same bytes."""
+    """Write a trained system; equal systems produce equal bytes."""
     arrays: list[np.ndarray] = []
     content = {
         "vision": system.vision,

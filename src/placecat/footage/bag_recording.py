@@ -55,7 +55,7 @@ class BagRecording:
     path
         The bag.
     topic
-        The topic; None takes the only one with pictures.
+        The topic; None uses the only one with pictures.
     fps
         Frames per second, for wrong stamps: all frames count and are evenly spaced. None uses the stamps, or
         the times of reception if stamps are zero.

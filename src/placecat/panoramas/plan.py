@@ -28,7 +28,7 @@ class Look:
     stay
         Number of the stay on this floor, from 0.
     first
-        Number of the first frame on this floor, from 1.
+        Number of the first frame, counted from 1 on this floor.
     path
         (frames, 3) float64: pan, tilt and horizontal field of view in degrees.
     """

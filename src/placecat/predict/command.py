@@ -123,7 +123,7 @@ def _open(options: Options, categorizer: Categorizer) -> Source:
 
 
 def _write(folder: Path, job: _Job) -> None:
-    """Predict into a folder, and print a summary."""
+    """Write the prediction to a folder, and print a summary."""
     _announce(job)
     options, source, categorizer, labels = job.options, job.source, job.categorizer, job.labels
     with (
@@ -188,7 +188,7 @@ def _check(options: Options) -> None:
 
 
 def _quiet() -> None:
-    """Silence FFmpeg and OpenCV; placecat prints one message of its own."""
+    """Silence FFmpeg and OpenCV; placecat reports their errors itself."""
     os.environ.setdefault("OPENCV_FFMPEG_LOGLEVEL", "-8")
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
     # The title may have letters that the timeline's font lacks.

@@ -37,7 +37,7 @@ def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, for
     Parameters
     ----------
     wanted
-        Option (one of `OPTIONS`) to file.
+        Mapping from option (one of `OPTIONS`) to file.
     folder
         The results folder, which will be replaced.
     read

@@ -83,7 +83,7 @@ class Source(ABC):
 
     @abstractmethod
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first frame of each `every` that is not lost; a camera yields its newest frames."""
+        """Decode one frame per group of `every`, the first that is not lost; a camera ignores `every`."""
 
     def truth(self, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16] | None:
         """Return (frames,) indices into the model's `classes`, -1 for unscored frames; None without labels.

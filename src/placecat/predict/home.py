@@ -15,7 +15,7 @@ from placecat.predict.frame import Damage, Frame, Source
 from placecat.sequences import open_home_of, place_labels
 
 PREFIX = "home:"
-"""Prefix of such a source; the name of the home follows."""
+"""Prefix of a source that names a home; the name follows."""
 
 
 class DataSetHome(Source):
@@ -57,7 +57,7 @@ class DataSetHome(Source):
         self.timing = Timing(seconds, float(seconds[-1] + 1 / home.fps), home.fps, home.is_even)
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first of each `every` frames of a floor."""
+        """Decode every `every`-th frame of each floor, beginning with its first."""
         place = np.arange(len(self._begins))
         rows = np.flatnonzero((place - np.maximum.accumulate(np.where(self._begins, place, 0))) % every == 0)
         table = self._home.frames.iloc[rows]

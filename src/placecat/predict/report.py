@@ -66,7 +66,7 @@ def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str
 
 
 def speed_text(speed: Speed, every: int, fps: float, *, dropped: int | None = None) -> str:
-    """Compare the speed with the frame rate of the footage, `fps`, of which one in `every` frames was used.
+    """Compare the speed with the frame rate `fps` of the footage, when one in `every` frames is used.
 
     `dropped` is the number of camera frames that were not used.
     """

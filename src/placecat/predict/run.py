@@ -56,7 +56,7 @@ class Wish:
     Attributes
     ----------
     every
-        Categorize one of this many frames.
+        Categorize one frame out of this many.
     seconds
         Length of footage to use; None uses all.
     film
@@ -92,7 +92,7 @@ def run(
 
     Returns
     -------
-    The prediction of at least one frame, the speed, and whether Ctrl-C ended it.
+    The prediction, with at least one frame; the speed; and whether Ctrl-C ended it.
 
     Raises
     ------

@@ -102,7 +102,7 @@ class Recorded(Source):
             self.topic, self.start = recording.topic, recording.start
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first frame of each `every` that is not lost."""
+        """Decode one frame per group of `every`: the first that is not lost."""
         last = -1
         for picture in self._recording.pictures():
             self.reached = number = picture.number
@@ -132,7 +132,7 @@ class Folder(Source):
         self.size = (first.shape[1], first.shape[0])
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first of each `every` frames."""
+        """Decode every `every`-th frame, beginning with the first."""
         for number, name in enumerate(self._images, 1):
             self.reached = number
             if (number - 1) % every == 0:

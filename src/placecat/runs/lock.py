@@ -57,7 +57,7 @@ def one_at_a_time(stage: str) -> Iterator[None]:
 
 @contextmanager
 def waiting(path: Path, said: str) -> Iterator[None]:
-    """Hold a lock during a block; print `said` if this process has to wait for it."""
+    """Hold a lock during a block; print `said` if this process must wait for it."""
     from filelock import FileLock, Timeout
 
     lock = FileLock(path)

@@ -90,7 +90,7 @@ def read_home(
 
 
 class Entry(NamedTuple):
-    """A line of a ``places.lst``: image file name, code, time in microseconds, and line number."""
+    """Content of a line of a ``places.lst``: image name, code, time in microseconds, and line number."""
 
     image: str
     code: str

@@ -28,7 +28,7 @@ from placecat.sequences.sqlite_file import Columns, SqliteFile, opened
 
 DATABASE, PICTURES = "rh.db", "files/rgbd"
 OBSERVATIONS = {"labelled": ("rh_lblrgbd",), "all": ("rh_lblrgbd", "rh_raw")}
-"""The setting `observations`: only those with labelled objects, or also those that the authors discarded."""
+"""Values of `observations`: those with labelled objects only, or all, including discarded ones."""
 FILES = "rh2_old2new_rgbd_files"
 COLOR = "_intensity.png"
 """Suffix of colour pictures; other files hold depth and labels."""
@@ -151,7 +151,7 @@ def _observations(data: SqliteFile, file: Path, table: str, home: int, sensor: i
     for number, session, room, ticks, *_ in data.rows(table, home_id=home, sensor_id=sensor):
         where = f"{file}: observation {number} of {table}"
         if number not in pictures:
-            # rh_raw repeats the labelled observations, whose pictures have the numbers of rh_lblrgbd.
+            # rh_raw repeats labelled observations, but FILES lists their pictures by rh_lblrgbd numbers.
             if table == "rh_raw":
                 continue
             raise PlacecatError(f"{where} has no picture *{COLOR} in {FILES}; restore the file.")

@@ -1,7 +1,7 @@
 """Sources of panoramas, one module per source.
 
 A source is a module of this package that defines ``read(root, settings)``. This function lists the panoramas
-in a folder according to the settings of conf/panoramas.yaml. The file name is the name of the source there.
+in a folder according to the settings of conf/panoramas.yaml. The settings refer to a source by its file name.
 """
 
 from collections.abc import Mapping
