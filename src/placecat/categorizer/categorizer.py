@@ -215,8 +215,8 @@ class Categorizer:
     def visits(self) -> list[Visit]:
         """List the stays so far, in order: runs of frames with one name, including ``unknown``.
 
-        A stay ends when the next begins; the last ends with the last frame. Times are frame times at the
-        moment of the decision, so they lag by the delay.
+        A stay ends when the next begins; the last ends with the last frame. A stay starts when the decision
+        changes, so its times lag by the delay.
         """
         return self._visits.until(self._last)
 

@@ -19,7 +19,7 @@ from placecat.training.integration import fused_parts
 def train_command(system: str | None, without: Sequence[str], seed: int | None, output: Path | None) -> int:
     """Train a system, measure it in unseen homes, and write it to a file: `placecat train`.
 
-    Returns 0; mistakes raise PlacecatError.
+    Returns 0; user errors raise PlacecatError.
 
     Parameters
     ----------

@@ -88,7 +88,7 @@ class Cluster:
         import cloudpickle
 
         calls = [cloudpickle.dumps((function, task)) for task in tasks]
-        # Send all tasks at once to leave some for later workers. `pure=False` repeats equal calls.
+        # Send all tasks at once, so workers that join later get some. Dask would merge equal pure calls.
         sent = self._client.map(perform, [self._expected] * len(calls), calls, pure=False)
         # Workers free a result once its future is dropped here.
         left = {future.key: future for future in sent}

@@ -38,7 +38,7 @@ _WORK = "work"
 def demo_command() -> int:
     """Run the demo in the project folder; print its table and the paths of its results.
 
-    Returns 0; mistakes raise PlacecatError and leave nothing behind.
+    Returns 0; user errors raise PlacecatError and leave nothing behind.
     """
     start = time.perf_counter()
     _check(OUTPUT)

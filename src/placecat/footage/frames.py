@@ -36,7 +36,7 @@ def read_frames(
 
     Yields
     ------
-    (H, W, 3) uint8, BGR, turned by the column ``turn`` if it exists.
+    (H, W, 3) uint8, BGR, turned by the angle in the column ``turn``, if any.
 
     Raises
     ------
@@ -73,7 +73,7 @@ _WORTH_A_JUMP = 30
 
 
 class _Video:
-    """Forward reader of a video or a bag; a video can start at a later frame."""
+    """Read a video or a bag forwards; in a video, reading can start at a later frame."""
 
     def __init__(self, path: Path) -> None:
         self.path = path

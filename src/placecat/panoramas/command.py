@@ -40,7 +40,7 @@ def import_command(source: Path, destination: Path, changes: Sequence[str]) -> i
     """Turn the panoramas of a folder into homes, and print the next command.
 
     `destination` is a new folder; it appears once everything is written. `changes` are as for
-    :func:`read_settings`. Returns 0; mistakes raise PlacecatError and leave nothing behind.
+    :func:`read_settings`. Returns 0; user errors raise PlacecatError and leave nothing behind.
     """
     settings = read_settings(changes)
     classes = read_yaml(paths.CONF / "dataset" / f"{DATASET}.yaml")["classes"]

@@ -15,7 +15,7 @@ from placecat.panoramas.rays import focal_length, view_rays
 def render(
     files: tuple[Path, ...], origin: str, path: NDArray[np.float64], width: int, height: int, quality: int
 ) -> list[bytes]:
-    """Render views of a panorama as the content of a JPEG file per frame.
+    """Render views of a panorama, each as the content of a JPEG file.
 
     Parameters
     ----------

@@ -80,7 +80,7 @@ class _Job:
 def predict_command(options: Options) -> int:
     """Apply a trained system to footage, write the results and print a summary.
 
-    Returns 0; mistakes raise PlacecatError and leave nothing behind.
+    Returns 0; user errors raise PlacecatError and leave nothing behind.
     """
     _check(options)
     _quiet()

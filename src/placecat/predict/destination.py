@@ -1,4 +1,4 @@
-"""The results folder: which files may be replaced."""
+"""Choose the results folder, and protect files that must not be replaced."""
 
 import json
 import shutil

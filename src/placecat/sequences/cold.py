@@ -1,7 +1,7 @@
 """The COLD database: ``<site>/<sequence>/localization/places.lst`` and images in ``<sequence>/std_cam``.
 
 A line of the label file is ``t<seconds>.<microseconds>_x<m>_y<m>_a<rad>.jpeg LABEL``. The label stays a
-code; the data set setting ``aliases`` maps each code to a class.
+code; the setting ``aliases`` of the data set maps each code to a class.
 
 A home is one sequence, named ``<site>-<sequence>`` because home names cannot contain a slash. The name of a
 site alone reads all its sequences as one home. Sequences of one site show the same rooms, so only folds by
