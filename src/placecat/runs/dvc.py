@@ -32,7 +32,7 @@ def main() -> None:
     os.environ[lifeline.DVC] = str(os.getpid())
     from dvc.utils.serialize import _common
 
-    # If a later DVC renames this, a test fails, and `placecat mend` still repairs dvc.lock.
+    # A test detects whether a new DVC version renames this function. `placecat mend` then still works.
     _common._dump_data = _write_whole
     from dvc.cli import main as dvc
 

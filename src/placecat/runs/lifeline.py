@@ -38,7 +38,7 @@ def end_stage_with_dvc() -> None:
 
 
 def _stop(number: int, frame: FrameType | None) -> None:
-    # React once: the terminal and the run may both send a signal, which must not interrupt the clean-up.
+    # Ignore further signals: the terminal and the run may both send one, and cleaning up must continue.
     for each in (signal.SIGINT, signal.SIGTERM):
         signal.signal(each, lambda *_: None)
     raise KeyboardInterrupt

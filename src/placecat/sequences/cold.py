@@ -110,8 +110,8 @@ def code(label: str) -> str | None:
 def read_places(file: Path) -> list[Entry]:
     """Read the entries of a ``places.lst`` in file order; their times increase.
 
-    Raises PlacecatError, naming the line, if a line is not an image name and a label, or is not later than
-    the line before.
+    Raises PlacecatError, naming the line, if a line is not an image name and a label, or its image is not
+    later than the previous one.
     """
     entries: list[Entry] = []
     for line, text in enumerate(read_text(file).split("\n"), start=1):
