@@ -71,7 +71,7 @@ def test_it_replaces_its_own_files_only(tmp_path):
     (folder / command.PAGE).touch()
     command._check(folder)
     (folder / "mine.txt").touch()
-    with pytest.raises(PlacecatError, match=r"mine\.txt is not the demo's.*move it away"):
+    with pytest.raises(PlacecatError, match=r"mine\.txt is not from the demo.*move it away"):
         command._check(folder)
 
 

@@ -101,7 +101,7 @@ def tree(**changes):
 @pytest.mark.parametrize(
     ("wrong", "message"),
     [
-        (lambda: smoothing(transition=np.ones((3, 3))), "SmoothingModel do not fit one another"),
+        (lambda: smoothing(transition=np.ones((3, 3))), "SmoothingModel do not match"),
         (
             lambda: smoothing(transition=np.eye(2)),
             "emission of a SmoothingModel has a side of 3 where others",
@@ -112,7 +112,7 @@ def tree(**changes):
         (lambda: smoothing(frame_rate=True), "frame_rate .*is not a number"),
         (lambda: smoothing(frame_rate=float("inf")), "frame_rate .*out of range"),
         (lambda: smoothing(delay_seconds=10**400), "delay_seconds .*a very large number"),
-        (lambda: changed(smoothing(), another=1), "other attributes than it should .another."),
+        (lambda: changed(smoothing(), another=1), "has wrong attributes .another."),
         (lambda: expansion(support_vectors=np.ones(4)), "support_vectors .*2 dimensions"),
         (lambda: expansion(intercept=np.ones(2)), "intercept .*a side of 2"),
         (lambda: expansion(coef=np.ones((4, 3), np.int64)), "coef of a KernelExpansion is not an array"),

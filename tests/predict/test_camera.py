@@ -94,7 +94,7 @@ def test_every_frame_is_taken_once_by_a_fast_reader_until_the_camera_is_gone(cap
 
 def test_a_camera_that_is_not_there_or_gives_nothing(capture, monkeypatch):
     monkeypatch.setattr(capture, "total", 0)
-    with pytest.raises(PlacecatError, match="camera 0 can be opened, but gives no frame"):
+    with pytest.raises(PlacecatError, match="camera 0 can be opened, but delivers no frame"):
         camera()
     monkeypatch.setattr(capture, "is_there", False)
     with pytest.raises(PlacecatError, match=r"camera 0 cannot be opened.*camera:1"):

@@ -67,7 +67,7 @@ def test_the_tables_have_what_the_system_said_to_the_bit(folder, source, capsys)
     assert segments == "start,end,label\n1,8,bedroom\n9,16,living_room\n17,24,kitchen\n25,30,bedroom\n"
     shown = capsys.readouterr().out
     assert "frames/s (the categorizer alone " in shown and " times the footage's 25" in shown
-    assert "In 63.3% of the time it is not sure enough: unknown." in shown
+    assert "The place is unknown in 63.3% of the time." in shown
     assert "\nOf a fake.\nIt never says `unknown`" in shown
     summary = json.loads((results / "summary.json").read_text())
     assert (summary["share_unknown"], summary["visits"]) == (0.6333, 3)
@@ -125,8 +125,9 @@ def test_segments_are_labels(folder, capsys):
 
 def test_an_unknown_label_is_refused_or_left_out(folder, capsys):
     (folder / "labels.csv").write_text("start,end,label\n1,10,bedroom\n11,30,cellar\n")
-    assert "labels.csv line 3: the model knows no 'cellar', only bedroom, living_room, kitchen" in refused(
-        "walk.avi", "--labels", "labels.csv"
+    assert (
+        "labels.csv line 3: the model does not know 'cellar', only bedroom, living_room, kitchen"
+        in refused("walk.avi", "--labels", "labels.csv")
     )
     assert not (folder / "predictions").exists()
     predict("walk.avi", "--labels", "labels.csv", "--ignore", "cellar")
@@ -227,7 +228,7 @@ def _damage(folder):
     [
         ("nothing.mp4", "nothing.mp4: no such file or folder"),
         ("no.mp4", "no.mp4: not a readable video"),
-        ("notes.txt", "notes.txt: not a video by its ending"),
+        ("notes.txt", "notes.txt: not a supported video suffix"),
         ("void", "void: no images here"),
         ("mixed", "2.png: 128x48 pixels, but the first image has 64x48"),
         ("torn", "2.png: not a readable image"),

@@ -116,7 +116,7 @@ def test_classes_that_the_model_does_not_know_are_refused_or_left_out(system, tm
     labels = tmp_path / "homes/Villa/label.txt"
     labels.write_text(LABELS.replace("7 18 bedroom", "7 18 office"))
     text = refused("home:Villa")
-    assert "Villa: the model knows no 'office', only bedroom, living_room, kitchen" in text
+    assert "Villa: the model does not know 'office', only bedroom, living_room, kitchen" in text
     assert "--ignore office" in text
     predict("home:Villa", "--ignore", "office")
     assert "correct" in capsys.readouterr().out
@@ -137,7 +137,7 @@ def test_a_home_that_trained_the_model_is_noted(system, tmp_path, capsys):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["home:Palace"], "home:Palace: my homes has no such home, but Villa, Hut"),
+        (["home:Palace"], "home:Palace: my homes has no such home, only Villa, Hut"),
         (["home:Hut"], "Hut"),
         (["home:"], "home: has no name: name a home: Villa, Hut"),
         (["home:Villa", "--labels", "x.csv"], "--labels is for other footage"),

@@ -77,7 +77,7 @@ def test_what_was_restored_is_said_with_what_runs_again(folder, capsys):
     main(["mend"])
     assert mend.LOCK.read_text() == lock_of(1, 1)
     said = capsys.readouterr().out
-    assert "dvc.lock was cut when a run was killed: its records are restored" in said
+    assert "dvc.lock was truncated when a run was killed: its records are restored" in said
     assert "run again: third" in said
 
 

@@ -1,4 +1,4 @@
-"""A zip archive that ends with a checksum of all before it; members are checked before they are read."""
+"""Zip archives that end with a checksum of their content; members are checked before they are read."""
 
 import hashlib
 import io
@@ -17,10 +17,10 @@ from numpy.typing import NDArray
 from placecat import files
 from placecat.errors import PlacecatError
 
-# The checksum is the archive's comment, the end of a zip file, so that other programs can open it.
+# The checksum is the zip comment at the end of the file, so other programs can still open the archive.
 _MARK = b"placecat sha256 "
 _DIGITS = 2 * hashlib.sha256().digest_size
-# The header that `array_content` writes; NumPy's own reader takes others, and evaluates them.
+# The header that `array_content` writes. NumPy's reader accepts other headers and evaluates them.
 _HEADER = re.compile(
     rb"\x93NUMPY\x01\x00..\{'descr': '([<|][biufU][0-9]{1,6})', 'fortran_order': False, "
     rb"'shape': \(((?:[0-9]{1,15}(?:,|, )?){0,8})\), \} *\n",
@@ -30,7 +30,7 @@ TRAIN_AGAIN = "train it again with `placecat train`"
 
 
 def write(path: Path, members: Mapping[str, bytes]) -> None:
-    """Write an archive; the same members give the same bytes."""
+    """Write an archive; equal members produce equal bytes."""
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as archive:
         archive.comment = _MARK + b"0" * _DIGITS
@@ -43,7 +43,7 @@ def write(path: Path, members: Mapping[str, bytes]) -> None:
 
 @contextmanager
 def opened(path: Path) -> Iterator["Archive"]:
-    """Open an archive; a PlacecatError if it cannot be opened, is not one, or was changed later."""
+    """Open an archive. Raises PlacecatError if it cannot be opened, is not an archive, or was changed."""
     try:
         if not path.is_file():
             raise PlacecatError(f"there is no model {path}: `make repro` or `placecat train` makes one")
@@ -51,7 +51,7 @@ def opened(path: Path) -> Iterator["Archive"]:
             _check_seal(path, file)
             try:
                 archive = zipfile.ZipFile(file)
-            # The module raises these for bad numbers in headers.
+            # zipfile raises these for bad numbers in headers.
             except (zipfile.BadZipFile, NotImplementedError, OSError, ValueError) as error:
                 raise PlacecatError(f"{path} is not a placecat model, or is damaged: {error}") from None
             with archive:
@@ -63,7 +63,8 @@ def opened(path: Path) -> Iterator["Archive"]:
 class Archive:
     """The members of an archive.
 
-    A PlacecatError if they are compressed, encrypted, named twice, or claim more bytes than the file has.
+    Raises PlacecatError if members are compressed or encrypted, share a name, or claim more bytes than the
+    file has.
     """
 
     def __init__(self, path: Path, archive: zipfile.ZipFile) -> None:
@@ -71,43 +72,43 @@ class Archive:
         self._archive = archive
         infos = archive.infolist()
         self.names = [info.filename for info in infos]
-        # A small file cannot unpack to a huge one: members are not compressed, and no byte is read twice.
+        # This rules out zip bombs: members are not compressed, and no byte is read twice.
         for info in infos:
             if info.compress_type != zipfile.ZIP_STORED or info.flag_bits & 1:
                 raise self.damaged(f"its member {info.filename!r} is compressed or encrypted")
         if sum(max(info.file_size, info.compress_size) for info in infos) > path.stat().st_size:
             raise self.damaged("its members claim more bytes than the file has")
         if len(set(self.names)) < len(self.names):
-            raise self.damaged("two of its members have one name")
+            raise self.damaged("two of its members share a name")
 
     def damaged(self, why: object) -> PlacecatError:
-        """The error that says what is wrong with the file."""
+        """Return the error for a damaged file, with the reason `why`."""
         said = " ".join(str(why).split())
         return PlacecatError(f"{self._path} is damaged, or is not a placecat model: {said[:300]}")
 
     def content(self, name: str) -> bytes:
-        """Read a member; PlacecatError if it is missing or its own checksum is wrong."""
+        """Read a member. Raises PlacecatError if it is missing or its checksum is wrong."""
         if name not in self.names:
             raise self.damaged(f"it has no member {name}")
         try:
             return self._archive.read(name)
-        # NotImplementedError is a RuntimeError.
+        # RuntimeError includes NotImplementedError.
         except (zipfile.BadZipFile, EOFError, OSError, ValueError, RuntimeError) as error:
             raise self.damaged(f"its member {name} cannot be read ({error})") from None
 
     def array(self, name: str) -> NDArray[np.generic]:
-        """Read a member that is an array (``.npy``) of numbers, truth values or text, never with pickle.
+        """Read an array (``.npy``) of numbers, booleans or text, without pickle.
 
-        Raises PlacecatError if it is not such an array, or its header does not fit its bytes.
+        Raises PlacecatError if the member is of another kind, or its header does not match its size.
         """
         content = self.content(name)
         header = _HEADER.match(content)
         if header is None:
-            raise self.damaged(f"{name} has no header of an array")
+            raise self.damaged(f"{name} has no array header")
         data = content[header.end() :]
         try:
             kind, shape = np.dtype(header[1].decode()), tuple(map(int, re.findall(rb"[0-9]+", header[2])))
-            # Before any memory is taken.
+            # Check before allocating memory.
             size = math.prod(shape) * kind.itemsize
             if size != len(data) or not kind.itemsize:
                 raise ValueError(f"it says {size} bytes, and has {len(data)}")
@@ -117,9 +118,9 @@ class Archive:
 
 
 def array_content(array: NDArray[np.generic]) -> bytes:
-    """An array as :meth:`Archive.array` reads it."""
+    """Encode an array for :meth:`Archive.array`."""
     buffer = io.BytesIO()
-    # ascontiguousarray makes a vector of a number.
+    # ascontiguousarray turns a scalar into a vector; reshape undoes that.
     plain = np.ascontiguousarray(array).reshape(array.shape)
     np.lib.format.write_array(buffer, plain, version=(1, 0), allow_pickle=False)
     return buffer.getvalue()
@@ -143,5 +144,5 @@ def _check_seal(path: Path, file: BinaryIO) -> None:
         left -= len(part)
     if digest.hexdigest().encode() != end[len(_MARK) :]:
         raise PlacecatError(
-            f"{path} is damaged: its checksum is not that of its contents; restore the file, or {TRAIN_AGAIN}"
+            f"{path} is damaged: its checksum does not match its contents; restore the file, or {TRAIN_AGAIN}"
         )

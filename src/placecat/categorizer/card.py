@@ -1,4 +1,4 @@
-"""The model card: facts that a person should know before trusting a trained system."""
+"""The model card: facts to know before trusting a trained system."""
 
 import platform
 from collections.abc import Mapping
@@ -7,37 +7,37 @@ from typing import Any
 
 from placecat import __version__
 
-# Of the model file. Raise it when stored values change their meaning.
+# Version of the model file format. Raise it when stored values change their meaning.
 FORMAT = 5
-# The last bits of a result may depend on these.
+# The last bits of a result may depend on the versions of these libraries.
 LIBRARIES = ("numpy", "opencv-python-headless", "scikit-learn", "scipy")
 
 
 def make_card(**known: Any) -> dict[str, Any]:
-    """Write a card.
+    """Build a card.
 
     Parameters
     ----------
     **known
-        JSON types only. ``title``: of the system. ``data``: ``title``, a ``note`` on it or None, ``version``
-        (DVC's checksum), ``homes`` that trained it, those ``left_out``, and the number of training ``frames``
-        of the cues and of the integration. ``classes``, ``frame_sizes``, ``fps``: places; (width, height) and
-        frames/s of the training footage. ``accuracy``: percent by home, each measured by a system of the same
+        JSON types only. ``title``: name of the system. ``data``: ``title``, ``note`` or None, ``version``
+        (DVC's checksum), training ``homes``, homes ``left_out``, and the number of training ``frames`` for
+        the cues and for the integration. ``classes``: places. ``frame_sizes``, ``fps``: (width, height) and
+        frames/s of the training footage. ``accuracy``: percent by home, measured with a system of the same
         settings that had not seen the home; may be empty. ``unknown``: from
-        :func:`placecat.categorizer.held_out.unknown`; None if that was not measured. ``settings``: all those
-        of the training.
+        :func:`placecat.categorizer.held_out.unknown`; None if not measured. ``settings``: all training
+        settings.
 
     Returns
     -------
     dict
-        With the versions of this project and of `LIBRARIES`.
+        The card, with the versions of this project and of `LIBRARIES`.
     """
     versions = {"python": platform.python_version()} | {name: version(name) for name in LIBRARIES}
     return {"format": FORMAT, "placecat": __version__} | known | {"versions": versions}
 
 
 def unknown_text(card: Mapping[str, Any]) -> str:
-    """Say in a line when the system says `unknown`, with the measurements of that."""
+    """Describe in one line when the system says `unknown`, and how often that was wrong."""
     unknown = card.get("unknown")
     if unknown is None:
         return "It never says `unknown`: how often it is wrong in homes that it has not seen is not measured."

@@ -1,4 +1,4 @@
-"""From each frame to a distribution over places (thesis, Figure 1); causal."""
+"""Turn each frame into a distribution over places (thesis, Figure 1), without looking ahead."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from placecat.fusion.smoothing import Smoother, check_elapsed
 from placecat.vision.frame import check, describe_frame
 from placecat.vision.tracking import RegionTracker
 
-# Height, width and channels of the frame that tries a model.
+# Height, width and channels of the test frame for a loaded model.
 _TRIAL = (256, 256, 3)
 
 
@@ -40,21 +40,21 @@ class Decision:
     confidence
         Its probability.
     proba
-        After the hidden Markov model and the delay (thesis 3.4).
+        Distribution after the hidden Markov model and the delay (thesis 3.4).
     hmm
-        Before the delay.
+        Distribution before the delay.
     integrated, cues
-        Of this frame alone: all cues together (3.3.3), and cue by cue.
+        Distributions of this frame alone: of all cues together (3.3.3), and of each cue.
     regions
-        (n, 4) float32, the salient regions: x, y (pixels of the frame, as it was resized), scale, strength;
-        strongest first. The tracked ones if any cue follows regions.
+        (n, 4) float32, the salient regions: x, y (pixels of the resized frame), scale, strength; strongest
+        first. These are the tracked regions if any cue follows regions.
     is_known
         Whether `confidence` is at least :attr:`Categorizer.threshold`.
     seconds
-        When the frame was taken, see :meth:`Categorizer.update`.
+        Time of the frame, see :meth:`Categorizer.update`.
     about
-        The time to which `proba` refers, at or before `seconds`: the mean of the times of the frames that the
-        delay has mixed, with their weights in it.
+        Time that `proba` refers to, at or before `seconds`: the mean time of the frames that the delay mixes,
+        with the same weights.
     """
 
     place: str
@@ -77,32 +77,32 @@ class Decision:
 class Categorizer:
     """Name the place of every frame of a video or a camera.
 
-    The numbers are those of the batch pipeline, bit for bit, if NumPy's OpenBLAS runs the same kernels (the
-    pipeline asks for those of Haswell: ``OPENBLAS_CORETYPE=Haswell``, before NumPy is imported).
+    The results equal the batch pipeline bit for bit if NumPy's OpenBLAS uses the same kernels. The pipeline
+    uses the Haswell kernels: it sets ``OPENBLAS_CORETYPE=Haswell`` before NumPy is imported.
 
     Parameters
     ----------
     system
-        From `placecat.categorizer.train`, or see :meth:`load`.
+        A system from `placecat.categorizer.train`; :meth:`load` reads one from a file.
     resize
-        Whether :func:`placecat.categorizer.fitting.fit` scales and cuts frames of other sizes.
+        Whether :func:`placecat.categorizer.fitting.fit` scales and crops frames of other sizes.
 
     Attributes
     ----------
     classes
         Names of the places, in the order of the distributions.
     frame_sizes
-        (width, height) of the frames it was trained on; others are refused unless `resize`.
+        (width, height) of the training frames; other sizes are refused unless `resize`.
     card
         Facts about the system: data, accuracy, settings, versions.
     threshold
-        Least confidence of a decision that is known: chosen on training homes so that at most a share
-        ``model.risk`` of such decisions is wrong. 0 if that was not measured, infinite if no confidence is
-        enough.
+        Decisions below this confidence are unknown. It is chosen on the training homes: at most a share
+        ``model.risk`` of the other decisions is wrong there. 0 if not measured, infinite if no confidence is
+        high enough.
 
     Examples
     --------
-    With the model that ``make repro`` leaves, and frames of a camera::
+    With the model that ``make repro`` trains, and frames of a camera::
 
         categorizer = Categorizer.load("data/model.placecat")
         for frame, time in camera:
@@ -138,10 +138,10 @@ class Categorizer:
     def load(
         cls, path: str | Path, *, classes: Sequence[str] | None = None, resize: bool = False
     ) -> Categorizer:
-        """Read a trained system from a file of `placecat train`, or of the stage `model`.
+        """Read a trained system from a file that `placecat train` or the stage `model` wrote.
 
-        With `classes` it must have these, in this order. Raises PlacecatError if it does not, or if it is
-        missing, damaged, or of another version.
+        If `classes` is given, the system must have these classes in this order. Raises PlacecatError if it
+        does not, or if the file is missing, damaged, or of another version.
         """
         system = model_file.read(Path(path))
         known = list(system.card["classes"])
@@ -154,7 +154,7 @@ class Categorizer:
             categorizer = cls(system, resize=resize)
             with np.errstate(all="ignore"):
                 categorizer._try()
-        # Anything may go wrong with a file that was made by hand.
+        # A handmade file may raise any error.
         except Exception as error:
             said = " ".join(str(error).split())[:300]
             raise PlacecatError(f"{path} is damaged, or is not a placecat model: {said}") from None
@@ -162,16 +162,16 @@ class Categorizer:
 
     @property
     def frame_size(self) -> tuple[int, int]:
-        """(width, height) that frames may be scaled to."""
+        """The first of `frame_sizes`, (width, height)."""
         return self.frame_sizes[0]
 
     @property
     def frame_rate(self) -> float:
-        """Frames a second of the footage that its smoothing learnt from."""
+        """Frame rate of the footage that trained the smoothing, in frames per second."""
         return self._system.smoothing.frame_rate
 
     def reset(self) -> None:
-        """Forget what was seen: call it at a cut, before the first frame of another sequence."""
+        """Forget all earlier frames. Call this at a cut, before the first frame of a new sequence."""
         self._smoother = Smoother(self._system.smoothing)
         self._mixed_times = Delay(self._system.smoothing.delay_seconds)
         self._last: float | None = None
@@ -182,27 +182,27 @@ class Categorizer:
     def update(
         self, frame: NDArray[np.uint8], seconds: float | None = None, *, time: float | None = None
     ) -> Decision:
-        """Take the next frame.
+        """Categorize the next frame.
 
-        Without `seconds` and `time` it comes one period of `frame_rate` after the last. A frame that comes
-        twice, at the same time, adds no evidence.
+        Without `seconds` and `time`, the frame comes one period of `frame_rate` after the last. A repeated
+        frame, at the same time, adds no evidence.
 
         Parameters
         ----------
         frame
-            (height, width, 3) uint8 BGR, as OpenCV gives it, upright, of one of `frame_sizes`.
+            (height, width, 3) uint8 BGR, as OpenCV returns it, upright, in one of `frame_sizes`.
         seconds
-            Time since the last frame, at or above 0; for the first frame, which has the time 0, its duration.
+            Time since the last frame, at least 0. For the first frame, its duration; it is at time 0.
         time
-            When it was taken, in seconds of any clock that does not go back; the first frame lasts one period
-            of `frame_rate`.
+            Time of the frame in seconds, on any clock that never runs backwards. The first frame lasts one
+            period of `frame_rate`.
 
         Raises
         ------
         PlacecatError
-            If the frame is of another size or type (with `resize`, if less than half of it would be left),
-            the time is not finite or before that of the last frame, or both times are given. The frame is
-            left out then: the next one may come.
+            If the frame has another size or type (with `resize`, if less than half of it would remain), if
+            the time is not finite or earlier than the last frame, or if both times are given. The frame is
+            then skipped, and the next one can follow.
         """
         frame = self._fitted(frame)
         now, elapsed = self._moment(seconds, time)
@@ -213,15 +213,15 @@ class Categorizer:
         return decision
 
     def visits(self) -> list[Visit]:
-        """List the stays so far: runs of frames with one name, including ``unknown``, in order.
+        """List the stays so far, in order: runs of frames with one name, including ``unknown``.
 
-        A stay ends when the next begins; the last ends with the last frame. Times are those of the frames
-        after which the place was decided, so they are late by the delay.
+        A stay ends when the next begins; the last ends with the last frame. A stay starts when the decision
+        changes, so its times lag by the delay.
         """
         return self._visits.until(self._last)
 
     def _moment(self, seconds: float | None, time: float | None) -> tuple[float, float | None]:
-        """When the frame was taken, and how many seconds it lasts."""
+        """Return the time of the frame and its duration, both in seconds."""
         for given in (seconds, time):
             if given is not None and not isinstance(given, Real):
                 raise PlacecatError(f"the time of a frame is {given!r}: give it as a number of seconds")
@@ -243,7 +243,7 @@ class Categorizer:
         return time, time - self._last
 
     def _try(self) -> None:
-        """Try all parts together on a frame of noise, and forget it."""
+        """Run all parts on a frame of noise, then reset."""
         frame = np.random.default_rng(0).integers(0, 256, _TRIAL, np.uint8)
         decision = self._decide(frame, None, 0.0)
         for proba in (*decision.cues.values(), decision.integrated, decision.hmm, decision.proba):
@@ -301,7 +301,7 @@ class Categorizer:
         return self._fits[size](frame)
 
     def _describe(self, frame: NDArray[np.uint8]) -> tuple[dict[str, NDArray[Any]], dict[str, NDArray[Any]]]:
-        """Features of the frame's own and of the followed regions; the first axis has one frame."""
+        """Return the features of the new and of the tracked regions; the first axis has length 1."""
         arrays = describe_frame(frame, self._vision)
         followed: dict[str, NDArray[Any]] = {}
         if self._tracker is not None:
@@ -319,7 +319,7 @@ class Categorizer:
 
 
 def _only(vision: dict[str, Any], descriptors: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    """The settings of the vision without other descriptors."""
+    """Return the vision settings with only these descriptors."""
     wanted = {(own["kind"], own["name"]) for own in descriptors}
     wanted |= {("local", own["color"]) for own in descriptors if own.get("color")}
     return vision | {

@@ -1,4 +1,4 @@
-"""Checks of a model file beyond its objects: the card, the settings, and whether the parts fit."""
+"""Check the card and the settings of a model file, and that its parts fit together."""
 
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
@@ -12,19 +12,19 @@ from placecat.errors import PlacecatError
 from placecat.schema.base import Section
 from placecat.vision.frame import check as check_vision
 
-# Of a setting of the vision: more would need too much memory; real settings are far below.
+# Largest number in a vision setting. Larger ones need too much memory; real settings are far smaller.
 _MOST = 4096
 _SIDE = Annotated[int, Field(ge=1, le=2**14)]
 _Name = Annotated[str, StringConstraints(min_length=1, max_length=1000)]
 _Count = Annotated[int, Field(ge=0)]
 _Rate = Annotated[float, Field(gt=0, allow_inf_nan=False)]
-# Rounding may lift a probability above 1.
+# Rounding may push a probability above 1.
 _Share = Annotated[float, Field(ge=0, le=1.000001)]
 Settings = dict[str, Any]
 
 
 class TrainingFrames(Section):
-    """Numbers of training frames."""
+    """Number of training frames."""
 
     cues: _Count
     integration: _Count
@@ -42,7 +42,7 @@ class Data(Section):
 
 
 class Risk(Section):
-    """Measurements for one share of decisions that may be wrong."""
+    """Measurements for one accepted share of wrong decisions."""
 
     risk: _Share
     threshold: _Share | None
@@ -52,7 +52,7 @@ class Risk(Section):
 
 
 class Unknown(Section):
-    """When a decision is unknown, see :func:`placecat.categorizer.held_out.unknown`."""
+    """The threshold for `unknown`, see :func:`placecat.categorizer.held_out.unknown`."""
 
     risk: _Share
     threshold: _Share | None
@@ -96,7 +96,7 @@ class Vision(Section):
 
 
 class Content(Section):
-    """All but the card; objects and arrays as :mod:`placecat.categorizer.plain` writes them."""
+    """Everything except the card; :mod:`placecat.categorizer.plain` writes the objects and arrays."""
 
     vision: Vision
     tracking: Settings | None
@@ -126,14 +126,14 @@ class HolisticDescriptor(Section):
 
 
 def check_card(card: Mapping[str, Any]) -> None:
-    """Refuse a card with other fields than it should have, or of other types."""
+    """Refuse a card with missing or extra fields, or with wrong types."""
     schema.check(card, Card)
     if len(set(card["classes"])) < len(card["classes"]):
         raise PlacecatError("classes: a place is named twice")
 
 
 def check_content(content: Any) -> None:
-    """Refuse what :func:`placecat.categorizer.model_file.write` does not write."""
+    """Refuse content that :func:`placecat.categorizer.model_file.write` cannot have written."""
     if not isinstance(content, dict):
         raise PlacecatError("its content is not a mapping")
     schema.check(content, Content)
@@ -147,7 +147,7 @@ def check_content(content: Any) -> None:
 
 
 def check_system(system: TrainedSystem) -> None:
-    """Refuse parts that are for other numbers of places or cues."""
+    """Refuse parts made for a different number of places or cues."""
     n_classes, names = len(system.card["classes"]), [cue.name for cue in system.cues]
     if len(set(names)) < len(names):
         raise PlacecatError("a cue is named twice")
@@ -171,7 +171,7 @@ def check_distribution(proba: Any, n_classes: int) -> None:
 
 
 def _check_sizes(value: Any, place: str) -> None:
-    """Refuse numbers of the settings that would need too much memory."""
+    """Refuse settings whose numbers would need too much memory."""
     if isinstance(value, Mapping):
         for name, own in value.items():
             _check_sizes(own, f"{place}.{name}")

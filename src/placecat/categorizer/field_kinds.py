@@ -1,4 +1,4 @@
-"""Kinds of fields of a trained model: each refuses a value of another type, range or shape."""
+"""Kinds of fields of a trained model; each checks the type, range and shape of a value."""
 
 import math
 from collections.abc import Callable
@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-# The sizes that the fields of an object share, by a letter; the first field with a letter sets its size.
+# Letter to size, shared by the fields of an object; the first field with a letter sets its size.
 Sizes = dict[str, int]
 # Raises ValueError if a value is wrong.
 Field = Callable[[Any, Sizes], None]
@@ -14,7 +14,7 @@ _LARGE = 10**15
 
 
 def number(low: float = -_LARGE, high: float = _LARGE, *, above: float = -math.inf) -> Field:
-    """A finite number, `low` to `high`, and more than `above`."""
+    """A finite number from `low` to `high`, and greater than `above`."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if isinstance(value, bool) or not isinstance(value, int | float):
@@ -26,7 +26,7 @@ def number(low: float = -_LARGE, high: float = _LARGE, *, above: float = -math.i
 
 
 def whole(low: int = 0, high: int = _LARGE, *, side: str = "") -> Field:
-    """A whole number, which is the size of a `side` that is named."""
+    """A whole number; if `side` is given, it sets that size."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if type(value) is not int or not low <= value <= high:
@@ -44,7 +44,7 @@ def truth(value: Any, sizes: Sizes) -> None:
 
 
 def one_of(*valid: str) -> Field:
-    """One of some words."""
+    """One of the words `valid`."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if not isinstance(value, str) or value not in valid:
@@ -73,8 +73,8 @@ def array(
 ) -> Field:
     """An array; each side is a number, the letter of a size, or None for any length.
 
-    `kind` has letters of ``i``, ``u``, ``f`` and ``b``: whole numbers, floating-point numbers, truth values.
-    Values are finite, `low` to `high`, and below the size with the letter `below`; `nan` allows NaN as well.
+    `kind` consists of the NumPy letters ``i``, ``u`` (integers), ``f`` (floats) and ``b`` (booleans). Values
+    are finite, from `low` to `high`, and below the size with the letter `below`; `nan` also allows NaN.
     """
 
     def field(value: Any, sizes: Sizes) -> None:
@@ -114,7 +114,7 @@ def several(item: Field, *, least: int = 0, side: str = "") -> Field:
 
 
 def by_number(item: Field) -> Field:
-    """A mapping from whole numbers."""
+    """A mapping whose keys are whole numbers."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if not isinstance(value, dict) or not all(type(key) is int for key in value):
@@ -126,7 +126,7 @@ def by_number(item: Field) -> Field:
 
 
 def anything(value: Any, sizes: Sizes) -> None:
-    """A field that no prediction reads."""
+    """Accept any value: predictions do not read this field."""
 
 
 def mapping(value: Any, sizes: Sizes) -> None:
@@ -136,7 +136,7 @@ def mapping(value: Any, sizes: Sizes) -> None:
 
 
 def having(*methods: str) -> Field:
-    """An object of a model that has these methods; it is checked separately."""
+    """A model object with these methods; its attributes are checked separately."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if not all(callable(getattr(value, name, None)) for name in methods):
@@ -151,6 +151,6 @@ def _same(length: int, side: str, sizes: Sizes) -> None:
 
 
 def _short(value: Any) -> str:
-    # A whole number may have more digits than Python writes.
+    # An integer may have more digits than Python converts to text.
     said = repr(value) if not isinstance(value, int) or abs(value) < _LARGE else "a very large number"
     return said if len(said) < 80 else f"{said[:80]}..."

@@ -35,7 +35,7 @@ from placecat.learning.two_class import SIGMOID_WEIGHTS, SIGMOIDS
 
 
 def check(class_name: str, state: Mapping[str, Any]) -> None:
-    """Refuse attributes that do not fit a class, such as ``NuSVM``, or one another.
+    """Refuse attributes that do not fit the class, such as ``NuSVM``, or each other.
 
     The PlacecatError names the class and the attribute.
     """
@@ -44,7 +44,7 @@ def check(class_name: str, state: Mapping[str, Any]) -> None:
         return
     different = sorted(set(fields) ^ set(state))
     if different:
-        raise PlacecatError(f"a {class_name} has other attributes than it should ({', '.join(different)})")
+        raise PlacecatError(f"a {class_name} has wrong attributes ({', '.join(different)})")
     sizes: Sizes = {}
     for name, field in fields.items():
         try:
@@ -53,7 +53,7 @@ def check(class_name: str, state: Mapping[str, Any]) -> None:
             raise PlacecatError(f"{name} of a {class_name} {error}") from None
     relation = RELATIONS.get(class_name)
     if relation is not None and not relation(state, sizes):
-        raise PlacecatError(f"the attributes of a {class_name} do not fit one another")
+        raise PlacecatError(f"the attributes of a {class_name} do not match")
 
 
 _CUE = having("predict_proba")
@@ -65,7 +65,7 @@ def _probabilities(*sides: str) -> Field:
 
 
 def _classes(value: Any, sizes: Sizes) -> None:
-    """All class numbers, since they are the columns of probabilities."""
+    """Require the class numbers 0, 1, ..., K - 1, since they index columns of probabilities."""
     array("iu", "K")(value, sizes)
     if not np.array_equal(value, np.arange(len(value))):
         raise ValueError("are not the numbers from 0")
@@ -249,7 +249,7 @@ def _are_distributions(rows: Any) -> bool:
 
 def _fit_tree(state: Mapping[str, Any], sizes: Sizes) -> bool:
     branching, splits, nodes = state["branching"], sizes["S"], np.arange(sizes["S"])
-    # A node is split after it was made, and once.
+    # A node is split once, after it was created.
     made = (state["split_nodes_"] < 1 + branching * nodes).all()
     return bool(
         sizes["N"] == 1 + branching * splits
@@ -280,7 +280,7 @@ def _fit_pairs(state: Mapping[str, Any], sizes: Sizes) -> bool:
     )
 
 
-# Relations beyond equal sides.
+# Relations between attributes, beyond equal sides.
 RELATIONS: dict[str, Callable[[Mapping[str, Any], Sizes], bool]] = {
     "SmoothingModel": lambda state, _: all(
         _are_distributions(state[name]) for name in ("transition", "emission")

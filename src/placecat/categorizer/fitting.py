@@ -1,4 +1,4 @@
-"""Cut and scale frames to a size that the model knows."""
+"""Crop and scale frames to a size that the model knows."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,22 +11,22 @@ from placecat.errors import PlacecatError
 
 Size = tuple[int, int]
 LEAST = 0.5
-"""Share of a frame that has to be left after cutting; less would be another view."""
+"""Share of a frame that must remain after cropping; less would be a different view."""
 
 
 @dataclass(frozen=True)
 class Fit:
-    """How frames are cut and scaled: (width, height) of the footage, of the kept middle, of the result."""
+    """How to crop and scale frames: (width, height) of the footage, of the centre crop, of the result."""
 
     source: Size
     kept: Size
     target: Size
 
     def __call__(self, frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
-        """Cut and scale a frame, (H, W, 3) uint8, to (H', W', 3) of the size `target`.
+        """Crop and scale a frame, (H, W, 3) uint8, to (H', W', 3) of the size `target`.
 
-        A frame of another size than `source`, where a phone was turned, is cut to its middle of the shape of
-        `target`. A frame of the size `target` is returned itself.
+        A frame whose size differs from `source` (a turned phone) is cropped at its centre to the aspect ratio
+        of `target`. A frame that already has the size `target` is returned unchanged.
         """
         size = (frame.shape[1], frame.shape[0])
         if size != self.source:
@@ -35,7 +35,7 @@ class Fit:
             return frame
         left, top = ((have - keep) // 2 for have, keep in zip(self.source, self.kept, strict=True))
         middle = frame[top : top + self.kept[1], left : left + self.kept[0]]
-        # INTER_AREA averages when it makes smaller, but repeats pixels when it makes larger.
+        # INTER_AREA averages pixels to reduce a frame, but repeats them to enlarge it.
         method = cv2.INTER_AREA if self.target[0] <= self.kept[0] else cv2.INTER_LINEAR
         return cv2.resize(middle, self.target, interpolation=method)  # type: ignore[return-value]
 
@@ -45,7 +45,7 @@ class Fit:
 
 
 def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
-    """Choose how frames of footage are cut and scaled to a size that the model knows.
+    """Choose how to crop and scale frames to a size that the model knows.
 
     Parameters
     ----------
@@ -54,13 +54,13 @@ def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
     known
         The model's sizes, at least one.
     resize
-        Whether other sizes may be made to fit: the frame is scaled, and cut to its middle if its aspect ratio
-        differs. The chosen size keeps most of the frame; of several, it is the nearest.
+        Whether to fit other sizes: the frame is scaled, and cropped at its centre if its aspect ratio
+        differs. The chosen size keeps most of the frame; among equals, the nearest size wins.
 
     Raises
     ------
     PlacecatError
-        For another size without `resize`, or if cutting would leave less than half of the frame.
+        For another size without `resize`, or if less than half of the frame would remain.
     """
     if source in known:
         return Fit(source, source, source)
@@ -82,7 +82,7 @@ def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
 
 
 def _middle(source: Size, target: Size) -> Size:
-    """The largest part with the shape of `target`; a difference below one percent is not cut."""
+    """Return the size of the largest part with the aspect ratio of `target`; ignore differences below 1 %."""
     width = min(source[0], round(source[1] * target[0] / target[1]))
     height = min(source[1], round(source[0] * target[1] / target[0]))
     if width >= 0.99 * source[0] and height >= 0.99 * source[1]:

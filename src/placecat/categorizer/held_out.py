@@ -1,4 +1,4 @@
-"""Decisions in homes that a system has not seen, by systems of the same settings that left each out."""
+"""Measure a system in unseen homes: train it again without each home, and apply it there."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -14,12 +14,12 @@ from placecat.training import plan as plans
 from placecat.training import protocol
 from placecat.training import system as systems
 
-# Home to its (frames, n_classes) distributions after the delay.
+# Home to (frames, n_classes) distributions after the delay.
 HeldOut = Mapping[str, NDArray[np.float64]]
 
 
 def of_stages(params: Mapping[str, Any], name: str, seed: int) -> HeldOut:
-    """Read the output of the stage `smoothing` for a system in each tested home."""
+    """Read the output of the stage `smoothing` for a system, in each test home."""
     homes = protocol.tested_homes(
         settings.get(params, "dataset.homes"), settings.get(params, "protocol.test_homes")
     )
@@ -28,9 +28,10 @@ def of_stages(params: Mapping[str, Any], name: str, seed: int) -> HeldOut:
 
 
 def by_training(params: Mapping[str, Any], name: str, without: Sequence[str], seed: int) -> HeldOut:
-    """For each home that is not in `without`, train the system `name` without it, and apply it there.
+    """Train the system `name` once without each home that is not in `without`, and apply it to that home.
 
-    With no home in `without` it gives the outputs of the stages, to the bit; with too few homes, nothing.
+    If `without` is empty, the outputs equal the stages' outputs bit for bit. With too few homes the result is
+    empty.
     """
     homes = [home for home in settings.get(params, "dataset.homes") if home not in without]
     scheme = settings.get(params, f"systems.{name}.scheme")
@@ -45,7 +46,7 @@ def by_training(params: Mapping[str, Any], name: str, without: Sequence[str], se
 
 
 def accuracies(held_out: HeldOut) -> dict[str, float]:
-    """Percent in each home, the mean over its places (thesis 4.2)."""
+    """Return the accuracy in percent of each home, the mean over its places (thesis 4.2)."""
     return {
         home: round(
             home_accuracy(confusion_matrix(read_labels(home), proba.argmax(axis=1), proba.shape[1])), 2
@@ -55,21 +56,22 @@ def accuracies(held_out: HeldOut) -> dict[str, float]:
 
 
 def unknown(held_out: HeldOut, chosen: float, shown: Sequence[float]) -> dict[str, Any] | None:
-    """Choose below which confidence a decision is unknown.
+    """Choose the confidence below which a decision is unknown.
 
     Parameters
     ----------
     chosen
-        The share of decisions that may be wrong.
+        Accepted share of wrong decisions.
     shown
-        Further shares to measure.
+        Other shares to measure.
 
     Returns
     -------
     dict
-        For the card: ``risk``, `chosen`; ``threshold``, None if no confidence is enough; ``measured``, for
-        each share its ``threshold``, and ``coverage``, ``wrong`` and ``worst`` of homes whose threshold the
-        others chose (:class:`placecat.evaluation.selection.Selection`). None without two homes to measure.
+        For the card. ``risk``: `chosen`. ``threshold``: None if no confidence is high enough. ``measured``:
+        for each share its ``threshold``, and ``coverage``, ``wrong`` and ``worst``, measured in each home
+        with the threshold of the other homes (:class:`placecat.evaluation.selection.Selection`). Returns
+        None if there are fewer than two homes.
     """
     homes = {home: decided(read_labels(home), proba) for home, proba in held_out.items()}
     if len(homes) < 2:

@@ -1,4 +1,4 @@
-"""One file for a trained system: an archive of JSON and arrays, with a card that people can read."""
+"""Model files: archives of JSON and arrays for one trained system, with a readable card."""
 
 import json
 import zipfile
@@ -21,7 +21,7 @@ _CARD, _TEXT, _SYSTEM = "card.json", "card.md", "system.json"
 
 
 def write(path: Path, system: TrainedSystem) -> None:
-    """Write a trained system; the same system gives the same bytes."""
+    """Write a trained system; equal systems produce equal bytes."""
     arrays: list[np.ndarray] = []
     content = {
         "vision": system.vision,
@@ -48,7 +48,7 @@ def write(path: Path, system: TrainedSystem) -> None:
 
 
 def is_model(path: Path) -> bool:
-    """Whether a file says that it is a trained system, of any version, whole or damaged."""
+    """Return whether a file looks like a trained system of any version, even if damaged."""
     try:
         with zipfile.ZipFile(path) as file:
             return _CARD in file.namelist()
@@ -57,9 +57,9 @@ def is_model(path: Path) -> bool:
 
 
 def read(path: Path) -> TrainedSystem:
-    """Read a trained system. Nothing in the file is executed, and nothing is built before it is checked.
+    """Read a trained system. The file cannot execute code, and its content is checked before use.
 
-    Raises PlacecatError if the file is missing, damaged, not a model, of another version, or not readable.
+    Raises PlacecatError if the file is missing, unreadable, damaged, not a model, or of another version.
     """
     with archive.opened(path) as members:
         card = _json(members, _CARD)
@@ -79,7 +79,7 @@ def read(path: Path) -> TrainedSystem:
             integrator = from_plain(content["integrator"], arrays)
             smoothing = from_plain(content["smoothing"], arrays)
             if not isinstance(integrator, Integrator) or not isinstance(smoothing, SmoothingModel):
-                raise PlacecatError("its parts are of other kinds")
+                raise PlacecatError("its parts have the wrong types")
             system = TrainedSystem(card, content["vision"], content["tracking"], cues, integrator, smoothing)
             checks.check_system(system)
         except (PlacecatError, RecursionError) as error:
@@ -120,5 +120,5 @@ def _check_version(path: Path, members: archive.Archive, card: Any) -> None:
 
 
 def _series(version: str) -> list[str]:
-    """Features and models keep their meaning within a minor version."""
+    """Return major and minor version; features and models keep their meaning within these."""
     return version.split(".")[:2]

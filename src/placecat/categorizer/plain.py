@@ -1,7 +1,7 @@
-"""Trained models as JSON and arrays, and back, without pickle.
+"""Convert trained models to JSON and arrays, and back, without pickle.
 
-A model consists of its attributes: numbers, text, arrays, containers of these, and objects of classes that
-`placecat.learning`, `placecat.cues` and `placecat.fusion` define. No code is called to rebuild one.
+The attributes of a model are numbers, text, arrays, containers of these, and objects of classes in
+`placecat.learning`, `placecat.cues` and `placecat.fusion`. Rebuilding a model calls no code of these classes.
 """
 
 import math
@@ -16,15 +16,15 @@ from placecat.categorizer import fields
 from placecat.errors import PlacecatError
 
 _PACKAGES = (learning, cues, fusion)
-# The key of a mapping that stands for a type that JSON lacks.
+# A mapping with this key represents a type that JSON lacks.
 _KIND = "$"
 
 
 def to_plain(value: Any, arrays: list[NDArray[Any]]) -> Any:
-    """Write a value as JSON types; arrays are appended to `arrays`, and referred to by their index.
+    """Convert a value to JSON types; arrays are appended to `arrays` and replaced by their index.
 
-    Attributes that a class lists as ``TRAINING_ONLY`` are left out. Raises TypeError for a value that is, or
-    holds, anything but the parts of a model.
+    Attributes that a class lists as ``TRAINING_ONLY`` are omitted. Raises TypeError for any value that cannot
+    be part of a model.
     """
     if value is None or isinstance(value, bool | int | str):
         return value
@@ -51,7 +51,7 @@ def to_plain(value: Any, arrays: list[NDArray[Any]]) -> Any:
 
 
 def from_plain(plain: Any, arrays: Sequence[NDArray[Any]]) -> Any:
-    """Inverse of :func:`to_plain`; a PlacecatError for parts that a model cannot hold, or that do not fit."""
+    """Invert :func:`to_plain`. Raises PlacecatError for values that cannot be part of a model."""
     if plain is None or isinstance(plain, bool | int | float | str):
         return plain
     if isinstance(plain, list):
@@ -64,7 +64,7 @@ def from_plain(plain: Any, arrays: Sequence[NDArray[Any]]) -> Any:
             index = plain["index"]
             if type(index) is not int or not 0 <= index < len(arrays):
                 raise PlacecatError(
-                    f"a part of the model is array {index!r}, of which there are {len(arrays)}"
+                    f"a part of the model is array {index!r}, but there are {len(arrays)} arrays"
                 )
             array = arrays[index]
             return array if kind == "array" else array[()]
@@ -88,16 +88,16 @@ def _rebuild(name: str, state: dict[str, Any]) -> Any:
     if kind is None:
         raise PlacecatError(f"a part of the model is a {name}, which this version of placecat does not have")
     if not all(attribute.isidentifier() and not attribute.startswith("__") for attribute in state):
-        raise PlacecatError(f"a part of the model, a {name}, has an attribute that cannot be one")
+        raise PlacecatError(f"a part of the model, a {name}, has an invalid attribute name")
     fields.check(kind.__name__, state)
     rebuilt: Any = object.__new__(kind)
-    # Past __setattr__, which frozen classes refuse.
+    # Bypass __setattr__, which frozen classes refuse.
     rebuilt.__dict__.update(state)
     return rebuilt
 
 
 def _classes(module_name: str) -> dict[str, type]:
-    """Classes that a module of the allowed packages defines itself, by ``module:name``."""
+    """Map ``module:name`` to the classes that a module of the allowed packages defines."""
     package, _, name = module_name.rpartition(".")
     if package not in {allowed.__name__ for allowed in _PACKAGES} or name not in lookup.names(package):
         return {}

@@ -1,4 +1,4 @@
-"""Train a system for other footage, on homes whose features the stages have computed."""
+"""Train a system for new footage, on homes whose features the stages have computed."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -17,20 +17,21 @@ from placecat.training.integration import fused_parts
 
 
 def train_command(system: str | None, without: Sequence[str], seed: int | None, output: Path | None) -> int:
-    """Train a system, measure it in homes that it has not seen, and write it: `placecat train`.
+    """Train a system, measure it in unseen homes, and write it to a file: `placecat train`.
 
-    Returns 0; mistakes raise PlacecatError.
+    Returns 0; user errors raise PlacecatError.
 
     Parameters
     ----------
     system
-        One of conf/system; None for ``model.system``.
+        A system of conf/system; None for ``model.system``.
     without
-        Homes that are left out of all training.
+        Homes to leave out of all training.
     seed
         One of ``protocol.seeds``; None for ``model.seed``.
     output
-        None for data/model.placecat, or data/models/SYSTEM-without-HOME.placecat with a home left out.
+        The model file. None for data/model.placecat or, if any other option is given, a file in data/models
+        named after the options, such as SYSTEM-without-HOME.placecat.
     """
     params = settings.load()
     name = system if system is not None else str(settings.get(params, "model.system"))
@@ -62,20 +63,20 @@ def train_command(system: str | None, without: Sequence[str], seed: int | None, 
 def train(
     params: Mapping[str, Any], name: str, *, without: Sequence[str] = (), seed: int | None = None
 ) -> TrainedSystem:
-    """Train a system on all homes, or on all but some.
+    """Train a system on all homes except `without`.
 
-    Without one home it equals the system that the stages apply to that home, to the bit. Its card has no
-    measurements, see :func:`measured`. Raises PlacecatError for an unknown system, home or seed, for too few
-    homes, and for features that were not computed.
+    Without one home, the system equals the one that the stages apply to that home, bit for bit. Its card has
+    no measurements; :func:`measured` adds them. Raises PlacecatError for an unknown system, home or seed, for
+    too few homes, and for missing features.
 
     Parameters
     ----------
     params
         All settings.
     name
-        Of the system.
+        Name of the system.
     without, seed
-        As for :func:`train_command`.
+        As in :func:`train_command`.
     """
     seed = int(settings.get(params, "model.seed")) if seed is None else seed
     seeds = settings.get(params, "protocol.seeds")
@@ -91,7 +92,7 @@ def train(
 def assemble(
     params: Mapping[str, Any], system: systems.System, trained: systems.Trained, card: dict[str, Any]
 ) -> TrainedSystem:
-    """Join the trained parts of a system, its settings of the vision, and its card."""
+    """Join the trained parts of a system, its vision settings, and its card."""
     sections = {section: settings.get(params, section) for section in ("attention", "regions", "information")}
     cues = tuple(TrainedCue(cue, dict(own.descriptor), own.model) for cue, own in trained.cues.items())
     return TrainedSystem(
@@ -105,7 +106,7 @@ def assemble(
 
 
 def measured(system: TrainedSystem, params: Mapping[str, Any], decisions: held_out.HeldOut) -> TrainedSystem:
-    """Add measurements to the card of a system, from decisions of like systems in homes they had not seen."""
+    """Add measurements to the card, from decisions of equally configured systems in unseen homes."""
     risk, shown = (settings.get(params, f"model.{setting}") for setting in ("risk", "risks_shown"))
     facts = {
         "accuracy": held_out.accuracies(decisions),

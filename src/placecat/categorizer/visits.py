@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 UNKNOWN = "unknown"
-"""Name of a decision that is not sure enough."""
+"""Name of a decision whose confidence is too low."""
 
 
 @dataclass(frozen=True)
@@ -13,13 +13,13 @@ class Visit:
     Attributes
     ----------
     place
-        Its name; `UNKNOWN` if no decision was sure enough.
+        Name of the place, or `UNKNOWN`.
     start, end
-        Seconds at which its first frame came, and the first one after it.
+        Time in seconds of its first frame, and of the first frame after it.
     confidence
-        Mean of its frames.
+        Mean confidence of its frames.
     frames
-        How many there were, at least 1.
+        Number of frames, at least 1.
     """
 
     place: str
@@ -30,13 +30,13 @@ class Visit:
 
 
 class VisitLog:
-    """Collects stays frame by frame; it grows with the stays, not with the frames."""
+    """Collects stays frame by frame; memory grows with the stays, not with the frames."""
 
     def __init__(self) -> None:
         self._visits: list[Visit] = []
 
     def add(self, place: str, confidence: float, seconds: float, *, begins: bool = False) -> None:
-        """Take the next frame: its place's name, its confidence, its time, and whether a cut precedes it."""
+        """Add a frame: name of its place, confidence, time in seconds, and whether a cut precedes it."""
         if begins or not self._visits or self._visits[-1].place != place:
             self._visits = [*self.until(seconds), Visit(place, seconds, seconds, confidence, 1)]
             return
@@ -46,7 +46,7 @@ class VisitLog:
         self._visits[-1] = replace(last, confidence=mean, frames=count)
 
     def until(self, seconds: float | None) -> list[Visit]:
-        """List the stays, the last of which ends at this time."""
+        """List the stays; the last one ends at `seconds`."""
         if not self._visits or seconds is None:
             return []
         return [*self._visits[:-1], replace(self._visits[-1], end=seconds)]

@@ -1,4 +1,4 @@
-"""Where loops run: on this machine or on a Dask cluster, by the settings `compute`."""
+"""Choose where loops run: on this machine or on a Dask cluster, from the settings `compute`."""
 
 import os
 from collections.abc import Iterator
@@ -12,18 +12,18 @@ if TYPE_CHECKING:
     from placecat.compute.connection import Cluster
 
 KINDS = ("local", "dask")
-# On one machine; more is a typing error.
+# Largest number of workers on one machine; a larger number is probably a typo.
 _MOST_WORKERS = 1024
 
 
 class _Choice:
-    """The choice of params.yaml, read when a loop first asks, since many stages have no loop."""
+    """The choice in params.yaml, read at the first loop because many stages have no loop."""
 
     @cached_property
     def cluster(self) -> "Cluster | None":
         from placecat import settings
 
-        # Older settings without `compute` mean this machine.
+        # Older settings lack `compute`; they use this machine.
         options = dict(settings.load().get("compute", {"kind": "local"}))
         kind = options.pop("kind", None)
         if kind not in KINDS:
@@ -47,7 +47,7 @@ _choice: _Choice | None = None
 
 @contextmanager
 def as_set() -> Iterator[None]:
-    """Run the loops of a block where params.yaml says; the end of the block disconnects from a cluster."""
+    """Run the loops of a block where params.yaml says; disconnect from a cluster at its end."""
     global _choice
     before, _choice = _choice, _Choice()
     try:
@@ -58,22 +58,22 @@ def as_set() -> Iterator[None]:
 
 
 def local_workers() -> int:
-    """Worker processes on this machine: the environment variable PLACECAT_WORKERS, else its cores.
+    """Return the number of worker processes on this machine: PLACECAT_WORKERS, or else the number of cores.
 
-    It is not a setting of params.yaml, since no result depends on it. Raises PlacecatError if it is not a
-    positive whole number.
+    This is an environment variable, not a setting in params.yaml, because results do not depend on it. Raises
+    PlacecatError unless it is a whole number from 1 to 1024.
     """
     wanted = wanted_workers()
     if wanted is not None:
         return wanted
-    # Late, since it imports NumPy.
+    # Imported late: it imports NumPy.
     from joblib import cpu_count
 
     return int(cpu_count())
 
 
 def wanted_workers() -> int | None:
-    """The value of PLACECAT_WORKERS, see :func:`local_workers`; None if unset or empty."""
+    """Return the value of PLACECAT_WORKERS, see :func:`local_workers`; None if unset or empty."""
     value = os.environ.get("PLACECAT_WORKERS", "").strip()
     if not value:
         return None
@@ -86,5 +86,5 @@ def wanted_workers() -> int | None:
 
 
 def cluster() -> "Cluster | None":
-    """Return the cluster that loops run on, None for this machine; errors as for its `Cluster`."""
+    """Return the cluster that runs loops, or None for this machine; errors as for `Cluster`."""
     return None if _choice is None else _choice.cluster

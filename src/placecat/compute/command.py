@@ -1,4 +1,4 @@
-"""``placecat worker``: worker processes of a Dask cluster that give the same bits as this machine."""
+"""The command ``placecat worker``: Dask workers that compute the same bits as this machine."""
 
 import importlib.util
 import os
@@ -9,17 +9,17 @@ from typing import NoReturn
 from placecat import compute
 from placecat.errors import PlacecatError
 
-# By default Dask's workers return freed memory at once, and describing a frame takes twice as long. See
-# placecat.vision.memory, whose method has no effect if these are set.
+# By default, Dask workers return freed memory at once, which doubles the time to describe a frame. These
+# variables override placecat.vision.memory.
 _MEMORY = {"MALLOC_TRIM_THRESHOLD_": str(64 << 20), "MALLOC_MMAP_THRESHOLD_": str(32 << 20)}
 
 
 def worker_command(scheduler: str, options: Sequence[str]) -> NoReturn:
-    """Become distributed's ``dask worker`` with processes of one thread each, by default one per core.
+    """Replace this process by ``dask worker``, with single-threaded processes, by default one per core.
 
-    The import of placecat.stages has chosen the kernels of OpenBLAS, in the environment. `scheduler` is its
-    address; `options` are further ones of ``dask worker``, e.g. ``["--nworkers", "4"]``. Raises PlacecatError
-    if Dask is not installed.
+    Importing placecat.stages has already chosen the OpenBLAS kernels through the environment. `scheduler` is
+    an address; `options` are additional options of ``dask worker``, e.g. ``["--nworkers", "4"]``. Raises
+    PlacecatError if Dask is not installed.
     """
     if importlib.util.find_spec("distributed") is None:
         raise PlacecatError(

@@ -1,4 +1,4 @@
-"""Connection to a Dask cluster whose workers give the same bits as this machine."""
+"""Connect to a Dask cluster whose workers compute the same bits as this machine."""
 
 import asyncio
 import contextlib
@@ -20,12 +20,12 @@ _SECONDS_BETWEEN_LOOKS = 1.0
 
 
 class Cluster:
-    """Runs tasks on the Dask cluster of a scheduler's address, e.g. ``tcp://10.0.0.1:8786``.
+    """Run tasks on the Dask cluster of a scheduler.
 
-    `wait` is how many seconds to wait for the scheduler, for a first worker, and for another one when all
-    have gone. `may_differ` are items of :func:`placecat.compute.fingerprint.fingerprint` that may differ from
-    this process. Raises PlacecatError if Dask is not installed, no scheduler answers, or there is no worker
-    or an unfit one.
+    `scheduler` is an address, e.g. ``tcp://10.0.0.1:8786``. `wait` is the time in seconds to wait for the
+    scheduler, for a first worker, and for a new worker after all have gone. `may_differ` lists the items of
+    :func:`placecat.compute.fingerprint.fingerprint` that may differ from this process. Raises PlacecatError
+    if Dask is not installed, no scheduler answers, or workers are missing or unfit.
     """
 
     def __init__(self, *, scheduler: str, wait: float = 30, may_differ: Sequence[str] = ()) -> None:
@@ -53,7 +53,7 @@ class Cluster:
             raise
 
     def _check_workers(self) -> None:
-        """Refuse unfit workers before anything is computed; each task checks those that join later."""
+        """Refuse unfit workers before the first task; tasks check workers that join later."""
         scheduler = self._expected.scheduler
         try:
             self._client.wait_for_workers(1, timeout=self._wait)
@@ -69,28 +69,28 @@ class Cluster:
             if isinstance(said, Exception):
                 raise PlacecatError(
                     f"worker {address} cannot run placecat ({type(said).__name__}: {said}): start it with "
-                    f"`placecat worker {scheduler}`, from an environment as this one"
+                    f"`placecat worker {scheduler}`, in an environment like this one"
                 )
             if said is not None:
                 raise PlacecatError(said)
 
     def workers(self) -> int:
-        """Number of worker processes; each does one task at a time."""
+        """Return the number of worker processes; each runs one task at a time."""
         return max(1, len(self._client.ncores()))
 
     def run(self, function: Callable[..., Any], tasks: Iterable[tuple[Any, ...]]) -> Iterator[Any]:
         """Call ``function(*task)`` on the cluster for every task; yield the results in the order of `tasks`.
 
         If a worker dies, others take over its tasks. Closing the iterator cancels the rest. Raises the
-        PlacecatError of a task, or one if the scheduler or all workers are gone, or several workers died of a
-        task.
+        PlacecatError of a task, or a PlacecatError if the scheduler or all workers are gone, or if a task
+        killed several workers.
         """
         import cloudpickle
 
         calls = [cloudpickle.dumps((function, task)) for task in tasks]
-        # All at once, so that later workers find some. Impure, so that equal calls are all made.
+        # Send all tasks at once, so workers that join later get some. Dask would merge equal pure calls.
         sent = self._client.map(perform, [self._expected] * len(calls), calls, pure=False)
-        # Workers forget a result once its future is dropped here.
+        # Workers free a result once its future is dropped here.
         left = {future.key: future for future in sent}
         del sent
         ended: queue.SimpleQueue[Any] = queue.SimpleQueue()
@@ -109,12 +109,12 @@ class Cluster:
                 self._client.cancel(list(left.values()))
 
     def _next(self, ended: "queue.SimpleQueue[Any]") -> Any:
-        """Wait for a task to end, but give up after too long without a worker."""
+        """Wait for a task to end; give up after `wait` seconds without a worker."""
         patience = self._wait
         while True:
             with contextlib.suppress(queue.Empty):
                 return ended.get(timeout=_SECONDS_BETWEEN_LOOKS)
-            # If the scheduler has gone, the client itself notices, and cancels all tasks.
+            # If the scheduler is gone, the client notices and cancels all tasks.
             with contextlib.suppress(OSError):
                 patience = self._wait if self._client.ncores() else patience - _SECONDS_BETWEEN_LOOKS
             if patience <= 0:
@@ -124,16 +124,16 @@ class Cluster:
                 )
 
     def close(self) -> None:
-        """Disconnect: the scheduler drops the remaining tasks of this process."""
+        """Disconnect; the scheduler then drops the remaining tasks of this process."""
         self._mark.unlink(missing_ok=True)
         with contextlib.suppress(OSError):
-            # Another stage may be running.
+            # Another stage may still use the folder; rmdir then fails.
             self._mark.parent.rmdir()
         self._client.close()
 
 
 def _result(future: Any) -> bytes:
-    """The result of a task; raises the task's exception, or why it has no result."""
+    """Return the result of a task; raise its exception, or a PlacecatError that says why it has no result."""
     from distributed import KilledWorker
 
     if future.status not in ("finished", "error"):
@@ -145,7 +145,7 @@ def _result(future: Any) -> bytes:
         last = getattr(error.last_worker, "address", error.last_worker)
         raise PlacecatError(
             f"{error.allowed_failures + 1} workers died of the same task, the last one {last}: their logs "
-            "say why; if memory ran out, start fewer on a machine (--nworkers N of `placecat worker`)"
+            "say why; if memory ran out, start fewer per machine (--nworkers N of `placecat worker`)"
         ) from None
 
 
@@ -158,17 +158,17 @@ def _distributed() -> Any:
         raise PlacecatError(
             f"compute=dask needs the optional extra ({error.name} is missing): pip install -e '.[dask]'"
         ) from None
-    # Each problem is reported once, by a PlacecatError.
+    # A PlacecatError reports each problem once.
     for name in ("distributed", "distributed.client"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
-    # The arguments of tasks are small enough for the scheduler.
+    # Do not warn about the size of arguments: the scheduler can handle it.
     dask.config.set({"distributed.admin.large-graph-warning-threshold": "1 GiB"})
     return Client
 
 
 def _connect(client: Any, scheduler: str, wait: float) -> Any:
     try:
-        # Checked first, since the client would wait for ever for a server of another kind.
+        # Check first: the client would wait forever for a server of another kind.
         kind = asyncio.run(_kind(scheduler, wait))
         if kind != "Scheduler":
             raise ValueError(f"there is a {kind}")
@@ -182,10 +182,10 @@ def _connect(client: Any, scheduler: str, wait: float) -> Any:
 
 
 async def _kind(address: str, wait: float) -> str:
-    """The kind of Dask server at an address, e.g. ``Scheduler``."""
+    """Return the kind of Dask server at an address, e.g. ``Scheduler``."""
     from distributed import Security, rpc
 
-    # Certificates of tls:// addresses come from Dask's own configuration.
+    # Certificates for tls:// addresses come from the Dask configuration.
     secured = Security().get_connection_args("client")
     async with asyncio.timeout(wait), rpc(address, timeout=wait, connection_args=secured) as server:
         return str((await server.identity())["type"])

@@ -1,4 +1,4 @@
-"""Fingerprint of everything else that results depend on to the bit: code, versions, kernels, processor."""
+"""Fingerprint of the environment that affects the bits of results: code, versions, kernels, processor."""
 
 import hashlib
 import platform
@@ -8,18 +8,18 @@ from pathlib import Path
 
 import placecat
 
-# Packages that compute results, or that transfer tasks and results as pickles.
+# Packages that compute results, or that pickle tasks and results.
 PACKAGES = ("numpy", "scipy", "scikit-learn", "pandas", "joblib", "distributed")
 
 
 @cache
 def fingerprint() -> dict[str, str]:
-    """Describe this process's environment, once: imported modules stay, whatever happens to their files.
+    """Describe the environment of this process, once: later changes of files do not affect loaded modules.
 
-    Returns item to state. ``placecat`` has a digest of the code; ``BLAS`` the kernels that NumPy, SciPy and
-    OpenCV have chosen; ``processor`` the vector instructions that NumPy and OpenCV use.
+    Returns item to state. ``placecat`` includes a digest of the code, ``BLAS`` the kernels chosen by NumPy,
+    SciPy and OpenCV, and ``processor`` the vector instructions used by NumPy and OpenCV.
     """
-    # Late, since PACKAGES alone needs no OpenCV.
+    # Imported late: PACKAGES alone does not need OpenCV.
     import cv2
     import numpy as np
     import scipy.linalg  # noqa: F401  loads SciPy's BLAS
@@ -44,7 +44,7 @@ def fingerprint() -> dict[str, str]:
 
 
 def _digest(folder: Path) -> str:
-    """Eight hex digits for all modules in a folder."""
+    """Return a digest of all modules in a folder, eight hex digits."""
     digest = hashlib.sha256()
     for path in sorted(folder.rglob("*.py")):
         digest.update(f"{path.relative_to(folder).as_posix()}\0".encode())
@@ -53,6 +53,6 @@ def _digest(folder: Path) -> str:
 
 
 def _used(features: str) -> str:
-    """Instructions in OpenCV's list that this processor has; the others end with "?"."""
+    """Return the instructions in OpenCV's list that this processor has; the others end with "?"."""
     dispatched = [name[1:] for name in features.split() if name.startswith("*")]
     return " ".join(name for name in dispatched if not name.endswith("?")) or "baseline"

@@ -1,4 +1,4 @@
-"""Tasks of a cluster's worker, and the check that it gives the same bits as any other."""
+"""Run tasks on a worker of a cluster, after a check that it computes the same bits as other workers."""
 
 import contextlib
 import pickle
@@ -10,7 +10,7 @@ from typing import Any
 from placecat.compute.fingerprint import fingerprint
 from placecat.errors import PlacecatError
 
-# Marks of project folders already found.
+# Marks that this worker has already seen.
 _seen: set[str] = set()
 
 
@@ -18,9 +18,9 @@ _seen: set[str] = set()
 class Expected:
     """Requirements of a worker.
 
-    `folder` is the absolute path of the project's folder, and `mark` the path from there of a file that
-    exists as long as the stage runs. `items` are those of :func:`placecat.compute.fingerprint.fingerprint`,
-    of which `may_differ` need not be the same. `scheduler` is its address, for the message.
+    `folder` is the absolute path of the project folder. `mark` is a file in it, as a relative path, that
+    exists while the stage runs. `items` come from :func:`placecat.compute.fingerprint.fingerprint`; the items
+    in `may_differ` may differ. `scheduler` is its address, for messages.
     """
 
     scheduler: str
@@ -31,7 +31,7 @@ class Expected:
 
 
 def objection(expected: Expected, dask_worker: Any = None) -> str | None:
-    """Return why this worker (of distributed) must not compute, with the remedy; None if it may."""
+    """Return why this distributed worker must not compute, and the remedy; None if it may."""
     if dask_worker is None:
         from distributed import get_worker
 
@@ -40,7 +40,7 @@ def objection(expected: Expected, dask_worker: Any = None) -> str | None:
     start = f"`placecat worker {expected.scheduler}`"
     threads = dask_worker.state.nthreads
     if threads != 1:
-        # The folder and the number of threads of BLAS belong to the process.
+        # All threads of a process share its folder and its number of BLAS threads.
         return f"{name} has {threads} threads, but must have one: start it with {start}"
     here = fingerprint()
     different = [
@@ -64,10 +64,10 @@ def objection(expected: Expected, dask_worker: Any = None) -> str | None:
 
 
 def perform(expected: Expected, call: bytes) -> bytes:
-    """Do one task, a pickle of a function and the tuple of its arguments, in the project's folder.
+    """Run one task, a pickled function and its arguments as a tuple, in the project folder.
 
-    Every task checks what is expected, since workers may join while a stage runs; an unfit worker raises
-    PlacecatError. The result is a pickle: unpickled it is writable, unlike Dask's own arrays.
+    Every task checks the worker, since workers may join while a stage runs; an unfit worker raises
+    PlacecatError. The result is pickled: unpickled arrays are writable, unlike those that Dask transfers.
     """
     import cloudpickle
     from joblib import parallel_config

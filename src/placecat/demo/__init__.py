@@ -1,1 +1,1 @@
-"""A first minute: five homes train a system, which then walks through a sixth."""
+"""A demo of one minute: train a system on five homes, then walk through a sixth."""

@@ -1,4 +1,4 @@
-"""``placecat demo``: train on thinned frames of five homes, walk through the sixth, show the results."""
+"""The command ``placecat demo``: train on a tenth of the frames of five homes, then walk through a sixth."""
 
 import shutil
 import time
@@ -30,15 +30,15 @@ from placecat.progress import Progress
 OUTPUT = Path("predictions/demo")
 PAGE, TIMELINE, CLIP, TABLE = "index.html", "timeline.png", "annotated.webm", "accuracy.csv"
 FILES = (PAGE, TIMELINE, CLIP, TABLE, tables.FRAMES)
-# The clip runs so many times as fast as the walk.
+# Speed of the clip relative to the walk.
 PACE = 10.0
 _WORK = "work"
 
 
 def demo_command() -> int:
-    """Run the demo in the project's folder, print its table and where to look.
+    """Run the demo in the project folder; print its table and the paths of its results.
 
-    Returns 0; mistakes raise PlacecatError and leave nothing behind.
+    Returns 0; user errors raise PlacecatError and leave nothing behind.
     """
     start = time.perf_counter()
     _check(OUTPUT)
@@ -82,11 +82,11 @@ def _check(folder: Path) -> None:
         raise PlacecatError(f"{folder} is a file, where the demo writes a folder: move it away")
     for path in sorted(folder.iterdir()) if folder.is_dir() else ():
         if path.name not in FILES:
-            raise PlacecatError(f"{path} is not the demo's, which would replace {folder}: move it away")
+            raise PlacecatError(f"{path} is not from the demo, which would replace {folder}: move it away")
 
 
 def _walk(params: Mapping[str, Any], system: Any, home: str, folder: Path) -> pd.DataFrame:
-    """Write timeline, clip and frames of the tested home; return the accuracy of cues and system."""
+    """Write timeline, clip and frames of the test home; return the accuracy of the cues and the system."""
     dataset = params["dataset"]
     categorizer = Categorizer(system)
     source = Folder(training.FRAMES / home, dataset["fps"])
@@ -136,7 +136,7 @@ def _titles(params: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _complete_run(params: Mapping[str, Any], home: str) -> pd.DataFrame:
-    """Rows for the same home from the kept results of `make repro`; none without them."""
+    """Return rows for the same home from the results of `make repro`; no rows without these results."""
     column = f"all frames ({page.COMPLETE})"
     if not paths.ACCURACIES.is_file():
         return pd.DataFrame({column: []}, dtype=float)

@@ -1,4 +1,4 @@
-"""The demo's page: the table, the timeline and the clip in one file, which needs no network."""
+"""Write the page of the demo: table, timeline and clip in one file that works offline."""
 
 import base64
 from pathlib import Path
@@ -16,7 +16,7 @@ COMPLETE = "make repro"
 def write(
     target: Path, table: pd.DataFrame, home: str, training_homes: int, timeline: Path, clip: Path
 ) -> None:
-    """Write the page about the tested `home`, with a table in percent, a PNG and a WebM."""
+    """Write the page about the test home, with a table in percent, a PNG timeline and a WebM clip."""
     rows = [
         (name, ["" if pd.isna(value) else f"{value:.0f}" for value in values])
         for name, *values in table.itertuples()

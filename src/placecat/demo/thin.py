@@ -1,4 +1,4 @@
-"""A video home as a folder of every n-th frame, with its labels."""
+"""Reduce a video home to a folder with every n-th frame and its labels."""
 
 from pathlib import Path
 
@@ -12,8 +12,8 @@ from placecat.sequences.labels import FRAME_HEADER, read_label_csv
 def thin(root: Path, home: str, every: int, target: Path) -> float:
     """Write the first of each `every` frames of a home, in the layout `folder`.
 
-    From ``root/HOME.mp4`` and ``root/HOME.csv`` it makes the folder ``target/HOME`` of JPEG files and
-    ``target/HOME.csv``. Returns the frames a second that are left. Damaged files raise PlacecatError.
+    It reads ``root/HOME.mp4`` and ``root/HOME.csv``, and writes JPEG files to ``target/HOME`` and the labels
+    to ``target/HOME.csv``. Returns the new rate in frames per second. Damaged files raise PlacecatError.
     """
     recording = Recording(root / f"{home}.mp4")
     fps = recording.timing().fps

@@ -1,4 +1,4 @@
-"""The demo's system: settings for thinned frames, features of them, and training, all in one folder."""
+"""Train the system of the demo: thin the frames, describe them, and train, all in one folder."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -14,18 +14,18 @@ from placecat.stages.sequences import list_homes
 from placecat.training import plan as plans
 from placecat.training import system as systems
 
-# Our choice: a few frames teach something, and all of it takes half a minute.
+# Our choice: these frames teach enough, and the whole demo takes half a minute.
 EVERY = 10
 SYSTEM, SCHEME, SEED = "das_551_best", "5-5-1", 0
 FRAMES = Path("frames")
-# Cues learn from every second thinned frame, the integration from the others.
+# Cues learn from every second thinned frame, and the integration learns from the others.
 _FRAMES = {"cue_frames": {"offset": 0, "step": 2}, "integration_frames": {"offset": 1, "step": 2}}
 
 
 def thin_homes(params: Mapping[str, Any], root: Path) -> dict[str, Any]:
     """Write every 10th frame of all homes to the current folder; return the settings for these frames.
 
-    `params` are all settings, of a data set in the layout ``video``; `root` is its folder.
+    `params` holds all settings; its data set has the layout ``video`` and lies in the folder `root`.
     """
     homes = list(params["dataset"]["homes"])
     tasks = [(root, home, EVERY, FRAMES.absolute()) for home in homes]
@@ -39,7 +39,7 @@ def thin_homes(params: Mapping[str, Any], root: Path) -> dict[str, Any]:
 
 
 def train(params: Mapping[str, Any], tested: str) -> TrainedSystem:
-    """Train the five-cue system with settings of :func:`thin_homes` on all homes but the `tested` one."""
+    """Train the five-cue system on all homes but `tested`, with the settings from :func:`thin_homes`."""
     system = systems.System.of(params, SYSTEM)
     options = feature_options(params, system.descriptors(params))
     dataset = params["dataset"]
@@ -54,7 +54,7 @@ def train(params: Mapping[str, Any], tested: str) -> TrainedSystem:
 
 
 def _describe(homes: Sequence[str], options: Mapping[str, Any]) -> None:
-    """Describe the frames of all homes in one loop, so that no worker waits for a home's end."""
+    """Describe the frames of all homes in one loop; workers do not wait at the end of each home."""
     works = {home: plan(home, FRAMES.absolute(), options) for home in homes}
     done = iter(
         parallel.in_parallel(describe, [task for tasks, _ in works.values() for task in tasks], "features")

@@ -1,4 +1,4 @@
-"""The frames of one topic of a bag, with their numbers and times, and which are lost."""
+"""The frames of one topic of a bag: numbers, times and losses."""
 
 from collections.abc import Generator
 from dataclasses import dataclass
@@ -15,21 +15,21 @@ from placecat.footage.image_messages import Damaged
 from placecat.footage.recording import Size, are, named
 
 MOST_LATE = 1.0
-"""Seconds by which a late frame may be earlier than one before it. More shows that the clock was set. Our
+"""Largest step back in time between frames, in seconds; a larger one means that the clock was set. Our
 choice."""
 _NANOSECOND = Fraction(1, 10**9)
 
 
 @dataclass(frozen=True, eq=False)
 class BagFrame:
-    """A frame of a bag, not decoded; numbers are from 1."""
+    """A frame of a bag, not yet decoded; numbers start at 1."""
 
     number: int
     _picture: Picture
     _recording: "BagRecording"
 
     def image(self) -> NDArray[np.uint8] | None:
-        """Decode it: (H, W, 3) uint8, BGR; None if it is lost."""
+        """Decode the frame to (H, W, 3) uint8, BGR; None if it is lost."""
         try:
             return self._picture.image()
         except Damaged as error:
@@ -38,48 +38,48 @@ class BagFrame:
 
     @property
     def size(self) -> Size | None:
-        """(width, height) in pixels; None if it is lost."""
+        """(width, height) in pixels; None if the frame is lost."""
         image = self.image()
         return None if image is None else (image.shape[1], image.shape[0])
 
 
 class BagRecording:
-    """Frames of a bag: the pictures of a topic, in the order of their stamps.
+    """The frames of a bag: the pictures of a topic, ordered by their stamps.
 
-    Opening it passes over the topic once. A frame whose stamp is not later than that of one before it came
-    late or twice: it is left out and has no number. Raises PlacecatError if the bag cannot be read, the topic
-    is not one of pictures, or its times cannot be right.
+    Opening reads the topic once. A frame that is not later than all frames before it came late or twice: it
+    is skipped and has no number. Raises PlacecatError if the bag cannot be read, the topic has no pictures,
+    or its times are impossible.
 
     Parameters
     ----------
     path
         The bag.
     topic
-        The topic; None takes the only one with pictures.
+        The topic; None uses the only one with pictures.
     fps
-        Frames a second, where stamps are wrong: all frames count, and come evenly. None takes the stamps, or,
-        where these are zero, the times at which the bag received the messages.
+        Frames per second, for wrong stamps: all frames count and are evenly spaced. None uses the stamps, or
+        the times of reception if stamps are zero.
     settings
-        How messages call the settings: what goes before ``topic`` and ``fps``.
+        Prefix of ``topic`` and ``fps`` in messages.
 
     Attributes
     ----------
     topic
         The topic.
     count
-        Number of frames, including those that turn out to be lost.
+        Number of frames, including lost ones.
     timing
-        Their times.
+        Times of the frames.
     positions
-        (count,) int64, `placecat.footage.bags.Picture.number` less 1.
+        (count,) int64, `placecat.footage.bags.Picture.number` minus 1.
     received
-        (count,) int64, nanoseconds at which the bag received them.
+        (count,) int64, time of reception in nanoseconds.
     start
-        Nanoseconds since 1970, by the clock of the stamps, of the first frame.
+        Stamp of the first frame in nanoseconds since 1970.
     lost
         Numbers, from 1, of the frames that could not be decoded.
     damaged
-        None: a picture is decoded without errors, or lost.
+        Always empty: a picture is either decoded without errors, or lost.
     """
 
     damaged: tuple[int, ...] = ()
@@ -108,7 +108,7 @@ class BagRecording:
         self.timing = self._timing(stamps, fps, f"{settings}fps")
 
     def pictures(self) -> Generator[BagFrame, None, None]:
-        """Pass over the frames without decoding pixels."""
+        """Iterate over the frames without decoding pixels."""
         self.lost, self._why = [], ""
         number = 0
         for picture in self._bag.pictures(self.topic):
@@ -117,19 +117,19 @@ class BagRecording:
                 yield BagFrame(number, picture, self)
 
     def lose(self, number: int, why: str) -> None:
-        """Note that a frame cannot be decoded; the first reason is kept."""
+        """Record that a frame cannot be decoded; only the first reason is stored."""
         self.lost.append(number)
         self._why = self._why or why
 
     def size(self) -> Size:
-        """(width, height) of the first frame that can be decoded, in pixels; PlacecatError if none can."""
+        """Return (width, height) of the first readable frame in pixels. Raises PlacecatError without one."""
         for frame in self.pictures():
             if (size := frame.size) is not None:
                 return size
         raise PlacecatError(f"{self.path}: no picture on {self.topic} can be decoded: {self._why}")
 
     def note(self) -> str:
-        """Say what the last pass found missing or odd; "" if nothing."""
+        """Describe problems that the last pass found; "" if there were no problems."""
         parts = list(self._remarks)
         if self.lost:
             parts.insert(

@@ -1,7 +1,7 @@
-"""A bag of ROS 1 or ROS 2: its topics, and the pictures and strings in it.
+"""Read topics, pictures and strings from a bag of ROS 1 or ROS 2.
 
-rosbags reads it, and decodes messages by its own definitions. Those in a bag come from outside, and rosbags
-would make Python code of them.
+The library rosbags reads the bag and decodes messages with its built-in definitions. Definitions in the bag
+are untrusted, and rosbags would turn them into Python code.
 """
 
 from collections.abc import Collection, Generator, Iterator
@@ -20,7 +20,7 @@ from placecat.footage.image_messages import compressed_image, raw_image
 ROS_1, SINGLE = ".bag", (".mcap", ".db3")
 IMAGE, COMPRESSED, STRING = "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage", "std_msgs/msg/String"
 _PICTURES = (IMAGE, COMPRESSED)
-# How to mend a bag whose end is missing, by its ending; "" is a folder.
+# Suffix to repair command for a bag whose end is missing; "" is a folder.
 _MENDING = {
     ROS_1: "`rosbag reindex`",
     ".mcap": "`mcap recover`",
@@ -30,7 +30,7 @@ _MENDING = {
 
 
 def is_bag(path: Path) -> bool:
-    """Whether a path is that of a bag, by its ending; a folder is one if it holds parts of a ROS 2 bag."""
+    """Return whether a path is a bag: a file by its suffix, a folder if it contains parts of a ROS 2 bag."""
     if path.is_dir():
         return any(one.name == "metadata.yaml" or one.suffix in SINGLE for one in path.iterdir())
     return path.suffix.lower() in (ROS_1, *SINGLE) and path.is_file()
@@ -43,11 +43,11 @@ class Picture:
     Attributes
     ----------
     number
-        From 1, among the bag's messages with pictures on all topics, in the order of their reception.
+        Number among the picture messages of all topics, from 1, in order of reception.
     topic
-        Its topic.
+        Topic of the message.
     received, stamp
-        Nanoseconds: when the bag received it, and the time in its header.
+        Time of reception, and time in the header, in nanoseconds.
     """
 
     number: int
@@ -58,25 +58,25 @@ class Picture:
     _name: str
 
     def image(self) -> NDArray[np.uint8]:
-        """(height, width, 3) uint8, BGR; raises as `placecat.footage.image_messages` does."""
+        """Decode to (height, width, 3) uint8, BGR; errors as in `placecat.footage.image_messages`."""
         decode = compressed_image if hasattr(self._message, "format") else raw_image
         return decode(self._message, self._name)
 
 
 class Bag:
-    """A bag, opened for each pass over its messages.
+    """A bag; each pass over its messages opens it again.
 
     Raises PlacecatError if rosbags is not installed, or cannot read the bag.
 
     Parameters
     ----------
     path
-        A ``.bag`` of ROS 1, a folder of ROS 2, or one ``.mcap`` or ``.db3`` of it.
+        A ``.bag`` of ROS 1, a folder of ROS 2, or a single ``.mcap`` or ``.db3`` of ROS 2.
 
     Attributes
     ----------
     topics
-        Topic to the type and the number of its messages, sorted.
+        Topic to message type and number of messages, sorted by topic.
     count
         Number of messages with pictures.
     """
@@ -93,9 +93,9 @@ class Bag:
         self.count = sum(count for kind, count in self.topics.values() if kind in _PICTURES)
 
     def topic_of_pictures(self, topic: str | None, setting: str) -> str:
-        """Check the topic of the frames; by None choose the only one with pictures.
+        """Check the topic of the frames; None chooses the only topic with pictures.
 
-        The PlacecatError for an unknown topic, or for several if none is given, names the `setting`.
+        Raises PlacecatError, naming the `setting`, if the topic is unknown or the choice is ambiguous.
         """
         if topic is not None:
             self.require(topic, _PICTURES, setting)
@@ -112,7 +112,7 @@ class Bag:
         return having[0]
 
     def require(self, topic: str, kinds: Collection[str], setting: str) -> None:
-        """Refuse a topic that the bag does not have, or that is of another type or empty."""
+        """Refuse a topic that is missing, empty, or of another type."""
         if topic not in self.topics:
             raise PlacecatError(
                 f"{self.path}: no topic {topic!r}{did_you_mean(topic, self.topics)}; it has "
@@ -128,9 +128,9 @@ class Bag:
             raise PlacecatError(f"{self.path}: the topic {topic!r} has no message; correct {setting}.")
 
     def pictures(self, topic: str | None = None) -> Generator[Picture, None, None]:
-        """Pass over the pictures of all topics or of one, in the order of their reception.
+        """Iterate over the pictures of all topics or of one, in order of reception, without decoding pixels.
 
-        Pixels are not decoded. The pictures of one topic keep the numbers that they have among all.
+        Pictures keep their number among all topics, even if only one topic is read.
         """
         for number, (connection, received, raw) in enumerate(self._messages(_PICTURES), 1):
             if topic is None or connection.topic == topic:
@@ -141,7 +141,7 @@ class Bag:
                 yield Picture(number, str(connection.topic), int(received), int(stamp), message, name)
 
     def strings(self, topic: str) -> Iterator[tuple[int, str]]:
-        """Nanoseconds at which each string of a topic (std_msgs/String) was received, and its text."""
+        """Yield the strings of a topic (std_msgs/String): time of reception in nanoseconds, and text."""
         for connection, received, raw in self._messages((STRING,)):
             if connection.topic == topic:
                 with self._explained():
@@ -154,7 +154,7 @@ class Bag:
     def _messages(self, kinds: Collection[str]) -> Generator[tuple[Any, int, bytes], None, None]:
         with self._opened() as reader:
             chosen = [one for one in reader.connections if one.msgtype in kinds]
-            # Without connections rosbags gives all messages.
+            # Given no connections, rosbags returns all messages.
             found = reader.messages(connections=chosen) if chosen else iter(())
             while True:
                 with self._explained():
@@ -186,7 +186,7 @@ class Bag:
 
     @contextmanager
     def _explained(self) -> Iterator[None]:
-        """Turn any error into one message: rosbags may fail anywhere on a damaged bag."""
+        """Turn any error into a PlacecatError: rosbags can fail anywhere on a damaged bag."""
         try:
             yield
         except PermissionError as error:
@@ -203,7 +203,7 @@ class Bag:
 
 @cache
 def _store(is_ros1: bool) -> Any:
-    """Definitions of ROS 1 or ROS 2, whose versions agree on pictures and strings."""
+    """Return message definitions of ROS 1 or ROS 2; all versions agree on pictures and strings."""
     from rosbags.typesys import Stores, get_typestore
 
     return get_typestore(Stores.ROS1_NOETIC if is_ros1 else Stores.ROS2_HUMBLE)

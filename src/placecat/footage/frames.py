@@ -1,4 +1,4 @@
-"""The frames of a home, decoded."""
+"""Decode the frames of a home."""
 
 from collections.abc import Generator, Iterator
 from contextlib import ExitStack, closing
@@ -21,9 +21,9 @@ def read_frames(
 ) -> Iterator[NDArray[np.uint8]]:
     """Decode frames in the order of the rows.
 
-    A video is decoded from the last frame that allows it; a bag is read from its start. A row before the last
-    one starts again, so rows in increasing position cost at most one pass. The file is never asked to seek:
-    containers answer with a nearby frame without saying so.
+    A video is decoded from the last frame at which decoding can start; a bag is read from its start. A row
+    that lies before the previous row restarts the pass, so rows in increasing position need at most one pass.
+    The code never seeks in a file, because containers may silently return a nearby frame.
 
     Parameters
     ----------
@@ -32,16 +32,16 @@ def read_frames(
     frames
         Any rows of `Home.frames`, in any order.
     size
-        (width, height) in pixels that every frame must have, once turned; None takes that of the first row.
+        Required (width, height) of every frame in pixels, after turning; None uses the first row's size.
 
     Yields
     ------
-    (H, W, 3) uint8, BGR, turned as the column ``turn`` says, where there is one.
+    (H, W, 3) uint8, BGR, turned by the angle in the column ``turn``, if any.
 
     Raises
     ------
     PlacecatError
-        If a frame is missing, unreadable, or of another size, naming its file.
+        If a frame is missing, unreadable, or of another size. The message names its file.
     """
     root = Path(home_root)
     turns = frames["turn"] if "turn" in frames else [0] * len(frames)
@@ -68,12 +68,12 @@ def read_frames(
             yield image
 
 
-# Opening a video again takes as long as decoding about as many frames.
+# Opening a video again takes about as long as decoding this many frames.
 _WORTH_A_JUMP = 30
 
 
 class _Video:
-    """A video or a bag read forwards; a video from a frame at which decoding can start."""
+    """Read a video or a bag forwards; in a video, reading can start at a later frame."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -105,7 +105,7 @@ class _Video:
         return image
 
     def _is_elsewhere(self, number: int) -> bool:
-        """Whether a frame lies before the last one, or behind a later start that saves time."""
+        """Return whether to restart: the frame is behind, or far enough ahead that a jump saves time."""
         if self._last is None or number < self._last.number:
             return True
         if isinstance(self._recording, Bag):
@@ -113,6 +113,6 @@ class _Video:
         return self._recording.start_before(number) - self._last.number > _WORTH_A_JUMP
 
     def _from(self, number: int) -> Generator[Any, None, None]:
-        """Pictures from a frame on, or from an earlier one."""
+        """Iterate over pictures that start at this frame or earlier."""
         recording = self._recording
         return recording.pictures() if isinstance(recording, Bag) else recording.pictures(number)

@@ -1,4 +1,4 @@
-"""Pixels of ROS image messages: sensor_msgs/Image and sensor_msgs/CompressedImage."""
+"""Decode ROS image messages: sensor_msgs/Image and sensor_msgs/CompressedImage."""
 
 from typing import Any, NamedTuple, Protocol
 
@@ -11,11 +11,11 @@ from placecat.footage.pictures import MOST_BYTES, check_size, decode_image
 
 
 class Damaged(PlacecatError):
-    """A picture that cannot be decoded, in a recording whose other pictures may be whole."""
+    """A picture cannot be decoded; others in the same recording may be intact."""
 
 
 class Image(Protocol):
-    """A sensor_msgs/Image of any library; ``data`` is a buffer of bytes."""
+    """A sensor_msgs/Image from any library; ``data`` is a buffer of bytes."""
 
     width: int
     height: int
@@ -25,21 +25,21 @@ class Image(Protocol):
 
 
 class CompressedImage(Protocol):
-    """A sensor_msgs/CompressedImage of any library."""
+    """A sensor_msgs/CompressedImage from any library."""
 
     format: str
     data: Any
 
 
 class _Encoding(NamedTuple):
-    """Bytes of a pixel in a row, OpenCV's conversion to BGR, and rows of data per two rows of pixels."""
+    """Bytes per pixel in a row, OpenCV's conversion to BGR, and rows of data per two rows of pixels."""
 
     width: int
     conversion: int | None
     rows: int = 2
 
 
-# Those of sensor_msgs/image_encodings with 8 bits per channel. OpenCV calls UYVY by its bytes, ROS yuv422.
+# The encodings of sensor_msgs/image_encodings with 8 bits per channel. ROS calls UYVY yuv422.
 _ENCODINGS = {
     "bgr8": _Encoding(3, None),
     "8UC3": _Encoding(3, None),
@@ -60,16 +60,16 @@ _ENCODINGS = {
     "nv21": _Encoding(1, cv2.COLOR_YUV2BGR_NV21, 3),
 }
 ENCODINGS = tuple(_ENCODINGS)
-"""Encodings of sensor_msgs/Image that are read."""
+"""Supported encodings of sensor_msgs/Image."""
 
 
 def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
-    """Decode a sensor_msgs/Image, which errors call `name`, to (height, width, 3) uint8, BGR.
+    """Decode a sensor_msgs/Image to (height, width, 3) uint8, BGR; errors call it `name`.
 
     Raises
     ------
     Damaged
-        If the sizes do not fit each other or the data.
+        If the sizes contradict each other or the length of the data.
     PlacecatError
         If the encoding is not one of `ENCODINGS`, or the picture is larger than
         `placecat.footage.pictures.MOST_PIXELS`.
@@ -102,10 +102,10 @@ def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
 
 
 def compressed_image(message: CompressedImage, name: str) -> NDArray[np.uint8]:
-    """Decode a sensor_msgs/CompressedImage, which errors call `name`, to (H, W, 3) uint8, BGR.
+    """Decode a sensor_msgs/CompressedImage to (H, W, 3) uint8, BGR; errors call it `name`.
 
-    Its content decides, not its format. Raises Damaged if it is cut off, damaged, or not a JPEG or PNG that
-    :func:`placecat.footage.pictures.decode_image` takes.
+    The content determines the format; the field ``format`` is ignored. Raises Damaged if the picture is cut
+    off, damaged, or not a JPEG or PNG that :func:`placecat.footage.pictures.decode_image` accepts.
     """
     content = memoryview(message.data)
     if content.nbytes > MOST_BYTES:

@@ -1,4 +1,4 @@
-"""Names of files and folders: their order, and what they may not be."""
+"""Names of files and folders: natural order, and checks."""
 
 import re
 from pathlib import PurePosixPath
@@ -7,15 +7,15 @@ from placecat.errors import PlacecatError
 
 
 def natural(name: str) -> tuple[tuple[tuple[int, int, str], ...], str]:
-    """Key that sorts file and folder names with runs of digits as numbers; equal only for equal names."""
+    """Return a sort key that compares runs of digits as numbers; only equal names have equal keys."""
     parts = re.findall(r"[0-9]+|[^0-9]+", name)
     return tuple((0, int(part), "") if part.isdigit() else (1, 0, part.casefold()) for part in parts), name
 
 
 def relative(name: str, origin: str) -> PurePosixPath:
-    """Check by its text that a POSIX path stays below the folder that it is relative to.
+    """Check that the text of a relative POSIX path stays below its folder; links are not followed.
 
-    Raises PlacecatError, which begins with `origin`, if it is empty, absolute, or holds ``..``.
+    Raises PlacecatError, beginning with `origin`, if the path is empty, absolute, or contains ``..``.
     """
     path = PurePosixPath(name)
     if not path.parts or path.is_absolute() or ".." in path.parts or "\\" in name or "\0" in name:

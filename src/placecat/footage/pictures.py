@@ -1,7 +1,7 @@
-"""Frames in files: which files of a folder are frames, their order, and their pixels.
+"""Image files: list the frames of a folder in order, and decode them.
 
-A frame is a JPEG or PNG file. A picture of another kind is refused: it may be meant as a frame, and would be
-missing without a word.
+A frame is a JPEG or PNG file. Other kinds of pictures raise an error, because skipping them silently could
+lose frames.
 """
 
 import re
@@ -20,53 +20,53 @@ from placecat.errors import PlacecatError
 from placecat.footage.names import natural
 
 SUFFIXES = (".jpeg", ".jpg", ".png")
-"""File name endings taken for a frame, in either case."""
-# Endings of pictures that are not read: these lose more, take longer, or need libraries that few have.
+"""Suffixes of frame files, in upper or lower case."""
+# Suffixes of pictures that are refused: they lose quality, decode slowly, or need rare libraries.
 _OTHERS = (
     ".apng .arw .avif .bmp .cr2 .cr3 .dib .dng .exr .gif .hdr .heic .heif .jfif .jp2 .jpe .jxl .nef .pbm .pgm"
     " .pnm .ppm .tga .tif .tiff .webp"
 )
 OTHERS = tuple(_OTHERS.split())
-# Decoding takes up to 12 bytes a pixel (progressive JPEG), so this keeps below 1 GB.
+# Decoding needs up to 12 bytes per pixel (progressive JPEG), so this limit keeps memory below 1 GB.
 MOST_PIXELS = 50_000_000
 MOST_BYTES = 256_000_000
 
 TURNS = {90: cv2.ROTATE_90_CLOCKWISE, 180: cv2.ROTATE_180, 270: cv2.ROTATE_90_COUNTERCLOCKWISE}
-"""Degrees clockwise, as :func:`turned` takes them."""
+"""Clockwise degrees that :func:`turned` accepts."""
 
 _NUMBER = re.compile(r"[0-9]+")
-# With one point only: 1.2.3 is not a decimal number.
+# Only one point is allowed: 1.2.3 is not a decimal number.
 _DECIMAL = re.compile(r"(?<![0-9.])([0-9]+)\.([0-9]+)(?!\.?[0-9])")
 _PNG = b"\x89PNG\r\n\x1a\n"
 _JPEG = b"\xff\xd8\xff"
 
 
 def has_pictures(folder: Path) -> bool:
-    """Whether a folder has files that are frames, or pictures that :func:`list_frames` refuses."""
+    """Return whether a folder has frames, or pictures that :func:`list_frames` refuses."""
     return any(path.suffix.lower() in SUFFIXES + OTHERS for path in _visible(folder))
 
 
 def list_frames(folder: Path) -> list[str]:
     """List the frames of a folder in order.
 
-    Numbers in names count as numbers (frame2 before frame10), also decimal ones, as Python writes times
-    (1.25 before 1.5). Where zeros at the end show that what follows the point counts as well (1.9, 1.10),
-    it is a number of its own.
+    Numbers in names are compared as numbers (frame2 before frame10), including decimal numbers such as times
+    (1.25 before 1.5). If trailing zeros show that the digits after the point are a counter (1.9, 1.10), these
+    digits are compared as a separate number.
 
     Parameters
     ----------
     folder
-        An existing folder; hidden files and folders in it are passed over.
+        An existing folder; hidden files and subfolders are ignored.
 
     Returns
     -------
-    File names, perhaps none.
+    File names; may be empty.
 
     Raises
     ------
     PlacecatError
-        If the folder cannot be read, has pictures of other kinds, or two pictures of one frame: the same name
-        with two endings, or the same numbers with other words, such as colour and depth.
+        If the folder cannot be read, has pictures of other kinds, or has two pictures of one frame: the same
+        name with two suffixes, or the same numbers with different words, such as colour and depth.
     """
     paths = _visible(folder)
     others = sorted(path.name for path in paths if path.suffix.lower() in OTHERS)
@@ -77,7 +77,7 @@ def list_frames(folder: Path) -> list[str]:
         )
     names = in_order(path.name for path in paths if path.suffix.lower() in SUFFIXES)
     numbers = [tuple(_NUMBER.findall(Path(name).stem)) for name in names]
-    # Numbers that all names share count nothing.
+    # Numbers that all names share do not count frames.
     are_counted = len(set(numbers)) > 1
     seen: dict[object, str] = {}
     for name, own in zip(names, numbers, strict=True):
@@ -86,16 +86,16 @@ def list_frames(folder: Path) -> list[str]:
             if first != name:
                 raise PlacecatError(
                     f"{folder / name}: the same frame as {first}, by its name, such as colour and depth, or "
-                    "two cameras; leave one picture a frame in the folder, or number them through."
+                    "two cameras; keep one picture per frame, or number all pictures consecutively."
                 )
     return names
 
 
 def in_order(names: Iterable[str]) -> list[str]:
-    """Sort file names as `list_frames` does."""
+    """Sort file names like `list_frames`."""
     files = list(names)
     decimals = [found[2] for name in files for found in _DECIMAL.finditer(Path(name).stem)]
-    # Decimals of one length have the same order either way.
+    # Decimals of equal length sort the same either way.
     are_decimals = not any(len(digits) > 1 and digits.endswith("0") for digits in decimals)
     if not are_decimals or len({len(digits) for digits in decimals}) < 2:
         return sorted(files, key=natural)
@@ -108,13 +108,13 @@ def in_order(names: Iterable[str]) -> list[str]:
 
 
 def read_image(path: Path) -> NDArray[np.uint8]:
-    """Decode one JPEG or PNG file to (H, W, 3) uint8, BGR, turned as its EXIF data say.
+    """Decode a JPEG or PNG file to (H, W, 3) uint8, BGR, turned according to its EXIF data.
 
-    Gray pictures are given in three equal channels.
+    Gray pictures get three equal channels.
 
-    Raises PlacecatError for a file that is missing, cannot be opened, is neither JPEG nor PNG, is damaged or
-    cut off, or is larger than `MOST_BYTES` or `MOST_PIXELS`, and for depth pictures (gray, 16 bits),
-    transparent, animated and CMYK ones.
+    Raises PlacecatError if the file is missing, cannot be opened, is neither JPEG nor PNG, is damaged or cut
+    off, or is larger than `MOST_BYTES` or `MOST_PIXELS`. Depth pictures (gray, 16 bits) and transparent,
+    animated and CMYK pictures are also refused.
     """
     try:
         status = path.stat()
@@ -133,7 +133,7 @@ def read_image(path: Path) -> NDArray[np.uint8]:
 
 
 def decode_image(content: bytes, path: Path | str) -> NDArray[np.uint8]:
-    """Decode the content of one JPEG or PNG file as :func:`read_image` does; messages name it `path`."""
+    """Decode the content of a JPEG or PNG file like :func:`read_image`; messages call it `path`."""
     if content.startswith(_PNG):
         _check_png(path, content)
     elif content.startswith(_JPEG):
@@ -147,9 +147,10 @@ def decode_image(content: bytes, path: Path | str) -> NDArray[np.uint8]:
 
 
 def turned(image: NDArray[np.uint8], degrees: int) -> NDArray[np.uint8]:
-    """Turn a picture, (H, W, 3) uint8, clockwise by 0, 90, 180 or 270 degrees; others are a PlacecatError.
+    """Turn a picture, (H, W, 3) uint8, clockwise by 0, 90, 180 or 270 degrees.
 
-    Returns (H, W, 3) uint8, or (W, H, 3) by 90 and 270 degrees; `image` itself by 0.
+    Returns (H, W, 3) uint8, or (W, H, 3) for 90 and 270 degrees; for 0, `image` itself. Raises PlacecatError
+    for other angles.
     """
     if degrees == 0:
         return image
@@ -166,7 +167,7 @@ def _visible(folder: Path) -> list[Path]:
 
 
 def check_size(path: Path | str, width: int, height: int) -> None:
-    """Refuse a picture of more than `MOST_PIXELS`, before memory is taken for it."""
+    """Refuse a picture of more than `MOST_PIXELS` before allocating memory for it."""
     if width * height > MOST_PIXELS:
         raise PlacecatError(
             f"{path}: {width}x{height} pixels are more than {MOST_PIXELS // 10**6} million; scale it down."
@@ -180,13 +181,13 @@ def _damaged(path: Path | str, size: int, why: str) -> PlacecatError:
 
 
 def _check_jpeg(path: Path | str, content: bytes) -> None:
-    """Refuse damage that OpenCV passes over, since it fills in what it cannot decode."""
+    """Refuse damage that OpenCV hides: it fills in areas that it cannot decode."""
     try:
         height, width, colors, _ = simplejpeg.decode_jpeg_header(content)
         check_size(path, width, height)
         if colors in ("CMYK", "YCCK"):
             raise PlacecatError(f"{path}: its colours are {colors}, for printing; convert it to RGB.")
-        # This decodes all to gray and an eighth of the width and height, in a fifth of the time.
+        # This decodes the file in gray at an eighth of its width and height, in a fifth of the time.
         simplejpeg.decode_jpeg(content, "GRAY", min_height=1, min_width=1, min_factor=8)
     except PlacecatError:
         raise
@@ -195,7 +196,7 @@ def _check_jpeg(path: Path | str, content: bytes) -> None:
 
 
 def _check_png(path: Path | str, content: bytes) -> None:
-    """Refuse chunks with a wrong checksum, and kinds of PNG that cannot be frames."""
+    """Refuse chunks with wrong checksums, and kinds of PNG that cannot be frames."""
     kinds: set[bytes] = set()
     at = len(_PNG)
     while b"IEND" not in kinds:

@@ -1,4 +1,4 @@
-"""A video file: its frames with the numbers and times that the file gives them, and which are lost."""
+"""A video file: its frames with their numbers and times, and its losses."""
 
 import bisect
 from collections.abc import Generator, Iterator
@@ -23,12 +23,12 @@ from placecat.footage import streams, timing
 Size = tuple[int, int]
 
 MOST_PIXELS = 2**26
-"""Of a frame; 8K video has half as many."""
+"""Largest number of pixels of a frame; 8K video has half as many."""
 _FLATTEST = 4.0
-# FFmpeg would follow lists of other files and addresses: they are left out.
+# Playlist formats are excluded: FFmpeg would open the files and addresses that they list.
 _FORMATS = "asf,avi,flv,h264,hevc,m4v,matroska,mov,mpeg,mpegts,mpegvideo,ogg"
 _OPENING = {"format_whitelist": _FORMATS, "protocol_whitelist": "file"}
-# BT.2020 with a curve that swscale converts (phones' HDR), to BT.709.
+# Convert BT.2020 with a curve that swscale supports (HDR from phones) to BT.709.
 _WIDE, _CURVES, _USUAL = 9, (14, 15, 16, 18), 1
 _TURNS = {90: cv2.ROTATE_90_COUNTERCLOCKWISE, 180: cv2.ROTATE_180, 270: cv2.ROTATE_90_CLOCKWISE}
 
@@ -44,9 +44,9 @@ class Picture:
     Attributes
     ----------
     number
-        From 1, as the file numbers its frames: lost frames have theirs.
+        Number in the file, from 1; lost frames count.
     size
-        (width, height) in which it is shown: upright, of square pixels.
+        (width, height) as shown: upright, with square pixels.
     """
 
     number: int
@@ -55,21 +55,21 @@ class Picture:
     _frame: VideoFrame
 
     def image(self) -> NDArray[np.uint8]:
-        """(height, width, 3) uint8, BGR."""
+        """Return the pixels: (height, width, 3) uint8, BGR."""
         return self._recording.convert(self._frame)
 
 
 class Recording:
     """A video file, read by FFmpeg.
 
-    Opening it passes over its packets without decoding them: every packet of the video is a frame with
-    its time. A frame that cannot be decoded is lost; those after it keep their numbers and times. Raises
-    PlacecatError if the file is missing or is not a video.
+    Opening reads all packets without decoding them; every video packet is a frame with a time. A frame that
+    cannot be decoded is lost; later frames keep their numbers and times. Raises PlacecatError if the file is
+    missing or not a video.
 
     Attributes
     ----------
     count
-        Number of frames, including those that turn out to be lost.
+        Number of frames, including lost ones.
     positions
         (count,) int64: 0, 1, ...
     """
@@ -86,16 +86,17 @@ class Recording:
             self._rates = (stream.average_rate, stream.guessed_rate)
 
     def size(self) -> Size:
-        """(width, height) of the first frame as it is shown, in pixels; PlacecatError if none is readable."""
+        """Return (width, height) of the first frame as shown, in pixels. Raises PlacecatError without one."""
         first = next(self.pictures(), None)
         if first is None:
             raise self._empty()
         return first.size
 
     def timing(self, fps: float | None = None, setting: str = "dataset.fps") -> timing.Timing:
-        """The times of all frames: those of the file or, where these are wrong, by `fps` frames a second.
+        """Return the times of all frames: from the file or, if `fps` is given, at `fps` frames per second.
 
-        The PlacecatError for a file with no times, or with impossible ones, names the `setting` of `fps`.
+        Raises PlacecatError, naming the `setting` of `fps`, if the times in the file are missing or
+        impossible.
         """
         if fps is not None:
             return timing.even(self.count, fps)
@@ -113,11 +114,11 @@ class Recording:
         return found
 
     def pictures(self, first: int = 1) -> Generator[Picture, None, None]:
-        """Decode the frames from `first` on in the order in which they are shown; lost ones are left out.
+        """Decode the frames from `first` on in display order; lost frames are skipped.
 
-        Decoding starts where `start_before` says, so a late `first` costs little. FFmpeg decodes several
-        frames at once, and then does not say which of them has an error. After the first error it decodes
-        them again, one at a time, from the start of the file.
+        Decoding starts at `start_before`, so a late `first` costs little. FFmpeg decodes several frames at
+        once and does not say which of them has an error. After the first error, the file is decoded again
+        from its start, one frame at a time.
         """
         self._start(first)
         start = self.start_before(first)
@@ -131,7 +132,7 @@ class Recording:
                 return
 
     def start_before(self, number: int) -> int:
-        """Return the last frame up to `number` from which decoding can start without a change of any byte."""
+        """Return the last frame up to `number` at which decoding can start and yield the same bytes."""
         after = bisect.bisect_right(self._fresh, number)
         return 1 if self._is_careful or after == 0 else self._fresh[after - 1]
 
@@ -142,7 +143,7 @@ class Recording:
 
     @property
     def lost(self) -> list[int]:
-        """Numbers of the frames that the last pass went over and could not decode."""
+        """Numbers of the frames that the last pass could not decode."""
         return sorted(set(range(self._before + 1, self._reached + 1)) - self._seen)
 
     @property
@@ -151,24 +152,24 @@ class Recording:
         return sorted(self._erroneous & self._seen)
 
     def note(self) -> str:
-        """Say what the last pass over the file found missing or damaged; "" if nothing."""
+        """Describe the lost and damaged frames of the last pass; "" without damage."""
         parts = []
         if self.lost:
             parts.append(f"{named(self.lost)} of {self.count} cannot be decoded and {are(self.lost)} lost")
         if self.damaged:
             parts.append(f"{named(self.damaged)} {are(self.damaged)} damaged")
         if parts:
-            parts.append("what follows may show it up to the next key frame")
+            parts.append("later frames may be damaged up to the next key frame")
         if self._reached == self.count:
             parts += self._unread
         return f"{self.path}: {'; '.join(parts)}. Restore the file if you can." if parts else ""
 
     def convert(self, frame: VideoFrame) -> NDArray[np.uint8]:
-        """Make pixels of a decoded frame, as `Picture.image`."""
+        """Convert a decoded frame to pixels for `Picture.image`."""
         width, height = self._square(frame)
         is_wide = frame.color_primaries == _WIDE and frame.color_trc in _CURVES
         usual = _USUAL if is_wide else None
-        # These settings give the bytes that OpenCV gives.
+        # These settings produce the same bytes as OpenCV.
         changed = self._reformatter.reformat(
             frame,
             width,
@@ -184,7 +185,7 @@ class Recording:
         return cast(NDArray[np.uint8], image if turn is None else cv2.rotate(image, turn))
 
     def _square(self, frame: VideoFrame) -> Size:
-        """(width, height) of square pixels, before the frame is turned."""
+        """Return (width, height) in square pixels, before the frame is turned."""
         return max(1, round(frame.width * self._flatness)), frame.height
 
     def _shown(self, frame: VideoFrame) -> Size:
@@ -193,7 +194,7 @@ class Recording:
 
     @contextmanager
     def _opened(self) -> Iterator[tuple[av.container.InputContainer, VideoStream]]:
-        # FFmpeg's errors are counted, not printed.
+        # Count FFmpeg's errors instead of printing them.
         av.logging.set_level(av.logging.PANIC)
         try:
             container = av.open(str(self.path.absolute()), options=_OPENING, metadata_errors="replace")
@@ -217,7 +218,7 @@ class Recording:
         return PlacecatError(f"{self.path}: the video has no readable frame; restore or convert it.")
 
     def _stream(self, container: av.container.InputContainer) -> VideoStream:
-        """The first video; the cover of a music file does not count."""
+        """Return the first video stream; covers of music files do not count."""
         videos = [one for one in container.streams.video if not streams.is_cover(one)]
         if not videos:
             if container.streams.video:
@@ -234,7 +235,7 @@ class Recording:
                 "which cannot be; convert it with square pixels."
             )
         stream.codec_context.options = {"max_pixels": str(MOST_PIXELS)}
-        # `placecat.parallel` limits its processes to one thread: FFmpeg's take a fifth more of their time.
+        # Processes of `placecat.parallel` have one thread; FFmpeg's threads would cost a fifth more CPU time.
         if self._is_careful or cv2.getNumThreads() == 1:
             stream.codec_context.thread_count = 1
             stream.thread_type = "NONE"
@@ -243,7 +244,7 @@ class Recording:
         return stream
 
     def _read_index(self, container: av.container.InputContainer, stream: VideoStream) -> None:
-        """Find the timestamps of all frames, and whether the file is whole."""
+        """Find the timestamps of all frames, and whether the file is complete."""
         name = container.format.name
         # Frames that an edit list cuts off do not count.
         entries = [entry for entry in stream.index_entries if not entry.is_discard] if "mov" in name else []
@@ -270,7 +271,7 @@ class Recording:
         self.count, self._tick = len(stamps), stream.time_base or Fraction(1)
         self.positions = np.arange(self.count)
         shown, coded = zip(*stamps, strict=True)
-        # AVI only has the times of coding.
+        # AVI has only decoding times.
         is_known = name != "avi" and streams.are_times(shown) and streams.run_forward(coded)
         self._numbers = {pts: number for number, pts in enumerate(sorted(shown), 1)} if is_known else {}
         self._fresh = sorted(self._numbers[pts] for pts in fresh if pts in self._numbers)
@@ -284,17 +285,17 @@ class Recording:
                 "cut off or damaged"
             )
         elif "mov" not in name and streams.errors() > before:
-            self._unread.append("the file itself is damaged, so that more frames may be missing")
-        # Other formats do not say how long they are.
+            self._unread.append("the file itself is damaged: more frames may be missing")
+        # Other formats do not store their duration.
         elif ("matroska" in name or "mov" in name) and container.duration is not None:
             until = (container.duration + (container.start_time or 0)) / 1e6
             if until - furthest > 0.25:
                 self._unread.append(f"it ends {until - furthest:.1f} s early: it may be cut off")
 
     def _decoded(self, start: int) -> Generator[Picture, None, None]:
-        """One pass from the frame `start`, without the frames up to `_reached`.
+        """Decode once from the frame `start`, but yield only frames after `_reached`.
 
-        Raises _Damaged at an error if several frames are decoded at once.
+        Raises _Damaged at an error while several frames are decoded at once.
         """
         given, last, is_in = self._reached, start - 1, start == 1
         with self._opened() as (container, stream):
@@ -332,7 +333,7 @@ class Recording:
 
 
 def are(numbers: list[int]) -> str:
-    """The verb for frames of these numbers."""
+    """Return the verb, "is" or "are", for these frames."""
     return "are" if len(numbers) > 1 else "is"
 
 

@@ -1,4 +1,4 @@
-"""Packets of a file and errors of a decoder, through PyAV."""
+"""Packets of a file and errors of its decoder, through PyAV."""
 
 from collections.abc import Iterator
 from itertools import pairwise
@@ -6,23 +6,23 @@ from itertools import pairwise
 import av
 from av.video.stream import VideoStream
 
-# Errors in a row after which the rest of a file is given up.
+# Number of consecutive errors after which reading a file stops.
 _PATIENCE = 100
-# Codecs whose key frames refer to no other frame and let no later one do so.
+# Codecs whose key frames are independent: no later frame refers to a frame before them.
 _FRESH = ("ffv1", "mjpeg", "png", "vp8", "vp9")
-# For two others, with sizes of units: the place of their size in the header, the shift and mask of a unit's
-# type, and the types of an IDR picture (ITU-T H.264, 7.4.1; H.265, 7.4.2.2).
+# For two codecs with sized units: position of the unit size in the header, shift and mask of the unit type,
+# and the types of IDR pictures (ITU-T H.264, 7.4.1; H.265, 7.4.2.2).
 _UNITS = {"h264": (4, 0, 0x1F, (5,)), "hevc": (21, 1, 0x3F, (19, 20))}
 
 
 def packets(container: av.container.InputContainer, stream: VideoStream | None = None) -> Iterator[av.Packet]:
-    """The packets of a file or of one of its streams; damaged places are passed over."""
+    """Yield the packets of a file or of one of its streams; damaged parts are skipped."""
     failures = 0
     while failures < _PATIENCE:
         try:
             for packet in container.demux(stream) if stream is not None else container.demux():
                 failures = 0
-                # An empty packet would end the decoding.
+                # An empty packet would end decoding.
                 if packet.size:
                     yield packet
         except av.FFmpegError:
@@ -32,22 +32,22 @@ def packets(container: av.container.InputContainer, stream: VideoStream | None =
 
 
 def is_frame(packet: av.Packet, stream: VideoStream) -> bool:
-    """Whether a packet is shown: not if an edit list cuts it off, or if other frames only refer to it."""
+    """Return whether a packet is shown: edit lists cut some, and hidden frames serve only as references."""
     is_hidden = stream.codec_context.name in ("vp8", "libvpx") and not memoryview(packet)[0] & 0x10
     return not packet.is_discard and not is_hidden
 
 
 def is_fresh(packet: av.Packet, stream: VideoStream) -> bool:
-    """Whether the frames from this packet on are the same bytes if decoding starts here.
+    """Return whether decoding can start at this packet and still yield the same bytes.
 
-    Not every key frame is one: frames after it may refer to frames before it. False where that is unknown.
+    Not every key frame qualifies, since later frames may refer to frames before it. False if unknown.
     """
     codec = stream.codec_context
     if not packet.is_keyframe or codec.name not in _UNITS:
         return packet.is_keyframe and codec.name in _FRESH
     place, shift, mask, wanted = _UNITS[codec.name]
     header, content = codec.extradata or b"", memoryview(packet)
-    # Without this header, parameters may stand in any packet.
+    # Without this header, any packet may contain parameters.
     if len(header) <= place or header[0] != 1:
         return False
     size, at = (header[place] & 3) + 1, 0
@@ -59,23 +59,23 @@ def is_fresh(packet: av.Packet, stream: VideoStream) -> bool:
 
 
 def is_cover(stream: VideoStream) -> bool:
-    """Whether a stream is the cover picture of a music file."""
+    """Return whether a stream is the cover picture of a music file."""
     return bool(stream.disposition & av.stream.Disposition.attached_pic)
 
 
 def are_times(stamps: tuple[int | None, ...]) -> bool:
-    """Whether all timestamps are known and differ."""
+    """Return whether all timestamps are known and distinct."""
     return None not in stamps and len(set(stamps)) == len(stamps)
 
 
 def run_forward(stamps: tuple[int | None, ...]) -> bool:
-    """Whether each timestamp that is known is later than the one before."""
+    """Return whether the known timestamps increase."""
     known = [one for one in stamps if one is not None]
     return all(one < other for one, other in pairwise(known))
 
 
 def drain(stream: VideoStream) -> None:
-    """Let the decoder's threads end: one that reports an error while Python closes it waits for ever."""
+    """Let the decoder threads end; a thread that reports an error while Python closes it hangs forever."""
     for _ in range(_PATIENCE):
         try:
             if not stream.codec_context.is_open or not stream.codec_context.decode(None):
@@ -87,5 +87,5 @@ def drain(stream: VideoStream) -> None:
 
 
 def errors() -> int:
-    """How many errors FFmpeg has reported in this process."""
+    """Return the number of errors that FFmpeg has reported in this process."""
     return av.logging.get_last_error()[0]

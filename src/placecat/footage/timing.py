@@ -1,4 +1,4 @@
-"""When the frames of a video are shown, from the timestamps of its file."""
+"""Compute the times of video frames from the timestamps in the file."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 MOST_RATE = 500.0
-"""Frames a second; a header with more, such as 1,000 or 90,000, gives units of time. Slow motion has 240."""
+"""Highest rate in frames per second. Slow motion has 240; headers with 1,000 or more list clock units."""
 LONGEST = 3600.0
-"""Seconds between two frames; timestamps with a longer gap are damaged."""
+"""Longest gap between two frames in seconds; timestamps with a longer gap are damaged."""
 
-# Seconds, in a file that was copied from one with milliseconds.
+# Rounding error in seconds of a file that was converted from one with milliseconds.
 _ROUNDING = 0.001
 
 
@@ -25,13 +25,13 @@ class Timing:
     Attributes
     ----------
     seconds
-        (n,) float64, increasing, since the first frame.
+        (n,) float64, increasing, time since the first frame.
     end
-        Seconds at which the last frame ends.
+        End of the last frame in seconds.
     fps
-        Frames a second: those of the file, or, if frames come unevenly, those that come fast.
+        Frames per second: the rate of the file or, for uneven frames, the rate while frames come fast.
     is_even
-        Whether frame i is shown at i / `fps`.
+        Whether frame i, from 0, is shown at i / `fps`.
     """
 
     seconds: NDArray[np.float64]
@@ -41,17 +41,17 @@ class Timing:
 
     @property
     def starts(self) -> NDArray[np.float64] | None:
-        """(n + 1,) seconds at which each frame starts and the last one ends; None if they come evenly."""
+        """(n + 1,) float64, start of each frame and end of the last, in seconds; None for even frames."""
         return None if self.is_even else np.append(self.seconds, self.end)
 
 
 def even(count: int, fps: float) -> Timing:
-    """Times of frames of one rate."""
+    """Return the times of frames at a constant rate."""
     return Timing(np.arange(count) / fps, count / fps, fps, True)
 
 
 def usual(count: int, rates: Sequence[Fraction | None]) -> Timing | None:
-    """Times of frames of the first plausible rate; None if no rate is plausible."""
+    """Return the times of frames at the first plausible rate; None if no rate is plausible."""
     said = _plausible(rates)
     return even(count, float(said[0])) if said else None
 
@@ -61,30 +61,30 @@ def measure(
 ) -> Timing | None:
     """Find the times and the rate of frames.
 
-    Containers round times, some to milliseconds. Times that are multiples of a rate's period up to such
-    rounding are of that rate, so that frames that come evenly get the times that their numbers give.
+    Containers round times, some of them to milliseconds. If all times are multiples of a frame period within
+    this rounding, they are replaced by the exact multiples.
 
     Parameters
     ----------
     ticks
         (n,) timestamps, increasing.
     tick
-        Seconds of one.
+        Length of a tick in seconds.
     last
-        How long the last frame is shown, in ticks; taken if it is about as long as another frame is.
+        Duration of the last frame in ticks; used only if it is plausible compared with other frames.
     rates
-        What the file says of its rate, the best first.
+        Frame rates stored in the file, the most reliable first.
 
     Returns
     -------
     Timing or None
-        None if there is no plausible rate.
+        None if no rate is plausible.
     """
     if len(ticks) == 1:
         return usual(1, rates)
     times = (ticks - ticks[0]) * float(tick)
     steps = np.diff(times)
-    # Longer steps come from a phone in the dark, or a picture that stood still.
+    # Ignore longer steps: phones slow down in the dark, and static scenes drop frames.
     period = float(steps[steps <= 2 * np.quantile(steps, 0.25)].mean())
     if period * MOST_RATE < 1 - 1e-9:
         return None
@@ -103,7 +103,7 @@ def measure(
 def check_gaps(found: Timing, title: str, setting: str) -> None:
     """Refuse times with a gap of more than `LONGEST` between two frames.
 
-    The PlacecatError names the frame after the gap, the file (`title`) and what sets the rate (`setting`).
+    The PlacecatError names the frame after the gap, the file (`title`) and the `setting` of the frame rate.
     """
     steps = np.diff(found.seconds)
     if len(steps) and steps.max() > LONGEST:

@@ -1,4 +1,4 @@
-"""The data card of homes made from panoramas: README.md beside them."""
+"""Write the data card of homes made from panoramas, as README.md in their folder."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -21,10 +21,10 @@ def card(
     settings: Mapping[str, Any],
     folder: str,
 ) -> str:
-    """Write the card of homes, by the looks of their floors.
+    """Render the card from the looks of all homes and floors.
 
-    `panoramas` are all of the source, also those in no frame; `settings` are those of conf/panoramas.yaml;
-    `folder` is the name of the source's folder.
+    `panoramas` are all panoramas of the source, including those in no frame; `settings` come from
+    conf/panoramas.yaml; `folder` is the name of the source folder.
     """
     looks = [look for floors in plans.values() for own in floors.values() for look in own]
     by_home = {_plain(home): counts(floors) for home, floors in plans.items()}
@@ -51,5 +51,5 @@ def card(
 
 
 def _plain(text: str) -> str:
-    """A name that can stand in a cell of a table and in code."""
+    """Return a name that is safe in a Markdown table and in code."""
     return one_line(text).replace("|", "/").replace("`", "'")

@@ -1,9 +1,9 @@
-"""Turns of the view in a panorama: from one direction to the next, as smoothly as a hand moves.
+"""Turn the view in a panorama from one direction to the next, as smoothly as a hand moves.
 
 References
 ----------
 T. Flash, N. Hogan, The Coordination of Arm Movements: An Experimentally Confirmed Mathematical Model. Journal
-of Neuroscience 5(7), 1985: a movement of least jerk.
+of Neuroscience 5(7), 1985 (the minimum-jerk movement).
 """
 
 from collections.abc import Sequence
@@ -23,18 +23,18 @@ def gaze(
     rest: Sequence[float],
     rng: np.random.Generator,
 ) -> NDArray[np.float64]:
-    """Turn the view for some frames, at least one.
+    """Turn the view for a number of frames, at least one.
 
     Parameters
     ----------
     fov, tilt
-        Least and largest horizontal field of view, which stays constant, and tilt, in degrees.
+        Ranges of the horizontal field of view, which stays constant, and of the tilt, in degrees.
     turn, speed
-        Least and largest turn to either side, in degrees, and its mean speed, in degrees a second.
+        Ranges of the angle of a turn to either side, in degrees, and of its mean speed, in degrees/s.
     rest
-        Shortest and longest rest between two turns, in seconds.
+        Range of the pause between two turns, in seconds.
     rng
-        Source of every choice: the same path for every `fps`, the frames a second.
+        Source of all random choices. Frame rates (`fps`, in frames per second) do not change the path.
 
     Returns
     -------
@@ -67,7 +67,7 @@ def gaze(
 
 
 def least_jerk(done: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Share of the way after a share of the time, 0 to 1: at rest at both ends (Flash and Hogan 1985).
+    """Map a share of the time to a share of the way, 0 to 1, at rest at both ends (Flash and Hogan 1985).
 
     Examples
     --------

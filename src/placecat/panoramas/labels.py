@@ -1,4 +1,4 @@
-"""Files beside the frames of a home: its labels, and a table of the panorama of each frame."""
+"""The label file of a home, and a table of the panorama that each frame shows."""
 
 from collections.abc import Mapping, Sequence
 from itertools import groupby
@@ -11,13 +11,13 @@ _END = "-1\t-1\tend\n"
 
 
 def segments(looks: Sequence[Look]) -> list[tuple[int, int, str]]:
-    """The first frame, the last frame and the label of every stay on a floor."""
+    """Return first frame, last frame and label of every stay on a floor."""
     stays = [list(stay) for _, stay in groupby(looks, key=lambda look: look.stay)]
     return [(stay[0].first, stay[-1].last, stay[0].panorama.label) for stay in stays]
 
 
 def label_file(floors: Mapping[str, Sequence[Look]]) -> str:
-    """The ``label.txt`` of a home, as `placecat.sequences.vpc2009` reads it."""
+    """Return the text of the ``label.txt`` of a home for `placecat.sequences.vpc2009`."""
     text = ""
     for floor, looks in floors.items():
         lines = [f"{first}\t{last}\t{label}\n" for first, last, label in segments(looks)]
@@ -26,7 +26,7 @@ def label_file(floors: Mapping[str, Sequence[Look]]) -> str:
 
 
 def looks_table(floors: Mapping[str, Sequence[Look]]) -> pd.DataFrame:
-    """One row per look: floor, stay (from 1), frames, field of view in degrees, room, label, picture."""
+    """Return a row per look: floor, stay (from 1), frames, field of view in degrees, room, label, picture."""
     columns = ["floor", "stay", "start", "end", "fov", "room", "label", "panorama"]
     rows = [
         (
@@ -40,7 +40,7 @@ def looks_table(floors: Mapping[str, Sequence[Look]]) -> pd.DataFrame:
 
 
 def counts(floors: Mapping[str, Sequence[Look]]) -> dict[str, tuple[int, int]]:
-    """The number of frames and stays of each label in a home, by label."""
+    """Return label to number of frames and number of stays in a home."""
     found: dict[str, tuple[int, int]] = {}
     for looks in floors.values():
         for first, last, label in segments(looks):

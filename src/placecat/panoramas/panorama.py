@@ -1,4 +1,4 @@
-"""A panorama of a home, as a source lists it."""
+"""A panorama of a home."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -9,21 +9,21 @@ _NUMBER = re.compile(r"[\s_-]*[0-9]+$")
 
 @dataclass(frozen=True)
 class Panorama:
-    """One point from which all directions are seen.
+    """The view from one point in all directions.
 
     Attributes
     ----------
     home, floor
         Names of folders.
     room
-        A name that no other room of the floor has.
+        Name of the room, unique on its floor.
     label
-        The kind of room.
+        Place category of the room.
     files
         One equirectangular picture, or six faces of a cube in the order of `placecat.panoramas.cube.FACES`:
         POSIX paths relative to the folder of the source.
     origin
-        The file, and the line if there is one, that lists it; for messages.
+        File, and line if any, that lists the panorama; for messages.
     """
 
     home: str
@@ -35,7 +35,7 @@ class Panorama:
 
 
 def kind(name: str) -> str:
-    """The name of a room without its number: in small letters, words joined by ``_``.
+    """Return the name of a room without its number, in lower case, with words joined by ``_``.
 
     Examples
     --------
@@ -46,6 +46,6 @@ def kind(name: str) -> str:
 
 
 def labels_by_kind(labels: Mapping[str, Iterable[str]]) -> dict[str, str]:
-    """The label of every `kind` of room that the setting `labels` names."""
+    """Return the label of every `kind` of room that the setting `labels` names."""
     named = {kind(name): label for label, names in labels.items() for name in names}
     return named | {kind(label): label for label in labels}

@@ -1,4 +1,4 @@
-"""The walk of a view through a home, floor by floor: where each frame looks."""
+"""Plan a walk through a home, floor by floor: where each frame looks."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ _OF_GAZE = ("fps", "fov", "tilt", "turn", "speed", "rest")
 
 @dataclass(frozen=True, eq=False)
 class Look:
-    """Consecutive frames that look into one panorama.
+    """Consecutive frames that show one panorama.
 
     Attributes
     ----------
@@ -28,7 +28,7 @@ class Look:
     stay
         Number of the stay on this floor, from 0.
     first
-        Number of the first frame on this floor, from 1.
+        Number of the first frame, counted from 1 on this floor.
     path
         (frames, 3) float64: pan, tilt and horizontal field of view in degrees.
     """
@@ -45,10 +45,10 @@ class Look:
 
 
 def plan(panoramas: Sequence[Panorama], settings: Mapping[str, Any]) -> dict[str, list[Look]]:
-    """Plan the walk through a home by its panoramas and the settings of conf/panoramas.yaml.
+    """Plan the walk through a home from its panoramas and the settings of conf/panoramas.yaml.
 
-    Seeds are derived from the names of home and floor and from the setting `walk`. Returns floor to its looks
-    in order, floors in natural order.
+    Seeds depend on the names of home and floor and on the setting `walk`. Returns floor to looks in order;
+    floors are in natural order.
     """
     floors: dict[str, list[Look]] = {}
     for floor in sorted({one.floor for one in panoramas}, key=natural):
@@ -62,13 +62,13 @@ def plan(panoramas: Sequence[Panorama], settings: Mapping[str, Any]) -> dict[str
 def unseen(
     panoramas: Sequence[Panorama], plans: Mapping[str, Mapping[str, Sequence[Look]]]
 ) -> list[Panorama]:
-    """The panoramas that no look of any home shows, in their order."""
+    """Return the panoramas that no look shows, in their order."""
     shown = {look.panorama for floors in plans.values() for looks in floors.values() for look in looks}
     return [one for one in panoramas if one not in shown]
 
 
 def seed(home: str, floor: str, number: int) -> int:
-    """The seed of a walk by the names of home and floor, and its number."""
+    """Return the seed of a walk from the names of home and floor and the number of the walk."""
     return derive("panoramas", home, floor, number)
 
 

@@ -1,7 +1,6 @@
-"""Directions of the pixels of a view: a pinhole camera that turns on the spot.
+"""Directions of the pixels of a view, for a pinhole camera that turns on the spot.
 
-Directions are (x, y, z): x to the right, y down, z ahead, for the camera of a view that is neither panned nor
-tilted.
+Directions are (x, y, z): x to the right, y down, z ahead, as seen from a camera without pan and tilt.
 """
 
 import numpy as np
@@ -9,9 +8,9 @@ from numpy.typing import NDArray
 
 
 def focal_length(fov: float, width: int) -> float:
-    """The focal length in pixels of a view, `width` pixels wide.
+    """Return the focal length in pixels of a view that is `width` pixels wide.
 
-    `fov` is its horizontal field of view in degrees, above 0 and below 180.
+    `fov` is the horizontal field of view in degrees, above 0 and below 180.
 
     Examples
     --------
@@ -22,10 +21,10 @@ def focal_length(fov: float, width: int) -> float:
 
 
 def view_rays(pan: float, tilt: float, fov: float, width: int, height: int) -> NDArray[np.float64]:
-    """The direction of each pixel's centre: (height, width, 3) float64, not of unit length.
+    """Return the direction of each pixel centre: (height, width, 3) float64, not normalized.
 
-    `pan` is positive to the right, `tilt` upwards, both in degrees; `fov` is as for :func:`focal_length`.
-    Pixels are square, and the axis goes through the middle of the view.
+    `pan` is positive to the right, `tilt` is positive upwards, both in degrees; `fov` is as for
+    :func:`focal_length`. Pixels are square, and the optical axis passes through the centre of the view.
 
     Examples
     --------

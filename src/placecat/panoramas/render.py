@@ -1,4 +1,4 @@
-"""The frames of a walk that look into one panorama."""
+"""Render the frames of a walk that show one panorama."""
 
 from pathlib import Path
 
@@ -15,23 +15,23 @@ from placecat.panoramas.rays import focal_length, view_rays
 def render(
     files: tuple[Path, ...], origin: str, path: NDArray[np.float64], width: int, height: int, quality: int
 ) -> list[bytes]:
-    """Look into a panorama: a JPEG file per frame.
+    """Render views of a panorama, each as the content of a JPEG file.
 
     Parameters
     ----------
     files
         One equirectangular picture, or six faces of a cube in the order of `placecat.panoramas.cube.FACES`.
     origin
-        Where they are listed, for messages.
+        Where the files are listed, for messages.
     path
         (frames, 3) float64: pan, tilt and horizontal field of view in degrees.
     width, height, quality
-        Of a frame: pixels, and JPEG quality from 1 to 100.
+        Size of a frame in pixels, and JPEG quality from 1 to 100.
 
     Raises
     ------
     PlacecatError
-        If a picture cannot be read, is not 2:1, or is not a square face of the same size as the others.
+        If a picture cannot be read, a single picture is not 2:1, or faces are not squares of one size.
     """
     pictures = [read_image(file) for file in files]
     focal = focal_length(float(path[:, 2].min()), width)

@@ -1,4 +1,4 @@
-"""Views of an equirectangular panorama: columns are longitudes, rows latitudes, the middle is ahead."""
+"""Views of an equirectangular panorama: columns are longitudes, rows are latitudes, the centre is ahead."""
 
 import cv2
 import numpy as np
@@ -9,20 +9,20 @@ _BORDER = 1
 
 
 def fits(height: int, width: int) -> bool:
-    """Whether a picture of this size can be a whole sphere: twice as wide as high."""
+    """Return whether a picture of this size can be a whole sphere: it must be twice as wide as high."""
     return width == 2 * height
 
 
 def prepare(picture: NDArray[np.uint8], focal: float) -> NDArray[np.uint8]:
-    """Make a panorama, (H, 2 H, 3) uint8, ready for :func:`look`: (H' + 2, 2 H' + 2, 3) uint8 with a border.
+    """Prepare a panorama, (H, 2 H, 3) uint8, for :func:`look`: (H' + 2, 2 H' + 2, 3) uint8 with a border.
 
-    `focal` is the largest focal length of the views, in pixels. A panorama with more pixels per angle than
-    this view has in its middle is scaled down, since bilinear interpolation alone would skip pixels.
+    `focal` is the largest focal length of the views, in pixels. A panorama with a finer angular resolution
+    than the centre of that view is scaled down, because bilinear interpolation alone would skip pixels.
     """
     side = int(np.ceil(np.pi * focal))
     if side < len(picture):
         picture = cv2.resize(picture, (2 * side, side), interpolation=cv2.INTER_AREA)  # type: ignore[assignment]
-    # The other half of the same row lies beyond a pole.
+    # Beyond a pole, the same row continues half a turn away.
     half = picture.shape[1] // 2
     rows = [np.roll(picture[:1], half, axis=1), picture, np.roll(picture[-1:], half, axis=1)]
     whole = np.concatenate(rows)
@@ -30,9 +30,9 @@ def prepare(picture: NDArray[np.uint8], focal: float) -> NDArray[np.uint8]:
 
 
 def look(prepared: NDArray[np.uint8], rays: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """The view along rays, by bilinear interpolation: (h, w, 3) uint8.
+    """Render the view along rays with bilinear interpolation: (h, w, 3) uint8.
 
-    `prepared` is from :func:`prepare`; `rays` are (h, w, 3), from :func:`placecat.panoramas.rays.view_rays`.
+    `prepared` comes from :func:`prepare`, `rays`, (h, w, 3), from :func:`placecat.panoramas.rays.view_rays`.
     """
     height, width = (size - 2 * _BORDER for size in prepared.shape[:2])
     x, y, z = np.moveaxis(rays, -1, 0)

@@ -1,4 +1,4 @@
-"""A walk through the rooms of a floor: the order of rooms and panoramas, and the time in each."""
+"""Plan a walk through the rooms of a floor: order of rooms and panoramas, and time in each."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import cycle
@@ -15,7 +15,7 @@ class Room(NamedTuple):
 
 
 class Part(NamedTuple):
-    """A number of frames, at least one, in one panorama; the others are numbers, stays from 0."""
+    """Part of a stay: numbers of stay, room and panorama, from 0, and the number of frames, at least one."""
 
     stay: int
     room: int
@@ -37,28 +37,27 @@ def walk(
 ) -> list[Part]:
     """Walk through the rooms of a floor.
 
-    The first round enters every room, the next ones those that are visited again. No room follows itself.
-    Rooms of a label in `ways` are only passed through: one of them lies between any two others. If there are
-    too many ways for the walk to pass, it enters the rest like other rooms.
+    The first round enters every room; later rounds enter rooms with further visits. No room follows itself.
+    Rooms with a label in `ways` are only passed through, one between any two other rooms. If there are more
+    ways than the walk can pass, it enters the rest like other rooms.
 
     Parameters
     ----------
     rooms
-        At least one, each with a panorama or more.
+        At least one room; each has at least one panorama.
     fps
-        Frames a second.
+        Frames per second.
     visits
-        Fewest and most visits of a room.
+        Smallest and largest number of visits to a room.
     ways
-        Labels of rooms that a person passes.
+        Labels of rooms that people only pass through.
     stays, other_stays
-        Mean and standard deviation, in seconds, of a stay, which has a gamma distribution: by label, and for
-        all other labels.
+        Mean and standard deviation of the duration of a stay in seconds, by label and for all other labels.
+        Durations have a gamma distribution.
     shortest_stay, longest_look
-        In seconds. The panoramas of a room share a stay that is longer than `longest_look`, if there are
-        several.
+        Limits in seconds. A stay longer than `longest_look` is shared among the panoramas of the room.
     rng
-        Source of every choice.
+        Source of all random choices.
 
     Returns
     -------
@@ -67,7 +66,7 @@ def walk(
     """
     is_way = [room.label in ways for room in rooms]
     ways_first = sorted(range(len(rooms)), key=lambda number: not is_way[number])
-    # A walk that enters every room once passes one way fewer: the ways beyond that are entered, too.
+    # A walk that enters n rooms once passes n - 1 ways; it enters the surplus ways like other rooms.
     surplus = max(0, -(-(2 * sum(is_way) - len(rooms) + 1) // 2))
     entered = sorted(ways_first[:surplus] + ways_first[sum(is_way) :])
     passed = ways_first[surplus : sum(is_way)]
@@ -84,7 +83,7 @@ def walk(
 
 
 def _order(entered: Sequence[int], visits: Sequence[int], rng: np.random.Generator) -> list[int]:
-    """Rooms in the order of visits."""
+    """Return the rooms in the order of visits."""
     times = {number: int(rng.integers(visits[0], visits[1], endpoint=True)) for number in entered}
     order: list[int] = []
     for visit in range(1, visits[1] + 1):
@@ -92,7 +91,7 @@ def _order(entered: Sequence[int], visits: Sequence[int], rng: np.random.Generat
         now = [left[place] for place in rng.permutation(len(left))]
         if order and now and now[0] == order[-1]:
             now.append(now.pop(0))
-        # The last of all rooms is not visited twice in a row.
+        # Only the same room is left: do not visit it twice in a row.
         if order and now and now[0] == order[-1]:
             break
         order += now

@@ -1,1 +1,1 @@
-"""A trained system on new footage: tables, a timeline and an annotated video (``placecat predict``)."""
+"""Apply a trained system to new footage: tables, a timeline and an annotated video (``placecat predict``)."""

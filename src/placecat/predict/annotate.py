@@ -1,4 +1,4 @@
-"""Draw a frame with its salient regions, and beside it the places and their probabilities."""
+"""Draw a frame with its salient regions, next to the places and their probabilities."""
 
 from collections.abc import Sequence
 
@@ -16,7 +16,7 @@ from placecat.vision.regions import radius
 
 Color = tuple[int, int, int]
 LEAST_HEIGHT, MOST_HEIGHT = 480, 540
-"""Smaller frames are enlarged, so that the text is readable; larger ones are reduced, for a smaller video."""
+"""Pixels. Smaller frames are enlarged to keep the text readable; larger ones are reduced to save space."""
 _PAPER, _INK, _GREY, _LIGHT = (255, 255, 255), (34, 34, 34), (120, 120, 120), (232, 232, 232)
 _RIM, _REGION = (30, 30, 30), (120, 235, 255)
 
@@ -24,7 +24,7 @@ _RIM, _REGION = (30, 30, 30), (120, 235, 255)
 class Annotator:
     """Draws frames of one size, (width, height).
 
-    The attribute `size` is the (width, height) of the pictures; both are even, as videos need them.
+    The attribute `size` is the (width, height) of the pictures. Both are even because videos require it.
     """
 
     def __init__(self, classes: Sequence[str], size: tuple[int, int]) -> None:
@@ -53,17 +53,17 @@ class Annotator:
         return picture
 
     def _regions(self, image: NDArray[np.uint8], regions: NDArray[np.float32]) -> None:
-        """Circles of the regions' radii, the strongest on top."""
+        """Draw a circle around each region, the strongest on top."""
         line = max(2, round(self._height / 360))
         sizes = radius(regions[:, 2], self._width)
         for (x, y, *_), size in zip(regions[::-1], np.atleast_1d(sizes)[::-1], strict=True):
-            # In sixteenths of a pixel.
+            # OpenCV reads these as sixteenths of a pixel.
             centre = (round((float(x) + 0.5) * self._times * 16), round((float(y) + 0.5) * self._times * 16))
             for color, thickness in ((_RIM, line + 2), (_REGION, line)):
                 cv2.circle(image, centre, round(float(size) * 16), color, thickness, cv2.LINE_AA, 4)
 
     def _decision(self, picture: NDArray[np.uint8], decision: Decision, label: str | None) -> None:
-        """The place in its colour, the confidence as number and bar, the label."""
+        """Draw the place in its colour, the confidence as a number and a bar, and the label."""
         unit, left, right = self._unit, self._width + self._unit, self._width + self._panel - self._unit
         top = unit
         swatch = round(1.1 * unit)
@@ -74,7 +74,7 @@ class Annotator:
             self._colors[decision.place],
             -1,
         )
-        # A question mark where it is unknown.
+        # A question mark says that the place is unknown.
         name = palette.place_title(decision.place) + ("" if decision.is_known else "?")
         x = left + round(1.6 * unit)
         write(picture, name, (x, top), _fitting(name, round(1.3 * unit), right - x), _INK, bold=True)
@@ -88,7 +88,7 @@ class Annotator:
             write(picture, text, (left, top + unit), _fitting(text, unit, right - left), _GREY)
 
     def _places(self, picture: NDArray[np.uint8], decision: Decision) -> None:
-        """Every place with its probability; below, thin, that of the frame alone."""
+        """Draw a bar per place for its probability, and a thin bar below for this frame alone."""
         unit, left, right = self._unit, self._width + self._unit, self._width + self._panel - self._unit
         top, bottom = round(7.9 * unit), self._height - round(4.2 * unit)
         row = min(round(3.0 * unit), (bottom - top) // max(1, len(self._classes)))
@@ -96,7 +96,7 @@ class Annotator:
         thick, thin = max(2, round(0.3 * row)), max(1, round(0.09 * row))
         for number, name in enumerate(self._classes):
             y = top + number * row
-            # A long name is cut where the number begins.
+            # The slice cuts a long name where the number begins.
             is_best = name == decision.place
             write(
                 picture[:, : right - 3 * size], palette.place_title(name), (left, y), size, _INK, bold=is_best
@@ -118,12 +118,12 @@ class Annotator:
 
 
 def _fitting(text: str, size: int, width: int) -> int:
-    """Largest font size, up to `size`, in which a line is at most `width` wide."""
+    """Return the largest font size, up to `size`, at which the line fits into `width` pixels."""
     return max(6, min(size, size * width // max(1, mask(text, size, bold=True).shape[1])))
 
 
 def _bar(picture: NDArray[np.uint8], box: tuple[int, int, int, int], share: float, color: Color) -> None:
-    """A bar filled to `share` in [0, 1]; `box` is left, top, right, bottom."""
+    """Draw a bar filled to `share` in [0, 1]; `box` is left, top, right, bottom."""
     left, top, right, bottom = box
     picture[top:bottom, left:right] = _LIGHT
     picture[top:bottom, left : left + round(share * (right - left))] = color

@@ -1,4 +1,4 @@
-"""Frames of a camera or a stream: always the newest; those in between are dropped."""
+"""Read the newest frame of a camera or a stream; drop the frames in between."""
 
 import threading
 import time
@@ -12,36 +12,36 @@ from placecat.errors import PlacecatError
 from placecat.footage.timing import MOST_RATE
 from placecat.predict.frame import Frame, Source
 
-# Assumed for a camera that gives no rate or an impossible one, such as the 90,000 of streams.
+# Used if a camera reports no rate or an impossible one; some streams report 90,000.
 USUAL_FPS = 30.0
-# A camera is gone after so many failures to read in a row; the pause after each is in seconds.
+# The camera counts as gone after this many failed reads in a row; the pause after each is in seconds.
 _FAILURES, _PAUSE = 10, 0.05
 PATIENCE = 10.0
-"""Seconds without a frame after which a camera is gone."""
+"""The camera counts as gone after this many seconds without a frame."""
 
 
 class Camera(Source):
-    """Frames as they come.
+    """A live camera or stream.
 
-    A thread reads all that the camera delivers and keeps the newest, so that no queue of old frames builds up
-    in the driver. The footage ends when the camera stops delivering. Raises PlacecatError if it cannot be
-    opened or gives no frame.
+    A thread reads every frame and keeps only the newest, so old frames do not queue up in the driver. The
+    footage ends when the camera stops delivering. Raises PlacecatError if the camera cannot be opened or
+    delivers no frame.
 
     Parameters
     ----------
     address
         Number of a camera, or address of a stream.
     name, title
-        For the folder of results, and for messages.
+        Name of the results folder, and name in messages.
     fps
-        Frames a second; None takes what the camera says.
+        Frames per second; None uses the rate that the camera reports.
     size
-        (width, height) that a numbered camera is asked for; its frames may have another.
+        (width, height) requested from a numbered camera; its frames may differ.
 
     Attributes
     ----------
     arrived
-        Frames that the camera delivered until the last one was taken.
+        Number of frames delivered up to the last one that was used.
     """
 
     is_live, timing = True, None
@@ -64,7 +64,7 @@ class Camera(Source):
         done, first = self._capture.read()
         if not done or first is None:
             self._capture.release()
-            raise PlacecatError(f"{title} can be opened, but gives no frame: is it used elsewhere?")
+            raise PlacecatError(f"{title} can be opened, but delivers no frame: is another program using it?")
         self.size = (first.shape[1], first.shape[0])
         known = self._capture.get(cv2.CAP_PROP_FPS)
         self.fps = fps if fps is not None else known if 0 < known <= MOST_RATE else USUAL_FPS
@@ -74,7 +74,7 @@ class Camera(Source):
         self._is_over = False
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Wait for each new frame; `every` is for files."""
+        """Wait for each new frame; `every` is ignored, since it applies to files only."""
         thread = threading.Thread(target=self._read, name="camera", daemon=True)
         thread.start()
         start: float | None = None
@@ -96,7 +96,7 @@ class Camera(Source):
                 self._capture.release()
 
     def _wait(self) -> None:
-        # On some systems Ctrl-C does not end a long wait.
+        # Short waits, because Ctrl-C does not end a long one on some systems.
         until = time.monotonic() + PATIENCE
         while self._newest is None and not self._is_over and time.monotonic() < until:
             self._news.wait(0.2)

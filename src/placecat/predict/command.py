@@ -1,4 +1,4 @@
-"""``placecat predict``."""
+"""The command ``placecat predict``."""
 
 import os
 import sys
@@ -29,7 +29,7 @@ from placecat.progress import Progress
 
 TIMELINE, SPEED = "timeline.png", "speed.json"
 ANNOTATED = "annotated"
-# Segments on the terminal; the file has all.
+# Number of segments printed; the file lists all.
 SHOWN_SEGMENTS = 12
 # The largest --every.
 MOST_EVERY = 1_000_000
@@ -37,7 +37,7 @@ MOST_EVERY = 1_000_000
 
 @dataclass(frozen=True)
 class Options:
-    """Options of `placecat predict`; see its help."""
+    """Options of `placecat predict`, described in its help."""
 
     source: str
     model: Path
@@ -57,13 +57,13 @@ class Options:
 
     @property
     def exports(self) -> dict[str, Path]:
-        """The files that are wanted, by their options."""
+        """The files to export, by option."""
         return {option: path for option in exports.OPTIONS if (path := getattr(self, option)) is not None}
 
 
 @dataclass(frozen=True)
 class _Job:
-    """The footage, the system and how frames are fitted to it; the labels of all frames, if there are any."""
+    """The footage, the system, how frames are fitted to it, and the labels of all frames, if any."""
 
     options: Options
     source: Source
@@ -80,16 +80,14 @@ class _Job:
 def predict_command(options: Options) -> int:
     """Apply a trained system to footage, write the results and print a summary.
 
-    Returns 0; mistakes raise PlacecatError and leave nothing behind.
+    Returns 0; user errors raise PlacecatError and leave nothing behind.
     """
     _check(options)
     _quiet()
     categorizer = Categorizer.load(options.model)
     source = _open(options, categorizer)
     if source.is_live and options.every != 1:
-        raise PlacecatError(
-            "--every is for files: of a camera the newest frame is taken whenever one is done"
-        )
+        raise PlacecatError("--every is for files: a camera always uses its newest frame")
     chosen = fit(source.size, categorizer.frame_sizes, resize=options.resize)
     if options.labels is None:
         labels = source.truth(categorizer.classes, options.ignore)
@@ -125,7 +123,7 @@ def _open(options: Options, categorizer: Categorizer) -> Source:
 
 
 def _write(folder: Path, job: _Job) -> None:
-    """Predict into a folder, and print a summary."""
+    """Write the prediction to a folder, and print a summary."""
     _announce(job)
     options, source, categorizer, labels = job.options, job.source, job.categorizer, job.labels
     with (
@@ -165,7 +163,7 @@ def _write(folder: Path, job: _Job) -> None:
 
 
 def _draw(path: Path, prediction: Prediction, title: str, shown: NDArray[np.int16] | None) -> None:
-    # Matplotlib takes longer to import than to draw, and no frame needs it.
+    # Imported late: Matplotlib takes longer to import than to draw.
     from placecat.drawing.style import house_style, save
     from placecat.predict import timeline
 
@@ -182,7 +180,7 @@ def _check(options: Options) -> None:
     if options.ignore and options.labels is None and not is_home:
         raise PlacecatError("--ignore is for labels: give --labels as well")
     if options.overrides and not is_home:
-        raise PlacecatError("--set chooses the data set of home:NAME: give such a SOURCE")
+        raise PlacecatError("--set chooses the data set of home:NAME: give home:NAME as SOURCE")
     if options.labels is not None and is_home:
         raise PlacecatError("--labels is for other footage: the data set has the labels of its homes")
     if options.seconds is not None and not (np.isfinite(options.seconds) and options.seconds > 0):
@@ -190,10 +188,10 @@ def _check(options: Options) -> None:
 
 
 def _quiet() -> None:
-    """One message of ours, instead of several of FFmpeg's and OpenCV's."""
+    """Silence FFmpeg and OpenCV; placecat reports their errors itself."""
     os.environ.setdefault("OPENCV_FFMPEG_LOGLEVEL", "-8")
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
-    # For a title in letters that the font of the timeline lacks.
+    # The title may have letters that the timeline's font lacks.
     warnings.filterwarnings("ignore", message="Glyph .* missing from font")
 
 
@@ -208,15 +206,15 @@ def _announce(job: _Job) -> None:
     if source.topic:
         print(f"Topic: {source.topic}.")
     if isinstance(source, Folder) and options.fps is None:
-        print(f"A folder has no frame rate: {source.fps:g} frames/s, as the model's footage (--fps sets it).")
+        print(f"A folder has no frame rate: using the model's {source.fps:g} frames/s (--fps sets it).")
     if source.is_live:
         end = f"after {options.seconds:g} s" if options.seconds is not None else "with Ctrl-C"
-        print(f"Always the newest frame is taken, others are dropped. Ends {end}; then all is written.")
+        print(f"Only the newest frame is used; older ones are dropped. Ends {end}, then writes the results.")
     sys.stdout.flush()
 
 
 def _total(source: Source, wish: Wish) -> int | None:
-    """Number of frames to categorize, probably; None if it is not known."""
+    """Estimate the number of frames to categorize; None if unknown."""
     if source.timing is None:
         return None
     taken = np.searchsorted(source.timing.seconds, np.inf if wish.seconds is None else wish.seconds)
@@ -234,7 +232,7 @@ def _speed(speed: Speed, source: Source) -> dict[str, float]:
 
 def _summary(job: _Job, prediction: Prediction, agreement: dict[str, Any] | None) -> dict[str, Any]:
     card, damage = job.categorizer.card, job.source.damage()
-    # Left out for whole footage.
+    # The summary omits empty entries.
     odd = {
         "lost_frames": list(damage.lost),
         "damaged_frames": list(damage.damaged),

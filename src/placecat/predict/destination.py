@@ -1,4 +1,4 @@
-"""The folder of results: which of its files may be replaced."""
+"""Choose the results folder, and protect files that must not be replaced."""
 
 import json
 import shutil
@@ -22,27 +22,28 @@ _CHECKED = "sha256"
 def reserved(
     output: Path | None, name: str, source: str, read: list[Path], *, is_live: bool, force: bool
 ) -> Iterator[Path]:
-    """Reserve the folder to write for this prediction alone; parameters as for :func:`check`.
+    """Reserve the results folder for this prediction alone; parameters as for :func:`check`.
 
-    It is `output`, or predictions/NAME; for a camera the first of NAME, NAME_2, ... that does not exist and
-    that no other prediction writes. Errors are those of :func:`check`, and one for a folder in use.
+    The folder is `output`, or predictions/NAME. A camera gets the first of NAME, NAME_2, ... that does not
+    exist and that no other prediction is writing. Raises the errors of :func:`check`, and a PlacecatError if
+    the folder is in use.
     """
-    # A file may be called `...mp4`.
+    # A file may be named `...mp4`, which leaves only dots.
     name = name if name.strip(". ") else "footage"
     is_numbered = is_live and output is None
     for number in count(1):
         folder = output or Path("predictions") / (name if number == 1 else f"{name}_{number}")
-        # The target of a link is written, and the link stays.
+        # Write the target of a link and keep the link.
         folder = folder.resolve() if folder.is_symlink() else folder
         if is_numbered and folder.exists():
             continue
         check(folder, source, read, force=force)
         is_new = not folder.parent.exists()
-        # The system releases it if this process is killed.
+        # The operating system releases the lock if this process is killed.
         lock = FileLock(folder.with_name(f".{folder.name}.lock"))
         try:
             folder.parent.mkdir(parents=True, exist_ok=True)
-            # Otherwise the lock would take a file that cannot be written for one that is held.
+            # FileLock would mistake an unwritable file for a held lock.
             Path(lock.lock_file).touch()
             lock.acquire(timeout=0)
         except Timeout:
@@ -54,7 +55,7 @@ def reserved(
         except OSError as error:
             raise PlacecatError(f"cannot write {refusal(error, folder)}") from None
         try:
-            # The other one may have ended meanwhile.
+            # Another prediction may have finished in the meantime.
             if is_numbered and folder.exists():
                 continue
             check(folder, source, read, force=force)
@@ -68,19 +69,19 @@ def reserved(
 
 
 def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
-    """Refuse to replace files that cannot be made again; the PlacecatError names what is in the way.
+    """Refuse to replace files that cannot be recreated; the PlacecatError names the obstacle.
 
     Parameters
     ----------
     folder
-        Of the results.
+        The results folder.
     source
-        The footage, as the user gave it.
+        The footage, as the user typed it.
     read
-        Files and folders that are read: they may not be in the folder.
+        Input files and folders; they may not be in `folder`.
     force
-        Replace a prediction of another source or one that was edited (:func:`keep`). Other things than a
-        prediction are never replaced.
+        Replace a prediction of another source, or one that was edited (:func:`keep`). Only a prediction is
+        ever replaced.
     """
     files.check_target(folder)
     for path in read:
@@ -113,11 +114,11 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
 
 
 def keep(folder: Path, new: Path) -> dict[str, str]:
-    """Copy files that were added to a prediction, or edited, into the complete one that replaces it.
+    """Copy the files that a user added or edited in a prediction into the prediction that replaces it.
 
-    Returns the name of each such file or folder and that of its copy: the same or, if the new prediction has
-    that, ``NAME.edited.csv``, ``NAME.edited_2.csv``, ... The summary does not list the copy, so that the next
-    prediction keeps it, too.
+    Returns the name of each copied file or folder and the name of its copy. The copy keeps its name, or is
+    called ``NAME.edited.csv``, ``NAME.edited_2.csv``, ... if the new prediction uses that name. The summary
+    does not list the copy, so the next prediction keeps it as well.
     """
     summary = _summary(folder)
     kept: dict[str, str] = {}
@@ -138,7 +139,7 @@ def keep(folder: Path, new: Path) -> dict[str, str]:
 
 
 def checksums(folder: Path, names: Sequence[str]) -> dict[str, Any]:
-    """Checksums for the summary, by which edited tables are noticed later."""
+    """Return checksums for the summary; they reveal tables that are edited later."""
     return {_CHECKED: {name: files.checksum(folder / name) for name in names}}
 
 
@@ -154,7 +155,7 @@ def _summary(folder: Path) -> dict[str, Any] | None:
 
 
 def _changed(folder: Path, summary: dict[str, Any]) -> list[str]:
-    """Files that were added, or edited since."""
+    """List the files that were added or edited since the prediction."""
     changed = []
     for path in sorted(folder.iterdir()):
         digest = summary[_CHECKED].get(path.name)

@@ -1,6 +1,6 @@
-"""Exports of a prediction to robotics tools, beside its folder: MCAP and Rerun.
+"""Export a prediction to robotics tools, as MCAP and Rerun files outside the results folder.
 
-Their modules are imported late, since they import Matplotlib for its colours.
+The modules are imported late because they import Matplotlib for its colours.
 """
 
 import importlib
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     Export = McapFile | RerunFile
 
-# By option: the ending of the file, and the module and class that write it; imported only where asked for.
+# Option to file suffix, module and class; a module is imported only if its option is used.
 _KINDS = {"mcap": (".mcap", "mcap_file", "McapFile"), "rerun": (".rrd", "rerun_file", "RerunFile")}
 OPTIONS = tuple(_KINDS)
 
@@ -32,23 +32,23 @@ def _kind(option: str) -> "type[McapFile] | type[RerunFile]":
 
 
 def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, force: bool) -> None:
-    """Refuse files that cannot be written, before the work.
+    """Refuse files that cannot be written, before any work starts.
 
     Parameters
     ----------
     wanted
-        One of `OPTIONS` to the file.
+        Mapping from option (one of `OPTIONS`) to file.
     folder
-        Of the results: it will be replaced.
+        The results folder, which will be replaced.
     read
-        Files and folders that are read.
+        Input files and folders.
     force
-        Replace a file that is there, but never one that is read.
+        Replace an existing file, but never an input.
 
     Raises
     ------
     PlacecatError
-        If a package is missing, a name ends otherwise, or something is in the way.
+        If a package is missing, a name has the wrong ending, or a file is in the way.
     """
     for option, path in wanted.items():
         ending = _KINDS[option][0]
@@ -69,10 +69,10 @@ def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, for
 def opened(
     wanted: Mapping[str, Path], classes: tuple[str, ...], size: tuple[int, int], start: int
 ) -> Iterator[list["Export"]]:
-    """Open what :func:`check` accepts; the files get their names if the block succeeds.
+    """Open the files that :func:`check` accepted; they get their final names if the block succeeds.
 
-    `size` is the (width, height) of the frames, `start` the nanoseconds since 1970 of the first; 0 if that is
-    not known.
+    `size` is the (width, height) of the frames. `start` is the time of the first frame in nanoseconds since
+    1970, or 0 if unknown.
     """
     with ExitStack() as stack:
         exports: list[Export] = []

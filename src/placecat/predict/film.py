@@ -1,4 +1,4 @@
-"""Writes pictures into a video."""
+"""Write pictures into a video."""
 
 from fractions import Fraction
 from pathlib import Path
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 
-# Suffix to codec and its options, for speed: browsers show both.
+# Suffix to codec and options. The options favour speed; browsers play both formats.
 _CODECS = {
     ".mp4": ("libx264", {"preset": "ultrafast"}),
     ".webm": ("libvpx", {"deadline": "good", "cpu-used": "5", "crf": "20", "b": "2M"}),
@@ -20,10 +20,11 @@ _CODECS = {
 
 
 class Film:
-    """A video file that is being written.
+    """Writer of a video file, for a ``with`` block.
 
-    `path` ends with .mp4 (H.264) or .webm (VP8), `fps` are frames a second, `size` is (width, height), both
-    even. Raises PlacecatError if this FFmpeg cannot write it or, at the end of a ``with`` block, all of it.
+    `path` ends with .mp4 (H.264) or .webm (VP8), `fps` is in frames per second, `size` is (width, height),
+    both even. Raises PlacecatError if FFmpeg cannot write the format, or if the file is incomplete at the end
+    of the block.
     """
 
     def __init__(self, path: Path, fps: float, size: tuple[int, int]) -> None:
@@ -36,8 +37,8 @@ class Film:
             stream = self._container.add_stream(codec, rate=rate, options=options)
         except (av.FFmpegError, ValueError):
             raise PlacecatError(
-                f"this FFmpeg writes no {path.suffix} with {codec}: leave out --video, or try the other of "
-                "--video and --webm"
+                f"this FFmpeg cannot write {path.suffix} with {codec}: leave out --video, or try the other "
+                "of --video and --webm"
             ) from None
         assert isinstance(stream, VideoStream)
         self._stream = stream
@@ -45,9 +46,9 @@ class Film:
         self._stream.pix_fmt = "yuv420p"
 
     def add(self, picture: NDArray[np.uint8], seconds: float) -> None:
-        """Add a picture, (height, width, 3) uint8, BGR, up to the seconds at which it was taken.
+        """Add a picture, (height, width, 3) uint8, BGR, taken at `seconds`.
 
-        It is repeated up to then, so that the film runs in real time.
+        The picture is repeated to fill the time up to then, so the film runs in real time.
         """
         for _ in range(round(seconds * self._fps) + 1 - self._count):
             self._write(VideoFrame.from_ndarray(picture, "bgr24"))
@@ -79,7 +80,7 @@ class Film:
         return PlacecatError(f"the film {self._path.name} could not be written completely: is the disk full?")
 
     def _is_whole(self) -> bool:
-        """Whether the last picture is there: FFmpeg does not always say that writing failed."""
+        """Check that the last picture exists: FFmpeg does not always report a failed write."""
         film = cv2.VideoCapture(str(self._path), cv2.CAP_FFMPEG)
         try:
             film.set(cv2.CAP_PROP_POS_FRAMES, self._count - 1)

@@ -18,15 +18,15 @@ class Frame:
     Attributes
     ----------
     number
-        From 1; for a camera, among the frames that were taken.
+        Counted from 1; for a camera, only the frames that were used count.
     seconds
-        Since the first frame.
+        Time since the first frame.
     file
         Name of the image in a folder; "" otherwise.
     image
         (H, W, 3) uint8, BGR.
     begins
-        Whether a cut precedes it, after which the system starts again.
+        Whether a cut precedes the frame; the system restarts after a cut.
     """
 
     number: int
@@ -37,12 +37,12 @@ class Frame:
 
 
 def nanoseconds(seconds: float) -> int:
-    """Round seconds to nanoseconds: exact for times that were measured in them, up to a hundred days."""
+    """Round seconds to nanoseconds; exact for times measured in nanoseconds, up to a hundred days."""
     return round(seconds * 1e9)
 
 
 class Damage(NamedTuple):
-    """Numbers of the frames that cannot be decoded, of those that were decoded with errors, and a note."""
+    """Numbers of lost frames (not decodable) and damaged frames (decoded with errors), and a note."""
 
     lost: Sequence[int] = ()
     damaged: Sequence[int] = ()
@@ -55,21 +55,21 @@ class Source(ABC):
     Attributes
     ----------
     name
-        For the folder of results.
+        Name of the results folder.
     fps
-        Frames a second of the footage.
+        Frame rate of the footage, in frames per second.
     size
-        (width, height) in pixels of its first frame; others may differ if a phone was turned.
+        (width, height) of the first frame in pixels; later frames may differ if a phone was turned.
     timing
-        Times of all frames, lost ones included; None for a camera.
+        Times of all frames, including lost ones; None for a camera.
     is_live
-        Whether frames that are not taken in time are lost.
+        Whether frames are lost unless they are read in time.
     reached
-        Number of the last frame that was looked at, from 1; 0 before the first.
+        Number of the last frame that was read, from 1; 0 before the first.
     start
-        Nanoseconds since 1970 of the first frame; 0 if the footage does not say.
+        Time of the first frame in nanoseconds since 1970; 0 if unknown.
     topic
-        The topic of a bag; "" otherwise.
+        Topic of a bag; "" otherwise.
     """
 
     name: str
@@ -83,15 +83,15 @@ class Source(ABC):
 
     @abstractmethod
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first of each `every` frames or, if that is lost, the next; of a camera, all."""
+        """Decode one frame per group of `every`, the first that is not lost; a camera ignores `every`."""
 
     def truth(self, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16] | None:
-        """(frames,) indices in the model's `classes`, -1 for frames that are not scored; None without labels.
+        """Return (frames,) indices into the model's `classes`, -1 for unscored frames; None without labels.
 
-        The labels in `ignored` are not scored.
+        Frames with a label in `ignored` are not scored.
         """
         return None
 
     def damage(self) -> Damage:
-        """Which of the frames so far are lost or damaged."""
+        """Return the frames lost or damaged so far."""
         return Damage()

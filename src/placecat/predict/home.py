@@ -1,4 +1,4 @@
-"""A home of a data set as footage: all its floors, with the labels that the data set has."""
+"""Use a home of a data set as footage: all its floors, with their labels."""
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Any
@@ -15,22 +15,22 @@ from placecat.predict.frame import Damage, Frame, Source
 from placecat.sequences import open_home_of, place_labels
 
 PREFIX = "home:"
-"""A source of this kind begins so; the name of the home follows."""
+"""Prefix of a source that names a home; the name follows."""
 
 
 class DataSetHome(Source):
     """Frames of a home, one floor after the other.
 
-    The system restarts on each floor, or after another cut; time continues from the last floor.
+    The system restarts at each floor and at any other cut. Time continues from the previous floor.
 
     Parameters
     ----------
     name
-        A home of the data set; a PlacecatError if it is unknown or cannot be read.
+        A home of the data set. Raises PlacecatError if it is unknown or cannot be read.
     dataset
-        As in conf/dataset.
+        Settings as in conf/dataset.
     fps
-        Frames a second; None takes those of the data set.
+        Frames per second; None uses the rate of the data set.
     """
 
     timing: Timing
@@ -40,7 +40,7 @@ class DataSetHome(Source):
             raise PlacecatError(f"{PREFIX} has no name: name a home: {', '.join(dataset['homes'])}")
         if name not in dataset["homes"]:
             raise PlacecatError(
-                f"{PREFIX}{name}: {dataset['title']} has no such home, but {', '.join(dataset['homes'])}; "
+                f"{PREFIX}{name}: {dataset['title']} has no such home, only {', '.join(dataset['homes'])}; "
                 "--set dataset=... --set dataset.root=PATH chooses other data"
             )
         self._home = home = open_home_of(dataset, name, **{} if fps is None else {"fps": fps})
@@ -57,7 +57,7 @@ class DataSetHome(Source):
         self.timing = Timing(seconds, float(seconds[-1] + 1 / home.fps), home.fps, home.is_even)
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first of each `every` frames of a floor."""
+        """Decode every `every`-th frame of each floor, beginning with its first."""
         place = np.arange(len(self._begins))
         rows = np.flatnonzero((place - np.maximum.accumulate(np.where(self._begins, place, 0))) % every == 0)
         table = self._home.frames.iloc[rows]
@@ -72,11 +72,11 @@ class DataSetHome(Source):
         self.reached = len(self._begins)
 
     def damage(self) -> Damage:
-        """Which of its frames are lost or damaged."""
+        """Return the lost and damaged frames of the home."""
         return Damage(self._home.lost, self._home.damaged, self._home.note)
 
     def truth(self, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16]:
-        """As `Source.truth`; a PlacecatError for a class that neither the model knows nor `ignored` has."""
+        """See `Source.truth`. Raises PlacecatError for a class that the model lacks and `ignored` omits."""
         own = [name for name in self._dataset["classes"] if name not in ignored]
         labels = place_labels(
             self._home.frames["label"],
@@ -88,15 +88,15 @@ class DataSetHome(Source):
         for number in np.unique(labels[labels >= 0]):
             if own[number] not in classes:
                 raise PlacecatError(
-                    f"{self.name}: the model knows no {own[number]!r}, only {', '.join(classes)}: leave such "
-                    f"frames unscored with --ignore {own[number]}"
+                    f"{self.name}: the model does not know {own[number]!r}, only {', '.join(classes)}: leave "
+                    f"such frames unscored with --ignore {own[number]}"
                 )
         numbers = [classes.index(name) if name in classes else -1 for name in own]
         return np.array([*numbers, -1], np.int16)[labels]
 
 
 def data_set(overrides: Sequence[str]) -> Mapping[str, Any]:
-    """The data set of params.yaml, or of conf/ with some overrides."""
+    """Return the data set of params.yaml or, with overrides, of conf/."""
     from placecat.check import check
     from placecat.compose import compose
 

@@ -1,4 +1,4 @@
-"""A prediction as messages of ROS 2 in an MCAP file, for Foxglove and ``ros2 bag play``."""
+"""Write a prediction as ROS 2 messages to an MCAP file, for Foxglove and ``ros2 bag play``."""
 
 import shutil
 from pathlib import Path
@@ -14,37 +14,37 @@ from placecat.predict.annotate import Annotator
 from placecat.predict.frame import Frame, nanoseconds
 
 PICTURE, PROBABILITIES, PLACE = "/placecat/image/compressed", "/placecat/classification", "/placecat/place"
-"""Topics: of each frame the annotated picture and all probabilities; of each change, latched, the place or
-`unknown`."""
+"""Topics. The first two have a message per frame. The last is latched and has a message per change: the place
+or `unknown`."""
 JPEG_QUALITY = 90
-"""Of pictures, from 0 to 100. Our choice."""
+"""JPEG quality of pictures, from 0 to 100. Our choice."""
 
 _IMAGE, _STRING = "sensor_msgs/msg/CompressedImage", "std_msgs/msg/String"
 _HYPOTHESIS, _CLASSIFICATION = "vision_msgs/msg/ObjectHypothesis", "vision_msgs/msg/Classification"
-# Those of vision_msgs 4, which rosbags lacks.
+# Message definitions of vision_msgs 4, which rosbags lacks.
 _DEFINITIONS = {
     _HYPOTHESIS: "string class_id\nfloat64 score\n",
     _CLASSIFICATION: "std_msgs/Header header\nvision_msgs/ObjectHypothesis[] results\n",
 }
-# The newest version of the bag's format that ROS 2 Humble reads.
+# The newest bag format that ROS 2 Humble reads.
 _VERSION = 8
-# The file is written in a folder, since it contains its own name.
+# The bag stores its file name, so it is written under that name in a temporary folder.
 _WORK = ".folder"
 
 
 class McapFile:
-    """An MCAP file that is being written, with a summary and indices; for a ``with`` block.
+    """Writer of an MCAP file with a summary and indices, for a ``with`` block.
 
     Parameters
     ----------
     path, name
-        The file, and its final name without the ending.
+        The file, and its final name without the suffix.
     classes
-        Places.
+        Names of the places.
     size
-        (width, height) of the frames that are added.
+        (width, height) of the frames.
     start
-        Nanoseconds since 1970 of the first frame.
+        Time of the first frame in nanoseconds since 1970.
     """
 
     @staticmethod
@@ -87,7 +87,7 @@ class McapFile:
             shutil.rmtree(self._folder, ignore_errors=True)
 
     def add(self, frame: Frame, decision: Decision, label: str | None = None) -> None:
-        """Add a frame of the size that was given, with the true place if it is known."""
+        """Add a frame of size `size`, with its true place if known."""
         types = self._store.types
         now = self._start + nanoseconds(frame.seconds)
         stamp = types["builtin_interfaces/msg/Time"](now // 10**9, now % 10**9)
@@ -110,7 +110,7 @@ class McapFile:
 
 
 def jpeg(picture: NDArray[np.uint8], quality: int) -> NDArray[np.uint8]:
-    """Encode a picture, (H, W, 3) uint8, BGR, with a quality from 0 to 100, as (n,) uint8."""
+    """Encode a picture, (H, W, 3) uint8, BGR, as JPEG, (n,) uint8; `quality` is from 0 to 100."""
     done, coded = cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, quality])
     if not done:
         raise RuntimeError("OpenCV cannot write JPEG")
@@ -118,7 +118,7 @@ def jpeg(picture: NDArray[np.uint8], quality: int) -> NDArray[np.uint8]:
 
 
 def _rosbags() -> tuple[Any, Any]:
-    """Definitions of the messages, and the module of the writer."""
+    """Return the message definitions and the module of the writer."""
     try:
         from rosbags import rosbag2
         from rosbags.typesys import Stores, get_types_from_msg, get_typestore
@@ -133,7 +133,7 @@ def _rosbags() -> tuple[Any, Any]:
 
 
 def _quality(*, is_latched: bool) -> Any:
-    """Quality of service: a latched topic gives its last message to later subscribers."""
+    """Return the quality of service; later subscribers receive the last message of a latched topic."""
     from rosbags.interfaces import Qos, QosDurability, QosHistory, QosLiveliness, QosReliability, QosTime
 
     # The defaults of ROS 2.

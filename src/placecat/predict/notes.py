@@ -10,11 +10,11 @@ from placecat.predict.home import DataSetHome
 from placecat.predict.prediction import Prediction
 
 SLOW = 0.95
-"""Share of the model's frame rate below which frames are slow: 4.995 for 5 frames/s is not. Our choice."""
+"""Frames below this share of the model's frame rate are slow; 4.995 of 5 frames/s is not. Our choice."""
 
 
 def notes(source: Source, prediction: Prediction, categorizer: Categorizer) -> list[str]:
-    """List what a person should know, one line each, after the frames of the source were read."""
+    """List warnings for the user, one line each; call it after all frames of the source were read."""
     found = [source.damage().note, _turned(prediction), _trained(source, categorizer)]
     return [note for note in [*found, _slow(prediction, categorizer)] if note]
 
@@ -24,12 +24,12 @@ def _turned(prediction: Prediction) -> str:
         return ""
     return (
         f"{len(prediction.turned)} frames from frame {prediction.turned[0]} on have another size than the "
-        "first (was the phone turned?): their middle is taken"
+        "first (was the phone turned?): only their centre is used"
     )
 
 
 def _trained(source: Source, categorizer: Categorizer) -> str:
-    """Whether the model knows the home; data sets of one title are taken for one."""
+    """Warn if the model was trained on this home; data sets with equal titles count as the same."""
     data = categorizer.card["data"]
     if not isinstance(source, DataSetHome) or source.title != data.get("title"):
         return ""
@@ -42,7 +42,7 @@ def _trained(source: Source, categorizer: Categorizer) -> str:
 
 
 def _slow(prediction: Prediction, categorizer: Categorizer) -> str:
-    """Whether frames come more slowly than in training, so that each counts for more."""
+    """Warn if frames come more slowly than in training: each then has more weight."""
     if len(prediction.seconds) < 2 or not 0 < categorizer.threshold < math.inf:
         return ""
     period = float(np.median(np.diff(prediction.seconds)))

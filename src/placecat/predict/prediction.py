@@ -12,34 +12,34 @@ from placecat.sequences.labels import Segment
 
 @dataclass(frozen=True, eq=False)
 class Prediction:
-    """Frames that were categorized, n of them, in order.
+    """The n categorized frames, in order.
 
     Attributes
     ----------
     classes
-        Places, K of them.
+        Names of the K places.
     fps
-        Frames a second of the footage.
+        Frame rate of the footage, in frames per second.
     length
-        Number of the last frame of the footage that was passed, from 1.
+        Number of the last frame that was read, from 1.
     numbers
         (n,) int64, number of each frame in the footage, from 1.
     seconds
-        (n,) float64, since the first frame.
+        (n,) float64, time since the first frame.
     names
         File of each frame; empty if the footage is one file.
     proba
-        (n, K) float64, smoothed: what decides.
+        (n, K) float64, smoothed probabilities; they decide the place.
     integrated
-        (n, K) float64, of each frame alone.
+        (n, K) float64, probabilities of each frame alone.
     end
-        Seconds at which the last frame ends; None if it lasts as long as frames do.
+        End of the last frame in seconds; None if it lasts as long as the others.
     turned
-        Numbers of the frames of another size than the first.
+        Numbers of the frames whose size differs from the first.
     threshold
-        Least confidence of a decision that is known.
+        Decisions below this confidence are unknown.
     cuts
-        Indices of the frames after a cut, such as a new floor.
+        Indices of the frames that follow a cut, such as a new floor.
     """
 
     classes: tuple[str, ...]
@@ -57,12 +57,12 @@ class Prediction:
 
     @property
     def decision(self) -> NDArray[np.int64]:
-        """(n,) class indices."""
+        """(n,) int64, class index of each decision."""
         return self.proba.argmax(axis=1)
 
     @property
     def frame_decision(self) -> NDArray[np.int64]:
-        """(n,) class indices of each frame alone."""
+        """(n,) int64, class index that each frame alone suggests."""
         return self.integrated.argmax(axis=1)
 
     @property
@@ -72,17 +72,17 @@ class Prediction:
 
     @property
     def is_known(self) -> NDArray[np.bool_]:
-        """(n,) whether the decision is sure enough."""
+        """(n,) bool, whether the confidence reaches the threshold."""
         return self.confidence >= self.threshold
 
     @property
     def place_names(self) -> list[str]:
-        """Name of each frame's place; ``unknown`` if it is not known."""
+        """Place of each frame, or ``unknown``."""
         pairs = zip(self.decision.tolist(), self.is_known.tolist(), strict=True)
         return [self.classes[place] if known else UNKNOWN for place, known in pairs]
 
     def visits(self) -> list[Visit]:
-        """Stays, as :meth:`placecat.categorizer.Categorizer.visits` lists them; the last lasts to the end."""
+        """List the stays like :meth:`placecat.categorizer.Categorizer.visits`; the last lasts to the end."""
         log = VisitLog()
         frames = zip(self.place_names, self.confidence.tolist(), self.seconds.tolist(), strict=True)
         for number, frame in enumerate(frames):
@@ -91,14 +91,14 @@ class Prediction:
 
     @property
     def ends(self) -> NDArray[np.float64]:
-        """(n,) seconds at which each frame gives way to the next."""
+        """(n,) float64, time in seconds at which each frame ends."""
         step = float(np.median(np.diff(self.seconds))) if len(self.seconds) > 1 else 1 / self.fps
         return np.append(self.seconds[1:], self.seconds[-1] + step if self.end is None else self.end)
 
     def segments(self) -> list[Segment]:
-        """Consecutive frames of one place, in frames of the footage; they cover it without a gap.
+        """List runs of frames of one place, in frame numbers of the footage, without gaps.
 
-        A frame that was not categorized belongs to the one before it. `line` is that in segments.csv.
+        A frame that was not categorized joins the frame before it. `line` is the line in segments.csv.
         """
         decision = self.decision
         firsts = np.flatnonzero(np.r_[True, decision[1:] != decision[:-1]])

@@ -1,4 +1,4 @@
-"""A prediction as text and as JSON."""
+"""Report a prediction as text and as JSON."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -11,9 +11,9 @@ from placecat.predict.run import Speed
 
 
 def facts(prediction: Prediction, agreement: Mapping[str, Any] | None) -> dict[str, Any]:
-    """Facts for the summary, without times of the run, so that they can be reproduced.
+    """Return the facts for the summary; they exclude run times and are therefore reproducible.
 
-    `agreement` is from `placecat.predict.truth.agreement`; None without labels.
+    `agreement` comes from `placecat.predict.truth.agreement`; None without labels.
     """
     return {
         "frames": len(prediction.numbers),
@@ -32,16 +32,16 @@ def facts(prediction: Prediction, agreement: Mapping[str, Any] | None) -> dict[s
 
 
 def shares(prediction: Prediction) -> list[str]:
-    """Lines: the share of time of each place that was seen, the longest first."""
+    """Return lines with the share of time per place, longest first; places not seen are omitted."""
     longest_first = sorted(_share_of_time(prediction).items(), key=lambda one: -one[1])
     width = max(map(len, prediction.classes))
     lines = [f"  {name:{width}}  {value:6.1%}" for name, value in longest_first if value > 0]
     unknown = _share_unknown(prediction)
-    return [*lines, f"  In {unknown:.1%} of the time it is not sure enough: unknown."] if unknown else lines
+    return [*lines, f"  The place is unknown in {unknown:.1%} of the time."] if unknown else lines
 
 
 def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str]:
-    """Lines: accuracy, a table of labelled places (rows) and decisions (columns), and the named share."""
+    """Return lines: the accuracy, a confusion table (rows: labels, columns: decisions), the share named."""
     if agreement["accuracy"] is None:
         return ["No categorized frame has a label of the model's places: nothing is scored."]
     rows = [list(map(str, row)) for row in agreement["confusion"]]
@@ -66,9 +66,9 @@ def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str
 
 
 def speed_text(speed: Speed, every: int, fps: float, *, dropped: int | None = None) -> str:
-    """The frame rate in relation to that of the footage, `fps`, of which one of `every` frames was taken.
+    """Compare the speed with the frame rate `fps` of the footage, when one in `every` frames is used.
 
-    `dropped` is the number of frames of a camera that were not taken.
+    `dropped` is the number of camera frames that were not used.
     """
     footage = "footage's" if every == 1 else f"{speed.wanted:.4g} taken of the footage's"
     text = (
@@ -79,7 +79,7 @@ def speed_text(speed: Speed, every: int, fps: float, *, dropped: int | None = No
 
 
 def segment_lines(prediction: Prediction, most: int) -> list[str]:
-    """Lines: the first segments with their times."""
+    """Return lines with the first `most` segments and their times."""
     parts = prediction.segments()
     lines = []
     for part in parts[:most]:
@@ -102,7 +102,7 @@ def _share_of_time(prediction: Prediction) -> dict[str, float]:
 
 
 def _share_unknown(prediction: Prediction) -> float:
-    """Share of the time in which the place is unknown."""
+    """Return the share of time in which the place is unknown."""
     lengths = prediction.ends - prediction.seconds
     return float(lengths[~prediction.is_known].sum() / lengths.sum())
 

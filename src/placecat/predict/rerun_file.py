@@ -1,4 +1,4 @@
-"""A prediction as a recording of Rerun: frames, salient regions, probabilities and places over time."""
+"""Write a prediction as a Rerun recording: frames, salient regions, probabilities and places over time."""
 
 import shutil
 from pathlib import Path
@@ -15,19 +15,20 @@ from placecat.predict.mcap_file import JPEG_QUALITY, jpeg
 from placecat.vision.regions import radius
 
 IMAGE, REGIONS, PROBABILITIES, PLACE = "camera/image", "camera/image/regions", "probabilities", "place"
-"""Entities; each class has one of its own below `PROBABILITIES`."""
+"""Entities. Each class has an entity below `PROBABILITIES`."""
 FRAME, TIME = "frame", "time"
-"""Timelines: the number of the frame, and its time since 1970 or, if that is not known, since the start."""
+"""Timelines: the frame number, and the time since 1970 or, if unknown, since the start."""
 LEAST_FREE = 64_000_000
-"""Bytes that must be free on the disk: Rerun waits for ever on a full one. Our choice."""
+"""Bytes that must be free on the disk; Rerun hangs on a full disk. Our choice."""
 _REGION = (255, 235, 120)
 
 
 class RerunFile:
-    """A recording that is being written; for a ``with`` block.
+    """Writer of a Rerun recording, for a ``with`` block.
 
-    Its bytes differ from run to run: Rerun writes when each message was logged. The parameters are those of
-    :class:`placecat.predict.mcap_file.McapFile`; any size will do, and a `start` of 0 is not known.
+    The bytes differ between runs because Rerun stores the log time of each message. The parameters are the
+    same as for :class:`placecat.predict.mcap_file.McapFile`, but frames may have any size, and a `start` of 0
+    means unknown.
     """
 
     def __init__(
@@ -62,7 +63,7 @@ class RerunFile:
         self._stream.disconnect()
 
     def add(self, frame: Frame, decision: Decision, label: str | None = None) -> None:
-        """Add a frame, with the true place if it is known; PlacecatError if the disk is nearly full."""
+        """Add a frame, with its true place if known. Raises PlacecatError if the disk is nearly full."""
         if shutil.disk_usage(self._path.parent).free < LEAST_FREE:
             raise PlacecatError(
                 f"--rerun: less than {LEAST_FREE // 10**6} MB of the disk are free; make room"
@@ -77,7 +78,7 @@ class RerunFile:
         coded = jpeg(frame.image, JPEG_QUALITY).tobytes()
         log(IMAGE, rerun.EncodedImage(contents=coded, media_type="image/jpeg"))
         regions = decision.regions
-        # Rerun counts from the edge of a pixel.
+        # In Rerun, the centre of the first pixel is at 0.5.
         centres, sizes = regions[:, :2] + 0.5, np.atleast_1d(radius(regions[:, 2], frame.image.shape[1]))
         log(REGIONS, rerun.Points2D(centres, radii=sizes, colors=[_REGION]))
         for entity, score in zip(self._entities.values(), decision.proba, strict=True):

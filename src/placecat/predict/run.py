@@ -26,11 +26,11 @@ class Speed:
     Attributes
     ----------
     wanted
-        Frames to categorize in a second of footage.
+        Frames to categorize per second of footage.
     frames
         Number of categorized frames.
     seconds, categorizing
-        In all (decoding, categorizing, drawing), and in the categorizer.
+        Total time (decoding, categorizing, drawing), and time in the categorizer.
     """
 
     wanted: float
@@ -40,12 +40,12 @@ class Speed:
 
     @property
     def rate(self) -> float:
-        """Frames a second."""
+        """Frames per second."""
         return self.frames / self.seconds if self.seconds else 0.0
 
     @property
     def categorizer_rate(self) -> float:
-        """Frames a second that the categorizer alone would do."""
+        """Frames per second of the categorizer alone."""
         return self.frames / self.categorizing if self.categorizing else 0.0
 
 
@@ -56,15 +56,15 @@ class Wish:
     Attributes
     ----------
     every
-        Categorize the first of so many frames.
+        Categorize one frame out of this many.
     seconds
-        Footage to take; None takes all.
+        Length of footage to use; None uses all.
     film
         Path of the annotated video, if any.
     truth
-        (frames of the footage,) class indices to write into the video, -1 for none.
+        (frames of the footage,) int16, class indices to show in the video, -1 for unlabelled frames.
     pace
-        The video runs so many times as fast as the footage.
+        Speed of the video relative to the footage.
     """
 
     every: int = 1
@@ -79,25 +79,25 @@ def run(
 ) -> tuple[Prediction, Speed, bool]:
     """Categorize footage.
 
-    Ctrl-C ends the footage of a camera, but is raised for other footage.
+    Ctrl-C ends the footage of a camera; for other footage, KeyboardInterrupt is raised.
 
     Parameters
     ----------
     system
-        Has seen no frame.
+        A system that has seen no frame yet.
     fit
-        Makes frames of the size that the system takes.
+        Fits frames to the size that the system accepts.
     shown
         Called after every frame.
 
     Returns
     -------
-    The prediction of at least one frame, the speed, and whether Ctrl-C ended it.
+    The prediction, with at least one frame; the speed; and whether Ctrl-C ended it.
 
     Raises
     ------
     PlacecatError
-        If a frame cannot be read or there is none.
+        If a frame cannot be read, or the footage has none.
     """
     rows: list[tuple[int, float, str, NDArray[np.float64], NDArray[np.float64]]] = []
     speed = Speed(source.fps / wish.every)
@@ -105,7 +105,7 @@ def run(
     with ExitStack() as stack:
         film = None
         if wish.film is not None:
-            # It imports Matplotlib, for its colours.
+            # Imported late: it imports Matplotlib for its colours.
             from placecat.predict.annotate import Annotator
 
             annotator = Annotator(system.classes, fit.target)
@@ -113,7 +113,7 @@ def run(
         frames = source.frames(wish.every)
         stack.callback(frames.close)  # type: ignore[attr-defined]
         start = time.perf_counter()
-        # The first frame stands for its time in the footage.
+        # The first frame lasts one frame period.
         seen = -1.0 / speed.wanted
         turned, cuts = [], []
         try:
@@ -134,7 +134,7 @@ def run(
                 if film is not None:
                     label = true_label(wish.truth, frame.number, system.classes)
                     film.add(annotator(frame, decision, label), frame.seconds / wish.pace)
-                # One step, so that Ctrl-C leaves no half of a row.
+                # Append in one step: Ctrl-C must not leave half a row.
                 rows.append((frame.number, frame.seconds, frame.file, decision.proba, decision.integrated))
                 speed.frames, speed.seconds = len(rows), time.perf_counter() - start
                 shown(frame, decision, speed)
@@ -166,7 +166,7 @@ def run(
 
 
 def true_label(truth: NDArray[np.int16] | None, number: int, classes: tuple[str, ...]) -> str | None:
-    """The true place of a frame: "" if it is not scored, None without labels."""
+    """Return the true place of a frame: "" if it is not scored, None without labels."""
     if truth is None:
         return None
     place = int(truth[number - 1])

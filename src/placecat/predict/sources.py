@@ -1,4 +1,4 @@
-"""Footage to predict: a video, a bag, a folder of images, or a camera."""
+"""Open footage: a video, a bag, a folder of images, or a camera."""
 
 import re
 from collections.abc import Iterator
@@ -17,35 +17,35 @@ from placecat.predict.camera import Camera
 from placecat.predict.frame import Damage, Frame, Source
 from placecat.sequences import video
 
-# Frames a second. The upper limit is that of dataset.fps; the lower one is our choice.
+# Frames per second. The upper limit is the same as for dataset.fps; the lower one is our choice.
 SLOWEST, FASTEST = 0.001, 1000.0
 _CAMERA = re.compile(r"camera(?::([0-9]{1,4}))?")
 _STREAM = re.compile(r"(rtsps?|https?)://.+", re.IGNORECASE)
 
 
 def without_password(text: str) -> str:
-    """The address of a stream without user and password; anything else unchanged."""
+    """Remove user and password from the address of a stream; other text stays unchanged."""
     return re.sub(r"(?<=://)[^/@]*@", "", text) if _STREAM.fullmatch(text) else text
 
 
 def open_source(
     text: str, *, fps: float | None, usual_fps: float, size: tuple[int, int], topic: str | None = None
 ) -> Source:
-    """Open footage; a PlacecatError if it cannot be read.
+    """Open footage. Raises PlacecatError if it cannot be read.
 
     Parameters
     ----------
     text
         A video file, a folder of images, a bag, ``camera`` or ``camera:NUMBER``, or the address of a stream
-        (rtsp, http). A file or folder precedes a camera of its name.
+        (rtsp, http). A file or folder has priority over a camera of the same name.
     fps
-        Frames a second; None takes what the footage says.
+        Frames per second; None uses the rate of the footage.
     usual_fps
-        Taken for a folder, which does not say.
+        Frame rate of a folder, which has none.
     size
-        (width, height) that a camera is asked for.
+        (width, height) requested from a camera.
     topic
-        Of a bag's pictures; None takes the only one.
+        Image topic of a bag; None uses the only one.
     """
     if fps is not None and not SLOWEST <= fps <= FASTEST:
         raise PlacecatError(f"--fps is {fps:g}: give {SLOWEST:g} to {FASTEST:g}")
@@ -83,7 +83,7 @@ def _bag(path: Path, fps: float | None, topic: str | None) -> "Recorded":
 def _video(path: Path, fps: float | None) -> "Recorded":
     if path.suffix.lower() not in video.SUFFIXES:
         raise PlacecatError(
-            f"{path}: not a video by its ending ({', '.join(video.SUFFIXES)}); convert it, e.g. "
+            f"{path}: not a supported video suffix ({', '.join(video.SUFFIXES)}); convert it, e.g. "
             f"`ffmpeg -i {path.name} {path.stem}.mp4`; images go into a folder"
         )
     recording = Recording(path)
@@ -91,7 +91,7 @@ def _video(path: Path, fps: float | None) -> "Recorded":
 
 
 class Recorded(Source):
-    """A video or a bag, decoded from its start as the stages decode it."""
+    """A video or a bag, decoded from the start, exactly like the stages do."""
 
     timing: Timing
 
@@ -102,7 +102,7 @@ class Recorded(Source):
             self.topic, self.start = recording.topic, recording.start
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first of each `every` frames; if that is lost, the next."""
+        """Decode one frame per group of `every`: the first that is not lost."""
         last = -1
         for picture in self._recording.pictures():
             self.reached = number = picture.number
@@ -112,12 +112,12 @@ class Recorded(Source):
         self.reached = self._recording.count
 
     def damage(self) -> Damage:
-        """Which of the frames so far are lost or damaged."""
+        """Return the frames lost or damaged so far."""
         return Damage(self._recording.lost, self._recording.damaged, self._recording.note())
 
 
 class Folder(Source):
-    """JPEG and PNG files, as the layout `folder` lists them."""
+    """A folder of JPEG and PNG files, in the same order as in the layout `folder`."""
 
     timing: Timing
 
@@ -132,7 +132,7 @@ class Folder(Source):
         self.size = (first.shape[1], first.shape[0])
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode the first of each `every` frames."""
+        """Decode every `every`-th frame, beginning with the first."""
         for number, name in enumerate(self._images, 1):
             self.reached = number
             if (number - 1) % every == 0:

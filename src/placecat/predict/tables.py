@@ -1,4 +1,4 @@
-"""A prediction as CSV files."""
+"""Write a prediction as CSV files."""
 
 from pathlib import Path
 
@@ -14,16 +14,16 @@ TABLES = (FRAMES, SEGMENTS, VISITS)
 
 
 def write_frames(path: Path, prediction: Prediction) -> None:
-    """Write one row per frame: the decision and its confidence, all probabilities, those of the frame alone.
+    """Write one row per frame: decision, confidence, all probabilities, and the same for the frame alone.
 
     ``name`` is the place, or ``unknown`` if the confidence is too low. Probabilities have enough digits to
-    read back the same number, to the bit.
+    be read back bit for bit.
     """
     classes = prediction.classes
     columns = {
         "frame": prediction.numbers,
         "seconds": [f"{seconds:.3f}" for seconds in prediction.seconds],
-        # As objects, since pandas takes only UTF-8 for text.
+        # As objects, because pandas strings must be valid UTF-8.
         **({"file": pd.Series(prediction.names, dtype=object)} if prediction.names else {}),
         "place": [classes[place] for place in prediction.decision],
         "confidence": prediction.confidence,
@@ -36,13 +36,13 @@ def write_frames(path: Path, prediction: Prediction) -> None:
 
 
 def write_segments(path: Path, prediction: Prediction) -> None:
-    """Write one row per stretch of one place, in the format of a label file."""
+    """Write one row per segment, in the format of a label file."""
     rows = [(part.start, part.end, part.label) for part in prediction.segments()]
     _write(path, pd.DataFrame(rows, columns=FRAME_HEADER))
 
 
 def write_visits(path: Path, prediction: Prediction) -> None:
-    """Write one row per stay: its name, seconds of its start and end, mean confidence, number of frames."""
+    """Write one row per stay: place, start and end in seconds, mean confidence, number of frames."""
     rows = [
         (visit.place, f"{visit.start:.3f}", f"{visit.end:.3f}", f"{visit.confidence:.4f}", visit.frames)
         for visit in prediction.visits()
@@ -53,5 +53,5 @@ def write_visits(path: Path, prediction: Prediction) -> None:
 
 
 def _write(path: Path, table: pd.DataFrame) -> None:
-    # File names may be in any coding: bytes that are not UTF-8 are shown as \xNN.
+    # File names may have any encoding; bytes that are not UTF-8 become \xNN.
     table.to_csv(path, index=False, lineterminator="\n", errors="backslashreplace")

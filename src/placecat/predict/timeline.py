@@ -1,4 +1,4 @@
-"""A prediction as a picture: places as strips over time, with the confidence below."""
+"""Draw a prediction as a timeline: strips of places, with the confidence below."""
 
 import textwrap
 from collections.abc import Sequence
@@ -16,17 +16,17 @@ from placecat.predict.clock import clock
 from placecat.predict.prediction import Prediction
 
 COLUMNS = 2000
-"""Moments that a strip shows: about as many as it has pixels."""
+"""Moments that a strip shows, about one per pixel."""
 UNLABELLED = "#ffffff"
 WIDTH, HEIGHT, ROW = 6.5, 1.75, 0.3
 LINE = 96
-"""Characters of the title that fit in a line in most cases."""
+"""Characters of the title per line; most titles fit."""
 
 
 def draw(prediction: Prediction, title: str, truth: NDArray[np.int16] | None = None) -> Figure:
     """Draw the timeline of a prediction of at least one frame.
 
-    `truth` are (n,) class indices of the frames, -1 for unlabelled frames; None draws no such strip.
+    `truth` holds (n,) int16 class indices, -1 for unlabelled frames; None omits the label strip.
     """
     colors = palette.place_colors(prediction.classes)
     strips: dict[str, NDArray[np.integer]] = {} if truth is None else {"label": truth}
@@ -56,7 +56,7 @@ def draw(prediction: Prediction, title: str, truth: NDArray[np.int16] | None = N
 
 
 def _strip(axes: Axes, name: str, places: NDArray[np.integer], colors: Sequence[str], end: float) -> None:
-    # Index -1 is the last.
+    # Index -1 selects the last colour, UNLABELLED.
     table = np.array([to_rgb(color) for color in (*colors, UNLABELLED)])
     axes.imshow(
         table[places][None],
@@ -73,7 +73,7 @@ def _strip(axes: Axes, name: str, places: NDArray[np.integer], colors: Sequence[
 
 def _confidence(axes: Axes, prediction: Prediction, end: float) -> None:
     chance = 1 / len(prediction.classes)
-    # Its last value reaches to the end.
+    # Extend the last value to the end.
     times, values = np.append(prediction.seconds, end), prediction.confidence
     values = np.append(values, values[-1])
     axes.fill_between(times, 0.0, values, step="post", color="#e3e3e3", linewidth=0)
@@ -87,7 +87,7 @@ def _confidence(axes: Axes, prediction: Prediction, end: float) -> None:
     axes.set_yticks([0.0, 0.5, 1.0], ["0", "0.5", "1"])
     axes.set_ylabel("confidence")
     axes.set_xlim(0.0, end)
-    # Numbers of seconds that are round on a clock.
+    # Steps that look round on a clock.
     steps = [1, 1.5, 2, 3, 6, 10] if end > 60 else [1, 2, 5, 10]
     axes.xaxis.set_major_locator(MaxNLocator(8, steps=steps, integer=end > 8))
     axes.xaxis.set_major_formatter(

@@ -1,4 +1,4 @@
-"""Labels of footage, and how well a prediction agrees with them."""
+"""Read labels of footage, and compare a prediction with them."""
 
 from collections.abc import Collection, Sequence
 from pathlib import Path
@@ -14,14 +14,14 @@ from placecat.predict.prediction import Prediction
 from placecat.sequences.labels import read_label_csv
 
 UNSCORED = "transition"
-"""The label of frames between places, which every label file may have."""
+"""Label of frames between places; every label file may use it."""
 
 
 def read(path: Path, timing: Timing, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16]:
-    """Read the labels of all frames of footage, see `placecat.sequences.labels.read_label_csv`.
+    """Read the labels of all frames with `placecat.sequences.labels.read_label_csv`.
 
-    Frames with a label in `ignored`, or `UNSCORED`, are not scored. Returns (frames,) int16 indices in the
-    model's `classes`, -1 for frames that are not scored. Raises PlacecatError if the file does not fit the
+    Frames labelled `UNSCORED`, or with a label in `ignored`, are not scored. Returns (frames,) int16 indices
+    into the model's `classes`, -1 for unscored frames. Raises PlacecatError if the file does not match the
     times, or has a label that is neither a class nor ignored.
     """
     with reading(path):
@@ -32,27 +32,27 @@ def read(path: Path, timing: Timing, classes: Sequence[str], ignored: Collection
     for label, line in zip(labels, lines, strict=True):
         if label not in numbers:
             raise PlacecatError(
-                f"{path} line {line}: the model knows no {label!r}, only {', '.join(classes)}: correct the "
-                f"label, or leave such frames unscored with --ignore {label}"
+                f"{path} line {line}: the model does not know {label!r}, only {', '.join(classes)}: correct "
+                f"the label, or leave such frames unscored with --ignore {label}"
             )
     return np.array([numbers[label] for label in labels], dtype=np.int16)
 
 
 def agreement(prediction: Prediction, truth: NDArray[np.int16]) -> dict[str, object]:
-    """Score the frames that were categorized, as the project scores a home (thesis 4.2).
+    """Score the categorized frames in the same way as a home (thesis 4.2).
 
     Parameters
     ----------
     truth
-        (n,) class indices of these frames, -1 for frames that are not scored.
+        (n,) class indices of these frames, -1 for unscored frames.
 
     Returns
     -------
     dict
-        ``accuracy`` and ``frame_accuracy`` (of each frame alone): mean over the places present, in percent,
-        or None if nothing is scored; ``by_place``; ``confusion``, the counts, one row per labelled place;
-        ``named``, percent of the frames whose place is not unknown, and ``named_wrongly``, percent of these,
-        places weighing the same.
+        ``accuracy`` and ``frame_accuracy`` (each frame alone): mean over the places present, in percent, or
+        None if nothing is scored. ``by_place``: percent per place. ``confusion``: counts, one row per
+        labelled place. ``named``: percent of frames that are not unknown. ``named_wrongly``: percent of
+        these that are wrong. Both weigh all places equally.
     """
     n_classes = len(prediction.classes)
     confusion = confusion_matrix(truth, prediction.decision, n_classes)

@@ -1,1 +1,1 @@
-"""Correct results if runs are killed, started twice, or their settings change."""
+"""Keep results correct if a run is killed, is started twice, or its settings change."""

@@ -1,8 +1,8 @@
-"""DVC as `placecat repro` runs it: ``python -m placecat.runs.dvc repro``.
+"""Run DVC for `placecat repro`: ``python -m placecat.runs.dvc repro``.
 
-It writes dvc.lock under another name and renames it; plain DVC writes in place, and a run killed at that
-moment loses its records. It prints how many stages and how much time are left, and hides messages about
-frozen stages. On SIGTERM, or when the run that started it is gone, it first ends its stage.
+This DVC writes dvc.lock under another name and renames it. Plain DVC writes in place and loses its records if
+it is killed at that moment. It also prints the number of stages and the time left, and hides messages about
+frozen stages. On SIGTERM, or when its parent run is gone, it first ends its stage.
 """
 
 import logging
@@ -32,7 +32,7 @@ def main() -> None:
     os.environ[lifeline.DVC] = str(os.getpid())
     from dvc.utils.serialize import _common
 
-    # If a later DVC renames this, a test fails, and `placecat mend` still repairs dvc.lock.
+    # A test detects whether a new DVC version renames this function. `placecat mend` then still works.
     _common._dump_data = _write_whole
     from dvc.cli import main as dvc
 
@@ -43,7 +43,7 @@ def main() -> None:
 
 
 class _Left(logging.Filter):
-    """Adds to a stage's line its number and the time left, from the stages' earlier times in seconds."""
+    """Add number and time left to the line of a stage; the estimate uses earlier stage times in seconds."""
 
     def __init__(self, stages: Sequence[str], seconds: Mapping[str, float]) -> None:
         super().__init__()
@@ -75,7 +75,7 @@ def _stop(number: int, frame: FrameType | None) -> None:
     stage = psutil.Process().children()
     for process in stage:
         process.terminate()
-    # DVC ignores Ctrl-C while it waits for its stage, and ends when that has failed.
+    # DVC ignores Ctrl-C while it waits for a stage, and ends once the stage has failed.
     if not stage:
         raise KeyboardInterrupt
 

@@ -1,8 +1,8 @@
-"""End a process soon after the one that started it, for any reason.
+"""End a process soon after its parent has ended for any reason.
 
-The run, DVC, a stage and its workers are a chain of processes, and any of them may be killed. Each watches
-its parent. The kernel's own signal (PR_SET_PDEATHSIG) is not used: it exists only on Linux, and comes too
-early if a thread started the process, as in joblib.
+The run, DVC, a stage and its workers form a chain of processes, and any of them may be killed. Each watches
+its parent. The kernel signal PR_SET_PDEATHSIG does not help: it exists only on Linux, and comes too early if
+a thread started the process, as in joblib.
 """
 
 import os
@@ -13,16 +13,16 @@ from types import FrameType
 
 import psutil
 
-# Seconds between two looks, and to clean up.
+# Seconds between two checks, and seconds allowed to clean up.
 INTERVAL, GRACE = 0.5, 10.0
-# Environment variable with the process of DVC, for its stages: a shell may be in between.
+# Environment variable that tells stages the process number of DVC; their parent may be a shell.
 DVC = "PLACECAT_DVC"
 
 _watching = False
 
 
 def end_with(parent: int) -> None:
-    """Send this process SIGTERM once `parent` is gone, and kill it if it stays. Later calls do nothing."""
+    """Send SIGTERM to this process once `parent` is gone, then kill it if needed. Later calls do nothing."""
     global _watching
     if not _watching:
         _watching = True
@@ -30,7 +30,7 @@ def end_with(parent: int) -> None:
 
 
 def end_stage_with_dvc() -> None:
-    """Clean up on SIGTERM as on Ctrl-C, and also when DVC is gone."""
+    """Clean up on SIGTERM and on Ctrl-C, and also when DVC is gone."""
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, _stop)
     if "DVC_STAGE" in os.environ:
@@ -38,7 +38,7 @@ def end_stage_with_dvc() -> None:
 
 
 def _stop(number: int, frame: FrameType | None) -> None:
-    # Once: the terminal and the run may both ask, and must not interrupt the clean-up.
+    # Ignore further signals: the terminal and the run may both send one, and cleaning up must continue.
     for each in (signal.SIGINT, signal.SIGTERM):
         signal.signal(each, lambda *_: None)
     raise KeyboardInterrupt

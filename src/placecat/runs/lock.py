@@ -1,4 +1,4 @@
-"""A lock that allows one run at a time in a project's folder."""
+"""A lock that allows one run at a time in a project folder."""
 
 import json
 import sys
@@ -11,15 +11,18 @@ from placecat.errors import PlacecatError
 
 # DVC's folder for temporary files; git ignores it.
 TEMPORARY = Path(".dvc/tmp")
-# DVC's record of which process reads and writes which path.
+# DVC's record of the paths that each process reads and writes.
 DVC_IN_USE = TEMPORARY / "rwlock"
-# Seconds for DVC and its stage to end after their run was killed.
+# Seconds that DVC and its stage may take to end after their run was killed.
 _ENDING = 12.0
 
 
 @contextmanager
 def alone() -> Iterator[None]:
-    """Refuse other runs, and changes of params.yaml, during a block, with PlacecatError; it may be nested."""
+    """Block other runs and changes of params.yaml; raise PlacecatError if another run has the lock.
+
+    Blocks may be nested.
+    """
     if not TEMPORARY.parent.is_dir():
         yield
         return
@@ -42,7 +45,7 @@ def alone() -> Iterator[None]:
 
 @contextmanager
 def one_at_a_time(stage: str) -> Iterator[None]:
-    """Wait while another process runs the same stage: if its DVC was killed, it may still be cleaning up."""
+    """Wait while another process runs the same stage; it may still clean up after its DVC was killed."""
     if not TEMPORARY.parent.is_dir():
         yield
         return
@@ -54,7 +57,7 @@ def one_at_a_time(stage: str) -> Iterator[None]:
 
 @contextmanager
 def waiting(path: Path, said: str) -> Iterator[None]:
-    """Hold a lock during a block; if it is taken, print why this process waits."""
+    """Hold a lock during a block; print `said` if this process must wait for it."""
     from filelock import FileLock, Timeout
 
     lock = FileLock(path)
@@ -85,7 +88,7 @@ def _wait_for_dvc() -> None:
 
 
 def _dvc_in_use() -> tuple[int, str] | None:
-    """Process and command of a DVC that runs a stage here."""
+    """Return process and command of a DVC that runs a stage in this folder, or None."""
     import psutil
 
     try:
@@ -93,11 +96,11 @@ def _dvc_in_use() -> tuple[int, str] | None:
         writers = list(content["write"].values())
         users = [(int(user["pid"]), str(user["cmd"])) for user in writers]
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
-        # Cut: its process was killed while writing.
+        # The record is incomplete: its process was killed while writing.
         return None
     for process, command in users:
         try:
-            # The number may belong to another program by now.
+            # Another program may have this process number by now.
             if any("dvc" in part for part in psutil.Process(process).cmdline()):
                 return process, command
         except psutil.Error:

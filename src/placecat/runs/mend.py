@@ -1,4 +1,4 @@
-"""Repair of the leftovers of a killed run: a cut dvc.lock, DVC's locks, temporary files."""
+"""Repair the damage of a killed run: a truncated dvc.lock, locks of DVC, temporary files."""
 
 import os
 import re
@@ -14,23 +14,23 @@ from placecat import files, settings
 from placecat.lockfile import LOCK, defined_stages
 from placecat.runs import lock
 
-# A whole copy of the records so far: DVC writes dvc.lock in place, after each stage.
+# A complete copy of the records so far, because DVC overwrites dvc.lock in place after each stage.
 COPY = lock.TEMPORARY / "dvc.lock.whole"
-# Seconds after which a temporary file is abandoned.
+# Temporary files older than this, in seconds, are abandoned.
 OLD = 24 * 3600.0
-# Temporary names of placecat.files and placecat.runs.dvc, and their folders.
+# Temporary names in placecat.files and placecat.runs.dvc, and the folders that contain such files.
 _PARTIAL = re.compile(r"\..+\.[0-9a-f]{8}\.partial(\.\w+)?")
 _PARTIAL_IN = (".", "conf", "data", "data/*", "reports", "reports/*", "predictions")
-# Temporary names of DVC in its cache.
+# Temporary names in the DVC cache.
 _CACHED = re.compile(r"\.[\w-]{22}\.tmp")
 _CACHE = Path(".dvc/cache")
-# joblib's shared memory and semaphores.
+# Shared memory and semaphores of joblib.
 _SHARED = Path("/dev/shm")
 _OF_PROCESS = re.compile(r"(?:joblib_memmapping_folder_|sem\.loky-)(\d+)[_-].*")
 
 
 def mend() -> list[str]:
-    """Repair the leftovers of a killed run, inside `lock.alone`; return what was done, one line each."""
+    """Repair the damage of a killed run, inside `lock.alone`; return one line per repair."""
     said = []
     if LOCK.exists():
         text = LOCK.read_text(encoding="utf-8", errors="replace")
@@ -38,9 +38,9 @@ def mend() -> list[str]:
         if mended != text:
             files.write_text(LOCK, mended)
             again = f"; these stages run again: {', '.join(lost)}" if lost else ""
-            said.append(f"{LOCK} was cut when a run was killed: its records are restored{again}.")
+            said.append(f"{LOCK} was truncated when a run was killed: its records are restored{again}.")
     keep()
-    # Its entries belong to killed processes.
+    # All entries belong to killed processes.
     lock.DVC_IN_USE.unlink(missing_ok=True)
     for path in _leftovers():
         shutil.rmtree(path, ignore_errors=True) if path.is_dir() else path.unlink(missing_ok=True)
@@ -48,7 +48,10 @@ def mend() -> list[str]:
 
 
 def keep() -> None:
-    """Copy the whole records of dvc.lock and keep the earlier ones of the others; none without a dvc.lock."""
+    """Back up the complete records of dvc.lock, and keep earlier copies of the others.
+
+    Without a dvc.lock, the backup is deleted.
+    """
     if not lock.TEMPORARY.is_dir():
         return
     if not LOCK.exists():
@@ -60,15 +63,15 @@ def keep() -> None:
 
 
 def _mended(text: str) -> tuple[str, list[str]]:
-    """Content of dvc.lock, completed from the copy; and the stages whose records are in neither."""
-    # A merge conflict is for a person to resolve.
+    """Return the content of dvc.lock, completed from the copy, and the stages without a record in either."""
+    # Leave merge conflicts to the user.
     stages = defined_stages()
     if "\n<<<<<<< " in text or not stages:
         return text, []
     head, blocks = _blocks(text)
     kept_head, kept = _blocks(COPY.read_text(encoding="utf-8")) if COPY.exists() else ("", {})
     last = next(reversed(blocks), None)
-    # Only the end of a file is cut.
+    # Only the end of a file can be missing, so only the last record can be incomplete.
     whole = {
         name: block
         for name, block in blocks.items()
@@ -76,7 +79,7 @@ def _mended(text: str) -> tuple[str, list[str]]:
     }
     missing = [name for name in kept if name not in whole]
     is_cut = not head or len(whole) < len(blocks)
-    # Records of stages that no longer exist may be gone for good reason.
+    # Records of stages that no longer exist may have been removed on purpose.
     if not is_cut and not any(name.split("@")[0] in stages for name in missing):
         return text, []
     merged = {name: whole.get(name, block) for name, block in kept.items()}
@@ -88,14 +91,14 @@ def _mended(text: str) -> tuple[str, list[str]]:
 
 
 def _blocks(text: str) -> tuple[str, dict[str, str]]:
-    """Split dvc.lock, as DVC writes it, into the lines before the first stage ("" if cut) and the stages."""
+    """Split dvc.lock, as DVC writes it, into the head before the first stage ("" if cut) and the stages."""
     head, *rest = re.split(r"^(?=  [^\s#])", text, flags=re.MULTILINE)
     is_head = head.endswith("stages:\n") or (not rest and head.endswith("stages: {}\n"))
     return head if is_head else "", {block.split(":\n", 1)[0].strip(" '\"\n"): block for block in rest}
 
 
 def _is_whole(block: str) -> bool:
-    """Whether a stage's record is complete."""
+    """Return whether the record of a stage is complete."""
     try:
         (record,) = yaml.load(block, Loader=settings.Loader).values()
         return block.endswith("\n") and all(
@@ -107,7 +110,7 @@ def _is_whole(block: str) -> bool:
 
 
 def _leftovers() -> Iterator[Path]:
-    """Temporary files that a killed process left more than a day ago."""
+    """Yield temporary files that a killed process left more than a day ago."""
     for folder in _PARTIAL_IN:
         yield from (path for path in Path().glob(f"{folder}/.*.partial*") if _is_left(path, _PARTIAL))
     yield from (path for path in _CACHE.glob("**/.*.tmp") if _is_left(path, _CACHED))

@@ -1,7 +1,7 @@
-"""A check that a stage's settings, code and data do not change while it runs.
+"""Check that settings, code and data of a stage do not change while it runs.
 
-DVC records settings and dependencies after a stage. Without this check, changes made meanwhile would be
-recorded for results of the earlier ones.
+DVC records settings and dependencies after a stage. Without this check, it would record changes made in the
+meantime with results that do not depend on them.
 """
 
 import hashlib
@@ -15,14 +15,14 @@ _at_start: tuple[str, dict[str, str]] | None = None
 
 
 def start(stage: str) -> None:
-    """Record the state of a stage's dependencies before they are read. Later calls do nothing."""
+    """Record the state of the dependencies of a stage before it reads them. Later calls do nothing."""
     global _at_start
     if _at_start is None:
         _at_start = (stage, state(stage))
 
 
 def check() -> None:
-    """Refuse results if something has changed since :func:`start`; the PlacecatError names the first path."""
+    """Refuse results if anything changed since :func:`start`; the PlacecatError names the first path."""
     if _at_start is None:
         return
     stage, before = _at_start
@@ -36,9 +36,9 @@ def check() -> None:
 
 
 def state(stage: str) -> dict[str, str]:
-    """Path to state of params.yaml and every file that dvc.yaml lists for a stage.
+    """Map path to state, for params.yaml and every file that dvc.yaml lists for a stage.
 
-    The state is the checksum of settings and code; of other files, which may be large, their size and time.
+    The state of settings and code is a checksum. Other files may be large; their state is size and time.
     """
     found = {}
     for dep in [str(paths.PARAMS), *_dependencies(stage)]:
@@ -57,7 +57,7 @@ def state(stage: str) -> dict[str, str]:
 
 def _dependencies(stage: str) -> Iterator[str]:
     for dep in lockfile.defined_stages().get(stage, {}).get("deps", []):
-        # A setting names those of the data set: ${dataset.root}.
+        # The path of the data set is a setting: ${dataset.root}.
         yield str(settings.get(settings.load(), dep[2:-1])) if dep.startswith("${") else dep
 
 

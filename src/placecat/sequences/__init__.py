@@ -1,8 +1,8 @@
-"""Readers of homes and their labels: one module per layout on disk.
+"""Read homes and their labels; each module reads one layout on disk.
 
 A layout is a module of this package that defines ``list_homes(root)`` and ``read_home(root, name, *, fps,
-camera)``, which do what `list_homes` and `open_home` here say; its file name is its name in the settings.
-Adding a file adds a layout.
+camera)``, as documented by `list_homes` and `open_home` here. Its file name is its name in the settings. To
+add a layout, add a file.
 """
 
 import inspect
@@ -29,17 +29,17 @@ __all__ = [
     "settings_of",
 ]
 
-# The module of a layout defines these.
+# Functions that each layout module defines.
 READER = ("list_homes", "read_home")
 
 
 def layouts() -> list[str]:
-    """Name the layouts that can be read: modules of this package that define a reader, sorted."""
+    """List the layouts, sorted: the modules of this package that define a reader."""
     return lookup.names(__name__, *READER)
 
 
 def settings_of(layout: str) -> list[str]:
-    """Name the settings of a layout: the parameters of its ``read_home`` beside the folder and the home.
+    """List the settings of a layout: the parameters of its ``read_home`` except the folder and the home.
 
     Raises PlacecatError if the layout is unknown.
     """
@@ -47,10 +47,10 @@ def settings_of(layout: str) -> list[str]:
 
 
 def list_homes(layout: str, root: Path | str, **settings: Any) -> list[str]:
-    """Name the homes in a folder, at least one, in natural order (Home2 before Home10).
+    """List the homes in a folder, at least one, in natural order (Home2 before Home10).
 
-    The parameters are those of :func:`open_home`; settings that only matter there are passed over. Raises
-    PlacecatError if the layout or a setting is unknown, or the folder is missing, not readable or holds no
+    The parameters are the same as for :func:`open_home`; settings that matter only there are ignored. Raises
+    PlacecatError if the layout or a setting is unknown, or if the folder is missing, unreadable, or without a
     home of this layout.
     """
     reader = _reader(layout)
@@ -74,19 +74,19 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
     name
         One of ``list_homes(layout, root)``.
     **settings
-        Of the layout, see `settings_of`: ``fps`` (frames a second, or None where the layout knows it),
-        ``camera`` (its name) and others.
+        Settings of the layout, see `settings_of`: ``fps`` (frames per second, or None if the layout knows
+        it), ``camera`` (its name) and others.
 
     Returns
     -------
     Home
-        Its frames are listed, not decoded; see `read_frames`.
+        The frames are listed but not decoded; see `read_frames`.
 
     Raises
     ------
     PlacecatError
-        If the layout or a setting is unknown, the home cannot be read, or its labels do not fit its frames;
-        the message names the file, and the line where there is one.
+        If the layout or a setting is unknown, the home cannot be read, or its labels do not match its frames;
+        the message names the file and, if possible, the line.
     """
     reader = _reader(layout)
     _refuse_unknown(layout, settings)
@@ -95,14 +95,14 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
 
 
 def open_home_of(dataset: Mapping[str, Any], name: str, **changed: Any) -> Home:
-    """Read a home of a data set by its settings, some of them `changed`; errors as in :func:`open_home`.
+    """Read a home with the settings of its data set, except those `changed`; errors as in :func:`open_home`.
 
     Parameters
     ----------
     dataset
-        As in conf/dataset; ``camera`` is one name for all homes, or a name by home.
+        Settings as in conf/dataset; ``camera`` is one name for all homes, or a mapping from home to name.
     name
-        One of its homes.
+        A home of the data set.
     """
     layout, camera = dataset["layout"], dataset["camera"]
     if not isinstance(camera, str):

@@ -1,7 +1,7 @@
-"""A folder of bags per home, one bag per floor: ``<name>/<floor>.bag``, ``<floor>.mcap``, or a folder.
+"""Layout with a folder per home and a bag per floor: ``<name>/<floor>.bag``, ``<floor>.mcap``, or a folder.
 
-Labels of a floor are in ``<name>/<floor>.csv``, or on a topic of strings of its bag. Without them every frame
-is unlabelled.
+The labels of a floor are in ``<name>/<floor>.csv``, or on a string topic of the bag. Without labels, every
+frame is unlabelled.
 """
 
 from pathlib import Path
@@ -18,7 +18,7 @@ from placecat.sequences.recorded import home_of, read_recorded
 
 
 def list_homes(root: Path) -> list[str]:
-    """Name the folders that hold bags; see `placecat.sequences.list_homes`."""
+    """List the folders that contain bags; see `placecat.sequences.list_homes`."""
     homes = [path.name for path in data_folder(root).iterdir() if path.is_dir() and _bags(path)]
     return some_homes(homes, root, "folders of bags (.bag, .mcap, or folders of ROS 2 bags)")
 
@@ -37,12 +37,12 @@ def read_home(
     Parameters
     ----------
     fps
-        None takes the stamps of the pictures as their times.
+        Frames per second; None uses the stamps of the pictures as their times.
     topic
-        Of the pictures; None takes the only one of each bag.
+        Topic of the pictures; None uses the only one in each bag.
     labels_topic
-        Of strings (std_msgs/String): a frame has the label that was received last before it, and none before
-        the first. None takes the label files.
+        Topic of the labels (std_msgs/String). A frame has the last label received before it; frames before
+        the first label have none. None uses the label files.
     """
     for setting, value in (("topic", topic), ("labels_topic", labels_topic)):
         if value is not None and not isinstance(value, str):
@@ -61,7 +61,7 @@ def read_home(
         else:
             if files := label_csvs(root, label_file):
                 raise PlacecatError(
-                    f"{root / files[0]}: dataset.labels_topic labels the same frames; remove one of both."
+                    f"{root / files[0]}: dataset.labels_topic labels the same frames; remove one of the two."
                 )
             labels = _labels_on_topic(recording, labels_topic)
         floors.append(read_recorded(root, recording, recording.timing, floor, labels, "bag"))
@@ -69,12 +69,12 @@ def read_home(
 
 
 def _bags(folder: Path) -> dict[str, Path]:
-    """Floor to bag, in natural order."""
+    """Map floor to bag, in natural order."""
     return by_name(path for path in folder.iterdir() if not path.name.startswith(".") and is_bag(path))
 
 
 def _labels_on_topic(recording: BagRecording, topic: str) -> Labels:
-    """Labels by the times of reception, since strings have no stamps."""
+    """Read labels by their time of reception, since strings have no stamps."""
     bag = Bag(recording.path)
     bag.require(topic, (STRING,), "dataset.labels_topic")
     times, labels = zip(*bag.strings(topic), strict=True)

@@ -1,4 +1,4 @@
-"""A home and its frames in order, as every layout gives them."""
+"""A home and its frames in order; every layout returns this type."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -13,43 +13,43 @@ from placecat.footage.pictures import read_image, turned
 COLUMNS = ("sequence", "number", "source", "position", "seconds", "label")
 """The columns of `Home.frames`."""
 TURN = "turn"
-"""One more column, for pictures that have to be turned."""
+"""Additional column for pictures that must be turned."""
 
 
 @dataclass(frozen=True, eq=False)
 class Home:
-    """One home: where its frames are and what they show. Nothing is decoded.
+    """A home: the location and label of each frame, without pixels.
 
     Attributes
     ----------
     name
-        Unique within its data set. A COLD name has the site, too (``freiburg-seq1_cloudy1``).
+        Unique within its data set. A COLD name includes the site (``freiburg-seq1_cloudy1``).
     root
         The folder that the `source` column is relative to.
     fps
-        Frames a second.
+        Frames per second.
     camera
-        A name for the camera; frames of one camera share its height, lens and colour response.
+        Name of the camera; frames of one camera share its height, lens and colour response.
     width, height
-        Size of every frame in pixels, turned, taken from the first.
+        Size of every frame in pixels, after turning; measured on the first frame.
     frames
         One row per frame, in order, indexed 0, 1, ...: ``sequence`` (str: the floor of a VPC home, the
         sequence folder of COLD, "1" for a video or a folder), ``number`` (int32, from 1 in each sequence),
         ``source`` (str, POSIX path relative to `root`: an image, the video file or the bag), ``position``
-        (int32, from 0: of the frame in the video, with lost frames counted, or of the message among those of
-        the bag that have pictures; -1 for an image file), ``seconds`` (float64, since the start of the
-        sequence) and ``label`` (str as in the label file; "" for none). Where pictures have to be turned,
-        also ``turn`` (int32, degrees clockwise: 0, 90, 180 or 270).
+        (int32, from 0: index of the frame in the video, counting lost frames, or of the message among the
+        picture messages of the bag; -1 for an image file), ``seconds`` (float64, since the start of the
+        sequence) and ``label`` (str as in the label file; "" for none). If pictures must be turned, also
+        ``turn`` (int32, degrees clockwise: 0, 90, 180 or 270).
     label_files
-        Sequence to its label file, relative to `root`; empty for none.
+        Sequence to label file, relative to `root`; empty without labels.
     label_lines
-        (frames,) int32, the line of the label file that gave each frame its label, from 1; 0 for none.
+        (frames,) int32, line of the label file for each frame, from 1; 0 without a label.
     lost
-        Numbers of frames that cannot be decoded: they have no row.
+        Numbers of frames that cannot be decoded; they have no row.
     damaged
-        Numbers of frames that were decoded with errors.
+        Numbers of frames decoded with errors.
     note
-        The damage in words; may be empty.
+        Description of the damage; may be empty.
     """
 
     name: str
@@ -67,7 +67,7 @@ class Home:
 
     @property
     def is_even(self) -> bool:
-        """Whether every frame of a sequence, except its first, comes 1 / `fps` after the one before."""
+        """Whether consecutive frames of a sequence are always 1 / `fps` apart."""
         names = self.frames["sequence"].to_numpy()
         steps = np.diff(self.frames["seconds"])[names[1:] == names[:-1]]
         return bool((np.abs(steps * self.fps - 1) < 1e-6).all())
@@ -90,8 +90,9 @@ def frame_table(
 ) -> pd.DataFrame:
     """Build `Home.frames` with its column types, indexed from 0.
 
-    `sequence`, `source` and `position` have one value per frame or one for all, `number`, `seconds` and
-    `label` one per frame. `turn` is in degrees clockwise, for every frame; 0 leaves out the column `TURN`.
+    `sequence`, `source` and `position` are single values or have one value per frame; `number`, `seconds` and
+    `label` have one value per frame. `turn` applies to every frame, in degrees clockwise; 0 omits the column
+    `TURN`.
     """
     columns = {
         "sequence": sequence,
@@ -113,7 +114,7 @@ def home_of_pictures(
     label_files: Mapping[str, str],
     label_lines: Sequence[int] | NDArray[np.int32],
 ) -> Home:
-    """A home whose frames are image files; the first of them gives the size."""
+    """Build a home whose frames are image files; the first file determines the size."""
     turn = int(frames[TURN][0]) if TURN in frames else 0
     height, width = turned(read_image(root / frames["source"][0]), turn).shape[:2]
     lines = np.asarray(label_lines, dtype=np.int32)

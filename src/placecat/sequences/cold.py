@@ -1,11 +1,11 @@
 """The COLD database: ``<site>/<sequence>/localization/places.lst`` and images in ``<sequence>/std_cam``.
 
 A line of the label file is ``t<seconds>.<microseconds>_x<m>_y<m>_a<rad>.jpeg LABEL``. The label stays a
-code; the data set's setting ``aliases`` gives the class of each code.
+code; the setting ``aliases`` of the data set maps each code to a class.
 
-A home is one sequence, named ``<site>-<sequence>``, since the name of a home cannot hold a slash. The name of
-a site alone reads all its sequences as one home. They show the same rooms: only folds by site never train on
-the tested rooms.
+A home is one sequence, named ``<site>-<sequence>`` because home names cannot contain a slash. The name of a
+site alone reads all its sequences as one home. Sequences of one site show the same rooms, so only folds by
+site keep the test rooms out of training.
 
 References
 ----------
@@ -38,7 +38,7 @@ _LABEL = re.compile(r"([0-9]*[A-Z]+)[0-9]*(-[AB])?")
 
 
 def list_homes(root: Path) -> list[str]:
-    """Name sequences with a ``places.lst`` as ``<site>-<sequence>``; see `placecat.sequences.list_homes`."""
+    """List sequences with a ``places.lst`` as ``<site>-<sequence>``; see `placecat.sequences.list_homes`."""
     sites = [site for site in data_folder(root).iterdir() if site.is_dir()]
     folders = [folder for site in sites for folder in _sequences(site)]
     homes = [f"{folder.parent.name}-{folder.name}" for folder in folders]
@@ -50,9 +50,8 @@ def read_home(
 ) -> Home:
     """Read one sequence, ``<site>-<sequence>``, or all of a ``<site>``; see `placecat.sequences.open_home`.
 
-    Times are those in the file names; without `fps` the rate is that of the median time between frames.
-    `images` is the folder of a sequence that holds the images. Those that the label file does not list are
-    left out.
+    Times come from the file names. Without `fps`, the rate follows from the median time between frames.
+    `images` is the image folder of a sequence. Images that the label file does not list are skipped.
     """
     relative(name, "dataset.homes")
     if "/" in name:
@@ -78,7 +77,7 @@ def read_home(
         check_listed(folder, sequence, str(file), listed, "restore it, or remove the line")
         where = sequence.relative_to(root).as_posix()
         sources = [f"{where}/{images}/{one.image}" for one in entries]
-        # Differences of whole microseconds: exact, unlike those of seconds since 1970.
+        # Differences of whole microseconds are exact; differences of seconds since 1970 are not.
         seconds = [(one.time - entries[0].time) / 1e6 for one in entries]
         numbers, labels = range(1, len(entries) + 1), [one.code for one in entries]
         tables.append(frame_table(sequence.name, sources, -1, numbers, seconds, labels))
@@ -91,7 +90,7 @@ def read_home(
 
 
 class Entry(NamedTuple):
-    """A line of a ``places.lst``: the image's file name, the code, microseconds, and the line's number."""
+    """Content of a line of a ``places.lst``: image name, code, time in microseconds, and line number."""
 
     image: str
     code: str
@@ -100,18 +99,19 @@ class Entry(NamedTuple):
 
 
 def code(label: str) -> str | None:
-    """The code in a label, without the number and the part of the building (``-A`` or ``-B``) at its end.
+    """Return the code of a label, without the number and building part (``-A`` or ``-B``) at its end.
 
-    ``2PO1-A`` gives ``2PO``, a two-person office. None for other labels than those of COLD.
+    ``2PO1-A`` becomes ``2PO``, a two-person office. Returns None for labels that are not from COLD.
     """
     match = _LABEL.fullmatch(label)
     return match[1] if match else None
 
 
 def read_places(file: Path) -> list[Entry]:
-    """Read a ``places.lst``: its entries in the order of the file, times increasing.
+    """Read the entries of a ``places.lst`` in file order; their times increase.
 
-    The PlacecatError for a line that is not an image name and a label, or not later, names the line.
+    Raises PlacecatError, naming the line, if a line is not an image name and a label, or its image is not
+    later than the previous one.
     """
     entries: list[Entry] = []
     for line, text in enumerate(read_text(file).split("\n"), start=1):
@@ -143,5 +143,5 @@ def read_places(file: Path) -> list[Entry]:
 
 
 def _sequences(site: Path) -> list[Path]:
-    # Not with glob, which passes over folders that it may not read.
+    # Not with glob: it silently skips unreadable folders.
     return [folder for folder in site.iterdir() if (folder / LABEL_FILE).is_file()]

@@ -1,6 +1,6 @@
-"""A folder of frames per home, with labels: ``<name>/*.jpg`` and ``<name>.csv`` or ``<name>/labels.csv``.
+"""Layout with a folder of frames per home: ``<name>/*.jpg`` and ``<name>.csv`` or ``<name>/labels.csv``.
 
-Frames are JPEG or PNG files, see `placecat.footage.pictures.list_frames`. Without a CSV every frame is
+Frames are JPEG or PNG files, see `placecat.footage.pictures.list_frames`. Without a CSV, every frame is
 unlabelled.
 """
 
@@ -15,13 +15,13 @@ from placecat.sequences.labels import find_labels
 
 
 def list_homes(root: Path) -> list[str]:
-    """Name the folders that hold images; see `placecat.sequences.list_homes`."""
+    """List the folders that contain images; see `placecat.sequences.list_homes`."""
     homes = [path.name for path in data_folder(root).iterdir() if path.is_dir() and has_pictures(path)]
     return some_homes(homes, root, f"folders of images ({', '.join(SUFFIXES)})")
 
 
 def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = "") -> Home:
-    """Read one folder as one sequence, ``1``; see `placecat.sequences.open_home`. `fps` has to be given."""
+    """Read one folder as one sequence, ``1``; see `placecat.sequences.open_home`. `fps` is required."""
     path = home_folder(root, name)
     images = list_frames(path)
     if not images:

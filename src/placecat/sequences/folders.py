@@ -1,4 +1,4 @@
-"""Checks of all layouts: folders, the names in them, and the frame rate."""
+"""Checks that all layouts share: folders, names in them, and the frame rate."""
 
 import os
 from collections.abc import Collection, Iterable, Mapping
@@ -11,9 +11,9 @@ from placecat.footage.names import natural, relative
 
 
 def inside(path: Path, folder: Path, origin: str) -> None:
-    """Refuse a path that leads out of a folder by a symbolic link.
+    """Refuse a path that leaves a folder through a symbolic link.
 
-    The PlacecatError begins with `origin`, the place where the path was written.
+    The PlacecatError begins with `origin`, where the path is listed.
     """
     if not path.resolve().is_relative_to(folder.resolve()):
         raise PlacecatError(
@@ -22,9 +22,9 @@ def inside(path: Path, folder: Path, origin: str) -> None:
 
 
 def check_listed(folder: Path, limit: Path, origin: str, listed: Mapping[str, str], remedy: str) -> None:
-    """Refuse frames of a folder that are missing, or links that lead out of the folder `limit`.
+    """Refuse missing frames, and links that leave the folder `limit`.
 
-    `origin` is the file that lists the frames, `listed` the places in it by the frames' names.
+    `origin` is the file that lists the frames; `listed` maps frame names to places in that file.
     """
     inside(folder, limit, origin)
     links = {entry.name: entry.is_symlink() for entry in os.scandir(folder)} if folder.is_dir() else {}
@@ -36,12 +36,12 @@ def check_listed(folder: Path, limit: Path, origin: str, listed: Mapping[str, st
 
 
 def data_folder(root: Path) -> Path:
-    """Give the folder that holds the homes; PlacecatError if it is missing or not a folder."""
+    """Return the folder with the homes. Raises PlacecatError if it is missing or not a folder."""
     return _existing(root, "set dataset.root to the folder that holds the homes.")
 
 
 def home_folder(root: Path, name: str) -> Path:
-    """Find the folder of one home below the folder of its data set; the name may hold slashes.
+    """Find the folder of one home below the folder of its data set; the name may contain slashes.
 
     Raises PlacecatError if either folder is missing or the name leads out of `root`.
     """
@@ -57,7 +57,7 @@ def _existing(folder: Path, advice: str) -> Path:
 
 
 def by_name(paths: Iterable[Path]) -> dict[str, Path]:
-    """Files by their names without endings, folders by their names, in natural order; no two may be alike."""
+    """Map names to paths, in natural order; file names lose their suffix, and duplicates are refused."""
     named: dict[str, Path] = {}
     for path in sorted(paths, key=lambda one: natural(one.name)):
         first = named.setdefault(path.name if path.is_dir() else path.stem, path)
@@ -69,7 +69,7 @@ def by_name(paths: Iterable[Path]) -> dict[str, Path]:
 def some_homes(homes: Collection[str], root: Path, expected: str) -> list[str]:
     """Sort home names in natural order.
 
-    Without any the PlacecatError says which files of this layout are `expected` below `root`.
+    If there are none, the PlacecatError says which files this layout `expected` below `root`.
     """
     if not homes:
         raise PlacecatError(
@@ -79,9 +79,9 @@ def some_homes(homes: Collection[str], root: Path, expected: str) -> list[str]:
 
 
 def frame_rate(fps: float | None, home: str, known: float | None = None) -> float:
-    """The frame rate of a home, in frames a second: `fps` or, if that is None, `known` from its files.
+    """Return the frame rate of a home in frames per second: `fps` or, if None, `known` from its files.
 
-    Raises PlacecatError unless that is a positive rate.
+    Raises PlacecatError unless the rate is positive.
     """
     rate = known if fps is None else fps
     if rate is None or not np.isfinite(rate) or rate <= 0:

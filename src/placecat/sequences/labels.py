@@ -18,15 +18,15 @@ FRAME_HEADER = ("start", "end", "label")
 """CSV columns for intervals in frames, from 1, both ends included (as in VPC-2009)."""
 SECOND_HEADER = ("start_seconds", "end_seconds", "label")
 """CSV columns for intervals in seconds from 0, the end excluded."""
-# Above the number of frames of any footage.
+# More frames than any footage has.
 _WHOLE = re.compile(r"-?[0-9]{1,10}")
 _MOST_FRAMES = 1e10
 MOST_BYTES = 16 << 20
-"""Of a label file: our choice, above 500,000 rows."""
+"""Largest size of a label file, enough for over 500,000 rows. Our choice."""
 
 
 class Segment(NamedTuple):
-    """Consecutive frames, `start` to `end` (from 1, both included), with one label, in a line of a file."""
+    """Frames `start` to `end` (from 1, both included) with one label, and the line that lists them."""
 
     start: int
     end: int
@@ -35,19 +35,19 @@ class Segment(NamedTuple):
 
 
 def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence: str, counted: str) -> None:
-    """Check that segments, in the order of the file, cover frames 1 to `count` once.
+    """Check that segments, in file order, cover frames 1 to `count` exactly once.
 
     Parameters
     ----------
     file, sequence, counted
-        For messages: the label file, what the frames belong to (``floor 1``, ``the video``), and where the
-        count comes from (``line 2``).
+        For messages: the label file, the owner of the frames (``floor 1``, ``the video``), and the source of
+        the count (``line 2``).
 
     Raises
     ------
     PlacecatError
-        For a gap, an overlap, a segment that ends before it starts or beyond the last frame, and frames at
-        the end without a label, naming the line.
+        For a gap, an overlap, a segment that ends before it starts or after the last frame, and unlabelled
+        frames at the end. The message names the line.
     """
     if not segments:
         raise PlacecatError(f"{file}: {sequence} has no labels; label its frames 1 to {count}.")
@@ -62,8 +62,8 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
         if segment.start > last + 1:
             gap, has = _frames(last + 1, segment.start - 1), "has" if segment.start == last + 2 else "have"
             raise PlacecatError(
-                f"{where}: {gap} of {sequence} {has} no label (a gap); write a row before, for example of "
-                "transition."
+                f"{where}: {gap} of {sequence} {has} no label (a gap); add a row before this line, for "
+                "example transition."
             )
         if segment.start <= last:
             before = (
@@ -88,7 +88,7 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
 
 
 def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.int32]]:
-    """Spread segments that `check_segments` accepts over frames.
+    """Expand segments that `check_segments` accepted to frames.
 
     Returns the label of each frame, and the line of its segment, (frames,) int32.
     """
@@ -98,9 +98,9 @@ def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.
 
 
 def label_csvs(root: Path, *names: str) -> list[str]:
-    """Find label files, named ``....csv`` relative to `root`; the ending may be in either case.
+    """Find label files by name (``....csv``, relative to `root`); the suffix may be upper or lower case.
 
-    Returns those that exist, as they are spelt on disk. Raises PlacecatError if two differ in case only.
+    Returns the existing files as spelled on disk. Raises PlacecatError if two names differ only in case.
     """
     found = []
     for name in names:
@@ -121,9 +121,9 @@ class Labels(NamedTuple):
     names
         (n,) labels; "" for none.
     lines
-        (n,) int32, the line of the label file that gave each; 0 for none.
+        (n,) int32, line of the label file for each; 0 for none.
     file
-        The label file, relative to the folder of the homes; None for none.
+        The label file, relative to the folder of the homes, or None.
     """
 
     names: list[str]
@@ -132,10 +132,10 @@ class Labels(NamedTuple):
 
 
 def find_labels(root: Path, names: Sequence[str], timing: Timing, sequence: str) -> Labels:
-    """Read the label CSV that has one of these names, relative to `root`; without one no frame has a label.
+    """Read the label CSV that has one of these names, relative to `root`; without one, no frame has a label.
 
-    `timing` is of all frames; `sequence` and errors are as for :func:`read_label_csv`. Two such files are an
-    error, too.
+    `timing` covers all frames; `sequence` and errors are as for :func:`read_label_csv`. Two such files are
+    also an error.
     """
     files, count = label_csvs(root, *names), len(timing.seconds)
     if len(files) > 1:
@@ -151,8 +151,8 @@ def read_label_csv(
     """Read the label CSV of a video or a folder of frames.
 
     The header is ``start,end,label`` with frame numbers from 1, both ends included, or
-    ``start_seconds,end_seconds,label`` with times from 0. A time falls on the nearest boundary between
-    frames, so that times rounded to a few decimals do. Every frame has to be in exactly one row.
+    ``start_seconds,end_seconds,label`` with times from 0. A time selects the nearest boundary between frames,
+    so a few decimals are enough. Every frame must be in exactly one row.
 
     Parameters
     ----------
@@ -161,20 +161,22 @@ def read_label_csv(
     count
         Number of frames.
     fps
-        Frames a second; used only for times.
+        Frames per second; used only for times.
     sequence
         ``the video`` or ``the folder``, for messages.
     starts
-        (count + 1,) seconds at which each frame starts and the last one ends; None if they come evenly.
+        (count + 1,) float64, start of each frame and end of the last, in seconds; None for evenly spaced
+        frames.
 
     Returns
     -------
-    The label of each frame without surrounding spaces, and the line of its row, (count,) int32.
+    The label of each frame, stripped of spaces, and the line of its row, (count,) int32.
 
     Raises
     ------
     PlacecatError
-        If the header, a number or a label is wrong, or the rows leave out or repeat a frame, naming the line.
+        If the header, a number or a label is wrong, or a frame is in no row or in several. The message names
+        the line.
     """
     rows = read_rows(path)
     header = tuple(cell.strip() for cell in rows[0][1]) if rows else ()
@@ -202,10 +204,10 @@ def read_label_csv(
 
 
 def read_text(path: Path) -> str:
-    """Read a label file, which is UTF-8, without its byte order mark.
+    """Read a UTF-8 label file, without its byte order mark.
 
-    Other bytes become U+FFFD, since real files end with free text in any coding. Raises PlacecatError if the
-    file is missing, too large, empty, UTF-16, or cannot be opened.
+    Invalid bytes become U+FFFD, because some real files end with free text in another encoding. Raises
+    PlacecatError if the file is missing, too large, empty, UTF-16, or cannot be opened.
     """
     try:
         if path.is_file() and path.stat().st_size > MOST_BYTES:
@@ -226,9 +228,9 @@ def read_text(path: Path) -> str:
 
 
 def read_rows(path: Path) -> list[tuple[int, list[str]]]:
-    """Read a CSV: the line and the cells of each row that is not empty.
+    """Read a CSV: line number and cells of each row that is not empty.
 
-    Raises PlacecatError as `read_text`, or, naming the line, if the file is not UTF-8 or not a CSV.
+    Raises PlacecatError like `read_text`, and, naming the line, if the file is not UTF-8 or not a CSV.
     """
     lines = read_text(path).splitlines()
     for number, line in enumerate(lines, start=1):
@@ -246,7 +248,7 @@ def read_rows(path: Path) -> list[tuple[int, list[str]]]:
 def whole(text: str, path: Path, line: int) -> int:
     """Read a whole number: up to ten digits with an optional minus sign.
 
-    For anything else the PlacecatError names the `path` and the `line`.
+    Otherwise raises a PlacecatError that names `path` and `line`.
     """
     if not _WHOLE.fullmatch(text):
         raise PlacecatError(f"{path} line {line}: {shown(text)} is not a whole number; write a frame number.")
@@ -254,7 +256,7 @@ def whole(text: str, path: Path, line: int) -> int:
 
 
 def shown(text: str) -> str:
-    """A text from a file as messages show it, shortened if it is long."""
+    """Quote text from a file for a message; long text is shortened."""
     return repr(text) if len(text) <= 80 else f"{text[:80]!r}... ({len(text)} characters)"
 
 
@@ -283,9 +285,9 @@ def _from_seconds(
 
 
 def _boundary(seconds: float, starts: NDArray[np.float64], fps: float) -> int:
-    """Number of frames before the nearest boundary; after the end, as if more frames followed."""
+    """Return the number of frames before the nearest boundary; beyond the end, extrapolate at `fps`."""
     if seconds > starts[-1]:
-        # A label file may be too long by a day at most.
+        # Cap the excess at a day.
         return len(starts) - 1 + math.floor(min(seconds - float(starts[-1]), 86400.0) * fps + 0.5)
     after = int(np.searchsorted(starts, seconds))
     return after - 1 if after and seconds - starts[after - 1] < starts[after] - seconds else after

@@ -1,4 +1,4 @@
-"""From the names of labels to class numbers."""
+"""Convert label names to class numbers."""
 
 import difflib
 from collections.abc import Mapping, Sequence
@@ -19,32 +19,33 @@ def place_labels(
     *,
     home: Home | None = None,
 ) -> NDArray[np.int16]:
-    """Turn label names into class numbers.
+    """Convert label names to class numbers.
 
-    Labels in `ignored` (``transition``, ``corridor``, ...) and frames without a label stay in the sequence as
-    unlabelled: not scored, never trained on, but the smoothing filter runs through them (thesis 3.3.2).
+    Frames without a label, or with a label in `ignored` (``transition``, ``corridor``, ...), stay in the
+    sequence as unlabelled. They are neither scored nor trained on, but the smoothing filter runs through them
+    (thesis 3.3.2).
 
     Parameters
     ----------
     labels
-        The ``label`` column of `Home.frames`, or rows of it with their index. A missing value, as pandas
-        reads an empty cell, is an empty label.
+        The ``label`` column of `Home.frames`, or rows of it with their index. A missing value counts as an
+        empty label; pandas reads empty cells as missing.
     classes, ignored
-        The classes in use, whose places in this list are the numbers of labels, and labels without a class.
+        The classes, numbered by their position, and the labels that have no class.
     aliases
-        Other spellings and codes: label to class or to ignored label. An alias precedes a class of the same
+        Other spellings and codes: label to class or ignored label. An alias overrides a class of the same
         name.
     home
         The home of the labels, for messages.
 
     Returns
     -------
-    (len(labels),) int16, -1 unlabelled.
+    (len(labels),) int16, -1 for unlabelled frames.
 
     Raises
     ------
     PlacecatError
-        If a label is neither a class, an ignored label nor an alias, or the three settings contradict each
+        If a label is not a class, an ignored label or an alias, or if these three settings contradict each
         other.
     """
     _check_names(classes, ignored, aliases)
@@ -62,9 +63,9 @@ def place_labels(
 
 
 def require_classes(labels: NDArray[np.int16], classes: Sequence[str], home: str) -> None:
-    """Check that a home shows every class; the PlacecatError names those without a frame.
+    """Check that a home shows every class; the PlacecatError names the classes without frames.
 
-    `labels` are (frames,) int16 from `place_labels`, `home` is a name.
+    `labels` is (frames,) int16 from `place_labels`; `home` is the name for messages.
     """
     present = np.bincount(labels[labels >= 0], minlength=len(classes)) > 0
     absent = [name for name, there in zip(classes, present, strict=True) if not there]

@@ -1,7 +1,7 @@
-"""Homes of recordings, videos or bags: a recording is a sequence, and its labels are in a CSV beside it.
+"""Homes made of recordings (videos or bags): each recording is a sequence with a label CSV next to it.
 
-All frames are decoded once, to find those that cannot be: they have no row, but keep their numbers, by which
-frames are labelled.
+All frames are decoded once to find the lost ones. A lost frame has no row but keeps its number, because
+labels refer to frame numbers.
 """
 
 from collections.abc import Sequence
@@ -43,7 +43,7 @@ def read_recorded(
     root
         The folder of the homes.
     timing, labels
-        Of all frames, lost ones included.
+        Times and labels of all frames, including lost ones.
     sequence
         The name of the sequence.
     kind
@@ -52,7 +52,7 @@ def read_recorded(
     Raises
     ------
     PlacecatError
-        If no frame can be decoded, or frames have several sizes.
+        If no frame can be decoded, or frames differ in size.
     """
     first, numbers = recording.size(), []
     for frame in recording.pictures():
@@ -60,7 +60,7 @@ def read_recorded(
             continue
         if size != first:
             raise PlacecatError(
-                f"{recording.path}: frame {frame.number} is {size[0]}x{size[1]}, those before "
+                f"{recording.path}: frame {frame.number} is {size[0]}x{size[1]}, earlier ones "
                 f"{first[0]}x{first[1]} (was the camera turned?); a home needs one frame size: cut the "
                 f"{kind} there."
             )
@@ -73,7 +73,7 @@ def read_recorded(
 
 
 def home_of(name: str, root: Path, camera: str, parts: Sequence[Recorded]) -> Home:
-    """Join recordings to a home, at the median of their frame rates; PlacecatError if their sizes differ."""
+    """Join recordings into a home with their median frame rate. Raises PlacecatError if sizes differ."""
     first = parts[0]
     for part in parts:
         if part.size != first.size:

@@ -1,8 +1,8 @@
-"""Robot@Home2: the database ``rh.db`` and the pictures ``files/rgbd``, as they come from the archive.
+"""Robot@Home2: the database ``rh.db`` and the pictures ``files/rgbd``, as unpacked from the archive.
 
 A robot with four cameras drove through five homes. A home has one sequence per session: the frames of one
-camera in order of time. The label of a frame is the type of its room, e.g. ``livingroom``; the data set's
-setting ``aliases`` gives the class of each type. Recordings of several rooms have the type ``fullhouse``.
+camera, ordered by time. The label of a frame is the type of its room, e.g. ``livingroom``; the data set
+setting ``aliases`` maps each type to a class. Recordings of several rooms have the type ``fullhouse``.
 
 References
 ----------
@@ -28,12 +28,12 @@ from placecat.sequences.sqlite_file import Columns, SqliteFile, opened
 
 DATABASE, PICTURES = "rh.db", "files/rgbd"
 OBSERVATIONS = {"labelled": ("rh_lblrgbd",), "all": ("rh_lblrgbd", "rh_raw")}
-"""The setting `observations`: those with labelled objects, or also those that the makers discarded."""
+"""Values of `observations`: those with labelled objects only, or all, including discarded ones."""
 FILES = "rh2_old2new_rgbd_files"
 COLOR = "_intensity.png"
-"""End of the name of a colour picture; the others are depths and labels."""
+"""Suffix of colour pictures; other files hold depth and labels."""
 TICKS = 10_000_000
-"""Per second, of the database's clock."""
+"""Ticks per second of the clock in the database."""
 
 _NAMED: Columns = {"id": int, "name": str}
 _OBSERVED: Columns = {
@@ -54,7 +54,7 @@ _Named = TypeVar("_Named")
 
 
 class _Observation(NamedTuple):
-    """A frame: its session, time, number in the database, type of room ("" for none) and picture."""
+    """A frame: session, time, number in the database, room type ("" for none) and picture."""
 
     session: str
     ticks: int
@@ -64,7 +64,7 @@ class _Observation(NamedTuple):
 
 
 def list_homes(root: Path, *, database: str = DATABASE) -> list[str]:
-    """Name the homes of the database, relative to `root`; see `placecat.sequences.list_homes`."""
+    """List the homes of the database below `root`; see `placecat.sequences.list_homes`."""
     file = data_folder(root) / relative(database, "dataset.database")
     homes: list[str] = []
     if file.exists():
@@ -85,23 +85,24 @@ def read_home(
     database: str = DATABASE,
     pictures: str = PICTURES,
 ) -> Home:
-    """Read the frames of one camera in one home, a sequence per session; see `placecat.sequences.open_home`.
+    """Read one home with one camera, a sequence per session; see `placecat.sequences.open_home`.
 
     Parameters
     ----------
     fps
-        None takes the times of the database, and the rate of the median time between frames; a number
-        replaces them by an even rate.
+        Frames per second, replacing the times of the database. None keeps these times, and the rate follows
+        from the median time between frames.
     camera
         ``RGBD_1`` to ``RGBD_4``.
     observations
         A key of `OBSERVATIONS`.
     turn
-        Degrees clockwise by which pictures are turned.
+        Clockwise rotation of the pictures in degrees.
     longest_gap
-        Seconds. A longer time between two frames of a session, as between two rooms, counts as this long.
+        Longest time between two frames of a session, in seconds; longer gaps (between rooms) are shortened
+        to this.
     database, pictures
-        Where the database and the folder of colour pictures are, relative to `root`.
+        Paths of the database and of the folder with colour pictures, relative to `root`.
     """
     relative(name, "dataset.homes")
     file = data_folder(root) / relative(database, "dataset.database")
@@ -130,7 +131,7 @@ def read_home(
 
 
 def _number(rows: Iterable[tuple[int, str]], name: str, missing: str, setting: str) -> int:
-    """The number of a name in a table."""
+    """Return the number of a name in a table."""
     numbers = {named: number for number, named in rows}
     if name not in numbers:
         question, there = did_you_mean(name, numbers), shown(", ".join(numbers))
@@ -150,7 +151,7 @@ def _observations(data: SqliteFile, file: Path, table: str, home: int, sensor: i
     for number, session, room, ticks, *_ in data.rows(table, home_id=home, sensor_id=sensor):
         where = f"{file}: observation {number} of {table}"
         if number not in pictures:
-            # Labelled observations are also in this table; their pictures have the number in the other.
+            # rh_raw repeats labelled observations, but FILES lists their pictures by rh_lblrgbd numbers.
             if table == "rh_raw":
                 continue
             raise PlacecatError(f"{where} has no picture *{COLOR} in {FILES}; restore the file.")
@@ -171,8 +172,8 @@ def _known(named: Mapping[int, _Named], number: int, where: str, table: str) -> 
 
 
 def _times(frames: list[_Observation], longest_gap: float) -> tuple[list[int], list[float], float | None]:
-    """Number each frame in its session; give its seconds, and the rate of the median step."""
-    # Whole ticks are exact, unlike seconds since 1601.
+    """Return the number of each frame in its session, its seconds, and the rate of the median step."""
+    # Whole ticks are exact; seconds since 1601 are not.
     longest = round(longest_gap * TICKS)
     numbers, ticks, steps = [1], [0], []
     for before, one in pairwise(frames):

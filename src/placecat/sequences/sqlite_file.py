@@ -1,4 +1,4 @@
-"""SQLite files from outside: opened for reading only, with checked tables and types of values."""
+"""Read untrusted SQLite files: read-only, with checks of tables and value types."""
 
 import sqlite3
 from collections.abc import Iterator, Mapping
@@ -13,7 +13,7 @@ from placecat.sequences.labels import shown
 Columns = Mapping[str, type | UnionType]
 """Column name to the type of its values: int, str, or either with None."""
 MOST_BYTES = 1 << 20
-"""Of a row: our choice, far above a path or a name."""
+"""Largest size of a row, far above a path or a name. Our choice."""
 
 
 class SqliteFile:
@@ -23,7 +23,7 @@ class SqliteFile:
         self._path, self._connection, self._tables = path, connection, tables
 
     def rows(self, table: str, **equal: int) -> Iterator[tuple[Any, ...]]:
-        """Read the expected columns of the rows that have these values; another type is a PlacecatError."""
+        """Read the expected columns of the rows with these values. Raises PlacecatError for a wrong type."""
         columns = self._tables[table]
         condition = " AND ".join(f"{name} = ?" for name in equal) or "TRUE"
         query = f"SELECT {', '.join(columns)} FROM {table} WHERE {condition}"
@@ -39,10 +39,10 @@ class SqliteFile:
 
 @contextmanager
 def opened(path: Path, tables: Mapping[str, Columns]) -> Iterator[SqliteFile]:
-    """Open a database to read some columns of some tables; no file is written beside it.
+    """Open a database to read some columns of some tables, without writing any file.
 
-    Raises PlacecatError if the file is missing, damaged, not a database, or in use by a program that writes,
-    or lacks a table or a column.
+    Raises PlacecatError if the file is missing, damaged, not a database, or being written by a program, or
+    lacks a table or a column.
     """
     if not path.is_file():
         raise PlacecatError(f"{path}: the database is missing; restore it, or correct dataset.root.")
@@ -53,7 +53,7 @@ def opened(path: Path, tables: Mapping[str, Columns]) -> Iterator[SqliteFile]:
                 "close the program, or restore the file."
             )
     try:
-        # Without `immutable`, SQLite may write beside a file that it only reads.
+        # Without `immutable`, SQLite may write files next to a database that it only reads.
         address = f"{path.absolute().as_uri()}?mode=ro&immutable=1"
         with closing(sqlite3.connect(address, uri=True)) as connection:
             connection.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, MOST_BYTES)
@@ -65,7 +65,7 @@ def opened(path: Path, tables: Mapping[str, Columns]) -> Iterator[SqliteFile]:
 
 
 def _check(path: Path, connection: sqlite3.Connection, tables: Mapping[str, Columns]) -> None:
-    # Views do not count: a view may compute without an end.
+    # Ignore views: a malicious view may never finish.
     there = {name for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
     for table, columns in tables.items():
         if table not in there:

@@ -1,6 +1,6 @@
-"""A video file per home, with a label CSV: ``<name>.mp4`` and ``<name>.csv``.
+"""Layout with a video file and a label CSV per home: ``<name>.mp4`` and ``<name>.csv``.
 
-Without the CSV every frame is unlabelled, which is enough to predict on new footage.
+Without the CSV, every frame is unlabelled; predictions on new footage need no labels.
 """
 
 from collections.abc import Iterator
@@ -15,11 +15,11 @@ from placecat.sequences.labels import find_labels
 from placecat.sequences.recorded import home_of, read_recorded
 
 SUFFIXES = (".avi", ".m4v", ".mkv", ".mov", ".mp4", ".mpeg", ".mpg", ".webm")
-"""File name endings taken for a video, in either case."""
+"""Suffixes of video files, in upper or lower case."""
 
 
 def list_homes(root: Path) -> list[str]:
-    """Name the videos without their endings; no two may be alike. See `placecat.sequences.list_homes`."""
+    """List the videos by name without suffix; see `placecat.sequences.list_homes`. Duplicates are refused."""
     videos = by_name(_videos(data_folder(root)))
     return some_homes(videos, root, f"videos ({', '.join(SUFFIXES)})")
 
@@ -27,7 +27,7 @@ def list_homes(root: Path) -> list[str]:
 def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = "") -> Home:
     """Read one video as one sequence, ``1``; see `placecat.sequences.open_home`.
 
-    Without `fps` the times are those of the file.
+    Without `fps`, the times come from the file.
     """
     wanted = data_folder(root) / relative(name, "dataset.homes")
     beside = _videos(wanted.parent) if wanted.parent.is_dir() else ()

@@ -1,8 +1,8 @@
 """The VPC-2009 home database: ``HomeN/<floor>/%08d.jpg`` and ``HomeN/label.txt``.
 
-The label file lists floors one after the other, each as its folder, its number of frames, its segments
-(``first last label``, from 1 on every floor, both ends included) and an end line; a second end line ends
-the labels, and free text may follow. Spaces or tabs separate columns.
+The label file lists the floors one after the other: folder, number of frames, segments (``first last label``,
+from 1 on every floor, both ends included) and an end line. A second end line ends the labels; free text may
+follow. Spaces or tabs separate columns.
 
 References
 ----------
@@ -30,7 +30,7 @@ _FRAME = re.compile(r"([0-9]{1,10})\.jpe?g", re.IGNORECASE)
 
 @dataclass(frozen=True)
 class Floor:
-    """A floor: its folder, the declared number of frames, that number's line, and the segments in order."""
+    """A floor: folder, declared number of frames, line of that number, and segments in order."""
 
     name: str
     count: int
@@ -39,15 +39,15 @@ class Floor:
 
 
 def list_homes(root: Path) -> list[str]:
-    """Name the folders with a ``label.txt``; see `placecat.sequences.list_homes`."""
+    """List the folders with a ``label.txt``; see `placecat.sequences.list_homes`."""
     homes = [entry.name for entry in data_folder(root).iterdir() if (entry / LABEL_FILE).is_file()]
     return some_homes(homes, root, f"folders with a {LABEL_FILE}")
 
 
 def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = "") -> Home:
-    """Read one home, one sequence a floor in the order of the label file; see `placecat.sequences.open_home`.
+    """Read one home, one sequence per floor in label file order; see `placecat.sequences.open_home`.
 
-    `fps` has to be given. The frames on disk must be those that the label file declares.
+    `fps` is required. The frames on disk must match the label file.
     """
     folder = home_folder(root, name)
     rate = frame_rate(fps, name)
@@ -66,9 +66,9 @@ def read_home(root: Path, name: str, *, fps: float | None = None, camera: str = 
 
 
 def read_floors(file: Path) -> list[Floor]:
-    """Read a ``label.txt``: its floors in the order of the file, at least one.
+    """Read the floors of a ``label.txt`` in file order, at least one.
 
-    Raises PlacecatError, naming the line, for anything but floors before the second end line.
+    Raises PlacecatError, naming the line, if anything but floors precedes the second end line.
     """
     floors: list[Floor] = []
     name, count, count_line = "", 0, 0

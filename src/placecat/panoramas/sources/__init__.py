@@ -1,7 +1,7 @@
 """Sources of panoramas, one module per source.
 
-A source is a module of this package that defines ``read(root, settings)``, which lists the panoramas below a
-folder by the settings of conf/panoramas.yaml; its file name is its name there.
+A source is a module of this package that defines ``read(root, settings)``. This function lists the panoramas
+in a folder according to the settings of conf/panoramas.yaml. The settings refer to a source by its file name.
 """
 
 from collections.abc import Mapping
@@ -17,10 +17,10 @@ _HOME, _ROOM = schema.of_type(FileName), schema.of_type(Label)
 
 
 def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
-    """List the panoramas of a source in a folder, by the settings of conf/panoramas.yaml.
+    """List the panoramas in a folder, at least one, according to the settings of conf/panoramas.yaml.
 
-    There is at least one; their pictures exist and are not decoded. Raises PlacecatError if the source or one
-    of its files is unknown, missing or wrong; the message names the file, and the line if there is one.
+    Their pictures exist but are not decoded. Raises PlacecatError if the source or one of its files is
+    unknown, missing or wrong; the message names the file and, if possible, the line.
     """
     source = lookup.module(__name__, settings["source"], "source", "read")
     if not root.is_dir():
@@ -62,7 +62,7 @@ def _check_files(root: Path, panorama: Panorama, settings: Mapping[str, Any]) ->
 
 
 def _check_names(panoramas: list[Panorama]) -> None:
-    """Refuse two homes whose names differ only in capital letters, and a picture that is listed twice."""
+    """Refuse homes whose names differ only in case, and pictures that are listed twice."""
     homes: dict[str, str] = {}
     files: dict[str, str] = {}
     for one in panoramas:

@@ -12,7 +12,7 @@ from placecat.panoramas.sources.table import read_table
 def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
     """List the panoramas of a folder; see `placecat.panoramas.sources.read`.
 
-    The setting `cubes` names the six pictures by the cell `file` of the table.
+    The setting `cubes` turns the cell `file` of the table into the names of the six pictures.
     """
     pattern, names = settings["cubes"]["file"], settings["cubes"]["faces"]
 

@@ -1,4 +1,4 @@
-"""The table of rooms beside pictures: a CSV with the columns home, file, room, and perhaps floor."""
+"""The table of rooms next to the pictures: a CSV with the columns home, file, room and, optionally, floor."""
 
 import re
 from collections.abc import Callable, Mapping
@@ -13,27 +13,27 @@ from placecat.sequences.labels import read_rows, shown
 
 _NEEDED, _OPTIONAL = ("home", "file", "room"), ("floor",)
 FLOOR = re.compile(r"[A-Za-z0-9_-]{1,50}")
-"""A name of a floor, as label files have them."""
+"""Floor names that label files allow."""
 _ONLY_FLOOR = "1"
-# The label that a message names.
+# Label used as an example in a message.
 _EXAMPLE = "living_room"
 
 
 def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], list[str]]) -> list[Panorama]:
-    """Read the table in the folder of a source, a panorama per row.
+    """Read the table in the folder of a source, one panorama per row.
 
     Parameters
     ----------
     settings
-        Those of conf/panoramas.yaml: `table` and `labels`.
+        Settings of conf/panoramas.yaml: `table` and `labels`.
     files
-        From the cell `file` to the pictures of a panorama, relative to `root`.
+        Function that maps the cell `file` to the pictures of a panorama, relative to `root`.
 
     Raises
     ------
     PlacecatError
-        If the table is missing or not a CSV, or a row has the wrong cells, a path that leads out of `root` or
-        a room that no label names; the message names the line.
+        If the table is missing or not a CSV, or a row has the wrong cells, a path that leaves `root`, or a
+        room without a label; the message names the line.
     """
     path = root / settings["table"]
     if not path.is_file():
@@ -74,7 +74,7 @@ def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], l
 
 
 def _adding(room: str, settings: Mapping[str, Any]) -> str:
-    """The override that adds a room to the rooms of a label."""
+    """Return the override that adds a room to a label."""
     labels = settings["labels"]
     label = _EXAMPLE if _EXAMPLE in labels else min(labels, default=_EXAMPLE)
     names = ",".join(map(overrides.text, [*labels.get(label, []), room]))

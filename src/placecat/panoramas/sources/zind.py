@@ -1,7 +1,7 @@
-"""The Zillow Indoor Dataset: ``HOME/zind_data.json`` and the equirectangular pictures that it names.
+"""The Zillow Indoor Dataset: ``HOME/zind_data.json`` and the equirectangular pictures that it lists.
 
-A home is named ``zind_HOME``, since a name of digits alone would be read as a number. A room is a complete
-room with a label: an open kitchen and its dining room are one complete room and two rooms here.
+A home is named ``zind_HOME``, because YAML would read a name of digits as a number. A room is a complete room
+with one label: an open kitchen with a dining area is one complete room there, but two rooms here.
 
 References
 ----------
@@ -21,7 +21,7 @@ from placecat.panoramas.sources.table import FLOOR
 
 DATA = "zind_data.json"
 MOST_BYTES = 64 << 20
-"""Of a home's data: our choice. The sample of the data set has 0.1 MB."""
+"""Largest size of the data of a home. Our choice; the sample of the data set has 0.1 MB."""
 _LEVELS = ("floor", "complete room", "partial room", "panorama")
 
 
@@ -42,7 +42,7 @@ def _home(folder: Path, settings: Mapping[str, Any], labels: Mapping[str, str]) 
         where = f"{path}: {'.'.join(names)}"
         room, image = (content.get(name) for name in ("label", "image_path"))
         if not isinstance(room, str) or not isinstance(image, str):
-            raise PlacecatError(f"{where} needs label and image_path, each a text.")
+            raise PlacecatError(f"{where} needs label and image_path as text.")
         if settings["inside_only"] and content.get("is_inside") is False:
             continue
         label = labels.get(kind(room), settings["others"])
@@ -69,7 +69,7 @@ def _load(path: Path) -> Any:
 
 
 def _panoramas(path: Path, content: Any) -> Iterator[tuple[list[str], dict[str, Any]]]:
-    """Each panorama with its names from the top."""
+    """Yield each panorama with its path of names from the top level."""
     merger = content.get("merger") if isinstance(content, dict) else None
     level = [(["merger"], merger)]
     for what in _LEVELS:
