@@ -4,14 +4,14 @@ from collections.abc import Sequence
 
 from placecat.report.kept import Comparison, Grade
 
-# Most differing tables, verdicts and settings to name.
+# Maximum number of differing tables, verdicts and settings to name.
 _TABLES, _VERDICTS, _SETTINGS = 10, 10, 3
 
 
 def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Sequence[str] = ()) -> list[str]:
-    """Describe line by line how a run differs, with a tolerance in points.
+    """Describe line by line how a run differs, given a tolerance in points.
 
-    `kept` is the origin of the kept tables, e.g. "git HEAD"; `settings` are the names of differing settings.
+    `kept` is the origin of the kept tables, e.g. "git HEAD"; `settings` are the names of changed settings.
     """
     grade = comparison.grade(tolerance)
     lines = []

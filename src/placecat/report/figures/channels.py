@@ -1,4 +1,4 @@
-"""Thesis 3.1.1.1, Figures 4 and 5: the channels of colour and orientation, around their conspicuity maps."""
+"""Thesis 3.1.1.1, Figures 4 and 5: the colour and orientation channels, around their conspicuity maps."""
 
 from collections.abc import Sequence
 
