@@ -7,7 +7,7 @@ from placecat.explain.made import Made
 from placecat.mlflow_log.store import key
 from placecat.settings import flatten
 
-# The deciding part, by its name in the name of a result.
+# Kind of the deciding part, by the prefix in the name of a result.
 _DECIDES = {
     "cues": "cue",
     "tempered": "tempered cue",

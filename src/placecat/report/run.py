@@ -53,7 +53,7 @@ class Run:
         """
         value = settings.get(self.params, f"filters.{name}.threshold")
         if value is None:
-            raise SettingError(f"the filter {name} has a share, and figures need one with a threshold")
+            raise SettingError(f"the filter {name} has a share of frames, but figures need a threshold")
         return float(value)
 
     def options(self, figure: str) -> Mapping[str, Any]:
@@ -212,5 +212,5 @@ def home_of(run: Run, number: int) -> str:
     Raises PlacecatError for a number below 1.
     """
     if number < 1:
-        raise PlacecatError(f"homes of figures are counted from 1: there is no home {number}")
+        raise PlacecatError(f"homes in figures are numbered from 1: home {number} does not exist")
     return run.homes[min(number, len(run.homes)) - 1]

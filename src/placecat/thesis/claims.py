@@ -147,7 +147,7 @@ def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
     if not comparisons:
         raise PlacecatError(f"{name} makes no comparison")
     if len({one.range[0] == BOTH_SIGNS for one in comparisons}) > 1:
-        raise PlacecatError(f"{name} has {BOTH_SIGNS} beside other ranges: it is judged over all comparisons")
+        raise PlacecatError(f"{name} mixes {BOTH_SIGNS} with other ranges: it covers all comparisons")
     readings = {str(reading): dict(parts) for reading, parts in config.get("readings", {}).items()}
     compared = "/".join(result for one in comparisons for side in one.sides for result in side.results)
     for reading, parts in readings.items():
@@ -173,7 +173,7 @@ def _comparison(config: Mapping[str, Any], where: str) -> Comparison:
     right = _side(options.pop("right"), where) if "right" in options else None
     kind = options.pop("range")
     if isinstance(kind, Mapping) and len(kind) != 1:
-        raise PlacecatError(f"a range of {where} has {len(kind)} kinds, one is needed")
+        raise PlacecatError(f"a range of {where} has {len(kind)} kinds instead of one")
     ((name, number),) = kind.items() if isinstance(kind, Mapping) else [(kind, None)]
     kind = (name, None if number is None else float(number))
     comparison = Comparison(left, right, kind, **options)

@@ -98,7 +98,7 @@ def _set(value: Any, around: tuple[dict[str, Any], ...], params: Mapping[str, An
 def _load(path: Path, root: Path, before: tuple[Path, ...]) -> dict[str, Any]:
     """One file with the content that its `like` refers to; `before` are the files that led to it."""
     if path in before:
-        raise PlacecatError(f"{path} is like itself, by way of {', '.join(map(str, before))}")
+        raise PlacecatError(f"{path} refers to itself through {', '.join(map(str, before))}")
     content = _yaml(path)
     # Files of conf/ include others in Hydra's notation: "/scheme@scheme: parallel".
     base = {}
@@ -126,7 +126,7 @@ def _filled(value: Any, inherited: Any, root: Path, before: tuple[Path, ...]) ->
 
 
 def _yaml(path: Path) -> dict[str, Any]:
-    return settings.read_yaml(path, f"restore it from git, or mend the `{LIKE}` that names it")
+    return settings.read_yaml(path, f"restore it from git, or correct the `{LIKE}` that names it")
 
 
 def _is_set(params: Mapping[str, Any], name: str) -> bool:

@@ -96,7 +96,7 @@ def _finding_row(finding: Finding, judged: Sequence[Judged], rules: Rules) -> di
 
 
 def _margin(judged: Judged) -> tuple[bool, float]:
-    """Sort key, smallest for the deciding comparison; comparisons without an interval come first."""
+    """Sort key, smallest for the deciding comparison; comparisons without an interval come last."""
     if judged.measurement is None or np.isnan(judged.measurement.interval.low):
         return True, 0.0
     return False, judged.claimed.margin(judged.measurement.interval) if judged.claimed else 0.0

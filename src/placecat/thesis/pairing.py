@@ -64,7 +64,7 @@ class Paired:
         return self.by_seed
 
     def too_few(self, minimum: int) -> str:
-        """Why there are too few units for a verdict, "" if there are enough."""
+        """The reason if there are too few units for a verdict, else ""."""
         return f"{self.units} are too few for a verdict" if self.n_units < minimum else ""
 
     def overall(self) -> tuple[NDArray[np.float64], ...]:
@@ -174,7 +174,7 @@ def _values(one: Measured, side: Side, homes: Sequence[str], seeds: tuple[str, .
 
 
 def left_out(sides: Sequence[Side], used: Sequence[Side]) -> list[str]:
-    """Name the results that could not be computed; for ``last``, those after the one used."""
+    """Name the results that could not be computed; for ``last``, only those that follow the used one."""
     texts = []
     for side, kept in zip(sides, used, strict=True):
         asked = side.results

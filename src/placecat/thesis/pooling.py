@@ -66,7 +66,7 @@ class Pooled:
         )
 
     def too_few(self, minimum: int) -> str:
-        """Why there are too few stays for a verdict, "" if there are enough."""
+        """The reason if there are too few stays for a verdict, else ""."""
         once = [self.names[place] for place in np.flatnonzero(np.bincount(self.places) == 1)]
         if len(self.frames) < minimum:
             return f"{self.units} are too few for a verdict"

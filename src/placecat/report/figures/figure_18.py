@@ -15,8 +15,8 @@ from placecat.report.run import Run
 
 TITLE = (
     "Frames of two places for which all cues output a wrong decision: of all such frames that the "
-    "information filter accepts, those on which the cues are surest, each compared with how sure it is on"
-    " other frames. The bars are the cues' distributions over the places in percent, with the decision on"
+    "information filter accepts, those on which the cues are most certain compared with "
+    "other frames. The bars are the cues' distributions over the places in percent, with the decision on"
     " their right. First seed."
 )
 SHOWN = 2
