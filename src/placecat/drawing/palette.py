@@ -53,7 +53,7 @@ def place_title(place: str) -> str:
 
 
 def steps(count: int) -> list[str]:
-    """Colours of `count` ordered things, from light to dark."""
+    """`count` colours for an ordered series, from light to dark."""
     chosen = ("#f0c93a", "#56b4e9", "#d55e00", "#332288")
     if count <= len(chosen):
         return list(chosen[len(chosen) - count :])

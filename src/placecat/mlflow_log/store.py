@@ -40,7 +40,7 @@ _LONGEST_KEY = 250
 
 
 def queued_in() -> Path | None:
-    """The project's folder, if this one is the temporary copy in which DVC runs a queued experiment."""
+    """The project's folder, if this folder is DVC's temporary copy for a queued experiment."""
     here = Path.cwd()
     copies = [folder for folder in here.parents if folder.parts[-3:] == _QUEUED]
     return copies[-1].parents[2] if copies else None

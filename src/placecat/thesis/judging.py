@@ -128,8 +128,8 @@ def judge_comparison(
 def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str]:
     """Judge whether something hurts as well as helps: the verdict on all cases together, and the reason.
 
-    A case is a result in a home, and each comparison has its own homes; see
-    :func:`placecat.evaluation.verdict.judge_shares` for the rule.
+    A case is a result in a home; homes may differ between comparisons. The rule is in
+    :func:`placecat.evaluation.verdict.judge_shares`.
     """
     worse, better = sum(one.worse for one in measured), sum(one.better for one in measured)
     gains = [gain for one in measured for gain in one.gains]

@@ -17,9 +17,10 @@ TITLE = (
     "Reliability diagrams: frames sorted into bins by the probability of their decided place. A point is a "
     "bin, the larger the more frames it has (bins of less than 0.5 % are not drawn): on the dashed line "
     "decisions are right as often as their probability says, below it they are overconfident, above it "
-    "underconfident. Below each diagram: shares of the frames. Places, test homes and seeds weigh the same. Log "
-    "loss and calibration error are those of the added table, means over homes and seeds; the error of "
-    "the pooled homes, as drawn, is smaller, since overconfidence in one home offsets underconfidence in another."
+    "underconfident. Below each diagram: shares of the frames. Places, test homes and seeds weigh the same. "
+    "Log loss and calibration error are those of the added table, means over homes and seeds; the error of "
+    "the pooled homes, as drawn, is smaller, since overconfidence in one home offsets underconfidence in "
+    "another."
 )
 
 COLUMNS = 3
