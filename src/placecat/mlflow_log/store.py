@@ -18,7 +18,7 @@ from urllib.request import url2pathname
 
 from placecat.errors import PlacecatError
 
-# MLflow itself takes 5 s to import: inside the functions.
+# Functions import MLflow when they need it: that takes 5 s.
 if TYPE_CHECKING:
     from contextlib import AbstractContextManager
 

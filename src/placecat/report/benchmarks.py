@@ -12,7 +12,7 @@ _NUMBER = r"(\d+(?:\.\d+)?(?:e[+-]?\d+)?)"
 
 
 def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
-    """The rows of :func:`placecat_bench.run.run` that have a ratio; empty cells of numbers are NaN.
+    """The rows of :func:`placecat_bench.run.run` that have a ratio; missing numbers are NaN.
 
     The columns are the same, with ``met`` as a bool and ``target`` as a number, plus ``is_faster``: whether
     the target is a minimum speed-up instead of a maximum share of the peer's time.

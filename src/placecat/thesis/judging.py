@@ -150,7 +150,7 @@ def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str
 
 
 def look_up(comparison: Comparison, published: Published, sides: Sequence[Side] | None = None) -> Thesis:
-    """Find the published numbers of a comparison, or of `sides` restricted to measured results."""
+    """Find the published numbers of a comparison, or of its `sides` with only the measured results."""
     sides = comparison.sides if sides is None else sides
     home = comparison.published_home or AVERAGE
     numbers = [_combine(side, _published(side, published, home)[:, None]) for side in sides]

@@ -42,7 +42,7 @@ class Rules:
 
 
 def claimed_range(kind: tuple[str, float | None], published_difference: float, rules: Rules) -> Range | None:
-    """The range that a claim allows for the difference; None for ``both_signs``, which claims nothing about the mean.
+    """The range that a claim allows for the difference; None for ``both_signs``, which ignores the mean.
 
     The kinds are ``better``: above 0. ``worse``: below 0. ``about``: about the published difference.
     ``little``: not far from 0. ``no_better``: at most a little above 0. ``within`` and a number: closer to 0
