@@ -5,7 +5,7 @@ PYTHON ?= python3
 SET ?=
 # Pieces to measure, e.g. PIECE="dependency_tree rvm"; by default all.
 PIECE ?=
-# What `make choose` is for: cues, systems or smoothing; by default all.
+# Settings that `make choose` judges: cues, systems or smoothing; by default all.
 KIND ?=
 VENV := .venv
 BIN := $(VENV)/bin
@@ -15,11 +15,11 @@ READY_BENCH := $(VENV)/.installed-bench
 # tests/conftest.py orders the tests.
 WORKERS := -n 2 --dist loadgroup --no-loadscope-reorder
 
-# Packages of elsewhere would be taken before those of .venv.
+# Packages on PYTHONPATH would hide those in .venv.
 unexport PYTHONPATH PYTHONHOME
 export PYTHONNOUSERSITE := 1
 
-# An environment that was moved with the project is made anew.
+# If the project was moved, its environment is made again.
 ifneq ($(shell $(PYTHON) install.py --moved),)
 .PHONY: $(READY) $(READY_TEST) $(READY_BENCH)
 endif
@@ -54,7 +54,7 @@ SEED ?= 0
 campaign: $(READY_TEST) ## damage inputs, kill runs, fill disks for SECONDS, and count what became of it
 	$(BIN)/python tests/campaign/campaign.py --seconds $(SECONDS) --seed $(SEED)
 
-# What is tried is in conf/choice.yaml.
+# conf/choice.yaml lists the candidates.
 choose: $(READY) ## judge on training homes what the thesis leaves open; needs `make repro`
 	$(BIN)/python -m placecat.choice $(KIND)
 
@@ -68,7 +68,7 @@ lint: $(READY_TEST) ## check format, style and types
 	$(BIN)/ruff check src tests docs/*.py
 	$(BIN)/mypy
 
-# All locks hold the same version of a package, so that they go together in any order.
+# All lock files hold the same version of a package, so they can be installed in any order.
 $(READY): requirements.lock pyproject.toml
 $(READY_TEST): requirements-test.lock pyproject.toml
 $(READY_BENCH): requirements-bench.lock pyproject.toml

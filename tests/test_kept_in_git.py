@@ -95,7 +95,7 @@ def test_the_tolerance_is_a_setting(folder):
     lines, is_as_kept = kept_in_git.compare()
     assert not is_as_kept
     assert "beyond the tolerance of 1.4 points" in lines[0]
-    assert "Not the kept settings" not in " ".join(lines)
+    assert "Settings differ from the kept ones" not in " ".join(lines)
 
 
 def test_other_settings_explain_any_change(folder):
@@ -103,7 +103,7 @@ def test_other_settings_explain_any_change(folder):
     write_settings(cues={"gist": {"nu": 0.1, "gamma": 2.0}}, compute={"kind": "dask"})
     lines, is_as_kept = kept_in_git.compare()
     assert is_as_kept
-    assert lines[-1] == "Not the kept settings: cues.gist.nu. Differences are to be expected."
+    assert lines[-1] == "Settings differ from the kept ones: cues.gist.nu. Expect differences."
 
 
 def test_a_table_more_or_less_is_not_as_kept(folder):

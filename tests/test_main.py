@@ -269,7 +269,7 @@ def test_other_settings_are_no_failure(committed):
     result = placecat(committed, "repro", "probabilities.bins=17")
     assert result.returncode == 0, result.stderr
     assert "1 of 2 cells equal" in result.stdout
-    assert "Not the kept settings: probabilities.bins. Differences are to be expected." in result.stdout
+    assert "Settings differ from the kept ones: probabilities.bins. Expect differences." in result.stdout
 
 
 def test_a_failed_run_shows_neither_times_nor_tables(committed):

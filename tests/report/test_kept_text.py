@@ -33,14 +33,14 @@ def test_large_differences_say_what_to_do():
     lines = said(table(differing=1, largest=2.5, where="HOG"), table("table_13", differing=1, appeared=1))
     assert "beyond the tolerance of 2 points" in lines[0]
     assert "; 1 have a number now and had none." in lines[0]
-    assert lines[-1].startswith("Another kind of processor does not explain that.")
+    assert lines[-1].startswith("A different kind of processor does not explain this.")
     assert "commit reports/" in lines[-1]
 
 
 def test_after_other_settings_nothing_is_wrong():
     lines = said(table(differing=1, largest=9.5, where="HOG"), settings=["a.b", "a.c", "d", "e", "f"])
-    assert lines[-1] == "Not the kept settings: a.b, a.c, d, and 2 more. Differences are to be expected."
-    assert "Not the kept settings" not in " ".join(said(table(), settings=["a.b"]))
+    assert lines[-1] == "Settings differ from the kept ones: a.b, a.c, d, and 2 more. Expect differences."
+    assert "Settings differ from the kept ones" not in " ".join(said(table(), settings=["a.b"]))
 
 
 @pytest.mark.parametrize(

@@ -67,7 +67,7 @@ def test_a_table_that_needs_a_setting_is_there_with_it_only(write):
         ("s__table_01", "rows: []\n", r"tables/s/table_01\.yaml has no setting 'rows'"),
         ("table_01", "title: ${cues.gits}\n", r"table_01\.yaml: setting 'cues\.gits' does not exist"),
         ("table_01", "like: conf/nothing.yaml\n", r"conf/nothing\.yaml is missing"),
-        ("table_01", "like: data/thesis/tables/table_01.yaml\n", r"table_01\.yaml is like itself"),
+        ("table_01", "like: data/thesis/tables/table_01.yaml\n", r"table_01\.yaml refers to itself"),
         ("table_01", "title: {\n", r"table_01\.yaml is not valid YAML"),
         ("table_01", "", r"table_01\.yaml is empty"),
     ],

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from placecat.drawing.palette import written
 
 _FONT = "DejaVu Sans"
-# Of the size of the font: below the baseline, and in all.
+# Fractions of the font size: below the baseline, and the total height.
 _DESCENT, _LINE = 0.28, 1.3
 
 
@@ -24,7 +24,7 @@ def line_height(size: int) -> int:
 def mask(text: str, size: int, *, bold: bool = False) -> NDArray[np.float32]:
     """(line_height(size), width) float32 in [0, 1]: how much of each pixel one line of text covers.
 
-    `size` is that of the font in pixels.
+    `size` is the font size in pixels.
     """
     text = written(text)
     if not text:
@@ -55,8 +55,8 @@ def write(
 ) -> int:
     """Write a line into a picture (H, W, 3) uint8, BGR, cut at its edges; returns the width of the text.
 
-    `where` is x and y of the line's upper corner, the left one, or the right one with ``align="right"``;
-    `size` is that of the font in pixels; `color` is BGR.
+    `where` is x and y of the line's upper left corner, or upper right corner with ``align="right"``;
+    `size` is the font size in pixels; `color` is BGR.
     """
     cover = mask(text, size, bold=bold)
     left = where[0] - (cover.shape[1] if align == "right" else 0)

@@ -1,4 +1,4 @@
-"""Colours that mean the same in every figure; told apart by colour-blind readers and in grey print."""
+"""Colours with the same meaning in every figure, distinct for colour-blind readers and in grey print."""
 
 from collections.abc import Sequence
 
@@ -32,16 +32,16 @@ AMOUNT = "Greys"
 
 
 def place_colors(classes: Sequence[str]) -> dict[str, str]:
-    """Place to "#rrggbb"; a place that has no colour of its own takes the next free one, by its order."""
+    """Place to "#rrggbb"; a place without a fixed colour gets the next free one, in order."""
     unknown = [place for place in classes if place not in PLACES]
     spare = {place: OTHERS[number % len(OTHERS)] for number, place in enumerate(unknown)}
     return {place: PLACES.get(place) or spare[place] for place in classes}
 
 
 def written(text: str) -> str:
-    """A user's text as a figure can show it: one line of limited length, without undrawable characters.
+    """A user's text for a figure: one line of limited length, without undrawable characters.
 
-    Matplotlib fails on half a character (a file's name may be in any coding), and a long line takes minutes.
+    Matplotlib fails on broken characters (file names may have any encoding), and a long line takes minutes.
     """
     line = printable(text).replace("\n", " ").replace("\t", " ")
     return line if len(line) <= _LONGEST else f"{line[: _LONGEST // 2]}…{line[-_LONGEST // 2 :]}"
@@ -53,7 +53,7 @@ def place_title(place: str) -> str:
 
 
 def steps(count: int) -> list[str]:
-    """Colours of `count` ordered things, from light to dark."""
+    """`count` colours for an ordered series, from light to dark."""
     chosen = ("#f0c93a", "#56b4e9", "#d55e00", "#332288")
     if count <= len(chosen):
         return list(chosen[len(chosen) - count :])

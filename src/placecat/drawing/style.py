@@ -26,11 +26,11 @@ def save(figure: Figure, target: Path) -> None:
 
 
 def save_pdf(figure: Figure, target: Path, *, title: str, settings: str) -> None:
-    """Write a figure that `save` has written as PDF; the same figure gives the same bytes.
+    """Write a figure as PDF, after `save`; the same figure gives the same bytes.
 
-    Its properties have the `title`, and the `settings` as subject.
+    The PDF's properties contain the `title`, and the `settings` as subject.
     """
-    # It takes as long to import as all else of matplotlib.
+    # Its import takes as long as the rest of matplotlib.
     from matplotlib.backends.backend_pdf import FigureCanvasPdf
 
     # The layout is that of the PNG; `savefig` would make it again, by drawing everything twice.
@@ -49,7 +49,7 @@ def save_pdf(figure: Figure, target: Path, *, title: str, settings: str) -> None
 def png_of(draw: Callable[..., Figure | None], *arguments: Any) -> bytes | None:
     """Draw a figure in the common style and return it as PNG; the same figure gives the same bytes.
 
-    Its text must be this program's own: between two $ it is mathematics, as in the powers of ten on an axis.
+    The text must not come from users: between two $ it is mathematics, as in the powers of ten on an axis.
     """
     with house_style({"text.parse_math": True}):
         figure = draw(*arguments)

@@ -37,7 +37,7 @@ Counts = dict[tuple[str, str], NDArray[np.int64]]
 
 @dataclass(frozen=True)
 class _Recomputed(Source):
-    """The distributions of a result, of which some homes were computed again."""
+    """The distributions of a result; some homes were computed again."""
 
     arrays: Mapping[tuple[str, str], Array] = field(default_factory=dict)
 
@@ -46,11 +46,11 @@ class _Recomputed(Source):
 
 
 def compute(number: str) -> tuple[bool, str]:
-    """Compute one cell (:func:`placecat.explain.find.find`) again, and compare it with the kept one.
+    """Compute one cell (:func:`placecat.explain.find.find`) again, and compare it with the stored one.
 
-    A smoothed, filtered or integrated result is computed from the files of the step before; a cue is trained
-    from its features and codebook, and a trial and a split from their features. Returns whether all bits
-    agree, and a sentence that says so. Raises PlacecatError if a stage before it has not run.
+    A smoothed, filtered or integrated result is computed from the files of the previous step; a cue is
+    trained from its features and codebook; trials and splits are trained from their features. Returns whether
+    all bits agree, and a sentence that reports it. Raises PlacecatError if an earlier stage has not run.
     """
     params = settings.load()
     table = number.partition(".")[0]
@@ -73,7 +73,7 @@ def compute(number: str) -> tuple[bool, str]:
 
 
 def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[str, tuple[Key, Number]]:
-    """Number of each cell of one table to its labels and its value by the results."""
+    """Number of each cell of one table to its labels and its value, computed from the results."""
     if table == in_text.NAME:
         rows = filling.text(results, params)[[*in_text.KEY, "number"]].itertuples(index=False, name=None)
         return {
@@ -87,7 +87,7 @@ def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[st
 
 
 def _recompute(origin: Origin, results: Results, params: Mapping[str, Any], steps: list[str]) -> Results:
-    """The results with one computed again in the homes of an origin."""
+    """The results, one of them computed again in the homes of an origin."""
     name = origin.result
     if name not in results.measured:
         return results

@@ -25,7 +25,7 @@ ALL_HOMES = "all"
 
 @dataclass(frozen=True)
 class Table:
-    """A table: its definition with its name, its cells with notes, and the data set it was measured on."""
+    """A table: its definition and name, its cells with notes, and its data set."""
 
     settings: Mapping[str, Any]
     cells: pd.DataFrame
@@ -39,11 +39,11 @@ class Explained:
     Attributes
     ----------
     id
-        As the page counts, e.g. ``table_26.9.3``; see :mod:`placecat.explain.numbering`.
+        The number on the page, e.g. ``table_26.9.3``; see :mod:`placecat.explain.numbering`.
     table, title
-        Name of the table, ``in_text`` for a number in the text, and its title.
+        Name of the table (``in_text`` for a number in the text), and its title.
     group, row, column
-        Labels; for a number in the text its name, quantity and home.
+        Labels; for a number in the text, its name, quantity and home.
     home
         Its only home or sequence, "all" for several.
     measured, published, spread, seeds
@@ -55,11 +55,11 @@ class Explained:
     notes
         Notes on it.
     data
-        Titles of the data sets of the measured and of the published number, "" if nothing was published.
+        Titles of the data sets of the measured and the published number, "" if nothing was published.
     made
         How each of its results was made.
     trained
-        Test home to the frames of each plan, once each.
+        Test home to the frames of each plan, without duplicates.
     findings
         Numbers of the findings that rest on its results.
     """
@@ -85,7 +85,7 @@ class Explained:
 
     @property
     def stages(self) -> tuple[str, ...]:
-        """DVC's stages that made it, in their order."""
+        """DVC's stages that made it, in order."""
         return all_stages(self.made)
 
     @property
@@ -108,7 +108,7 @@ class Explaining:
     params
         All settings.
     tables
-        Filled, in the order of the report.
+        Filled tables, in the order of the report.
     texts
         Numbers in the text, with their notes.
     origins
@@ -189,7 +189,7 @@ class Explaining:
         for origin in origins:
             how = self._how(origin.result)
             is_split = how.plan in settings.get(self.params, "splits")
-            # Means over all homes name none.
+            # A mean over all homes does not list the homes.
             homes = origin.homes or settings.get(self.params, "dataset.homes")
             for home in [how.plan] if is_split else homes:
                 key = (how.plan, how.fuses, how.extra, home)

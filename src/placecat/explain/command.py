@@ -18,9 +18,9 @@ _INDENT = 24
 
 
 def explain_command(words: Sequence[str], *, again: bool = False) -> int:
-    """Print the explanation of the cells that words name (:func:`placecat.explain.find.find`).
+    """Print the explanations of the cells that match the words (:func:`placecat.explain.find.find`).
 
-    With `again` each is computed again; the status is 1 if a bit differs.
+    With `again` each cell is computed again; the status is 1 if a bit differs.
     """
     content = read()
     numbers = find(words, content)
@@ -78,7 +78,7 @@ def _shown(line: Line) -> str:
 
 
 def _code() -> str:
-    """The commit that is checked out, and whether code or settings were changed since."""
+    """The current commit, and whether code or settings have changed since."""
     commit = git_commit()
     if not commit:
         return "outside a git repository"

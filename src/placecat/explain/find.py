@@ -1,4 +1,4 @@
-"""Cells looked up by a number, or by a table and labels."""
+"""Looks up cells by number, or by table and labels."""
 
 import difflib
 import re
@@ -9,19 +9,19 @@ from placecat import paths
 from placecat.errors import PlacecatError
 from placecat.explain.lines import lines_of
 
-# More cells are listed, not explained.
+# If more cells match, they are listed instead of explained.
 MOST = 4
 _NAMED = 8
 _LABELS = ("group", "row", "column")
 
 
 def find(words: Sequence[str], content: Mapping[str, Any]) -> list[str]:
-    """Find the numbers of the cells that words name.
+    """Find the numbers of the cells that match the words.
 
     The words are the number of a cell, e.g. ``table_26.9.3``; or the name of a table and labels of a group,
-    row or column, e.g. ``table_26 HMM home_3``, in any order. A part of a label is enough if no label is
-    equal. `content` is from :func:`placecat.explain.text.explanations`. Raises PlacecatError if they name no
-    cell or more than `MOST`; the message names the nearest ones.
+    row or column, e.g. ``table_26 HMM home_3``, in any order. Part of a label is enough if no label matches
+    exactly. `content` is from :func:`placecat.explain.text.explanations`. Raises PlacecatError if no cell or
+    more than `MOST` cells match; the message names the nearest ones.
     """
     name, *labels = words
     cells = content["cells"]

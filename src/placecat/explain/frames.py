@@ -1,4 +1,4 @@
-"""Frames that results trained on and were tested on, home by home."""
+"""Training and test frames of results, home by home."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -17,14 +17,14 @@ Frames = tuple[tuple[str, int], ...]
 
 @dataclass(frozen=True)
 class Trained:
-    """Sequences and numbers of frames, of one test home or, on a fixed split, of all test sequences.
+    """Sequences and their numbers of frames, for one test home or, on a fixed split, for all test sequences.
 
     Attributes
     ----------
     training_set
-        Name from which seeds of codebooks derive.
+        Name that determines the seeds of codebooks.
     cues, integration
-        Frames that train the cues and the integration; `integration` is () if nothing is fused.
+        Frames that train the cues and the integration; `integration` is () without fusion.
     tested
         Labelled frames that are tested.
     places

@@ -1,4 +1,4 @@
-"""Lines of an explanation from the file that has those of all cells; imports little, to be quick."""
+"""Lines of one cell's explanation, from the file of all explanations; imports little, for speed."""
 
 import hashlib
 import json
@@ -21,7 +21,7 @@ def lines_of(content: Mapping[str, Any], number: str) -> list[Line]:
 
 
 def to_text(content: Mapping[str, Any]) -> str:
-    """All explanations as JSON with one line per cell, so that git shows which cells changed."""
+    """All explanations as JSON with one line per cell: git then shows which cells changed."""
     parts = []
     for name, values in content.items():
         items = values.items() if isinstance(values, Mapping) else [(None, value) for value in values]
@@ -38,7 +38,7 @@ def _compact(value: Any) -> str:
 def stage_texts(lock: Mapping[str, Any]) -> dict[str, str]:
     """Stage to its dependencies in dvc.lock as text, each with eight digits of its checksum.
 
-    Its code, all dependencies in src/, has one checksum.
+    All dependencies in src/ share one checksum.
     """
     texts = {}
     for stage, record in lock["stages"].items():

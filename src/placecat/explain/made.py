@@ -1,4 +1,4 @@
-"""How a result was made: its cues, system and filter, the settings that decide it, and the stages."""
+"""How a result was made: its cues, system and filter, its settings, and the stages."""
 
 import json
 from collections.abc import Iterable, Mapping
@@ -22,9 +22,9 @@ class Made:
     Attributes
     ----------
     title
-        One line for people.
+        One readable line.
     stages
-        DVC's stages in their order, without `scores` and `tables`.
+        DVC's stages in order, without `scores` and `tables`.
     cues, classifiers, descriptors
         Names of the cues, and of the classifier and the descriptor of each.
     system, filter
@@ -38,7 +38,7 @@ class Made:
     settings
         Part to its settings.
     clusters
-        Cue to the descriptor as text and the number of cells, from which the seeds of its codebooks derive.
+        Cue to the descriptor as text and the number of cells, which determine the seeds of its codebooks.
     """
 
     title: str
@@ -96,7 +96,7 @@ def made(result: str, params: Mapping[str, Any], trials: Mapping[str, Trial]) ->
 
 
 def all_stages(made: Iterable[Made]) -> tuple[str, ...]:
-    """Stages that made some results and the tables of them, in the order of the pipeline."""
+    """Stages that made some results and their tables, in the order of the pipeline."""
     known = [stage for one in made for stage in one.stages]
     return (*(stage for stage in _ORDER if stage in known), *(_LAST if known else ("tables",)))
 
@@ -139,7 +139,7 @@ def _described(
     codebook: Mapping[str, Any] | None,
     params: Mapping[str, Any],
 ) -> Made:
-    """A descriptor, a classifier and, if it decides from clusters, a codebook."""
+    """A descriptor, a classifier and, if the classifier uses clusters, a codebook."""
     kind, module = descriptor["kind"], descriptor["name"]
     computed = (settings.get(params, "descriptors").get(kind) or {}).get(module, {})
     base = classifier.get("base", {}).get("name")
@@ -160,7 +160,7 @@ def _described(
 
 
 def _together(cues: Iterable[Made], title: str, stages: Iterable[str], **own: Any) -> Made:
-    """Several cues as one result, with its own settings before theirs."""
+    """Several cues as one result; the settings of the result come before those of the cues."""
     cues = list(cues)
     return Made(
         title,
@@ -199,7 +199,7 @@ def _of_system(name: str, params: Mapping[str, Any]) -> Made:
 
 
 def _integrator(own: Mapping[str, Any]) -> dict[str, Any]:
-    """Settings of an integration, with those of its classifier on top."""
+    """Settings of an integration, with the settings of its classifier at the top level."""
     integrator = own["integrator"]
     rest = {key: value for key, value in integrator.items() if key != "classifier"}
     of_system = {key: own[key] for key in ("temperature", "extra") if key in own}

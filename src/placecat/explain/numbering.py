@@ -10,7 +10,7 @@ Key = tuple[str, str, str]
 
 
 def ordered(names: Iterable[str]) -> Sequence[str]:
-    """Names without repetition, the average last: cells that only this run has follow the published ones."""
+    """Names without duplicates, the average last; cells that only this run has follow the published ones."""
     found = list(dict.fromkeys(names))
     return [name for name in found if name != AVERAGE] + [name for name in found if name == AVERAGE]
 

@@ -1,4 +1,4 @@
-"""Origins of every cell of the tables, which the stage `tables` writes for the explanations."""
+"""Origins of every table cell; the stage `tables` writes them for the explanations."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ KEY = ("group", "row", "column")
 
 @dataclass(frozen=True)
 class Measurement:
-    """A number of a cell with each seed, and its origins.
+    """The number of a cell for each seed, and its origins.
 
     Attributes
     ----------
@@ -24,7 +24,7 @@ class Measurement:
     seeds
         Name of the seed of each value, e.g. "seed-0", or "no-seed".
     origins
-        Those of the number.
+        The origins of the number.
     """
 
     values: tuple[float, ...]

@@ -1,4 +1,4 @@
-"""Explanations as lines of a label and a text, with lines that many cells share kept once."""
+"""Explanations as lines of a label and a text; lines that many cells share are stored once."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -16,9 +16,9 @@ def explanations(
 ) -> dict[str, Any]:
     """All explanations, for JSON.
 
-    `params` are all settings; `data_versions` is, for each stage that lists frames, DVC's checksum of the
-    list. Returns ``lines``, each a label and a text; ``blocks``, each numbers of lines, from 0; and
-    ``cells``, number of a cell to its lines in order: a line of its own, or the number of a block.
+    `params` are all settings; `data_versions` maps each stage that lists frames to DVC's checksum of the
+    list. Returns ``lines``, each a label and a text; ``blocks``, each a list of line numbers, from 0; and
+    ``cells``, number of a cell to its lines in order: each is a line or the number of a block.
     """
     pool: dict[Line, int] = {}
     blocks: dict[tuple[int, ...], int] = {}

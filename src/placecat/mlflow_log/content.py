@@ -25,9 +25,9 @@ from placecat.thesis.decisions import decisions_of
 from placecat.thesis.number import AVERAGE
 from placecat.thesis.tables import COLUMNS, comparable, in_percent, label
 
-# MLflow takes 8000 characters; an id is longer than its place.
+# MLflow accepts 8000 characters; an id is longer than its placeholder.
 _LONGEST_DESCRIPTION = 7900
-# The user interface ends a line where the text does.
+# The user interface shows line breaks in the text.
 _READING = (
     "\n**How to read it.** Each row of the table is a nested run: open this run with the plus on its left"
     " in the list, select its rows and press *Compare*, or see *Model metrics* here. {metrics} *Artifacts* "
@@ -56,9 +56,9 @@ def table_run(
 ) -> TableRun:
     """Gather the content of one table, from its definition and its filled `cells`.
 
-    `dataset` is that of the table (:func:`placecat.thesis.tables.dataset_of`); `settings` are flat, only
-    those that its numbers depend on; `written` are its own files, e.g. its CSV; `made` describes how a result
-    was made, by its name.
+    `dataset` is the table's data (:func:`placecat.thesis.tables.dataset_of`); `settings` are flat, and only
+    those that affect its numbers; `written` are the table's files, e.g. its CSV; `made` maps the name of a
+    result to a description of how it was made.
     """
     # The title of an addition already starts with this label.
     title = f"{label(table)}: {table['title'].removeprefix(f'{label(table)}: ')}"
@@ -157,7 +157,7 @@ def _row_run(
     quality: Mapping[str, float],
     how: Mapping[str, Made],
 ) -> RowRun:
-    # The list of runs shows those of many tables.
+    # The list shows runs of many tables.
     of_table = table["name"].replace("_0", "_").replace("_", " ").capitalize()
     name = ": ".join(filter(None, (of_table, ", ".join(filter(None, labels)))))
     shown = {"table": label(table), "group": labels[0], "row": labels[1], "result": ", ".join(how)}
@@ -184,7 +184,7 @@ def _write_row(folder: Path, name: str, decisions: Mapping[str, Measured]) -> li
 
 
 def _write_counts(folder: Path, parts: Sequence[pd.DataFrame], labels: list[str]) -> list[Path]:
-    """Write tables of counts as one file, the labels first; returns its path, nothing without tables."""
+    """Write tables of counts to one file, labels first; returns its path, or nothing without tables."""
     if not parts:
         return []
     whole = pd.concat(parts)
@@ -213,7 +213,7 @@ def _results(
 def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, float]]:
     """Quality of the probabilities of each row's result, by group and row; both are "" for a single result.
 
-    Empty for a table that shows these numbers itself, and for trials, which have none.
+    Empty for a table that already shows these numbers, and for trials, which do not have them.
     """
     if not in_percent(table):
         return {}
@@ -225,9 +225,9 @@ def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str]
 
 
 def _metrics(cells: pd.DataFrame, percent: bool) -> dict[str, float]:
-    """Metrics by column: the user interface then has a section of charts for the averages of all rows.
+    """Metrics by column, so the user interface has a section of charts for the averages of all rows.
 
-    It lists them in this order, the averages on top.
+    It lists the metrics in this order, averages first.
     """
     measured = cells[np.isfinite(cells["measured"])]
     measured = measured.sort_values("column", key=lambda column: column != AVERAGE, kind="stable")
@@ -261,13 +261,13 @@ def _description(
         point = "home" if table["layout"] != "pooled_by_class" else "place"
         chart = f"![Chart of the averages](get-artifact?path=chart.png&run_uuid={RUN_ID})\n"
         reading = _READING.format(metrics=_ACCURACIES, chart=_CHART.format(point=point))
-    # Without the heading, which is the run's name.
+    # Omit the heading, which is the run's name.
     text = table_markdown(table, cells, dataset).partition("\n")[2].lstrip()
     return _cut(f"{text}\n{chart}{reading}")
 
 
 def _cut(text: str) -> str:
-    """As many whole lines as MLflow takes."""
+    """As many complete lines as MLflow accepts."""
     if len(text) <= _LONGEST_DESCRIPTION:
         return text
     return text[: text.rindex("\n", 0, _LONGEST_DESCRIPTION - 40)] + "\n\n*The rest is in the artifacts.*\n"

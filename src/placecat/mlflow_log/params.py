@@ -1,4 +1,4 @@
-"""Parameters that tell runs apart: how a result was made, under the same names for tables and experiments."""
+"""Parameters that distinguish runs: how a result was made, with the same names for tables and experiments."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -7,7 +7,7 @@ from placecat.explain.made import Made
 from placecat.mlflow_log.store import key
 from placecat.settings import flatten
 
-# The part that decides, by its name in a result's name.
+# Kind of the deciding part, by the prefix in the name of a result.
 _DECIDES = {
     "cues": "cue",
     "tempered": "tempered cue",
@@ -20,7 +20,7 @@ _DECIDES = {
 
 
 def params_of_results(results: Mapping[str, Made]) -> dict[str, str]:
-    """Parameters of some results, by their names; if they differ, each value once.
+    """Parameters of some results, by the names of the results; different values are listed once each.
 
     ``decides`` (a cue, an integration, an HMM), ``protocol``, ``cues``, ``system``, ``filter`` and
     ``descriptor``; then the settings of a cue by itself (`params_of_cue`), of the integration and of the
@@ -34,7 +34,7 @@ def params_of_cue(
 ) -> dict[str, str]:
     """Parameters of one cue, from its settings.
 
-    ``descriptor``, ``classifier`` and ``scheme`` are the chosen ones; the others are the settings' own names,
+    ``descriptor``, ``classifier`` and ``scheme`` name the choices; the others have the names of the settings,
     e.g. ``y_pos``, ``clusters``, ``nu``, ``scheme.calibration``, ``codebook.cells``.
     """
     kind, name = (str(descriptor.get(one, "")) for one in ("kind", "name"))
@@ -83,7 +83,7 @@ def _of_one(result: str, made: Made) -> dict[str, str]:
 
 
 def _of_toy(parts: list[str], settings: Mapping[str, Any]) -> dict[str, str]:
-    """Parameters of the toy problem; a result's name has the varied ones."""
+    """Parameters of the toy problem; the name of a result contains those that vary."""
     rest = {name: value for name, value in settings.items() if name not in ("scheme", "sensitivity")}
     params = _of_classifier(settings["scheme"]) | _under("toy", rest)
     if "sensitivity" in settings:
@@ -92,7 +92,7 @@ def _of_toy(parts: list[str], settings: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _of_classifier(settings: Mapping[str, Any]) -> dict[str, str]:
-    """Settings of a classifier or an integration; those of its base by their own names."""
+    """Settings of a classifier or an integration; the settings of its base have no prefix."""
     base, scheme = (settings.get(one) or {} for one in ("base", "scheme"))
     params = {"classifier": str(base.get("name") or settings.get("model") or settings.get("method", ""))}
     if "combination" in scheme:

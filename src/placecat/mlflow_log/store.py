@@ -18,7 +18,7 @@ from urllib.request import url2pathname
 
 from placecat.errors import PlacecatError
 
-# MLflow itself takes 5 s to import: inside the functions.
+# Functions import MLflow when they need it: that takes 5 s.
 if TYPE_CHECKING:
     from contextlib import AbstractContextManager
 
@@ -30,7 +30,7 @@ COMMIT = "mlflow.source.git.commit"
 PARENT = "mlflow.parentRunId"
 _EXPERIMENT_KIND = {"mlflow.experimentKind": "custom_model_development"}
 
-# Where DVC makes the copies.
+# DVC makes its temporary copies here.
 _QUEUED = (".dvc", "tmp", "exps")
 
 # Limits of MLflow.
@@ -40,7 +40,7 @@ _LONGEST_KEY = 250
 
 
 def queued_in() -> Path | None:
-    """The project's folder, if this one is the temporary copy in which DVC runs a queued experiment."""
+    """The project's folder, if this folder is DVC's temporary copy for a queued experiment."""
     here = Path.cwd()
     copies = [folder for folder in here.parents if folder.parts[-3:] == _QUEUED]
     return copies[-1].parents[2] if copies else None
@@ -98,10 +98,10 @@ def connect(uri: str) -> MlflowClient:
 def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path, description: str) -> str:
     """Find an experiment by name, or make it; several processes may do so at once.
 
-    `artifacts` is the folder for the files of a new experiment, unless a server keeps them. If a project was
-    moved or copied with its database, the files of earlier runs are looked for in its new place.
-    `description` (Markdown, for people) replaces an earlier one. Raises PlacecatError if the experiment was
-    deleted and not yet purged, so that MLflow keeps its name.
+    `artifacts` is the folder for the files of a new experiment, unless a server stores them. After a project
+    was moved or copied with its database, MLflow looks for the files of earlier runs in the new folder.
+    `description` (Markdown) replaces an earlier one. Raises PlacecatError if the experiment was deleted but
+    not purged, since MLflow then reserves its name.
     """
     from mlflow.exceptions import MlflowException
 
@@ -133,10 +133,10 @@ def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path,
 
 
 def _follow(uri: str, before: str, artifacts: Path) -> None:
-    """Let a database in the project's folder name the files in this folder, not in its former place.
+    """Update the paths in a database in the project's folder after the folder was moved.
 
-    MLflow keeps absolute paths and has no command to change them. A database elsewhere may belong to several
-    projects, each with its own files.
+    MLflow stores absolute paths and has no command to change them. A database elsewhere is left alone, since
+    several projects may share it.
     """
     from sqlalchemy.engine import make_url
 
@@ -153,9 +153,9 @@ def _follow(uri: str, before: str, artifacts: Path) -> None:
 
 
 class Content(TypedDict, total=False):
-    """Content of a run besides its files, each a name to a value; every part is optional.
+    """Content of a run except its files, each part a mapping of names to values; every part is optional.
 
-    Parameters of more than 6000 characters are cut, since MLflow refuses longer ones.
+    Parameters are cut at 6000 characters, since MLflow refuses longer ones.
     """
 
     params: Mapping[str, str]
@@ -175,8 +175,8 @@ def start_run(
 ) -> str:
     """Start a run with some :class:`Content` and return its id; its status is RUNNING until `finish_run`.
 
-    `parent` is the id of the run to nest this one in; `description` is Markdown, for people; `files` are
-    copied under their own names.
+    `parent` is the id of the run to nest this one in; `description` is Markdown; `files` are copied under
+    their names.
     """
     tags = dict(content.pop("tags", {}))
     if parent is not None:
@@ -202,7 +202,7 @@ def finish_run(
 def key(*parts: str) -> str:
     """A name of a metric or parameter that MLflow accepts: a path of letters, digits and ``_-. /``.
 
-    No part of the path is empty or made of dots, and it has at most 250 characters.
+    The parts of the path are neither empty nor dots only, and it has at most 250 characters.
     """
     text = "/".join(part for part in parts if part).replace("+", "and")
     allowed = re.sub(r"[^\w\-. /]", "", text).split("/")
@@ -211,9 +211,9 @@ def key(*parts: str) -> str:
 
 @contextmanager
 def writing(client: MlflowClient) -> Iterator[None]:
-    """Hold the database, if it is SQLite: one process writes, others wait. May be nested.
+    """Lock the database if it is SQLite: one process writes, others wait. May be nested.
 
-    Every writing function of this module uses it; a block around several of them keeps others out in between.
+    Every writing function of this module locks; a block around several calls keeps the lock between them.
     Raises PlacecatError for errors of MLflow or its database in the block.
     """
     with _told_plainly(client.tracking_uri), _lock(client.tracking_uri):
@@ -247,7 +247,7 @@ def log(client: MlflowClient, run_id: str, **content: Unpack[Content]) -> None:
 
 
 def _store(client: MlflowClient, run_id: str, place: str, paths: Sequence[Path]) -> None:
-    """Copy files to a run: directly, if its folder is on this machine, since the client takes longer."""
+    """Copy files to a run: directly if its folder is on this machine, since the client is slower."""
     parts = urlparse(place)
     if parts.scheme != "file":
         with _told_plainly(client.tracking_uri):

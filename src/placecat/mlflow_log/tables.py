@@ -2,11 +2,11 @@
 
 Tags: ``placecat.kind`` is table, row, figures or findings; ``placecat.table`` the name of the table;
 ``placecat.digest`` the checksum of all that a table shows; ``placecat.current`` is "true" for valid runs.
-A run counts only if it is current and FINISHED. The order of writing: the run of the table and every row;
-then the superseded runs lose ``current``; then the rows are finished, and last the run of the table. If this
-is killed, no incomplete run counts, and none twice; the next time deletes the torso and writes the table
-again. Processes of one machine take turns. Several machines may write at once: each looks at the end whether
-a table is current more than once, and keeps the latest.
+A run counts only if it is current and FINISHED. Writing has four steps: start the runs of the table and its
+rows; remove ``current`` from the superseded runs; finish the rows; finish the run of the table. If the
+process is killed, incomplete runs do not count, and no run counts twice; the next call deletes the incomplete
+runs and writes the table again. Processes on one machine take turns. Several machines may write at once: at
+the end each checks for tables with several current runs, and keeps the latest.
 """
 
 from __future__ import annotations
@@ -29,15 +29,15 @@ if TYPE_CHECKING:
 
 KIND, TABLE, DIGEST = "placecat.kind", "placecat.table", "placecat.digest"
 CURRENT, SUPERSEDED_BY = "placecat.current", "placecat.superseded_by"
-# Name of the training protocol, e.g. "5-5-1"; a table has those of all its rows.
+# Name of the training protocol, e.g. "5-5-1"; a table lists the protocols of all its rows.
 PROTOCOL = "protocol"
-# Name of the queued DVC experiment that logged a run. It is current beside the project's own, by this name.
+# Name of the queued DVC experiment that logged a run. Its runs are current in addition to the project's.
 DVC_EXPERIMENT = "placecat.dvc_experiment"
 # The machine that logs a run: another machine cannot know whether an unfinished run is still being written.
 MACHINE = "placecat.machine"
 # Milliseconds after which an unfinished run counts as abandoned.
 _TORSO = 24 * 3600 * 1000
-# Change it when runs get other content for the same numbers, so that they are logged again.
+# Change this when the content of runs changes but their numbers do not: they are then logged again.
 _FORM = "4"
 # Where a description shows its run's id.
 RUN_ID = "{run_id}"
@@ -45,7 +45,7 @@ ARTIFACTS = Path("mlartifacts")
 # Of the experiment of a data set.
 DESCRIPTION = (
     "Visual place categorization, measured on {title}: every table of the thesis is a run, every row of a "
-    "table a nested run. What holds now has the tag placecat.current: filter by "
+    "table a nested run. Current runs have the tag placecat.current: filter by "
     '``tags.`placecat.current` = "true"``. '
     'Sweeps over settings have ``tags.`placecat.kind` = "sweep"``.'
 )
@@ -53,17 +53,17 @@ DESCRIPTION = (
 
 @dataclass(frozen=True)
 class RowRun:
-    """Content of one row for MLflow, by a name for people, e.g. "5-5-1, all cues, Gist".
+    """Content of one row for MLflow, with a readable name, e.g. "5-5-1, all cues, Gist".
 
     Attributes
     ----------
     params, metrics
-        Its identity, and its numbers: ``accuracy``, ``accuracy/home_1``, ... in percent, and the quality of
-        its probabilities (:meth:`placecat.results.measured.Quality.averages`).
+        Parameters that identify the row, and its numbers: ``accuracy``, ``accuracy/home_1``, ... in percent,
+        and the quality of its probabilities (:meth:`placecat.results.measured.Quality.averages`).
     description
-        Markdown for people.
+        Markdown.
     files
-        Writes the row's files into a folder, and returns their paths.
+        Function that writes the row's files into a folder and returns their paths.
     """
 
     name: str
@@ -75,20 +75,20 @@ class RowRun:
 
 @dataclass(frozen=True)
 class TableRun:
-    """Content of one table for MLflow: its name, e.g. "table_26", its title for people, and the rest.
+    """Content of one table for MLflow: its name, e.g. "table_26", its title, and the rest.
 
     Attributes
     ----------
     content
-        Everything that the table shows, as text; `digest` is made of it and of `params`.
+        Everything that the table shows, as text; `digest` is the checksum of `content` and `params`.
     params
-        Flat settings that the numbers depend on.
+        Flat settings that affect the numbers.
     metrics
         Name to number, in percent unless the name says otherwise.
     description
-        Markdown for people; `RUN_ID` in it becomes the run's id.
+        Markdown; `RUN_ID` in it becomes the run's id.
     rows, files
-        Nested runs; the table's files, as those of a row.
+        Nested runs; a function that writes the table's files, as for a row.
     kind
         "table"; "figures" and "findings" for the two runs that are not tables.
     """
@@ -104,7 +104,7 @@ class TableRun:
     kind: str = "table"
 
     def digest(self, data_version: str) -> str:
-        """Checksum of all that the run shows: the table's numbers, its settings, the version of the data."""
+        """Checksum of everything that the run shows: numbers, settings, version of the data."""
         content = [_FORM, self.title, self.content, repr(sorted(self.params.items())), data_version]
         return hashlib.sha256("\n".join(content).encode()).hexdigest()
 
@@ -123,13 +123,13 @@ def log_tables(
 ) -> dict[str, str]:
     """Log every table whose content is new; mark the runs that it supersedes.
 
-    Returns for each table the digest of its content, which does not depend on time or on earlier runs. Raises
-    PlacecatError if MLflow does not answer, or refuses.
+    Returns the digest of each table's content, which does not depend on time or earlier runs. Raises
+    PlacecatError if MLflow does not answer or refuses.
 
     Parameters
     ----------
     runs
-        All tables of the experiment, in the order in which the user interface shows them, the latest on top.
+        All tables of the experiment, in the order of the user interface, which shows the latest on top.
     uri
         MLflow tracking URI.
     experiment, description
@@ -141,7 +141,7 @@ def log_tables(
     artifacts
         Folder for the files of a new experiment on a local database.
     dvc_experiment
-        Name of the queued experiment that logs, if one does: it supersedes only its own runs.
+        Name of the queued experiment that logs, if any: it supersedes only runs of that experiment.
     """
     with store.alone(uri):
         client = store.connect(uri)
@@ -170,7 +170,7 @@ def _log_new(
 ) -> None:
     known: dict[str, list[Run]] = {}
     scope = common.get(DVC_EXPERIMENT, "")
-    # Not superseded: complete ones, and torsos.
+    # Runs not superseded: complete and incomplete ones.
     for one in search(client, experiment_id, f"tags.`{DIGEST}` LIKE '%'"):
         if SUPERSEDED_BY not in one.data.tags and one.data.tags.get(DVC_EXPERIMENT, "") == scope:
             known.setdefault(one.data.tags.get(TABLE, ""), []).append(one)
@@ -199,7 +199,7 @@ def _is_torso(run: Run) -> bool:
 
 
 def _settle(client: MlflowClient, experiment_id: str, scope: str) -> None:
-    """Leave the latest run of each table current, where other machines logged meanwhile."""
+    """Keep only the latest run of each table current, if other machines logged in the meantime."""
     current: dict[str, list[Run]] = {}
     condition = f"tags.`{DIGEST}` LIKE '%' and tags.`{CURRENT}` = '{scope or 'true'}'"
     for one in search(client, experiment_id, f"{condition} and attributes.status = 'FINISHED'"):
@@ -215,7 +215,7 @@ def _settle(client: MlflowClient, experiment_id: str, scope: str) -> None:
 def _log(
     client: MlflowClient, experiment_id: str, run: TableRun, digest: str, common: Mapping[str, str]
 ) -> list[str]:
-    """Log a table and its rows without ending them; returns the ids of the runs, the table's last."""
+    """Log a table and its rows but do not end the runs; returns their ids, with the table's last."""
     tags = {**common, TABLE: run.name, CURRENT: common.get(DVC_EXPERIMENT, "true"), MACHINE: platform.node()}
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
@@ -230,7 +230,7 @@ def _log(
         )
         store.log(client, run_id, tags={store.DESCRIPTION: run.description.replace(RUN_ID, run_id)})
         rows = []
-        # The last is on top.
+        # The user interface shows the last one on top.
         for number, row in reversed(list(enumerate(run.rows))):
             (own := folder / str(number)).mkdir()
             nested = store.start_run(
@@ -266,13 +266,13 @@ def _make_current(
 
 
 def _supersede(client: MlflowClient, experiment_id: str, run_id: str, by: str) -> None:
-    # The table's run last, so that an interrupted call is repeated.
+    # End the table's run last: an interrupted call is then repeated.
     for each in [*_nested(client, experiment_id, run_id), run_id]:
         store.log(client, each, tags={CURRENT: "false", SUPERSEDED_BY: by})
 
 
 def delete(client: MlflowClient, experiment_id: str, run_id: str) -> None:
-    """Delete a run and those nested in it, as the user interface does: `mlflow gc` removes them for good."""
+    """Delete a run and its nested runs, as the user interface does: `mlflow gc` removes them for good."""
     with store.writing(client):
         for each in [*_nested(client, experiment_id, run_id), run_id]:
             client.delete_run(each)
@@ -284,7 +284,7 @@ def _nested(client: MlflowClient, experiment_id: str, run_id: str) -> list[str]:
 
 
 def search(client: MlflowClient, experiment_id: str, condition: str) -> list[Run]:
-    """Find all runs of an experiment that meet a condition in MLflow's language, page by page."""
+    """Find all runs of an experiment that match a filter in MLflow's syntax, page by page."""
     found: list[Run] = []
     token = None
     with store.writing(client):

@@ -12,10 +12,10 @@ _NUMBER = r"(\d+(?:\.\d+)?(?:e[+-]?\d+)?)"
 
 
 def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
-    """The rows of :func:`placecat_bench.run.run` that have a ratio; empty cells of numbers are NaN.
+    """The rows of :func:`placecat_bench.run.run` that have a ratio; missing numbers are NaN.
 
-    The columns are the same, ``met`` as a bool and ``target`` as the number in it; and ``is_faster``, whether
-    the target is a least speed-up, not a largest share of the peer's time.
+    The columns are the same, with ``met`` as a bool and ``target`` as a number, plus ``is_faster``: whether
+    the target is a minimum speed-up instead of a maximum share of the peer's time.
     """
     rows = benchmarks[benchmarks["ratio"].notna()]
     return rows.assign(
@@ -30,7 +30,7 @@ def shown_speed(benchmarks: pd.DataFrame, facts: Mapping[str, str]) -> dict[str,
 
     Returns the ``facts`` (``processor``, ``python`` and ``packages`` of the measurement), and in ``rows`` the
     piece, input, ours, peer, theirs, ratio, target, met and spent of each row. Quantities other than
-    seconds are named beside the piece.
+    seconds are named next to the piece.
     """
     return {"facts": facts, "rows": [_shown_row(row) for row in benchmarks.to_dict("records")]}
 
@@ -52,12 +52,12 @@ def _shown_row(row: Mapping[Any, Any]) -> dict[str, Any]:
 
 
 def times(ratio: float) -> str:
-    """A ratio in three digits, or with all digits before the point."""
+    """A ratio with three digits, or with all digits before the point."""
     return f"{ratio:,.0f}" if ratio >= 1000 else f"{ratio:.3g}"
 
 
 def _amount(value: float, quantity: str) -> str:
-    """A number, times with their unit, milliseconds below a second."""
+    """A number as text; times with a unit, milliseconds below a second."""
     if pd.isna(value):
         return ""
     if quantity != _SECONDS:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-# Our choice: figures look the same as in PNG and take a tenth of its size.
+# Our choice: figures look the same as PNG at a tenth of the size.
 QUALITY = 90
 
 
@@ -20,7 +20,7 @@ class Picture:
 
 
 def embed(png: bytes, quality: int = QUALITY) -> Picture:
-    """Turn a PNG into a data URI, as WebP of a quality of 1 to 100 if that is shorter.
+    """Turn a PNG into a data URI, as WebP with a quality of 1 to 100 if that is shorter.
 
     Raises ValueError if it is not a picture.
     """

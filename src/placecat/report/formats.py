@@ -19,7 +19,7 @@ _LATEX = str.maketrans(
         **{character: f"\\{character}" for character in "&%$#_{}"},
         "~": r"\textasciitilde{}",
         "^": r"\textasciicircum{}",
-        # After the end of a row it would start an optional argument.
+        # After the end of a row, a bracket would start an optional argument.
         "[": "{[}",
         "<": r"\textless{}",
         ">": r"\textgreater{}",
@@ -53,12 +53,12 @@ def table_latex(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mappi
     """Write one filled table as a LaTeX ``table`` environment, which needs ``\\usepackage{booktabs}``.
 
     Published numbers are in italics below each row of measured ones, like standard errors under coefficients;
-    footnotes give the reasons of empty cells. Parameters as for :func:`placecat.report.grid.shown_table`.
+    footnotes state the reasons for empty cells. Parameters as for :func:`placecat.report.grid.shown_table`.
     """
     return _in_latex().get_template("table.tex.j2").render(**shown_table(settings, table, dataset))
 
 
-# Once, since an environment compiles a template at its first use.
+# Created once, since an environment compiles each template at its first use.
 @cache
 def _in_markdown() -> Environment:
     return environment("placecat.report").overlay(finalize=_only_text(markdown))

@@ -1,4 +1,4 @@
-"""Filled tables as grids for people: rows and columns in order, numbers as text, notes as footnotes."""
+"""Filled tables as grids for display: rows and columns in order, numbers as text, notes as footnotes."""
 
 from collections import Counter
 from collections.abc import Hashable, Mapping, Sequence
@@ -23,11 +23,11 @@ class Cell:
     Attributes
     ----------
     measured, published
-        Percent with two decimals, "" for none; `published` is "n/a" if the thesis has that.
+        Percent with two decimals, "" if missing; `published` is "n/a" if the thesis says so.
     difference
         Measured minus published in points; None unless both exist.
     spread
-        The largest minus the smallest of the seeds in points; None if nothing is random.
+        The largest minus the smallest value over the seeds, in points; None if nothing is random.
     seeds
         Number of seeds, 0 if nothing is random.
     mark, published_mark
@@ -89,7 +89,7 @@ class Grid:
     groups
         Rows in groups, in the table's order.
     footnotes
-        Reasons of empty cells and notes on single cells, in order of their letters.
+        Reasons for empty cells and notes on single cells, in order of their letters.
     """
 
     columns: tuple[str, ...]
@@ -149,7 +149,7 @@ def shown_table(
 
 
 def make_cell(row: Mapping[Any, Any]) -> Cell:
-    """A cell of the `NUMBERS` of a row: two in percent, the spread in points, and the seeds; NaN for none."""
+    """A cell from the `NUMBERS` of a row: two in percent, the spread in points, the seeds; NaN if missing."""
     measured, published, spread, seeds = (row[name] for name in NUMBERS)
     difference = round(float(measured - published), 2) + 0.0
     return Cell(

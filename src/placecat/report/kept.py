@@ -30,11 +30,11 @@ class TableDifference:
     cells
         Number of compared cells: those with a number, now or kept.
     differing
-        Number of these whose number or spread over seeds differs.
+        Number of compared cells whose number or spread over seeds differs.
     largest, where
-        The largest difference of a number in points, and the labels of its cell; 0 and "" if there is none.
+        The largest difference in points, and the labels of its cell; 0 and "" without a difference.
     appeared, disappeared
-        Number of cells that have a number only now, and only in the kept table.
+        Number of cells with a number only now, and only in the kept table.
     """
 
     name: str
@@ -47,14 +47,14 @@ class TableDifference:
 
     @property
     def label(self) -> str:
-        """The table's name for people, e.g. "Table 26"."""
+        """The displayed name of the table, e.g. "Table 26"."""
         number = re.fullmatch(r"table_0*(\d+)", self.name)
         return f"Table {number[1]}" if number else self.name.replace("_", " ")
 
 
 @dataclass(frozen=True)
 class Turned:
-    """A finding whose verdict is not the kept one; `NONE` on a side without the finding."""
+    """A finding whose verdict differs from the kept one; `NONE` on a side without the finding."""
 
     finding: str
     kept: str
@@ -63,10 +63,10 @@ class Turned:
 
 @dataclass(frozen=True)
 class Comparison:
-    """The differences of all tables, in the order of their names, and all verdicts from the kept ones.
+    """The differences of all tables, in the order of their names, and of all verdicts from the kept ones.
 
-    `data` are the data sets of kept and of present cells, if they differ; such cells were not compared.
-    `findings` is the number of findings; those in `turned` have another verdict.
+    `data` are the data sets of kept and present cells, if they differ; these cells were not compared.
+    `findings` is the number of findings; the verdicts of those in `turned` have changed.
     """
 
     tables: tuple[TableDifference, ...]
@@ -93,8 +93,8 @@ class Comparison:
     def grade(self, tolerance: float) -> Grade:
         """Judge the differences by a tolerance in points.
 
-        A number that appeared or disappeared exceeds any tolerance. A verdict does not, since it may turn
-        when a number moves a little.
+        A number that appeared or disappeared exceeds any tolerance. Changed verdicts do not, since a small
+        change of a number may change a verdict.
         """
         if not self.cells:
             return Grade.NOT_COMPARED
@@ -111,11 +111,11 @@ def compare(
 ) -> Comparison:
     """Compare a run's tables with the kept ones.
 
-    Cells whose two numbers are of different data sets are not compared; if there are any, neither are
-    verdicts. `now` and `kept` have each table by its name, numbers as text or not, empty for none: the
-    columns measured (percent), spread (points, may be missing) and data, the data set ("" if unknown); and
-    columns that identify the cell of a row, e.g. group, row, column. The findings have one row each, with the
-    columns number and verdict; None for no findings.
+    Cells whose two numbers come from different data sets are not compared; if there are any, verdicts are not
+    compared either. `now` and `kept` map names to tables; numbers may be text, and empty if missing. Columns
+    are measured (percent), spread (points, may be missing) and data, the data set ("" if unknown); and
+    columns that identify the cell of a row, e.g. group, row, column. Findings have one row each, with the
+    columns number and verdict; None if there are no findings.
     """
     pairs = {
         name: _pairs(_cells(now.get(name)), _cells(kept.get(name)))
@@ -147,7 +147,7 @@ def _cells(table: pd.DataFrame | None) -> pd.DataFrame:
 
 
 def _pairs(now: pd.DataFrame, kept: pd.DataFrame) -> pd.DataFrame:
-    """Cells of both, in order, with their present and kept content."""
+    """Cells of both tables, in order, with their present and kept content."""
     labels = now.index.append(kept.index.difference(now.index, sort=False))
     sides = (now.reindex(labels).add_suffix("_now"), kept.reindex(labels).add_suffix("_kept"))
     both = pd.concat(sides, axis=1)
@@ -178,7 +178,7 @@ def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
 
 
 def _compare_verdicts(now: pd.DataFrame, kept: pd.DataFrame) -> tuple[int, tuple[Turned, ...]]:
-    """Count findings, and list those with another verdict."""
+    """Count findings, and list those whose verdict changed."""
     new, old = (dict(zip(one["number"].astype(str), one["verdict"], strict=True)) for one in (now, kept))
     both = dict.fromkeys([*new, *old])
     turned = (Turned(finding, old.get(finding, NONE), new.get(finding, NONE)) for finding in both)

@@ -4,14 +4,14 @@ from collections.abc import Sequence
 
 from placecat.report.kept import Comparison, Grade
 
-# Most differing tables, verdicts and settings to name.
+# Maximum number of differing tables, verdicts and settings to name.
 _TABLES, _VERDICTS, _SETTINGS = 10, 10, 3
 
 
 def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Sequence[str] = ()) -> list[str]:
-    """Describe line by line how a run differs, with a tolerance in points.
+    """Describe line by line how a run differs, given a tolerance in points.
 
-    `kept` is the origin of the kept tables, e.g. "git HEAD"; `settings` are the names of differing settings.
+    `kept` names the source of the kept tables, e.g. "git HEAD"; `settings` are the names of changed settings.
     """
     grade = comparison.grade(tolerance)
     lines = []
@@ -28,11 +28,11 @@ def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Seq
     if comparison.findings:
         lines += _about_findings(comparison)
     if settings and (comparison.differing or comparison.turned):
-        lines.append(f"Not the kept settings: {_some(settings, _SETTINGS)}. Differences are to be expected.")
+        lines.append(f"Settings differ from the kept ones: {_some(settings, _SETTINGS)}. Expect differences.")
     elif grade is Grade.BEYOND:
         lines.append(
-            "Another kind of processor does not explain that. If code or data were changed on purpose, "
-            "commit reports/ with them; if not, check `git status`, and that the environment is that of "
+            "A different kind of processor does not explain this. If code or data were changed on purpose, "
+            "commit reports/ with them; otherwise check `git status` and that the environment matches "
             "requirements.lock."
         )
     return lines

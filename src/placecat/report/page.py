@@ -31,10 +31,10 @@ _FIGURE_SCALE = 0.6
 
 @dataclass(frozen=True)
 class Figure:
-    """One figure: its number in the thesis, None for an added one; its caption; its name, e.g. "figure_02".
+    """One figure: its number in the thesis (None for an added one), caption, and name, e.g. "figure_02".
 
-    A missing figure has no `png`, but a reason. `pdf` is the path of its PDF from the page, "" for none;
-    `settings` are those of the figure, e.g. "frames=300, home=2".
+    A missing figure has a reason instead of a `png`. `pdf` is the path of its PDF relative to the page, or
+    ""; `settings` are the figure's settings, e.g. "frames=300, home=2".
     """
 
     number: int | None
@@ -53,7 +53,7 @@ class Report:
     Attributes
     ----------
     dataset
-        Of the run: its ``title``, ``homes``, ``classes`` and ``thesis_data``.
+        The run's data set: ``title``, ``homes``, ``classes`` and ``thesis_data``.
     frames
         For each home the number of frames of each place, and ``unlabelled``.
     data_version
@@ -61,22 +61,22 @@ class Report:
     tables, figures
         In any order.
     in_text
-        Numbers that only the thesis's text has: columns name, section, quantity, home, published, measured,
-        spread, seeds, notes.
+        Numbers that appear only in the thesis's text: columns name, section, quantity, home, published,
+        measured, spread, seeds, notes.
     findings
         From :func:`placecat.thesis.findings.ledger`: number, section, claim, published, measured, difference,
         low, high, units, verdict, one ``verdict_...`` per reading, reason.
     comparisons
-        From there too; shown without the names of the results.
+        From the same function; shown without the names of the results.
     settings
         Content of params.yaml.
     times
-        A kept record of a run's times, None if there is none: ``stages``, a table of stage, runs (of a stage
-        with several items, such as homes) and seconds; ``data``, its data, for people; ``cores`` of the
-        machine; and ``total``, the seconds of the whole run.
+        A stored record of a run's times, or None: ``stages``, a table of stage, runs (of a stage with several
+        items, such as homes) and seconds; ``data``, the title of its data; ``cores`` of the machine; and
+        ``total``, the seconds of the run.
     speed, scale
-        Kept records from :func:`placecat.report.benchmarks.shown_speed` and
-        :func:`placecat.report.scale.shown_scale`, None if there are none; each with ``chart``, a PNG or None.
+        Stored records from :func:`placecat.report.benchmarks.shown_speed` and
+        :func:`placecat.report.scale.shown_scale`, or None; each with ``chart``, a PNG or None.
     explanations
         From :func:`placecat.explain.text.explanations`, with ``stages``
         (:func:`placecat.explain.lines.stage_texts`); None for a page without explanations of cells.
@@ -194,7 +194,7 @@ def shown_picture(png: bytes) -> dict[str, Any]:
 
 
 def _with_chart(record: Mapping[str, Any] | None) -> dict[str, Any] | None:
-    """A record with its chart ready for display."""
+    """A record whose chart is ready for display."""
     if record is None:
         return None
     return {**record, "chart": None if record["chart"] is None else shown_picture(record["chart"])}
@@ -219,7 +219,7 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
 
 
 def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
-    """The cell of a number in the text; if it is not a percentage, it may have more than two decimals."""
+    """The cell of a number in the text; numbers that are not percentages may have more than two decimals."""
     cell, values = make_cell(record), (record["measured"], record["published"])
     if all(pd.isna(value) or value == round(value, 2) for value in values):
         return cell
@@ -236,7 +236,7 @@ def _records(table: pd.DataFrame) -> list[dict[str, Any]]:
 
 
 def _plain(table: pd.DataFrame) -> dict[str, Any]:
-    """A table of any columns: which of them are numbers, and all cells as text."""
+    """A table with any columns: which columns are numeric, and all cells as text."""
     numeric = {name: pd.api.types.is_numeric_dtype(table[name]) for name in table.columns}
     columns = [{"name": str(name).replace("_", " "), "numeric": numeric[name]} for name in table.columns]
     rows = [[_number(value) for value in row] for row in table.itertuples(index=False)]
@@ -256,12 +256,12 @@ def _breakable(text: str) -> Markup:
 
 
 def _signed(value: float) -> str:
-    """Points with a sign, e.g. "−1.20" with a minus of its own width."""
+    """Points with a sign, e.g. "−1.20" with a true minus."""
     return f"{value:+.2f}".replace("-", "−")
 
 
 def _at(points: float, limit: float) -> str:
-    """Position of a value on an axis of 100 pixels from -limit to limit; values beyond are at its end."""
+    """Position of a value on an axis of 100 pixels from -limit to limit; values beyond are at the end."""
     return f"{50 + 46 * max(-limit, min(limit, points)) / limit:.1f}"
 
 
@@ -280,7 +280,7 @@ def _json(content: Mapping[str, Any] | None) -> Markup | None:
 
 
 def _blocks(settings: str) -> list[dict[str, str]]:
-    """The settings cut at their outermost names, with the lines of each."""
+    """The settings split at their outermost names, with the lines of each."""
     blocks: list[dict[str, str]] = []
     for line in settings.splitlines():
         if not blocks or (line and not line.startswith((" ", "-", "#"))):

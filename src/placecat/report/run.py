@@ -1,4 +1,4 @@
-"""A finished run as figures read it, on demand: frames, maps, features, codebooks, distributions."""
+"""Reads a finished run for figures, on demand: frames, maps, features, codebooks, distributions."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
@@ -30,7 +30,7 @@ KEPT_FRAMES = 8
 class Run:
     """A finished run, read from the project's folder; only this class opens files for figures.
 
-    Anything that the run lacks raises PlacecatError, e.g. a result that was not computed.
+    Missing data raises PlacecatError, e.g. a result that was not computed.
 
     Attributes
     ----------
@@ -49,15 +49,15 @@ class Run:
     def threshold(self, name: str) -> float:
         """The threshold of an information filter.
 
-        Raises PlacecatError if there is no such filter, or it has a share of frames instead.
+        Raises PlacecatError if the filter does not exist or has a share of frames instead.
         """
         value = settings.get(self.params, f"filters.{name}.threshold")
         if value is None:
-            raise SettingError(f"the filter {name} has a share, and figures need one with a threshold")
+            raise SettingError(f"the filter {name} has a share of frames, but figures need a threshold")
         return float(value)
 
     def options(self, figure: str) -> Mapping[str, Any]:
-        """The settings of one figure, ``figures.<figure>``; empty if it has none."""
+        """The settings of one figure, ``figures.<figure>``, or an empty mapping."""
         return settings.get(self.params, "figures").get(figure) or {}
 
     @cached_property
@@ -105,8 +105,8 @@ class Run:
     def frames(self, home: str, indices: Iterable[int]) -> Iterator[tuple[int, Frame]]:
         """Decode some frames of a home in one pass.
 
-        `home` is one of the main data set, or of another, e.g. ``university/north_2_cloudy_2``; `indices`
-        count from 0, in any order. Yields index and frame, (H, W, 3) uint8 BGR; each index once, ascending.
+        `home` is from the main data set or another one, e.g. ``university/north_2_cloudy_2``; `indices` count
+        from 0, in any order. Yields index and frame, (H, W, 3) uint8 BGR, once per index, ascending.
         """
         rows = sorted({int(index) for index in indices})
         self._need(paths.sequences(home) / "frames.csv")
@@ -149,7 +149,7 @@ class Run:
     def descriptors(
         self, home: str, name: str, rows: Sequence[int] | NDArray[np.int64] | None = None
     ) -> Descriptors:
-        """Descriptors of a home's frames (None for all), as clustered by a codebook, e.g. ``hog_y``."""
+        """Descriptors of a home's frames (None for all) as a codebook clusters them, e.g. ``hog_y``."""
         descriptor = settings.get(self.params, f"codebooks.{name}.descriptor")
         return store.read_descriptors(home, descriptor, None if rows is None else np.asarray(rows, np.int64))
 
@@ -174,7 +174,7 @@ class Run:
     def example(self) -> tuple[str, int]:
         """Home and frame of Figures 2 to 7, from ``figures.example``.
 
-        By default it is the labelled frame with the largest information measure, of the given home or of all.
+        By default it is the labelled frame with the largest information measure, in the given or any home.
         """
         asked = self.options("example")
         settings.refuse_unknown(asked, ["home", "frame"], "figures.example")
@@ -207,10 +207,10 @@ class Run:
 
 
 def home_of(run: Run, number: int) -> str:
-    """Return a home by its number, from 1 as in the thesis; the last one if there are fewer.
+    """Return a home by its number (from 1, as in the thesis), or the last home if there are fewer.
 
     Raises PlacecatError for a number below 1.
     """
     if number < 1:
-        raise PlacecatError(f"homes of figures are counted from 1: there is no home {number}")
+        raise PlacecatError(f"homes in figures are numbered from 1: home {number} does not exist")
     return run.homes[min(number, len(run.homes)) - 1]

@@ -5,7 +5,7 @@ from typing import Any
 
 import pandas as pd
 
-# Columns of text in reports/scale.csv and scale_growth.csv.
+# Text columns in reports/scale.csv and scale_growth.csv.
 TEXT = ("stage", "item")
 ALL = "all"
 
@@ -26,7 +26,7 @@ def shown_scale(measured: pd.DataFrame, growth: pd.DataFrame, facts: Mapping[str
     """reports/scale.csv, scale_growth.csv and scale.json as text for a page.
 
     ``sizes`` are numbers of frames; ``rows`` have the stage, CPU seconds by size, and wall seconds, peak and
-    exponent of the largest size; further facts are of the machine, the largest size and a full run.
+    exponent of the largest size; further facts describe the machine, the largest size and a full run.
     """
     by_size = seconds_by_size(measured)
     of_stage = growth[growth["item"] == ""].set_index("stage")

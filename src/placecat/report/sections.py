@@ -15,7 +15,7 @@ class Section:
     after: tuple[int, ...] = ()
 
 
-# Figures of chapter 3, which explain the method, stand beside the related measurements.
+# Figures of chapter 3, which explain the method, appear next to the related measurements.
 THESIS = (
     Section("4.2", "Gist", tables=tuple(range(1, 8))),
     Section("4.3", "Holistic Centrist", tables=tuple(range(8, 11))),
@@ -32,7 +32,7 @@ THESIS = (
 def arrange(tables: Collection[int], figures: Collection[int]) -> tuple[list[Section], Section]:
     """Distribute the numbers of existing tables and figures over the sections.
 
-    Returns the non-empty sections of `THESIS`, and the rest, which has no section.
+    Returns the non-empty sections of `THESIS`, and the numbers without a section.
     """
 
     def present(wanted: Iterable[int], there: Collection[int]) -> tuple[int, ...]:

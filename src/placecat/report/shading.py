@@ -7,10 +7,10 @@ STEPS = (2.0, 5.0, 10.0, 20.0)
 
 
 def shade(difference: float | None) -> str:
-    """Name of a cell's shade by measured minus published in points; None for no comparison.
+    """Name of a cell's shade by measured minus published in points; None means no comparison.
 
-    "above-1" to "above-4" or "below-1" to "below-4", higher for larger differences; "" for a small one or
-    none.
+    "above-1" to "above-4" or "below-1" to "below-4", higher for larger differences; "" for a small or missing
+    difference.
     """
     if difference is None:
         return ""

@@ -14,7 +14,7 @@ INTEGRATION, SMOOTHED = "Integration", "HMM"
 VERDICTS = ("holds", "does not hold", "undecided")
 
 # Accuracies on the VPC-2009 home database in percent, published by Wu et al. according to the thesis:
-# the holistic Centrist of single frames (4.2), filtered over time (4.2), and SIFT in its place (2.3).
+# the holistic Centrist of single frames (4.2), filtered over time (4.2), and SIFT instead (2.3).
 WU_FRAMES, WU_FILTERED, WU_SIFT = 41.87, 46.78, 39.8
 
 
@@ -22,7 +22,7 @@ WU_FRAMES, WU_FILTERED, WU_SIFT = 41.87, 46.78, 39.8
 class Headline:
     """One group of Table 26, averaged over homes: best cue, integration, and smoothed integration.
 
-    `best` and `best_published` name the best single cue here and in the thesis, "" if the group has none.
+    `best` and `best_published` name the best single cue here and in the thesis, or are "".
     """
 
     group: str
@@ -43,7 +43,7 @@ class Best:
 
 
 def best_system(table: pd.DataFrame) -> Best | None:
-    """Find the best system in Table 26 (:func:`placecat.thesis.tables.fill_table`); None without a number."""
+    """Find the best system in Table 26 (:func:`placecat.thesis.tables.fill_table`); None without numbers."""
     averages = table[(table["column"] == AVERAGE) & table["measured"].notna()]
     if averages.empty:
         return None
@@ -72,18 +72,18 @@ def _headline(group: str, part: pd.DataFrame) -> Headline:
 
 
 def _first(rows: pd.DataFrame) -> Mapping[Any, Any]:
-    """The first row; a row without numbers if there is none."""
+    """The first row, or a row without numbers."""
     return next(iter(rows.to_dict("records")), {"row": "", **dict.fromkeys(NUMBERS, np.nan)})
 
 
 def readings_of(findings: pd.DataFrame) -> dict[str, str]:
-    """Columns of verdicts under other readings of the thesis, to the readings' names."""
+    """Verdict columns of other readings of the thesis, mapped to the names of the readings."""
     first = "verdict_"
     return {name: name.removeprefix(first) for name in findings.columns if name.startswith(first)}
 
 
 def count_verdicts(findings: pd.DataFrame) -> dict[str, int]:
-    """Number of findings of each verdict, the usual three first."""
+    """Number of findings for each verdict, the usual three first."""
     counts = findings["verdict"].value_counts()
     names = [*VERDICTS, *sorted(set(counts.index) - set(VERDICTS))]
     return {str(name): int(counts.get(name, 0)) for name in names}

@@ -12,7 +12,7 @@ _LIST = (paths.FIGURES / "figures.json").as_posix()
 
 @dataclass(frozen=True)
 class Figures:
-    """Figures of one side: name to PNG and to caption; without any, `missing` is the reason and a remedy."""
+    """Figures of one side: name to PNG and to caption; without any, `missing` is a reason and a remedy."""
 
     pictures: dict[str, bytes] = field(default_factory=dict)
     captions: dict[str, str] = field(default_factory=dict)
@@ -24,7 +24,7 @@ def read_figures(side: str) -> Figures:
     if not side or kept_in_git.is_folder(side):
         remedy = f"there are no figures in {Path(side) / paths.FIGURES}: run `dvc repro figures` there"
         return _read(lambda name: (Path(side) / name).read_bytes(), remedy, (OSError,))
-    # It takes a second to import.
+    # Its import takes a second.
     from dvc.api import DVCFileSystem
     from dvc.exceptions import DvcException
 

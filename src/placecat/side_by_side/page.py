@@ -16,14 +16,14 @@ from placecat.report.page import page_templates, shown_picture
 from placecat.side_by_side.figures import Figures, read_figures
 from placecat.thesis.tables import label, tables_of
 
-# Settings of the computation, on which results do not depend.
+# Settings that do not affect results.
 _NOT_SHOWN = ("compute", "reproducibility")
 
 
 def write(target: Path, old: str, new: str, lines: Sequence[str]) -> list[str]:
     """Write the page to an HTML file; returns lines that name the file and the missing figures.
 
-    `old` and `new` are the sides, as :func:`placecat.kept_in_git.read` takes them; `lines` are those of
+    `old` and `new` are the sides, as in :func:`placecat.kept_in_git.read`; `lines` come from
     :func:`placecat.kept_in_git.compare`.
     """
     files.check_file(target)
@@ -84,7 +84,7 @@ def _titles(one: Kept) -> dict[str, str]:
     try:
         defined = {} if one.settings is None else tables_of(one.settings)
     except (PlacecatError, KeyError):
-        # An older revision may have named a setting otherwise.
+        # An older revision may use another name for a setting.
         defined = {}
     titles = {
         name: table["title"] if table["number"] is None else f"{label(table)}: {table['title']}"
@@ -113,7 +113,7 @@ def _table(old: pd.DataFrame | None, new: pd.DataFrame | None) -> dict[str, Any]
 
 
 def _cells(table: pd.DataFrame | None) -> dict[tuple[str, str, str], str]:
-    """Group, row and column to the number as text; those of the text have a name, a quantity and a home."""
+    """Group, row and column to the number as text; for numbers in the text, name, quantity and home."""
     if table is None:
         return {}
     key = ["name", "quantity", "home"] if "quantity" in table.columns else ["group", "row", "column"]

@@ -1,1 +1,1 @@
-"""The thesis beside a run's measurements: tables, findings, numbers in the text."""
+"""Comparison of a run with the thesis: tables, findings, numbers in the text."""

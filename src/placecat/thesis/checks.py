@@ -1,4 +1,4 @@
-"""Checks of the tables when settings are composed, before any stage runs. Imports little, to be quick."""
+"""Checks of the tables when settings are composed, before any stage runs. Imports little, for speed."""
 
 from collections.abc import Mapping
 from pathlib import Path

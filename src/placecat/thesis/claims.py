@@ -17,17 +17,17 @@ ABOVE = "above"
 
 @dataclass(frozen=True)
 class Side:
-    """One side of a comparison: a number made of results.
+    """One side of a comparison: a number computed from results.
 
     Attributes
     ----------
     label
-        For people.
+        Readable name.
     results
         Names of results.
     combine
-        ``mean``; ``best``, the one with the highest mean over all units; or ``last``, the last of those that
-        this data can give.
+        ``mean``; ``best``, the result with the highest mean over all units; or ``last``, the last result that
+        this data allows.
     place
         Name of the class whose accuracy counts; None for the mean over the classes present.
     error
@@ -35,7 +35,7 @@ class Side:
     plain
         Whether the share of all frames counts, of any class.
     published
-        Where the thesis has the number of each result; None if that follows from its name.
+        Location of each result's number in the thesis; None if it follows from the result's name.
     """
 
     label: str
@@ -47,7 +47,7 @@ class Side:
     published: tuple[Mapping[str, Any], ...] | None = None
 
     def only(self, results: Sequence[str]) -> "Side":
-        """The side with some of its results, each with the published number of its own cell."""
+        """The side with some of its results, each with the published number of its cell."""
         published = self.published
         if published is not None and len(published) == len(self.results):
             published = tuple(
@@ -71,16 +71,16 @@ class Comparison:
     Attributes
     ----------
     left, right
-        Without `right` the left is compared with the number of the range ``above``.
+        Without `right`, the left is compared with the number of the range ``above``.
     range
-        Name of a kind of range, and its number if it takes one, see
+        Name of a kind of range, and its number if it needs one, see
         :func:`placecat.thesis.rules.claimed_range`.
     compare
         ``difference`` or ``ratio``.
     published
-        Where the thesis has the difference itself; None if it follows from the sides.
+        Location of the difference in the thesis; None if it follows from the sides.
     published_home
-        The home of the published numbers, if a table has several; None for their average.
+        Home of the published numbers, if a table has several; None for their average.
     pooled
         Whether the frames of all test sequences count as one, as in Tables 30 and 31.
     """
@@ -101,16 +101,16 @@ class Comparison:
 
 @dataclass(frozen=True)
 class Finding:
-    """One sentence of the thesis, its claim; all its comparisons must hold.
+    """One claim of the thesis; all its comparisons must hold.
 
     Attributes
     ----------
     name
-        Of its file, e.g. ``finding_04``.
+        Name of the file, e.g. ``finding_04``.
     readings
-        Other readings of the thesis: a name, e.g. ``as_printed``, to replacements of parts of results' names.
+        Other readings of the thesis: a name, e.g. ``as_printed``, to replacements in the names of results.
     filters
-        Names of the information filters whose numbers of dropped frames the reason states.
+        Information filters; the reason states how many frames each drops.
     """
 
     name: str
@@ -122,7 +122,7 @@ class Finding:
     filters: tuple[str, ...] = ()
 
     def read_as(self, reading: str) -> "Finding":
-        """The same claim on the results of another reading."""
+        """The same claim about the results of another reading."""
         parts = self.readings[reading]
         comparisons = []
         for one in self.comparisons:
@@ -147,7 +147,7 @@ def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
     if not comparisons:
         raise PlacecatError(f"{name} makes no comparison")
     if len({one.range[0] == BOTH_SIGNS for one in comparisons}) > 1:
-        raise PlacecatError(f"{name} has {BOTH_SIGNS} beside other ranges: it is judged over all comparisons")
+        raise PlacecatError(f"{name} mixes {BOTH_SIGNS} with other ranges: it covers all comparisons")
     readings = {str(reading): dict(parts) for reading, parts in config.get("readings", {}).items()}
     compared = "/".join(result for one in comparisons for side in one.sides for result in side.results)
     for reading, parts in readings.items():
@@ -173,7 +173,7 @@ def _comparison(config: Mapping[str, Any], where: str) -> Comparison:
     right = _side(options.pop("right"), where) if "right" in options else None
     kind = options.pop("range")
     if isinstance(kind, Mapping) and len(kind) != 1:
-        raise PlacecatError(f"a range of {where} has {len(kind)} kinds, one is needed")
+        raise PlacecatError(f"a range of {where} has {len(kind)} kinds instead of one")
     ((name, number),) = kind.items() if isinstance(kind, Mapping) else [(kind, None)]
     kind = (name, None if number is None else float(number))
     comparison = Comparison(left, right, kind, **options)

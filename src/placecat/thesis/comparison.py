@@ -28,13 +28,13 @@ from placecat.thesis.number import (
 
 DIFFERENCE = "difference"
 SETTINGS = ["homes", "variant", "baseline", "pairs", "label", "places", "summary", "error_ratio", "plain"]
-# In the name of a trial: the best label of this axis.
+# Stands for the best label of an axis in the name of a trial.
 BEST = "*"
 _SPLIT = "splits/"
 
 
 class Line(NamedTuple):
-    """One number: its meaning, its home ("Home 6", "Average", or "" for neither), and its value."""
+    """One number: its meaning, its home ("Home 6", "Average" or ""), and its value."""
 
     quantity: str
     home: str
@@ -42,7 +42,7 @@ class Line(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """Label of a comparison, "" for the only one; the names of its two results, and a note on each."""
+    """Label of a comparison ("" for a single one), the names of its two results, and a note on each."""
 
     label: str
     variant: str
@@ -61,13 +61,13 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
     Parameters
     ----------
     entry
-        ``variant`` and ``baseline``, each with ``quantity`` (its name) and ``result``, unless ``pairs`` gives
+        ``variant`` and ``baseline``, each with ``quantity`` (its name) and ``result``, unless ``pairs`` lists
         the two results of each label; in the name of a trial ``*`` stands for the label of an axis that is
-        best on average. ``homes``, the numbers from 1 of homes to show besides the average, or None for
-        results of other data sets. ``places``, those to compare one by one as well, or "all". For pairs of
-        trials ``label``, their name by the labels of the axes, e.g. "{column} clusters". ``summary`` of the
-        differences (by place if there are any), one or some of "mean", "lowest" and "highest".
-        ``error_ratio``, with ``quantity``, ``variant`` and ``baseline``, two more results. ``plain``, whether
+        best on average. ``homes``: numbers (from 1) of homes to show in addition to the average, or None for
+        results of other data sets. ``places``: places to compare one by one as well, or "all". ``label``, for
+        pairs of trials: their name from the labels of the axes, e.g. "{column} clusters". ``summary`` of the
+        differences (by place if there are any): one or more of "mean", "lowest" and "highest".
+        ``error_ratio``, with ``quantity``, ``variant`` and ``baseline``: two more results. ``plain``: whether
         the share of all frames counts, for results of other data sets.
     where
         Name of the entry in messages.
@@ -182,7 +182,7 @@ def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tu
 
 
 def _homes_of(names: Sequence[str], results: Results) -> tuple[list[int], list[int]]:
-    """Numbers from 1 of the homes in which some results were all tried, and were all measured."""
+    """Numbers (from 1) of the homes in which some results were all tried, and where all were measured."""
     tried = [n for n in results.numbers if all(_was_tried(results, one, n) for one in names)]
     return tried, [n for n in tried if all(len(in_home(results, one, n).values) for one in names)]
 
@@ -220,7 +220,7 @@ def _was_tried(results: Results, name: str, number: int) -> bool:
 
 
 def _whole(results: Results, name: str, plain: bool) -> Number:
-    """A result over all homes: of a split counted together, as in its table, otherwise the mean."""
+    """A result over all homes: the mean, or for a split all frames counted together, as in its table."""
     one = results.of(name)
     if name.startswith(_SPLIT):
         one = one.pooled()

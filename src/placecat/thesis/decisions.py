@@ -14,7 +14,7 @@ def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, 
     """Find the results behind each row of a table (:func:`placecat.thesis.tables.tables_of`).
 
     Returns group and row to the results by column; a row with one result in several homes has it under "". If
-    a row is a home, the result is restricted to it. Results that these data cannot give are left out.
+    a row is a home, the result is restricted to it. Results that this data does not allow are left out.
     """
     if "trial" in table:
         return _of_trials(table, results)
@@ -26,7 +26,7 @@ def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, 
 
 
 def _by_home(one: Measured, results: Results) -> dict[str, Measured]:
-    """The homes of the main data set by their names in tables, and, if several, all together."""
+    """The homes of the main data set by their names in tables; several homes are also listed as a group."""
     found = {
         home_label(number): in_home(one, home)
         for number, home in enumerate(results.homes, start=1)

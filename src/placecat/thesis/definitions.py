@@ -1,7 +1,7 @@
 """Definitions of tables, findings and numbers in the text, in the files of data/thesis.
 
-These files have two kinds of reference. A mapping with `like: PATH` starts from the content of that file, one
-of conf/ or another table, and changes the settings beside it. `${NAME}` is a setting of params.yaml.
+These files have two kinds of reference. A mapping with `like: PATH` starts from the content of a file of
+conf/ or of another table; its other keys override that. `${NAME}` is a setting of params.yaml.
 """
 
 import re
@@ -14,7 +14,7 @@ from placecat.errors import PlacecatError
 
 LIKE = "like"
 _SETTING = re.compile(r"\$\{(\.*)([\w.]+)\}")
-# Settings of a table besides those of its layout.
+# Settings of every table; each layout adds more.
 _OF_A_TABLE = ("number", "title", "thesis_data", "layout", "caption", "split", "data", "plain", "needs")
 _OF_A_LAYOUT = ("rows", "result", "gains")
 _OF_TRIALS = ("trial", "homes", "axes")
@@ -40,7 +40,7 @@ def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str
 
 
 def optional(root: Path = Path()) -> list[str]:
-    """Names of the tables that need a setting, in order: git keeps them for runs without it."""
+    """Names of the tables that need a setting, in order; runs without it use the tables in git."""
     files = sorted((root / paths.TABLE_DEFINITIONS).glob("*.yaml"))
     return [path.stem for path in files if "needs" in _yaml(path)]
 
@@ -84,7 +84,7 @@ def _read(files: list[Path], params: Mapping[str, Any], root: Path) -> dict[Path
 
 
 def _set(value: Any, around: tuple[dict[str, Any], ...], params: Mapping[str, Any]) -> Any:
-    """Replace ``${NAME}`` by settings; ``${..NAME}`` is beside the mapping, as in conf/."""
+    """Replace ``${NAME}`` by settings; ``${..NAME}`` is next to the mapping, as in conf/."""
     if isinstance(value, dict):
         return {key: _set(one, (value, *around), params) for key, one in value.items()}
     if isinstance(value, list):
@@ -96,11 +96,11 @@ def _set(value: Any, around: tuple[dict[str, Any], ...], params: Mapping[str, An
 
 
 def _load(path: Path, root: Path, before: tuple[Path, ...]) -> dict[str, Any]:
-    """One file with the content that it is like; `before` are the files that led to it."""
+    """One file with the content that its `like` refers to; `before` are the files that led to it."""
     if path in before:
-        raise PlacecatError(f"{path} is like itself, by way of {', '.join(map(str, before))}")
+        raise PlacecatError(f"{path} refers to itself through {', '.join(map(str, before))}")
     content = _yaml(path)
-    # A file of conf/ starts from others as Hydra writes it: "/scheme@scheme: parallel".
+    # Files of conf/ include others in Hydra's notation: "/scheme@scheme: parallel".
     base = {}
     for default in content.pop("defaults", []):
         if default != "_self_":
@@ -111,7 +111,7 @@ def _load(path: Path, root: Path, before: tuple[Path, ...]) -> dict[str, Any]:
 
 
 def _filled(value: Any, inherited: Any, root: Path, before: tuple[Path, ...]) -> Any:
-    """A value over its inherited one: mappings without `like` are merged, all else replaces."""
+    """Override an inherited value: mappings without `like` are merged, other values are replaced."""
     if isinstance(value, list):
         return [_filled(one, None, root, before) for one in value]
     if not isinstance(value, dict):
@@ -126,7 +126,7 @@ def _filled(value: Any, inherited: Any, root: Path, before: tuple[Path, ...]) ->
 
 
 def _yaml(path: Path) -> dict[str, Any]:
-    return settings.read_yaml(path, f"restore it from git, or mend the `{LIKE}` that names it")
+    return settings.read_yaml(path, f"restore it from git, or correct the `{LIKE}` that names it")
 
 
 def _is_set(params: Mapping[str, Any], name: str) -> bool:

@@ -1,4 +1,4 @@
-"""Numbers that only the thesis's text has: measured beside published."""
+"""Numbers that appear only in the thesis's text: measured and published."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -23,7 +23,7 @@ _OF_THE_DATA = ("thesis_data", "data", "split")
 
 
 class _Said(NamedTuple):
-    """One quantity in the thesis: a number, NaN if there are only words; the words; a note."""
+    """One quantity in the thesis: a number (NaN if there are only words), the words, and a note."""
 
     value: float = np.nan
     quote: str = ""
@@ -38,7 +38,7 @@ def in_text(
     splits: Mapping[str, Mapping[str, Any]],
     records: Mapping[str, pd.DataFrame],
 ) -> pd.DataFrame:
-    """Put the measured numbers beside those of the text.
+    """Compare the measured numbers with those of the text.
 
     Returns the columns name, section, quantity, home ("Home 6", "Average", or "" for neither), published,
     measured, spread, seeds, note, ``notes``, the same by kind, and ``number``, a
@@ -56,10 +56,10 @@ def in_text(
         main data set, its data (``split``, or ``data`` in words); or a ``reference``, the reason why it was
         not measured.
     published
-        Columns name, section, quantity, home, value (NaN if the thesis has only words), quote and note, which
-        names contradictions in the thesis to the value.
+        Columns name, section, quantity, home, value (NaN if the thesis has only words), quote and note; the
+        note lists passages of the thesis that contradict the value.
     dataset, splits
-        ``title`` and ``thesis_data`` of the main data set, and of that of each split.
+        ``title`` and ``thesis_data`` of the main data set, and of each split's data set.
     records
         Tables by name.
     """

@@ -1,4 +1,4 @@
-"""Judgement of one comparison of the thesis by the measurements."""
+"""Judges one comparison of the thesis by the measurements."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ _WHERE = {
 
 @dataclass(frozen=True)
 class Thesis:
-    """The thesis's numbers: of each side and their difference (or ratio), NaN for none."""
+    """The thesis's numbers: each side and their difference (or ratio); missing ones are NaN."""
 
     numbers: tuple[float, ...]
     difference: float
@@ -41,23 +41,23 @@ class Measurement:
     Attributes
     ----------
     numbers
-        Of each side, percent.
+        Number of each side, percent.
     results
-        The results finally used on each side.
+        The results used on each side.
     interval
-        Of the difference (or ratio), rounded to 2 decimals; NaN ends if there is a single unit.
+        Interval of the difference (or ratio), rounded to 2 decimals; the ends are NaN for a single unit.
     corrected
         The same at the level that allows for the number of the finding's comparisons.
     units
-        Their number and kind, for people.
+        Number and kind of the units, as text.
     gains
-        Of each home (or all pooled sequences), (results,): left minus right, result by result, mean over
-        seeds; empty if the sides have no such pairs.
+        For each home (or all pooled sequences), (results,): left minus right, result by result, mean over
+        seeds; empty if the results of the sides do not pair.
     worse, better
-        Number of cases (a result in a home) in which the left was noticeably worse and better than the right
+        Number of cases (a result in a home) in which the left was noticeably worse or better than the right
         with every seed.
     note
-        What was left out, "" for nothing.
+        The parts left out, or "".
     """
 
     numbers: tuple[float, ...]
@@ -96,7 +96,7 @@ def judge_comparison(
 ) -> Judged:
     """Judge one comparison; wrong settings raise PlacecatError, missing measurements make it undecided.
 
-    `finding` is the name of its finding, from which the bootstrap's seed derives; `comparisons` is the number
+    `finding` is the name of its finding, which determines the bootstrap's seed; `comparisons` is the number
     of the finding's comparisons, all of which must hold.
     """
     try:
@@ -128,8 +128,8 @@ def judge_comparison(
 def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str]:
     """Judge whether something hurts as well as helps: the verdict on all cases together, and the reason.
 
-    A case is a result in a home, and each comparison has its own homes; see
-    :func:`placecat.evaluation.verdict.judge_shares` for the rule.
+    A case is a result in a home; homes may differ between comparisons. The rule is in
+    :func:`placecat.evaluation.verdict.judge_shares`.
     """
     worse, better = sum(one.worse for one in measured), sum(one.better for one in measured)
     gains = [gain for one in measured for gain in one.gains]
@@ -150,7 +150,7 @@ def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str
 
 
 def look_up(comparison: Comparison, published: Published, sides: Sequence[Side] | None = None) -> Thesis:
-    """Find the published numbers of a comparison, or of `sides` restricted to measured results."""
+    """Find the published numbers of a comparison, or of its `sides` with only the measured results."""
     sides = comparison.sides if sides is None else sides
     home = comparison.published_home or AVERAGE
     numbers = [_combine(side, _published(side, published, home)[:, None]) for side in sides]
@@ -209,7 +209,7 @@ def _reason(verdict: str, measured: Measurement, claimed: Range, level: float) -
 
 
 def percent(level: float) -> str:
-    """A level for people, e.g. "95 %" or "99.64 %"."""
+    """A level as text, e.g. "95 %" or "99.64 %"."""
     return f"{100 * level:.4g} %"
 
 
@@ -230,7 +230,7 @@ def _compare(comparison: Comparison, sides: Sequence[NDArray[np.float64]]) -> ND
 
 
 def _gains(paired: Paired | Pooled) -> NDArray[np.float64]:
-    """(results, homes, seeds): left minus right, result by result; empty if the sides have no such pairs."""
+    """(results, homes, seeds): left minus right, result by result; empty if the results do not pair."""
     if len(paired.values) == 2 and len(paired.values[0]) == len(paired.values[1]):
         return paired.values[0] - paired.values[1]
     return np.empty((0, *paired.values[0].shape[1:]))

@@ -44,8 +44,8 @@ def cells(table: Mapping[str, Any], results: Results) -> Cells:
 def by_class(table: Mapping[str, Any], results: Results) -> Cells:
     """One row per test home, one column per place, and averages over places and homes (e.g. Table 6).
 
-    The only result is ``table["result"]``. An average over homes is over those that show the place; that of
-    the averages is the mean over homes, as everywhere.
+    The only result is ``table["result"]``. An average over homes uses those that show the place; the average
+    of the averages is the mean over homes, as everywhere.
     """
     name = table["result"]
     of_place = {
@@ -82,8 +82,8 @@ def by_home_with_gains(table: Mapping[str, Any], results: Results) -> Cells:
     """Like `by_home`, with the gains of some results over the best of others, in points.
 
     Groups are in the order of the rows, with gains last. Each of ``table["gains"]`` has `group`, `row`,
-    `result` and `over`, a list of results. A gain is the difference to the one of them with the largest
-    average over homes, the same in every home; its note names it.
+    `result` and `over`, a list of results. A gain is the difference to the best of these by the average over
+    homes, the same result in every home; a note names it.
     """
     names = {row["result"]: row["row"] for row in table["rows"]}
     filled = by_home(table, results)
@@ -100,9 +100,9 @@ def by_home_with_gains(table: Mapping[str, Any], results: Results) -> Cells:
 
 
 def grid(table: Mapping[str, Any], results: Results) -> Cells:
-    """Any axes, one of them perhaps the test homes: cells that are trials of their own (e.g. Table 12).
+    """Any axes, possibly including the test homes: each cell is a separate trial (e.g. Table 12).
 
-    The trials are those that ``table["axes"]`` spans, in the homes of ``table["homes"]``. An axis of homes
+    ``table["axes"]`` spans the trials, in the homes of ``table["homes"]``. An axis of homes
     has the labels "Home n" and, for two or more homes, "Average"; otherwise every cell is the mean over the
     homes.
     """
@@ -146,7 +146,7 @@ def pooled_by_class(table: Mapping[str, Any], results: Results) -> Cells:
 
 
 def probabilities(table: Mapping[str, Any], results: Results) -> Cells:
-    """One row per result: quality of its distributions, averaged over test homes (an addition to the thesis).
+    """One row per result: quality of its distributions, averaged over test homes (not in the thesis).
 
     Each of ``table["rows"]`` has `group`, `row` and `result` of the main data set. Columns are log-loss
     (nats), calibration error and accuracy of stays (both in percent), see
@@ -174,7 +174,7 @@ def _quality(results: Results, name: str, measure: str) -> Number:
     return Number(values, one.is_random, origins=origins).noted(only_some(there, results.numbers))
 
 
-# A literal, so that the names can be read from the source (placecat.thesis.checks).
+# A literal, because placecat.thesis.checks reads the names from the source.
 LAYOUTS = {
     "by_class": by_class,
     "by_home": by_home,

@@ -1,4 +1,4 @@
-"""Metrics that DVC compares between revisions: numbers of the tables, and plots."""
+"""Metrics and plots that DVC compares between revisions."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -13,7 +13,7 @@ from placecat.settings import refuse_unknown
 CONFUSION, ACCURACY_BY_HOME = "confusion", "accuracy_by_home"
 ACCURACY, LOG_LOSS = "accuracy", "log_loss"
 _AXES = ("group", "row", "column")
-# Name of the few nameless rows or groups in a table whose others have names.
+# Name of the nameless rows or groups in a table where most have names.
 _NAMELESS = "-"
 
 
@@ -42,12 +42,13 @@ def _nest(table: pd.DataFrame) -> dict[str, Any]:
 
 
 def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -> dict[str, Any]:
-    """Averages of a few results, one column each in `dvc exp show`.
+    """Averages of selected results, one column each in `dvc exp show`.
 
-    `chosen` has ``accuracy`` and ``log_loss``: name of a column, e.g. ``gist``, to that of its result, e.g.
-    ``cues/gist/5-5-1``. Returns name to accuracy in percent, rounded to two decimals, and in ``log_loss``
-    name to log-loss in nats, rounded to three: means over homes and seeds as in the tables. Results that
-    these data cannot give are left out. An unknown kind of number or result raises PlacecatError.
+    `chosen` has ``accuracy`` and ``log_loss``: name of a column, e.g. ``gist``, to the name of its result,
+    e.g. ``cues/gist/5-5-1``. Returns name to accuracy in percent, rounded to two decimals, and in
+    ``log_loss`` name to log-loss in nats, rounded to three: means over homes and seeds as in the tables.
+    Results that this data does not allow are left out. An unknown kind of number or result raises
+    PlacecatError.
     """
     refuse_unknown(chosen, [ACCURACY, LOG_LOSS], "metrics")
     averages: dict[str, dict[str, float]] = {ACCURACY: {}, LOG_LOSS: {}}
@@ -65,9 +66,9 @@ def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -
 def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[str, pd.DataFrame]:
     """Choose the data of `dvc plots`.
 
-    `plots` has ``confusion`` and ``accuracy_by_home``: the name of a panel to that of its result. Returns
-    file below reports/plots, e.g. ``confusion/smoothing.csv``, to its rows; none for a result that these data
-    cannot give. An unknown kind of plot or result raises PlacecatError.
+    `plots` has ``confusion`` and ``accuracy_by_home``: name of a panel to the name of its result. Returns
+    file below reports/plots, e.g. ``confusion/smoothing.csv``, to its rows; a result that this data does not
+    allow has no rows. An unknown kind of plot or result raises PlacecatError.
     """
     kinds = {CONFUSION: decisions, ACCURACY_BY_HOME: accuracies}
     refuse_unknown(plots, list(kinds), "plots")
@@ -79,7 +80,7 @@ def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[
 
 
 def _find(results: Results, name: str, where: str) -> Measured | None:
-    """A result; None if these data cannot give it."""
+    """A result; None if this data does not allow it."""
     try:
         return results.find(name)
     except PlacecatError as error:

@@ -13,15 +13,15 @@ _KEY = ["group", "row", "column"]
 class Kind(StrEnum):
     """Subject of a note."""
 
-    # The data set of the measured number; holds for a whole table.
+    # The data set of the measured number; applies to the whole table.
     DATA = "data"
-    # The published number is from other data; holds for a whole table.
+    # The published number is from other data; applies to the whole table.
     NOT_COMPARABLE = "not_comparable"
     # The published cell is "n/a".
     NOT_AVAILABLE = "not_available"
     # The published number of this cell, e.g. one that contradicts the thesis's other numbers.
     PUBLISHED = "published"
-    # The measured number of this cell, or why there is none.
+    # The measured number of this cell, or the reason why it is missing.
     MEASURED = "measured"
 
 
@@ -33,7 +33,7 @@ class Note(NamedTuple):
 
     @property
     def is_of_the_table(self) -> bool:
-        """Whether it holds for a whole table and is in its caption."""
+        """Whether it applies to the whole table and is in the caption."""
         return self.kind in (Kind.DATA, Kind.NOT_COMPARABLE)
 
     @property
@@ -46,12 +46,12 @@ Notes = tuple[Note, ...]
 
 
 def joined(notes: Iterable[Note]) -> str:
-    """Notes as one text for people, each text once."""
+    """Notes as one text, without duplicates."""
     return "; ".join(dict.fromkeys(note.text for note in notes))
 
 
 def without_empty(notes: Iterable[Note]) -> Notes:
-    """Notes without empty ones, each once."""
+    """Notes without empty ones and duplicates."""
     return tuple(dict.fromkeys(note for note in notes if note.text))
 
 
@@ -69,7 +69,7 @@ def to_rows(name: str, cells: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.Dat
 
 
 def with_notes(name: str, cells: pd.DataFrame, rows: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.DataFrame:
-    """A table with its column `notes` again, from the rows of :func:`to_rows` for one or many tables."""
+    """A table with its column `notes` restored from the rows of :func:`to_rows` for one or many tables."""
     by_cell: dict[tuple[str, ...], Notes] = {}
     for _, *labels, kind, text in rows[rows["table"] == name][COLUMNS].itertuples(index=False, name=None):
         by_cell[tuple(labels)] = (*by_cell.get(tuple(labels), ()), Note(Kind(kind), text))

@@ -1,4 +1,4 @@
-"""A number of a report: its value for each seed, or the reason why there is none."""
+"""A number in the report: its value for each seed, or the reason why it is missing."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from placecat.evaluation.accuracy import home_accuracy
 from placecat.results.measured import Results, mean_and_spread
 
 AVERAGE = "Average"
-# In an origin: frames of all places count.
+# Part of an origin: frames of all places count.
 ALL_FRAMES = "all frames"
 
 
 class Origin(NamedTuple):
     """The source of a number: a result in some homes.
 
-    `part` is a place, a measure of probabilities or `ALL_FRAMES` (the share of all frames) if it is not the
-    accuracy over all places. Without homes it covers everything that was tested.
+    `part` is a place, a measure of probabilities or `ALL_FRAMES` (the share of all frames), unless the number
+    is the accuracy over all places. Without homes it covers all test homes or sequences.
     """
 
     result: str
@@ -31,7 +31,7 @@ class Origin(NamedTuple):
 
 @dataclass(frozen=True)
 class Number:
-    """One number, as measured with each seed.
+    """One number, measured with each seed.
 
     Attributes
     ----------
@@ -42,9 +42,9 @@ class Number:
     notes
         The reasons for a missing number, or remarks on the number.
     digits
-        After the point.
+        Digits after the point.
     origins
-        Its sources, also those of a missing number.
+        Its sources; a missing number has them too.
     """
 
     values: NDArray[np.float64]
@@ -89,7 +89,7 @@ def nothing(*reasons: str, origins: tuple[Origin, ...] = ()) -> Number:
 
 
 def united(numbers: Iterable[Number]) -> tuple[Origin, ...]:
-    """Origins of several numbers, each result and part once with all its homes."""
+    """Origins of several numbers; each result and part appears once, with all its homes."""
     homes: dict[tuple[str, str], tuple[str, ...]] = {}
     for origin in (origin for one in numbers for origin in one.origins):
         key = (origin.result, origin.part)
@@ -98,7 +98,7 @@ def united(numbers: Iterable[Number]) -> tuple[Origin, ...]:
 
 
 def merged(notes: Iterable[Iterable[str]]) -> tuple[str, ...]:
-    """Non-empty notes of several numbers in a row, each once."""
+    """Non-empty notes of several numbers, without duplicates."""
     return tuple(dict.fromkeys(note for of_one in notes for note in of_one if note))
 
 
@@ -121,7 +121,7 @@ def home_label(number: int) -> str:
 def in_home(results: Results, name: str, number: int, place: str = "") -> Number:
     """Accuracy of a result in the n-th home (from 1) of the main data set, in percent; see `Results.find`.
 
-    With a `place` it is the percentage of the frames of this place that were decided right.
+    With a `place` it is the percentage of that place's frames that were decided correctly.
     """
     if number > len(results.homes):
         return nothing(f"the data set has only {len(results.homes)} homes")
@@ -156,7 +156,7 @@ def only_some(there: Sequence[int], numbers: Sequence[int]) -> str:
 
 
 def best_of(results: Results, names: Sequence[str]) -> str:
-    """The result with the largest average over homes; the first of equals, or if none was measured."""
+    """The result with the largest average over homes; the first one in a tie or if none was measured."""
     averages = [over_homes(results, name, results.numbers).measured for name in names]
     return names[int(np.nanargmax(averages))] if np.isfinite(averages).any() else names[0]
 

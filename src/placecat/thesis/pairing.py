@@ -23,15 +23,15 @@ class Paired:
     sides
         The sides, each with only the results used.
     values
-        Per side (results, homes, seeds) percent. One seed if nothing is random.
+        Per side (results, homes, seeds), percent; one seed if nothing is random.
     homes
         Their names.
     seeds
         Number of seeds that all random results share, 0 if nothing is random.
     by_seed
-        Whether a home with one seed is a unit, instead of a home with the mean over its seeds.
+        Whether a unit is a home with one seed, instead of a home with the mean over its seeds.
     note
-        Which homes were left out and why, "" for none.
+        The homes left out and the reasons, or "".
     """
 
     sides: tuple[Side, ...]
@@ -43,7 +43,7 @@ class Paired:
 
     @property
     def units(self) -> str:
-        """For people, e.g. ``6 homes`` or ``2 homes x 2 seeds``."""
+        """The units as text, e.g. ``6 homes`` or ``2 homes x 2 seeds``."""
         homes = _count(len(self.homes), "home")
         return f"{homes} x {_count(self.seeds, 'seed')}" if self.by_seed else homes
 
@@ -64,7 +64,7 @@ class Paired:
         return self.by_seed
 
     def too_few(self, minimum: int) -> str:
-        """Why there are too few units for a verdict, "" if there are enough."""
+        """The reason if there are too few units for a verdict, else ""."""
         return f"{self.units} are too few for a verdict" if self.n_units < minimum else ""
 
     def overall(self) -> tuple[NDArray[np.float64], ...]:
@@ -72,7 +72,7 @@ class Paired:
         return tuple(values.mean(axis=1, keepdims=True) for values in self.by_unit())
 
     def interval(self, statistic: Statistic, seed: int, level: float, resamples: int) -> Interval:
-        """Interval of a statistic that takes (results, n) of each side and returns (n,)."""
+        """Interval of a statistic that maps (results, n) of each side to (n,)."""
         by_unit = self.by_unit()
         return paired_bootstrap(
             lambda weights: statistic([values @ weights.T for values in by_unit]),
@@ -112,11 +112,11 @@ def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
 
 
 def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
-    """Leave out results that this data cannot give, from sides with several.
+    """Drop results that this data does not allow, from sides with several.
 
-    ``best`` and ``last`` choose from the remaining ones. Means that pair results keep the same positions on
-    both sides. A side that would lose all its results keeps them, so that the reasons are reported. A kept
-    result keeps the published number of its own cell.
+    ``best`` and ``last`` choose from the remaining results. Means that pair results keep the same positions
+    on both sides. A side that would lose all its results keeps them, and the reasons are reported later. Each
+    remaining result keeps the published number of its cell.
     """
     impossible = {name for name, _ in results.missing} - set(results.measured)
     together = len({len(side.results) for side in sides}) == 1
@@ -174,7 +174,7 @@ def _values(one: Measured, side: Side, homes: Sequence[str], seeds: tuple[str, .
 
 
 def left_out(sides: Sequence[Side], used: Sequence[Side]) -> list[str]:
-    """Name the results that could not be computed; for ``last``, those after the one used."""
+    """Name the results that could not be computed; for ``last``, only those that follow the used one."""
     texts = []
     for side, kept in zip(sides, used, strict=True):
         asked = side.results

@@ -25,15 +25,15 @@ class Pooled:
     sides
         The sides, each with only the results used.
     right
-        Per side (results, seeds, stays) number of frames decided right. One seed if nothing is random.
+        Per side (results, seeds, stays) number of frames decided correctly; one seed if nothing is random.
     frames
         (stays,) number of frames.
     places
         (stays,) number of the place, from 0 for the first of `names`.
     names
-        Of the places, each with at least one stay.
+        Names of the places, each with at least one stay.
     note
-        What was left out and why, "" for nothing.
+        The parts left out and the reasons, or "".
     """
 
     sides: tuple[Side, ...]
@@ -48,7 +48,7 @@ class Pooled:
 
     @property
     def units(self) -> str:
-        """For people."""
+        """The units as text."""
         return f"{len(self.frames)} stays"
 
     @property
@@ -66,7 +66,7 @@ class Pooled:
         )
 
     def too_few(self, minimum: int) -> str:
-        """Why there are too few stays for a verdict, "" if there are enough."""
+        """The reason if there are too few stays for a verdict, else ""."""
         once = [self.names[place] for place in np.flatnonzero(np.bincount(self.places) == 1)]
         if len(self.frames) < minimum:
             return f"{self.units} are too few for a verdict"
@@ -95,7 +95,7 @@ class Pooled:
         """From (results, stays) right frames and (n, stays) weights to (results, n) percent."""
         kind = np.eye(len(self.names))[self.places]
         if side.plain:
-            # A place weighs as much as its number of stays.
+            # The weight of a place is its number of stays.
             kind = np.bincount(self.places)[self.places][:, None] * np.ones((1, 1))
         elif side.place is not None:
             kind = kind[:, [self.names.index(side.place)]]
@@ -140,7 +140,7 @@ def _by_stay(results: Results, name: str) -> Measured:
 
 
 def _right(one: Measured, stays: Sequence[str], seeds: Sequence[str]) -> NDArray[np.int64]:
-    """(seeds, stays) frames decided right."""
+    """(seeds, stays) frames decided correctly."""
     right = np.diagonal(one.confusion, axis1=2, axis2=3).sum(axis=2)
     right = right[:, [one.homes.index(stay) for stay in stays]]
     if one.is_random and seeds:

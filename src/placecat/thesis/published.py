@@ -1,4 +1,4 @@
-"""The thesis's numbers, looked up by their place in it."""
+"""The thesis's numbers, looked up by their location in it."""
 
 import re
 from collections.abc import Mapping
@@ -30,9 +30,9 @@ class Published:
         """Look up one number; NaN if the thesis has an n/a or no number.
 
         `reference` is ``{table, group, row, column}``, labels as published, without the axes that the table
-        lacks; or ``{text, quantity, home}``, the name of a number in the text and, if the name has several,
-        which one; or ``{result}``, as for :meth:`of_trial`, which also explains `home`. Raises PlacecatError
-        if the thesis has no such number, or several.
+        lacks; or ``{text, quantity, home}``, the name of a number in the text, with quantity and home if the
+        name has several numbers; or ``{result}``, as for :meth:`of_trial`, which also explains `home`. Raises
+        PlacecatError if the thesis has no such number, or several.
         """
         if "result" in reference:
             return self.of_trial(reference["result"], home)

@@ -1,4 +1,4 @@
-"""Numbers from tables of records: speeds kept in git, and facts beside the stages' results."""
+"""Numbers from records: speeds stored in git, and facts that the stages store with their results."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -74,9 +74,9 @@ def _value(one: Mapping[str, Any], table: pd.DataFrame, where: str) -> Number:
 def read_records(params: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
     """Read the tables, besides results, behind numbers in the thesis's text, by name.
 
-    ``benchmarks`` and ``scale`` are kept in git. ``nu`` has one row per model of a nu-SVM and test home:
-    result, home, asked, lowest and highest nu in force of its two-class machines. ``rejected`` has one row
-    per labelled frame that a filter rejects: filter, home, information. Missing tables have no rows.
+    ``benchmarks`` and ``scale`` are in git. ``nu`` has one row per nu-SVM model and test home: result, home,
+    the requested nu (asked), and the lowest and highest nu that its two-class machines used. ``rejected`` has
+    one row per labelled frame that a filter rejects: filter, home, information. Missing tables have no rows.
     """
     kept = {"benchmarks": paths.BENCHMARKS, "scale": paths.SCALE_STAGES}
     found = {name: pd.read_csv(path) if path.is_file() else pd.DataFrame() for name, path in kept.items()}
@@ -114,7 +114,7 @@ def _nu_of_trials(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def _asked(classifier: Mapping[str, Any]) -> float | None:
-    """The nu in a classifier's settings; None for other classifiers than a nu-SVM."""
+    """The nu in a classifier's settings; None unless it is a nu-SVM."""
     base = classifier.get("base", {})
     return float(base["nu"]) if base.get("name") == "nu_svm" else None
 

@@ -1,4 +1,4 @@
-"""The meaning of words like "better" and "about" in a judgement."""
+"""The meaning of words like "better" and "about" in claims."""
 
 from dataclasses import dataclass
 
@@ -11,7 +11,7 @@ from placecat.thesis.claims import ABOVE, BOTH_SIGNS
 
 @dataclass(frozen=True)
 class Rules:
-    """Rules of a judgement; see conf/verdict.
+    """Rules for judging claims; see conf/verdict.
 
     Attributes
     ----------
@@ -26,7 +26,7 @@ class Rules:
     margin
         Largest difference in points that is "little" and not "better".
     noticeable
-        Smallest difference in points that makes a single home better or worse.
+        Smallest difference in points for which a single home counts as better or worse.
     rare
         Largest share of better or worse cases that counts as an exception, below 0.5.
     """
@@ -42,13 +42,13 @@ class Rules:
 
 
 def claimed_range(kind: tuple[str, float | None], published_difference: float, rules: Rules) -> Range | None:
-    """The range that a claim allows for the difference; None for ``both_signs``, no claim about the mean.
+    """The range that a claim allows for the difference; None for ``both_signs``, which ignores the mean.
 
     The kinds are ``better``: above 0. ``worse``: below 0. ``about``: about the published difference.
-    ``little``: not far from 0. ``no_better``: at most a little above 0. ``within`` and a number: nearer to 0
-    than that. ``above`` and a number: above 0, since the left is compared with the number. ``both_signs``:
-    noticeably below 0 in more than a rare share of the cases, and above 0 in as many. Raises PlacecatError
-    for an unknown kind, or ``about`` without a published difference.
+    ``little``: not far from 0. ``no_better``: at most a little above 0. ``within`` and a number: closer to 0
+    than the number. ``above`` and a number: above 0, since the left is compared with the number.
+    ``both_signs``: noticeably below 0 in more than a rare share of the cases, and likewise above 0. Raises
+    PlacecatError for an unknown kind, or ``about`` without a published difference.
     """
     name, number = kind
     known = {

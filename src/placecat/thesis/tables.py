@@ -1,4 +1,4 @@
-"""The thesis's tables: measured beside published numbers."""
+"""The thesis's tables: measured and published numbers."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -24,8 +24,8 @@ PublishedKey = tuple[int, str, str, str]
 def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, Any]]:
     """Every table of a run by name, e.g. ``table_12``: those of the thesis by number, then additions.
 
-    Each is its definition (:mod:`placecat.thesis.definitions`) and its ``name``. Studies without a layout are
-    not tables (:mod:`in_text`). `params` are all settings, `root` is the project's folder.
+    Each table is its definition (:mod:`placecat.thesis.definitions`) plus ``name``. Studies without a layout
+    are not tables (:mod:`in_text`). `params` are all settings, `root` is the project's folder.
     """
     found = definitions.tables(params, root)
     for study in definitions.studies(params, root).values():
@@ -35,12 +35,12 @@ def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[
 
 
 def folder_of(table: Mapping[str, Any]) -> Path:
-    """Folder of a table's files; runs without a setting leave alone the tables that need it."""
+    """Folder of a table's files; a run does not change tables that need a setting it lacks."""
     return paths.OPTIONAL_TABLES if "needs" in table else paths.TABLES
 
 
 def dataset_of(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, Any]:
-    """The data of a table: the main data set, its split's with the test sequences, or other data."""
+    """The data of a table: the main data set, the test sequences of its split, or other data."""
     if "data" in table:
         return settings.get(params, "dataset") | {"title": table["data"], "thesis_data": None}
     if "split" not in table:
@@ -55,7 +55,7 @@ def label(table: Mapping[str, Any]) -> str:
 
 
 def contradictions_of(notes: pd.DataFrame) -> dict[PublishedKey, str]:
-    """Rows of data/thesis/contradictions.csv by cell: contradictions to the thesis's own numbers."""
+    """Rows of data/thesis/contradictions.csv by cell: contradictions within the thesis."""
     rows = notes[["table", *_KEY, "note"]].itertuples(index=False, name=None)
     return {(int(number), group, row, column): note for number, group, row, column, note in rows}
 
@@ -128,7 +128,7 @@ def not_comparable(thesis_data: str) -> Note:
 
 
 def _why_missing(key: tuple[str, str, str], dataset: Mapping[str, Any]) -> str:
-    """Why the layout lacks a published cell: the data lack a home or a place."""
+    """Reason why the layout lacks a published cell: the data lack a home or a place."""
     _, row, column = key
     homes = len(dataset["homes"])
     if any(name.startswith("Home ") and int(name.removeprefix("Home ")) > homes for name in (row, column)):

@@ -9,14 +9,14 @@ from matplotlib.figure import Figure
 from placecat.report.charts.bars import bars_of, point_name
 
 BAR, POINT, PUBLISHED = "#0072b2", "#222222", "#d55e00"
-# Inches: width, height of a line, and space above and below all lines.
+# Inches: width, height of a line, and total space above and below the lines.
 _WIDTH, _LINE, _ROUND = 6.5, 0.19, 0.85
 
 
 def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figure | None:
     """Draw the averages of a filled table (see `bars_of`); None if there are none.
 
-    `published` says whether the published numbers are of the same data and are drawn too.
+    `published` says whether the published numbers are from the same data and are drawn too.
     """
     bars = bars_of(cells)
     if not bars:

@@ -12,9 +12,9 @@ _HOME = r"Home \d+"
 
 @dataclass(frozen=True)
 class Bar:
-    """One bar: the name of its group, "" for none, its own name, and numbers in percent.
+    """One bar: the name of its group ("" for none), its name, and numbers in percent.
 
-    `published` is NaN for none; `points` are the numbers in the table that `measured` averages.
+    `published` is NaN if missing; `points` are the numbers in the table that `measured` averages.
     """
 
     section: str
@@ -27,7 +27,7 @@ class Bar:
 def bars_of(cells: pd.DataFrame) -> list[Bar]:
     """A filled table's averages over homes, else over places; without either, every cell is a bar.
 
-    They are in the table's order; cells that were not measured have no bar.
+    Bars are in the table's order; cells that were not measured have no bar.
     """
     axis = _averaged(cells)
     if axis is None:

@@ -6,7 +6,7 @@ from matplotlib.ticker import NullLocator
 
 from placecat.report.scale import ALL, seconds_by_size
 
-# Stages with fewer CPU seconds are left out: they are imports only.
+# Stages with fewer CPU seconds are left out: imports take most of their time.
 _LEAST = 10.0
 
 

@@ -1,6 +1,6 @@
-"""Pictures of confusion matrices: those of a row with their numbers, or all those of a table.
+"""Pictures of confusion matrices: the matrices of one row with numbers, or all matrices of a table.
 
-They are painted, since Matplotlib takes ten times as long.
+NumPy paints them, since Matplotlib takes ten times as long.
 """
 
 from collections.abc import Mapping
@@ -23,14 +23,14 @@ _CELL, _GAP, _MARGIN, _TEXT, _TITLE = 46, 28, 12, 12, 15
 # Pixels of a cell in the picture of a table, which has no numbers.
 _PIXEL = 13
 _INK, _PAPER = (0x22, 0x22, 0x22), (255, 255, 255)
-# Percent from which a cell is so dark that its number is white.
+# Cells from this percentage on are dark, so their numbers are white.
 _DARK = 55
 _CAPTION = "Rows are true places, columns decisions; numbers are percent of the true place."
 _SHEET = "Rows are true places, columns decisions; dark blue is all of the true place, white none."
 
 
 def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) -> None:
-    """Write matrices of the same places side by side as PNG, by their captions.
+    """Write matrices of the same places side by side as PNG, with their captions.
 
     A number is the percentage of a true place (row) decided as a place (column), over all homes and seeds.
     The same matrices give the same bytes.
@@ -64,8 +64,8 @@ def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) ->
 def draw_sheet(target: Path, title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> bool:
     """Write all matrices of a table as PNG: one line per row, with each column or each home.
 
-    `rows` are from :func:`placecat.thesis.decisions.decisions_of`; without any, no picture is written, and
-    the result is False.
+    `rows` are from :func:`placecat.thesis.decisions.decisions_of`; without rows, the function writes no
+    picture and returns False.
     """
     lines = {" / ".join(filter(None, labels)): _blocks(of_row) for labels, of_row in rows.items() if of_row}
     if not lines:
@@ -136,7 +136,7 @@ def _width(text: str, size: int = _TEXT, *, bold: bool = False) -> int:
 
 
 def _slanted(text: str) -> NDArray[np.float32]:
-    """How much of each pixel a line of text covers that rises at 45 degrees."""
+    """How much of each pixel is covered by a line of text that rises at 45 degrees."""
     cover = mask(text, _TEXT)
     height, width = cover.shape
     size = int(np.ceil((height + width) / np.sqrt(2)))

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from placecat.report.benchmarks import ratios_of, times
 
 MET, MISSED, TARGET = "#0072b2", "#d55e00", "#222222"
-# Inches: width, height of a line, and space above and below the lines of a panel.
+# Inches: width, height of a line, and total space above and below the lines of a panel.
 _WIDTH, _LINE, _ROUND = 6.5, 0.24, 0.55
 _BOUND = 1.25
 

@@ -19,7 +19,7 @@ from placecat.errors import PlacecatError, SettingError
 from placecat.report.run import Run
 
 _PREFIX = "figure_"
-# Settings that no result depends on.
+# Settings that do not affect results.
 _WITHOUT_EFFECT = ("compute", "reproducibility")
 
 
@@ -54,9 +54,9 @@ def draw(name: str, run: Run) -> Figure:
 
 
 def render(name: str, run: Run, target: Path) -> None:
-    """Draw one figure (see `draw`) in the house's style and write it as PNG; an error writes nothing.
+    """Draw one figure (see `draw`) in the project's style and write it as PNG; an error writes nothing.
 
-    A PDF beside it, with the ending ``.pdf``, has all settings of the run in its properties.
+    A PDF with the same name has all settings of the run in its properties.
     """
     with house_style():
         figure = draw(name, run)
@@ -65,7 +65,7 @@ def render(name: str, run: Run, target: Path) -> None:
 
 
 def _made_by(name: str, run: Run) -> str:
-    """The settings behind a figure: its own first, then all except those of other figures."""
+    """The settings behind a figure: first the figure's, then all others except those of other figures."""
     of_all = {key: value for key, value in run.params.items() if key not in _WITHOUT_EFFECT}
     flat = settings.flatten(of_all | {"figures": {"example": run.options("example")}})
     own = settings.flatten(run.options(name), f"figures.{name}.")

@@ -1,4 +1,4 @@
-"""Thesis 3.1.1.1, Figures 4 and 5: the channels of colour and orientation, around their conspicuity maps."""
+"""Thesis 3.1.1.1, Figures 4 and 5: the colour and orientation channels, around their conspicuity maps."""
 
 from collections.abc import Sequence
 
@@ -53,7 +53,7 @@ FIGURES = {
     ),
     "figure_05": (
         "The orientation channel on the example frame: the feature maps O' at 0°, 45°, 90° and 135° (the "
-        "direction that the Gabor filter's wave runs in: 0° answers to vertical edges), added across scales, "
+        "direction of the Gabor filter's wave: 0° responds to vertical edges), added across scales, "
         "and the conspicuity map O, which adds these with the weights 1/√m. Dark is strong; the half percent "
         "strongest of every map is black.",
         lambda run: draw_channel(run, "orientation", "O", [f"{angle:.0f}°" for angle in ANGLES]),

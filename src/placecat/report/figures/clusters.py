@@ -33,13 +33,13 @@ class Cluster:
     total
         Number of regions in all clusters.
     shares
-        (classes,) share of each place among its regions.
+        (classes,) share of each place among the cluster's regions.
     labels
         (n,) place of each region's frame.
     distance
-        (n,) from the cluster's centre.
+        (n,) distance of each region from the cluster's centre.
     home, frame
-        (n,) origin of each region.
+        (n,) home and frame of each region.
     patches
         (n, PIXELS, PIXELS, 3) uint8 BGR: the squares around the regions.
     """
@@ -60,8 +60,8 @@ class Cluster:
 def draw_cluster(run: Run, rank: int, *, by_contrast: bool) -> Figure:
     """Draw patches of one cluster, of rank 1 (the largest) to `SHOWN`; settings in ``figures.clusters``.
 
-    `by_contrast` draws random samples of the third of its patches with most contrast and of the third with
-    least; otherwise the sample is of all.
+    With `by_contrast`, samples are drawn from the third of the patches with the most contrast and the third
+    with the least; otherwise from all.
     """
     return settings.call(
         _draw, run, rank, by_contrast, settings=run.options("clusters"), where="figures.clusters"
@@ -95,10 +95,10 @@ def _draw(
 def spread(
     order: NDArray[np.integer], home: NDArray[np.int64], frame: NDArray[np.int64], count: int, apart: int
 ) -> list[int]:
-    """Take the first `count` in order, skipping those from the same moment as one taken before.
+    """Take the first `count` in order, skipping regions from the same moment as an earlier one.
 
-    `order` has indices into `home` and `frame`. Frames of one home less than `apart` from each other are of
-    the same moment.
+    `order` has indices into `home` and `frame`. Frames of one home that are less than `apart` from each other
+    belong to the same moment.
     """
     taken: list[int] = []
     for one in order.tolist():

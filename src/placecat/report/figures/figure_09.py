@@ -45,8 +45,8 @@ NUMBER: dict[str, Any] = {
 class Query:
     """A frame of the test home, by its index.
 
-    Its regions have the (n, D) descriptors `x` and the (n,) nearest `clusters`; `proba` (classes,) is their
-    common distribution.
+    The regions of the frame have the (n, D) descriptors `x` and the (n,) nearest `clusters`; `proba`
+    (classes,) is their joint distribution.
     """
 
     index: int
@@ -90,7 +90,7 @@ def draw(
     draw_regions(view, found, picture.shape[1], ["black"] * len(found), linewidth=1.2)
     middle = np.array([picture.shape[1], picture.shape[0]]) / 2
     for number, (x, y, scale, _) in enumerate(found.tolist(), 1):
-        # Beside the circle, towards the middle, since the border cuts some circles.
+        # Next to the circle, towards the middle, since the border cuts some circles.
         inward = (middle - (x, y)) / max(float(np.hypot(*(middle - (x, y)))), 1.0)
         apart = float(radius(scale, picture.shape[1])) + LABEL_GAP * picture.shape[1]
         at = np.array((x, y)) + inward * apart
@@ -110,10 +110,10 @@ def _query(
 ) -> Query:
     """Take the given frame, or find one that shows the principle.
 
-    A suitable frame is labelled, has its regions in different clusters, is decided right, shows more than
-    half of the frames do (by the information measure), and its clusters are also the nearest in the plane;
-    among these the one with the largest probability is taken. Conditions that no frame meets are dropped, the
-    last first.
+    A suitable frame is labelled, has its regions in different clusters, is decided correctly, and has more
+    information than half of the frames; its clusters are also the nearest in the plane. The suitable frame
+    with the largest probability is taken. If no frame meets all conditions, they are dropped, the last one
+    first.
     """
     found = run.descriptors(home, codebook)
     assert found.counts is not None

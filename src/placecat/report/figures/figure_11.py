@@ -21,7 +21,7 @@ TITLE = (
     "panel is the decision, the one on top the true place."
 )
 
-# Line styles distinguish places in grey print.
+# Line styles distinguish the places in grey print.
 LINES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)), (0, (1, 2)), (0, (3, 3)))
 # Heights of the decision's bar, below the curves.
 BAR = (-0.22, -0.09)
@@ -46,11 +46,11 @@ def draw(
 def choose(
     run: Run, classifier: str, hmm: str, *, home: int | None, start: int | None, frames: int
 ) -> tuple[str, slice]:
-    """Choose the home and the frames to show, between whose two results most changes of the decision vanish.
+    """Choose the home and the frames to show: those where smoothing removes most changes of the decision.
 
-    `home` counts from 1; None is the first one in which most changes vanish, or, with a `start`, the first.
-    `start` is the first frame, from 0; None is the window in which most changes vanish. `frames` is the
-    length of the window, as far as there are frames.
+    `home` counts from 1; None selects the home in which most changes vanish (the first one in a tie), or the
+    first home if `start` is set. `start` is the first frame, from 0; None selects the window in which most
+    changes vanish. `frames` is the length of the window, limited by the length of the home.
     """
     homes = run.source(classifier).homes if home is None else (home_of(run, home),)
     if start is not None:
@@ -73,9 +73,9 @@ def figure(
     home: str,
     start: int,
 ) -> Figure:
-    """Draw panels of titles to (frames, classes) distributions; (frames,) true classes are -1 if unlabelled.
+    """Draw panels: title to (frames, classes) distributions; (frames,) true classes are -1 if unlabelled.
 
-    The frames are those of a home from `start` on.
+    The frames are those of a home, beginning with `start`.
     """
     colors = list(palette.place_colors(classes).values())
     decided = [proba.argmax(axis=1) for proba in outputs.values()]
@@ -134,7 +134,7 @@ def _name(
     classes: Sequence[str],
     colors: Sequence[str],
 ) -> None:
-    """Write the place into a stretch of the bar with enough room."""
+    """Write the place into a stretch of the bar if there is room."""
     if part.stop - part.start < NAMED * len(truth):
         return
     place = truth[part.start]

@@ -15,8 +15,8 @@ from placecat.report.run import Run
 
 TITLE = (
     "Frames of two places for which all cues output a wrong decision: of all such frames that the "
-    "information filter accepts, those on which the cues are surest, each compared with how sure it is on"
-    " other frames. The bars are the cues' distributions over the places in percent, with the decision on"
+    "information filter accepts, those on which the cues are most certain compared with "
+    "other frames. The bars are the cues' distributions over the places in percent, with the decision on"
     " their right. First seed."
 )
 SHOWN = 2
@@ -24,7 +24,7 @@ WIDTH, LABELS, BARS, DECISIONS, FOOT = 2.6, 1.4, 2.25, 0.78, 0.34
 
 
 class Failure(NamedTuple):
-    """A frame that all cues get wrong: its home, number from 0, place, and their certainty (0 to 1)."""
+    """A frame that all cues get wrong: its home, number (from 0), place, and the cues' certainty (0 to 1)."""
 
     home: str
     frame: int
@@ -64,9 +64,9 @@ def draw(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
 
 
 def failures(run: Run, results: list[str], least: float = 0.0) -> list[Failure]:
-    """Find for each place the frame that all cues get wrong with the greatest certainty, the surest first.
+    """Find for each place the frame that all cues get wrong with the most certainty, most certain first.
 
-    Frames need an information measure of at least `least`; `results` are those of the cues.
+    Frames need an information measure of at least `least`; `results` are the results of the cues.
     """
     homes = run.source(results[0]).homes
     labels = [run.labels(home) for home in homes]
@@ -92,8 +92,8 @@ def failures(run: Run, results: list[str], least: float = 0.0) -> list[Failure]:
 def surety(largest: NDArray[np.float64], labelled: NDArray[np.bool_]) -> NDArray[np.float64]:
     """(frames,) share of the `labelled` frames on which a cue is at most as certain, the mean over the cues.
 
-    `largest` are the (cues, frames) probabilities of the decisions. They do not compare directly: some cues
-    always have nearly even distributions, others never.
+    `largest` are the (cues, frames) probabilities of the decisions. They are not directly comparable: some
+    cues always have nearly even distributions, others never.
     """
     shares = [
         np.searchsorted(np.sort(of_cue[labelled]), of_cue, side="right") / labelled.sum()

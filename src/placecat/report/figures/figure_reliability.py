@@ -1,4 +1,4 @@
-"""Reliability diagrams, an added figure: are decisions right as often as their probabilities say?"""
+"""Reliability diagrams, an added figure: whether decisions are right as often as their probabilities say."""
 
 from collections.abc import Mapping
 
@@ -16,17 +16,18 @@ from placecat.report.run import Run
 TITLE = (
     "Reliability diagrams: frames sorted into bins by the probability of their decided place. A point is a "
     "bin, the larger the more frames it has (bins of less than 0.5 % are not drawn): on the dashed line "
-    "decisions are right as often as their probability says, below it they are too sure, above it not sure "
-    "enough. Below each diagram the shares of the frames. Places, test homes and seeds weigh the same. Log "
-    "loss and calibration error are those of the added table, means over homes and seeds; that of pooled "
-    "homes, as drawn, is smaller, since being too sure in one home makes up for the contrary in another."
+    "decisions are right as often as their probability says, below it they are overconfident, above it "
+    "underconfident. Below each diagram: shares of the frames. Places, test homes and seeds weigh the same. "
+    "Log loss and calibration error are those of the added table, means over homes and seeds; the error of "
+    "the pooled homes, as drawn, is smaller, since overconfidence in one home offsets underconfidence in "
+    "another."
 )
 
 COLUMNS = 3
 # In inches.
 WIDTH, ROW, LEGEND = 6.5, 2.65, 0.25
 POINT, GAP = "#0072b2", "#d55e00"
-# Smallest share of the frames for drawing a bin, since a few frames say little.
+# Bins with a smaller share of the frames are not drawn, since a few frames say little.
 LEAST = 0.005
 # Points squared: area of a bin of all frames, and of the smallest bin.
 LARGEST, SMALLEST = 150.0, 5.0
@@ -75,7 +76,7 @@ def diagram_of(run: Run, result: str) -> Reliability:
     found = [
         reliability(run.labels(source.listed(home)), run.proba(result, home, seed), bins=bins)
         for home in source.homes
-        # Without seeds, reading reports that the result was not computed.
+        # If there are no seeds, reading raises the error that the result was not computed.
         for seed in source.seeds() or (None,)
     ]
     there = [one for one in found if one.weight.any()]

@@ -16,7 +16,7 @@ DARKEST = 99.5
 
 
 def show_frame(axes: Axes, frame: NDArray[np.uint8], *, width: int = 960) -> None:
-    """Show a frame, (H, W, 3) uint8 BGR, without axes; data coordinates are its pixels.
+    """Show a frame, (H, W, 3) uint8 BGR, without axes; data coordinates are pixels of the frame.
 
     The figure stores a picture of at most `width` pixels.
     """
@@ -36,7 +36,7 @@ def show_map(axes: Axes, plane: NDArray[np.floating], *, frame_size: tuple[int, 
     """
     width, height = frame_size or plane.shape[::-1]
     extent = (-0.5, width - 0.5, height - 0.5, -0.5)
-    # A few peaks far above the rest would leave it white.
+    # Otherwise a few high peaks would leave the rest white.
     darkest = float(np.percentile(plane, DARKEST))
     axes.imshow(plane, cmap=palette.MAP, vmin=0.0, vmax=darkest or float(plane.max()) or 1.0, extent=extent)
     frame_in(axes)
@@ -47,7 +47,7 @@ def draw_regions(
 ) -> None:
     """Draw circles around salient regions (n, 4) (x, y, scale, saliency; thesis 3.1.1.3), one colour each.
 
-    `width` is that of their frame in pixels.
+    `width` is the width of their frame in pixels.
     """
     for (x, y, scale, _), color in zip(regions.tolist(), colors, strict=True):
         size = float(radius(scale, width))

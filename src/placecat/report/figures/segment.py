@@ -14,10 +14,10 @@ def most_smoothed(
     *,
     frames: int,
 ) -> tuple[int, slice]:
-    """Find the window in which smoothing removes most changes of the decision; the first of equals.
+    """Find the window in which smoothing removes most changes of the decision; the first one in a tie.
 
-    Returns the number of changes before minus those after, and the window. Changes count between two labelled
-    frames without a cut between them.
+    Returns the number of changes before minus the number after, and the window. Changes count between two
+    labelled frames without a cut between them.
 
     Parameters
     ----------
@@ -26,12 +26,12 @@ def most_smoothed(
     truth
         (n,) class indices, -1 for unlabelled.
     sequences, frames
-        Stretches without a cut, and the length of a window within one; a shorter stretch is a window.
+        Stretches without a cut, and the length of a window within one; a shorter stretch is one window.
     """
     removed = changes(before, truth) - changes(after, truth)
     best: tuple[int, slice] | None = None
     for part in sequences:
-        # Position i of `removed` is the change from frame i to frame i + 1.
+        # `removed[i]` is the change from frame i to frame i + 1.
         total = np.r_[0, np.cumsum(removed[part.start : part.stop - 1])]
         length = min(frames, part.stop - part.start)
         sums = total[length - 1 :] - total[: len(total) - length + 1]

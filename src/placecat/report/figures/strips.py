@@ -24,7 +24,7 @@ from placecat.report.run import Run, home_of
 
 # Pixels of a strip; more frames are averaged.
 MAX_COLUMNS = 1000
-# Percentiles of a strip's probabilities drawn white and black.
+# Percentiles of a strip's probabilities that are drawn white and black.
 WHITE, BLACK = 1.0, 99.0
 # In inches.
 WIDTH = 6.5
@@ -47,8 +47,8 @@ def of_tests(run: Run, *, panels: Mapping[str, str]) -> Figure:
 def figure(run: Run, homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
     """Draw strips, one below the other, each with its homes side by side; the greys span a strip's values.
 
-    `homes` are test homes of all the results. `panels` has, from above, the title of each strip and its
-    result, of the first seed if there are several. A missing result raises PlacecatError.
+    `homes` are test homes of all the results. `panels` has, from top to bottom, the title and the result of
+    each strip; the first seed is drawn. A missing result raises PlacecatError.
     """
     listed = {home: run.source(next(iter(panels.values()))).listed(home) for home in homes}
     truths = {home: run.labels(listed[home]) for home in homes}
@@ -99,9 +99,9 @@ def draw(
 ) -> AxesImage:
     """Draw one strip: one row per place, the true place as a blue line, the accuracy (thesis 4.2) above.
 
-    If frames are unlabelled, the line runs through an additional row. `proba` is (frames, len(classes));
-    `truth` (frames,) has class indices, -1 for unlabelled; `cuts` are the frames that follow a cut of the
-    film; `span` has the probabilities drawn white and black.
+    For unlabelled frames the line runs through an additional row. `proba` is (frames, len(classes)); `truth`
+    (frames,) has class indices, -1 for unlabelled; `cuts` are the frames that follow a cut of the film;
+    `span` has the probabilities that are drawn white and black.
     """
     frames, n_classes = proba.shape
     if len(truth) != frames:
@@ -134,9 +134,9 @@ def draw(
 
 
 def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
-    """Draw the line of the true place, thick in the rows, thin between them, from (frames,) class indices.
+    """Draw the line of the true place, thick within rows, thin between them, from (frames,) class indices.
 
-    Unlabelled frames, -1, are in the row `n_classes`.
+    Unlabelled frames, -1, are in row `n_classes`.
     """
     row = np.where(truth < 0, n_classes, truth)
     parts = stretches(row)
@@ -151,16 +151,16 @@ def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
 
 
 def greys(proba: NDArray[np.float64]) -> tuple[float, float]:
-    """The probabilities drawn white and black: percentiles `WHITE` and `BLACK`, 0 and 1 if equal.
+    """The probabilities drawn white and black: percentiles `WHITE` and `BLACK`, 0 and 1 if these are equal.
 
-    Fixed at 0 and 1, the nearly uniform distributions of some classifiers would be invisible.
+    With 0 and 1 for every strip, the nearly uniform distributions of some classifiers would be invisible.
     """
     low, high = (float(value) for value in np.percentile(proba, [WHITE, BLACK]))
     return (low, high) if high - low > 1e-6 else (0.0, 1.0)
 
 
 def columns(proba: NDArray[np.float64], limit: int) -> NDArray[np.float64]:
-    """Average (frames, classes) over neighbours to (min(frames, limit), classes), in equal shares."""
+    """Average (frames, classes) over neighbours to (min(frames, limit), classes), with equal weights."""
     if len(proba) <= limit:
         return proba
     edges = np.arange(limit + 1) * len(proba) // limit

@@ -21,11 +21,11 @@ class TrainingRegions:
     homes
         Names of the homes.
     home
-        (n,) index of its home in `homes`.
+        (n,) index of each region's home in `homes`.
     frame
-        (n,) index of its frame in the home.
+        (n,) index of each region's frame in the home.
     number
-        (n,) its rank among the frame's regions, 0 for the most salient.
+        (n,) rank of each region in its frame, 0 for the most salient.
     """
 
     x: NDArray[np.float32]

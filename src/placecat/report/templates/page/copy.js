@@ -1,6 +1,6 @@
 (() => {
   "use strict";
-  // One header line, a group's name in a column of its own, one line a row.
+  // One header line, a separate column for the group's name, one line per row.
   const toText = (table) => {
     const bodies = [...table.tBodies];
     const grouped = bodies.some((body) => body.querySelector("tr.group"));
@@ -37,7 +37,7 @@
       try {
         await navigator.clipboard.writeText(toText(table));
       } catch {
-        // Without the clipboard's permission: leave the table selected, for the person to copy.
+        // Without permission for the clipboard: leave the table selected, so the user can copy it.
         select(table);
         said = "Selected";
       }

@@ -6,7 +6,7 @@
   const box = document.querySelector(".search");
   const [input, found, list, count] = ["input", ".found", "ol", "output"].map((one) => box.querySelector(one));
   const clean = (text) => text.replace(/\s+/g, " ").trim();
-  // With a blank between cells, which textContent lacks.
+  // textContent has no blank between cells.
   const textOf = (elements) => {
     const parts = [];
     for (const one of elements) {

@@ -1,8 +1,8 @@
 (() => {
   "use strict";
-  // A number may have its range behind it, "1.70 (1.60 to 1.90)".
+  // A range may follow a number: "1.70 (1.60 to 1.90)".
   const NUMBER = /^[+−-]?\d[\d,]*(?:\.\d+)?(?= \(|$)/;
-  // Fewer rows are seen at a glance.
+  // Smaller tables need no filter.
   const FILTERED_FROM = 8;
   const words = new Intl.Collator("en", { numeric: true });
   const clean = (text) => text.replace(/\s+/g, " ").trim();
@@ -52,7 +52,7 @@
       }
     };
 
-    let column = 1; // Of the first cell below a head that spans several.
+    let column = 1; // The first cell below a head that spans several.
     for (const head of heads) {
       let target = head;
       if (head.colSpan > 1) {

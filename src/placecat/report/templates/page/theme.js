@@ -7,7 +7,7 @@
     try {
       return localStorage.getItem("placecat-theme") ?? "";
     } catch {
-      return ""; // A browser may not keep settings of a local file.
+      return ""; // A browser may refuse to store settings for a local file.
     }
   };
   const apply = (theme) => (root.style.colorScheme = theme);
@@ -22,7 +22,7 @@
       try {
         localStorage.setItem("placecat-theme", theme);
       } catch {
-        // The choice holds until the page is left.
+        // The choice lasts until the user leaves the page.
       }
       name();
     });
