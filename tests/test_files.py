@@ -88,7 +88,7 @@ def test_a_place_to_write_to_is_tried_before_the_work(tmp_path):
 
 
 def test_objects_are_never_pickled(tmp_path):
-    with pytest.raises(TypeError, match="only pickle could write"):
+    with pytest.raises(TypeError, match="which need pickle"):
         files.write_arrays(tmp_path / "one.npz", {"a": np.array([{}])})
     with pytest.raises(ValueError):
         files.write_array(tmp_path / "one.npy", np.array([{}]))
