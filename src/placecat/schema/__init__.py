@@ -50,7 +50,7 @@ def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str,
     place, told = places[first], errors[first]
     dotted, kind, value = ".".join(place), told["type"], told["input"]
     if kind == "missing":
-        return f"{dotted or 'the settings'} has no setting {told['loc'][-1]!r}, which it needs"
+        return f"{dotted or 'params.yaml'} needs the setting {told['loc'][-1]!r}"
     if kind == "extra_forbidden":
         *parents, name = place
         unknown = {str(one["loc"][-1]) for one in errors if one["type"] == kind}
