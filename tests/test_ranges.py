@@ -141,7 +141,7 @@ def values():
     yield "cues.gist.classifier.scheme.calibration", "homes", "'homes_centred'"
     yield "cues.gist.classifier.base.nu_policy", None, "'lower' or 'refuse'"
     yield "descriptors.local.hog.interpolation", "area", "'cubic'"
-    yield "figures.figure_15.panels", "integration", "settings of its own"
+    yield "figures.figure_15.panels", "integration", "a mapping of settings"
     for name in ("a.b", "my cue", "a/b", "h\u00e4user", "-x", "", "$(touch x)"):
         yield (
             "codebooks",

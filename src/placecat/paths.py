@@ -69,7 +69,7 @@ VARIANT_FRAMES = "frames.npy"
 
 
 def sequences(home: str) -> Path:
-    """Folder of the frames and labels of a home, ``home_1``, or a split's sequence, ``university/north_2``."""
+    """Folder of frames and labels of a home, ``home_1``, or a split's sequence, ``university/north_2``."""
     return (SITE_SEQUENCES if "/" in home else SEQUENCES) / home
 
 
