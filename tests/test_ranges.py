@@ -126,7 +126,7 @@ def values():
     yield "dataset.root", "s3://bucket/homes", "is an address"
     yield "dataset.root", "~/homes", "whole path"
     for root in (".", "..", "data", "/", "data/../data"):
-        yield "dataset.root", root, "folder of their own"
+        yield "dataset.root", root, "in another folder"
     yield "dataset.title", "a\x1b]0;b\x07", "printed"
     yield "dataset.layout", "../video", "does not exist"
     yield "protocol.schemes", ["5-5-2"], "'5-5-1' or '4-5-1'"

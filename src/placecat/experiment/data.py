@@ -55,7 +55,7 @@ def find(params: Mapping[str, Any], name: str) -> Data:
 
 
 def find_homes(data: Data, wanted: Any) -> tuple[str, ...]:
-    """Find test homes: ``all``, or names compared by letters and digits; the PlacecatError lists all names."""
+    """Find test homes: ``all``, or names compared by letters and digits; the PlacecatError lists them."""
     if wanted == ALL:
         return tuple(data.by_test)
     spellings: dict[str, list[str]] = {}

@@ -28,7 +28,7 @@ def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
 
 
 def check_value(value: Any, adapter: TypeAdapter[Any], where: str) -> None:
-    """Refuse a value of a wrong type or range; :func:`of_type` makes the check, `name` is for the message."""
+    """Refuse a value of a wrong type or range; `adapter` is from :func:`of_type`, `where` a dotted name."""
     try:
         adapter.validate_python(value)
     except ValidationError as error:
