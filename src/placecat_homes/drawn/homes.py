@@ -62,7 +62,7 @@ class Video:
 
 @dataclass(frozen=True)
 class Source:
-    """All that homes are drawn from.
+    """The settings that homes are drawn from.
 
     Attributes
     ----------
@@ -83,7 +83,7 @@ class Source:
 
     @classmethod
     def read(cls, path: Path = SETTINGS / "drawn.yaml", **video: int) -> "Source":
-        """Read the settings; `video` changes those of the video. A wrong one raises SettingError."""
+        """Read the settings; `video` overrides those of the video. Wrong ones raise SettingError."""
         content = settings.read_yaml(path)
         settings.check(cls, content, str(path))
         where = f"{path} video"
@@ -152,12 +152,12 @@ def draw(number: int, seed: int, source: Source) -> Home:
     Returns
     -------
     Home
-        The first of its draws that has no fault. It depends on its name and the source, and on no other home.
+        The first draw without faults. It depends only on its name and the source, not on other homes.
 
     Raises
     ------
     PlacecatError
-        If every draw has a fault, e.g. since so few frames cannot show every room.
+        If every draw has a fault, e.g. since there are too few frames to show every room.
     """
     name = name_of(number, seed)
     reason = ""
@@ -179,11 +179,11 @@ def draw(number: int, seed: int, source: Source) -> Home:
                     return Home({"shot": shot, "plan": plan}, building, way)
         except PlacecatError as error:
             reason = str(error)
-    raise PlacecatError(f"{name}: none of {_DRAWS} plans will do; the last: {reason}")
+    raise PlacecatError(f"{name}: all {_DRAWS} plans have faults; the last one: {reason}")
 
 
 def _walk(name: str, building: Building, rooms: list[str], source: Source) -> Walk:
-    """Walk through a building as `placecat_homes.film.Film` does for a video of that name."""
+    """Walk through a building like `placecat_homes.film.Film` for a video of that name."""
     return walk(
         building.ground(),
         np.random.default_rng(derive("walk", name)),
@@ -213,6 +213,6 @@ def _light(name: str, ranges: Mapping[str, LightRanges]) -> dict[str, Any]:
 
 
 def _stays(name: str, attempt: int, rooms: Mapping[str, Mapping[str, Any]]) -> list[str]:
-    """List the rooms in which the walk stays: all, of the corridors some."""
+    """List the rooms in which the walk stays: all rooms, but only some corridors."""
     rng = np.random.default_rng(derive("stays", name, attempt))
     return [room for room, of_one in rooms.items() if of_one["kind"] in KINDS or rng.random() < _CORRIDOR]
