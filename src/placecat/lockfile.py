@@ -38,7 +38,7 @@ def data_version(stage: str = "sequences") -> str:
 
 
 def check_data(params: Mapping[str, Any]) -> None:
-    """Raise PlacecatError if the features come from another ``dataset`` than `params`, by DVC's records."""
+    """Raise PlacecatError if, by DVC's records, the features come from another ``dataset`` than `params`."""
     version = data_version()
     stages = yaml.load(LOCK.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
     listed = stages["sequences"].get("params", {}).get("params.yaml", {}).get("dataset")

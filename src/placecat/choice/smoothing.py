@@ -1,7 +1,7 @@
 """Judge smoothing candidates on training homes, for single cues only.
 
-Integrations cannot be judged so: their training distributions come from cues that have seen other frames of
-the same home, and look too good.
+Integrations cannot be judged like this. Their training distributions look too good, since they come from cues
+that have seen other frames of the same home.
 """
 
 from collections.abc import Mapping

@@ -14,7 +14,7 @@ Outcome = np.ndarray | str
 
 
 def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
-    """Train and test for every test home, fold and seed in `workers` processes, which do not change results.
+    """Train and test for every test home, fold and seed; no result depends on the number of `workers`.
 
     Returns JSON types only: ``settings``; ``accuracy`` in percent, the mean over test homes, or None; and
     ``homes``. Each test home has its ``accuracy``, the mean over seeds and folds, or the ``reason`` why it

@@ -117,8 +117,8 @@ def error_rate(
     """Simulate how often the rule of the ledger decides wrongly.
 
     Every simulation draws homes, computes the interval over them
-    (:func:`placecat.evaluation.bootstrap.paired_bootstrap`) and judges it. All use the same resamples, as a
-    finding of the ledger does.
+    (:func:`placecat.evaluation.bootstrap.paired_bootstrap`) and judges it. All use the same resamples, as the
+    ledger does for a finding.
 
     Parameters
     ----------

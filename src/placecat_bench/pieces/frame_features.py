@@ -30,7 +30,7 @@ def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iter
     Parameters
     ----------
     frames
-        Frames of one size; one of each rendered home by default.
+        Frames of one size, by default one of each rendered home.
     repeats
         Number of pairs, each with all frames.
     """

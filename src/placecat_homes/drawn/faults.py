@@ -32,9 +32,9 @@ def faults(building: Building, walk: Walk) -> Iterator[str]:
     Parameters
     ----------
     building
-        Furnished.
-    walk
-        Through all of its rooms.
+        The furnished home.
+        walk
+        A walk through all of its rooms.
 
     Yields
     ------

@@ -35,9 +35,9 @@ class Video:
     width, height
         Pixels, even, 160 to 4096.
     frames
-        Of each home, 200 to 20,000.
+        Number of frames per home, 200 to 20,000.
     fps
-        Frames a second, 1 to 60.
+        Frames per second, 1 to 60.
     """
 
     width: int
@@ -67,7 +67,7 @@ class Source:
     Attributes
     ----------
     plan, light
-        Ranges.
+        Ranges of plans and light.
     walk, carriage, camera
         Names of files in conf/.
     video
@@ -107,9 +107,9 @@ class Home:
     content
         `plan` as in conf/plan, and `shot`: the other settings of a video as in conf/videos.yaml.
     building
-        Furnished.
-    walk
-        Through it.
+        The furnished home.
+        walk
+        The walk through it.
     """
 
     content: dict[str, Any]
@@ -143,11 +143,11 @@ def draw(number: int, seed: int, source: Source) -> Home:
     Parameters
     ----------
     number
-        Of the home, from 1.
-    seed
-        Of the set of homes.
-    source
-        What to draw from.
+        Number of the home, from 1.
+        seed
+        Seed of the set of homes.
+        source
+        Settings to draw from.
 
     Returns
     -------

@@ -55,7 +55,7 @@ def render_homes(
     Raises
     ------
     PlacecatError
-        A number out of its range, a folder of other homes, another run in it, or a missing extra.
+        If a number is out of range, the folder has other homes, another run uses it, or an extra is missing.
     """
     if not 1 <= count <= _LIMIT:
         raise PlacecatError(f"--homes must be from 1 to {_LIMIT}, not {count}")
@@ -100,14 +100,14 @@ def film(path: Path, source: Source, **changes: Any) -> "render.Film":
     path
         `plans/home_7.yaml` of the folder.
     source
-        Camera, walk and size.
-    **changes
-        To the settings in conf/finish.yaml.
+        Settings of camera, walk and size.
+        **changes
+        Changes to the settings in conf/finish.yaml.
 
     Returns
     -------
     Film
-        Lit, not yet rendered.
+        The film with light, not yet rendered.
     """
     content = settings.read_yaml(path, "remove the folder and run again")
     settings.refuse_unknown(content, ["shot", "plan"], str(path))

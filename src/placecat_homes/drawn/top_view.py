@@ -29,7 +29,7 @@ def top_view(building: Building, walk: Walk | None = None, *, scale: float = 60.
     Parameters
     ----------
     building
-        Furnished.
+        The furnished home.
     walk
         The path, drawn in red; None draws none.
     scale
