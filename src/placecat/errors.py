@@ -102,7 +102,7 @@ def is_refusal(error: OSError) -> bool:
 
 
 def refusal(error: OSError, path: object = None) -> str:
-    """The system's error, its file (by default the one in the error), and the remedy."""
+    """Describe a system error: the message, the file (by default the one in the error), and the remedy."""
     name = error.filename if path is None else path
     where = "" if name is None else f"{os.fsdecode(name) if isinstance(name, bytes) else name}: "
     number = error.errno or errno.ENOSPC

@@ -65,7 +65,7 @@ def module(package: str, name: object, what: str, *defining: str) -> ModuleType:
 
 
 def estimator(package: str, name: object, what: str) -> str:
-    """Name the only scikit-learn estimator of a module; errors as for `require`, or unless there is one."""
+    """Name the only scikit-learn estimator of a module; errors as for `require`, or if there is not one."""
     full = f"{package}.{require(package, name, what)}"
     classes = [node for node in _statements(full).values() if isinstance(node, ast.ClassDef)]
     public = [

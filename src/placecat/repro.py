@@ -53,7 +53,7 @@ def run(*, force: bool = False, **environment: str) -> int:
 
 
 class Before:
-    """A copy of params.yaml from before a run that may be refused."""
+    """A copy of the old params.yaml, in case the run is refused."""
 
     def __init__(self) -> None:
         self._params, self._lock = _content(paths.PARAMS), _content(LOCK)

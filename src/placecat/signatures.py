@@ -1,4 +1,4 @@
-"""Check that the code that settings name exists and has the parameters that they set.
+"""Check that code named in the settings exists and has the parameters that they set.
 
 The check does not import the code, so it is quick enough to run when settings are composed.
 """

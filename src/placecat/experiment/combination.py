@@ -237,8 +237,8 @@ def _length(data: Data, home: str, descriptor: Mapping[str, Any]) -> int:
         shape = files.read_array(folder / f"{kind}_{name}.npy").shape
         if kind == "local" and descriptor["max_regions"] > shape[1]:
             raise PlacecatError(
-                f"descriptor.max_regions={descriptor['max_regions']}, but {shape[1]} is the most regions per frame "
-                f"that were described (regions.max_regions of params.yaml): use {shape[1]} or less"
+                f"descriptor.max_regions={descriptor['max_regions']}, but at most {shape[1]} regions "
+                f"per frame were described (regions.max_regions of params.yaml): use {shape[1]} or less"
             )
         length += shape[-1]
     return length

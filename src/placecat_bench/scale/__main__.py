@@ -17,9 +17,9 @@ def main() -> None:
         "that `make repro` left, and write their time, their memory, and how both grow.",
     )
     parser.add_argument(
-        "--sizes", nargs="+", type=float, metavar="PART", help="instead of those of conf/scale.yaml"
+        "--sizes", nargs="+", type=float, metavar="PART", help="instead of the sizes in conf/scale.yaml"
     )
-    parser.add_argument("--stages", nargs="+", metavar="STAGE", help="instead of those of conf/scale.yaml")
+    parser.add_argument("--stages", nargs="+", metavar="STAGE", help="default: conf/scale.yaml")
     parser.add_argument(
         "--folder", type=Path, default=paths.SCALE, help=f"working folder, {paths.SCALE} by default"
     )

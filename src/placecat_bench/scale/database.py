@@ -35,7 +35,7 @@ class Home:
         return sum(frames for frames, _ in self.labels.values())
 
     def scaled(self, size: float) -> "Home":
-        """The same home with `size` times the frames of each label, at least 1, and as many stretches as fit."""
+        """The same home with `size` times the frames of each label (at least 1), in stretches as before."""
         fewer = {label: max(1, round(frames * size)) for label, (frames, _) in self.labels.items()}
         stretches = {label: count for label, (_, count) in self.labels.items()}
         return Home(
