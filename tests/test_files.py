@@ -80,7 +80,7 @@ def test_only_an_ordinary_file_is_replaced(tmp_path):
 
 def test_a_place_to_write_to_is_tried_before_the_work(tmp_path):
     (tmp_path / "file").write_text("")
-    for path, why in [(tmp_path / "file/x", "a file stands"), (tmp_path / ("x" * 255), "a shorter name")]:
+    for path, why in [(tmp_path / "file/x", "a file is where"), (tmp_path / ("x" * 255), "a shorter name")]:
         with pytest.raises(PlacecatError, match=f"cannot write .*{why}"):
             files.check_writable(path)
     files.check_writable(tmp_path / "new/model")
@@ -88,7 +88,7 @@ def test_a_place_to_write_to_is_tried_before_the_work(tmp_path):
 
 
 def test_objects_are_never_pickled(tmp_path):
-    with pytest.raises(TypeError, match="only pickle could write"):
+    with pytest.raises(TypeError, match="which need pickle"):
         files.write_arrays(tmp_path / "one.npz", {"a": np.array([{}])})
     with pytest.raises(ValueError):
         files.write_array(tmp_path / "one.npy", np.array([{}]))

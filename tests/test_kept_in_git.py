@@ -138,7 +138,7 @@ def test_tables_of_other_data_are_not_compared(folder):
 @pytest.mark.parametrize("revision", ["nowhere", "HEAD~1", "--all", "HEAD:project/params.yaml", ""])
 def test_an_unknown_revision_is_refused(folder, revision):
     with pytest.raises(
-        PlacecatError, match=f"git has no revision {revision!r}, `git log --oneline` lists the existing ones$"
+        PlacecatError, match=f"git has no revision {revision!r}: `git log --oneline` lists the existing ones$"
     ):
         kept_in_git.read_revision(revision)
 

@@ -53,7 +53,7 @@ def test_a_missing_data_set_stops_the_first_stage(folder):
     main(["params", "dataset=my_homes", "dataset.root=nowhere"])
     result = run(folder, "python", "-m", "placecat.stages.sequences", check=False)
     assert result.returncode == 1
-    assert "dataset.root is nowhere, but there is no such folder" in result.stderr
+    assert "dataset.root is nowhere, but this folder does not exist" in result.stderr
     assert "Traceback" not in result.stderr
 
 

@@ -126,7 +126,7 @@ def values():
     yield "dataset.root", "s3://bucket/homes", "is an address"
     yield "dataset.root", "~/homes", "whole path"
     for root in (".", "..", "data", "/", "data/../data"):
-        yield "dataset.root", root, "folder of their own"
+        yield "dataset.root", root, "in another folder"
     yield "dataset.title", "a\x1b]0;b\x07", "printed"
     yield "dataset.layout", "../video", "does not exist"
     yield "protocol.schemes", ["5-5-2"], "'5-5-1' or '4-5-1'"
@@ -141,7 +141,7 @@ def values():
     yield "cues.gist.classifier.scheme.calibration", "homes", "'homes_centred'"
     yield "cues.gist.classifier.base.nu_policy", None, "'lower' or 'refuse'"
     yield "descriptors.local.hog.interpolation", "area", "'cubic'"
-    yield "figures.figure_15.panels", "integration", "settings of its own"
+    yield "figures.figure_15.panels", "integration", "a mapping of settings"
     for name in ("a.b", "my cue", "a/b", "h\u00e4user", "-x", "", "$(touch x)"):
         yield (
             "codebooks",

@@ -41,7 +41,9 @@ def small_files():
 def test_a_write_that_fails_names_the_file_and_leaves_what_stood_there(tmp_path, name, small_files):
     target = tmp_path / name
     target.write_text("before")
-    with pytest.raises(PlacecatError, match=rf"cannot write .*{name}: .*; (allow larger files|make room)"):
+    with pytest.raises(
+        PlacecatError, match=rf"cannot write .*{name}: .*; (allow larger files|free some space)"
+    ):
         WRITERS[name](target)
     assert target.read_text() == "before"
     assert [path.name for path in tmp_path.iterdir()] == [name]
@@ -50,9 +52,9 @@ def test_a_write_that_fails_names_the_file_and_leaves_what_stood_there(tmp_path,
 @pytest.mark.parametrize(
     ("number", "remedy"),
     [
-        (errno.ENOSPC, "make room"),
+        (errno.ENOSPC, "free some space"),
         (errno.EACCES, "permission"),
-        (errno.EROFS, "choose a writable place"),
+        (errno.EROFS, "choose a writable folder"),
         (errno.ENAMETOOLONG, "shorter name"),
     ],
 )

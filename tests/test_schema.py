@@ -114,8 +114,8 @@ POOL = {"method": "log_pool", "shrinkage": 0.1}
         ("systems.das_551_best.integrator", POOL | {"smallest": 0.0}, "smallest"),
         ("systems.das_551_best.integrator", POOL | {"smallest": None}, "smallest is a number"),
         ("systems.das_551_best.integrator.smallest", 1e-6, "smallest .* for method: log_pool alone"),
-        ("systems.das_551_extra.integrator", POOL, "extra: true does not go with log_pool"),
-        ("splits.university.integrator", POOL, "log_pool does not go with a fixed split"),
+        ("systems.das_551_extra.integrator", POOL, "extra: true does not work with log_pool"),
+        ("splits.university.integrator", POOL, "log_pool does not work with a fixed split"),
     ],
 )
 def test_an_opinion_pool_goes_where_its_cues_are_judged(name, value, message):

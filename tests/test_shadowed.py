@@ -14,7 +14,7 @@ def test_another_package_in_pythonpath_is_one_message(tmp_path):
     for command in (MAIN, ("python", "-m", "placecat.stages.toy")):
         result = run(tmp_path, *command, check=False, PYTHONPATH=both)
         assert result.returncode == 1
-        assert result.stderr.startswith("placecat: PYTHONPATH gives another cv2 than the installed one")
+        assert result.stderr.startswith("placecat: PYTHONPATH hides the installed cv2")
         assert result.stderr.endswith("unset PYTHONPATH\n")
     # Packages of the user's own, and folders that only have the name, change nothing.
     (other / "cv2/__init__.py").unlink()

@@ -89,7 +89,7 @@ def test_a_setting_without_a_default_is_missed(setting):
     params = copy.deepcopy(PARAMS)
     parent, _, name = setting.rpartition(".")
     del at(params, parent)[name]
-    with pytest.raises(PlacecatError, match=rf"{parent} has no setting '{name}', which it needs"):
+    with pytest.raises(PlacecatError, match=rf"{parent} needs the setting '{name}'"):
         signatures.check(params)
 
 

@@ -16,13 +16,13 @@ from placecat.terminal import Terminal
 
 NOT_AS_KEPT = 3
 _STATUS = (
-    f"Exit status: 0 if all is well; {NOT_AS_KEPT} if settings and data set are the kept ones and a number "
-    "still differs by more than reproducibility.tolerance; 1 for a mistake, which one message explains."
+    f"Exit status: 0 on success; {NOT_AS_KEPT} if a number differs by more than reproducibility.tolerance "
+    "although the settings and the data set are those in git; 1 after an error, with one message."
 )
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run a subcommand; a user's mistake ends it with a message and status 1."""
+    """Run a subcommand; it ends with a message and status 1 if the user made a mistake."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     with exiting(), redirect_stdout(Terminal(sys.stdout)):
         if given[:1] in (["experiment"], ["search"]):
@@ -74,9 +74,9 @@ def _add_pipeline(commands: Commands) -> None:
         commands,
         "repro",
         _repro,
-        "write params.yaml, run what has to run, compare the tables with the kept ones",
-        "Compose params.yaml from conf/ and run `dvc repro`. Then print Table 26, how long the stages took "
-        "that ran, and how the tables differ from those that git keeps.",
+        "write params.yaml, run the outdated stages, compare the tables with those in git",
+        "Compose params.yaml from conf/ and run `dvc repro`. Then print Table 26, the time of each stage "
+        "that ran, and how the tables differ from those in git.",
         epilog=_STATUS,
     )
     repro.add_argument("--force", action="store_true", help="run every stage, even if nothing has changed")
@@ -87,9 +87,9 @@ def _add_pipeline(commands: Commands) -> None:
         commands,
         "mend",
         _mend,
-        "mend what a killed run left",
-        "Restore the records of dvc.lock that were cut when a run was killed, and remove its temporary "
-        "files. `placecat repro` begins with it; call it before the next `dvc repro`.",
+        "clean up after a killed run",
+        "Restore the records of dvc.lock that a killed run cut off, and remove its temporary files. "
+        "`placecat repro` does this first; call it yourself before `dvc repro`.",
     )
 
 
@@ -98,25 +98,25 @@ def _add_results(commands: Commands) -> None:
         commands,
         "compare",
         lambda options: _compare(options.old, options.new, options.html),
-        "compare the tables with the kept ones",
-        "Say how reports/tables, the numbers of the thesis's text and the verdicts on its findings differ "
-        "from those that git keeps. Runs nothing.",
+        "compare the tables with those in git",
+        "Show how reports/tables, the numbers in the thesis's text and the verdicts on its findings differ "
+        "from the versions in git. Runs nothing.",
         epilog=_STATUS,
     )
-    sides = "anything git takes, or a folder that holds params.yaml and reports/"
-    revision, other = f"{sides}; HEAD by default", f"what to compare with it, {sides}; this folder by default"
+    sides = "any git revision, or a folder with params.yaml and reports/"
+    revision, other = f"{sides}; HEAD by default", f"the other side, {sides}; this folder by default"
     compare.add_argument("old", nargs="?", default="HEAD", metavar="REVISION", help=revision)
     compare.add_argument("new", nargs="?", default="", metavar="OTHER", help=other)
-    page = "write tables, figures, verdicts and settings side by side, as a page"
+    page = "write a page with tables, figures, verdicts and settings side by side"
     compare.add_argument("--html", type=Path, metavar="FILE", help=page)
     times = add_command(
         commands,
         "times",
         _times,
         "print how long the last complete run took",
-        "Print how long the stages took in the last `placecat repro` that ran all of them.",
+        "Print the time of each stage in the last `placecat repro` that ran all of them.",
     )
-    copied = f"copy them to {paths.KEPT_TIMES} and {paths.KEPT_TIMES_FACTS}, which git keeps"
+    copied = f"copy them to {paths.KEPT_TIMES} and {paths.KEPT_TIMES_FACTS}, which are in git"
     times.add_argument("--keep", action="store_true", help=copied)
     explain = add_command(
         commands,
@@ -128,16 +128,16 @@ def _add_results(commands: Commands) -> None:
     )
     cell = "its number on the page, e.g. table_26.9.3; or its table and labels, e.g. table_26 HMM home_3"
     explain.add_argument("cell", nargs="+", metavar="CELL", help=cell)
-    again = "compute it again from what the stages left, and say whether the bits agree"
+    again = "compute it again from the outputs of the stages, and check that the bits agree"
     explain.add_argument("--again", action="store_true", help=again)
     add_command(
         commands,
         "demo",
         _demo,
-        "the first minute: train on a few frames of five homes, walk through the sixth",
-        "Train the five-cue system on every 10th frame of five of the homes that come with the project, and "
-        "name the places of a walk through the sixth. Writes a timeline, an annotated clip and a page with "
-        "both to predictions/demo. Needs no `placecat repro` before.",
+        "a one-minute demo: train on a few frames of five homes, classify a walk through the sixth",
+        "Train the five-cue system on every 10th frame of five of the project's homes, and name the places "
+        "of a walk through the sixth. Writes a timeline, an annotated clip and a page with both to "
+        "predictions/demo. Works without a previous `placecat repro`.",
     )
 
 
@@ -200,7 +200,7 @@ def _measure(call: str, seconds: float) -> str:
     if len(by_stage):
         params = settings.load()
         data = str(settings.get(params, "dataset.title"))
-        # Times on a cluster say nothing about this machine's cores.
+        # Times on a cluster do not describe this machine.
         is_local = params.get("compute", {}).get("kind", "local") == "local"
         is_complete = is_local and set(repro.stages()) <= set(by_stage["stage"])
         times.write(by_stage, seconds, data, parallel.workers(), is_complete=is_complete)

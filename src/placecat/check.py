@@ -7,7 +7,7 @@ from placecat import references, schema, signatures
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse wrong or unknown settings, of all sections or some; the PlacecatError names the first one."""
+    """Refuse wrong or unknown settings in all or some sections; the PlacecatError names the first one."""
     schema.check(params)
     references.check(params)
     signatures.check(params)

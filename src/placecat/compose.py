@@ -18,7 +18,7 @@ from placecat.runs import lock
 if TYPE_CHECKING:
     from omegaconf import DictConfig
 
-# Folders of conf/ whose files are all used, and the place of their content.
+# Folders of conf/ whose files are all used, and where their content goes.
 FOUND = {
     "descriptor/local": "descriptors.local",
     "descriptor/holistic": "descriptors.holistic",
@@ -28,17 +28,17 @@ FOUND = {
     "filter": "filters",
     "split": "splits",
 }
-# File of conf/clustering for codebooks without a file of their own.
+# File of conf/clustering for codebooks that conf/codebook does not describe.
 CLUSTERING = "hierarchical_kmeans"
 # Checksum of the sources of params.yaml.
 _COMPOSED = Path("data/params.sha256")
 
 
 def found(conf: Path = paths.CONF) -> str:
-    """List the files of conf/ that are used without being named, as the content of conf/found.yaml.
+    """List the files of conf/ that are used without being named; return the content of conf/found.yaml.
 
-    Hydra's defaults have no pattern for file names, and `dvc exp run` composes only from files. Settings of
-    cues that no file describes (:mod:`placecat.inferred`, whose errors this function raises) come last.
+    A defaults list of Hydra cannot contain a file pattern, and `dvc exp run` composes only from files.
+    Inferred settings of cues come last. Raises the errors of :mod:`placecat.inferred`.
     """
     lines = [
         "# Written by `placecat params`: every file of these folders. Add a file there, not a line here.",
@@ -60,7 +60,7 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
     """Compose the settings of conf/config.yaml with Hydra overrides; return the content of params.yaml.
 
     Overrides are e.g. ``dataset=my_homes``, ``cues.gist.classifier.base.nu=0.1``. Raises PlacecatError for
-    one that Hydra cannot read or that names no setting, and for a setting without a value.
+    an unreadable override, an unknown setting, or a setting without a value.
     """
     from omegaconf import OmegaConf
     from omegaconf.errors import OmegaConfBaseException
@@ -97,8 +97,8 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
 def overridden(content: dict[str, Any], overrides: Sequence[str], where: str) -> dict[str, Any]:
     """Apply Hydra overrides, e.g. ``fps=10.0``, to plain settings outside params.yaml.
 
-    `where` is their file, for messages. Raises PlacecatError for an override that Hydra cannot read or that
-    names no setting.
+    `where` is the settings' file, for messages. Raises PlacecatError for an unreadable override or an unknown
+    setting.
     """
     from omegaconf import OmegaConf
     from omegaconf.errors import OmegaConfBaseException
@@ -112,7 +112,7 @@ def overridden(content: dict[str, Any], overrides: Sequence[str], where: str) ->
 
 
 def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any], where: str) -> "DictConfig":
-    """Apply overrides with Hydra, to merged settings or to a folder with config.yaml, from `where`."""
+    """Apply overrides with Hydra to merged settings, or to a folder with config.yaml; `where` names them."""
     from hydra import compose as hydra_compose
     from hydra import initialize, initialize_config_dir
     from hydra.core.config_store import ConfigStore
@@ -141,7 +141,7 @@ def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any], where: st
 
 
 def _refusal(error: Exception | str) -> PlacecatError:
-    # Hydra's folders and its advice on any unknown setting help nobody.
+    # Hydra's folders and its general advice on unknown settings do not help the user.
     text = re.split("Config search path:|To append to your config", str(error))[0]
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     return PlacecatError(f"the settings cannot be composed: {' '.join(lines)}")
@@ -151,9 +151,9 @@ def _refusal(error: Exception | str) -> PlacecatError:
 def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> None:
     """Write conf/found.yaml, compose the settings and write them to params.yaml.
 
-    Settings that were composed before, from the same files and overrides, are not composed again. Raises
-    PlacecatError like `found`, `compose`, :func:`placecat.check.check` and
-    :func:`placecat.thesis.checks.check`, or if a run is in progress; params.yaml then stays as it was.
+    Does nothing if files and overrides are the same as last time. Raises PlacecatError like `found`,
+    `compose`, :func:`placecat.check.check` and :func:`placecat.thesis.checks.check`, or if a run is in
+    progress; params.yaml then stays unchanged.
     """
     listing = paths.CONF / "found.yaml"
     if (paths.CONF / "config.yaml").is_file():

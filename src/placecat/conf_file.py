@@ -1,4 +1,4 @@
-"""Settings of a command in its own file of conf/, outside params.yaml."""
+"""Read the settings of a command from its file in conf/, outside params.yaml."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -11,8 +11,8 @@ from placecat.compose import overridden
 def read(path: Path, names: Sequence[str], overrides: Sequence[str] = ()) -> dict[str, Any]:
     """Read a file that must have exactly the settings `names`, with Hydra overrides such as ``fps=10.0``.
 
-    Raises PlacecatError if the file is missing or is not YAML, if it has an unknown setting or lacks one, and
-    for an override that Hydra cannot read or that names no setting.
+    Raises PlacecatError if the file is missing or not YAML, if a setting is unknown or missing, or if an
+    override is unreadable or names an unknown setting.
     """
     content = settings.read_yaml(path, "run this in the project's folder, or restore it from git")
     settings.refuse_unknown(content, list(names), str(path))

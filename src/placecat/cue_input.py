@@ -1,4 +1,4 @@
-"""The input of a cue from the features of frames, the same for a batch and for a single frame."""
+"""The input of a cue, assembled from the features of one or many frames."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -19,8 +19,8 @@ def check(descriptor: Mapping[str, Any]) -> None:
     """Refuse a descriptor of an unknown kind or with an unknown setting; the error names the valid ones.
 
     A descriptor has ``kind`` (local or holistic) and ``name``; a local one also has ``y_pos``, ``y_weight``,
-    ``color`` (the colour descriptor to append, or None), ``max_regions`` and, for tracked regions, ``tracked:
-    true``, or for those of conf/region_variants the name of a ``variant``.
+    ``color`` (the colour descriptor to append, or None) and ``max_regions``. Tracked regions have ``tracked:
+    true``; regions of conf/region_variants have the name of a ``variant``.
     """
     kind, name = descriptor["kind"], descriptor["name"]
     valid = {"local": LOCAL, "holistic": HOLISTIC}.get(kind)
@@ -50,11 +50,11 @@ def assemble(
     height: int,
     modules: Mapping[str, str],
 ) -> Descriptors:
-    """Assemble one descriptor of n frames; more ``max_regions`` than in `arrays` raise PlacecatError.
+    """Assemble one descriptor of n frames; raise PlacecatError if `arrays` have less than ``max_regions``.
 
-    `descriptor` is as for :func:`check`, `arrays` are those of :func:`array_names` with n as their first
-    axis, `height` is that of the frames in pixels, and `modules` are region descriptors to their modules of
-    `placecat.vision.local`.
+    `descriptor` is as for :func:`check`. `arrays` are those of :func:`array_names`, with n frames along the
+    first axis. `height` is the height of the frames in pixels. `modules` maps region descriptors to their
+    modules in `placecat.vision.local`.
     """
     if descriptor["kind"] == "holistic":
         return Descriptors(np.array(arrays[f"holistic_{descriptor['name']}"], np.float32))
@@ -63,7 +63,7 @@ def assemble(
     if limit > found.shape[1]:
         raise PlacecatError(
             f"a cue asks for max_regions {limit}, but regions.max_regions is {found.shape[1]}: "
-            "raise the latter"
+            "increase regions.max_regions"
         )
     counts = np.minimum(arrays["count"], limit).astype(np.int64)
     x = np.array(found[:, :limit], np.float32)

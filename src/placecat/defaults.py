@@ -1,7 +1,7 @@
-"""conf/ merged along its defaults lists, as Hydra merges it.
+"""Merge conf/ along its defaults lists, as Hydra does.
 
-Hydra takes seconds for the hundred files of conf/: its time grows with the square of their number. This
-module handles the common cases and leaves the others, and every mistake, to Hydra (:class:`Unusual`).
+Hydra needs seconds for the hundred files of conf/, since its time grows with the square of their number. This
+module handles the common cases and leaves the others, and all errors, to Hydra (:class:`Unusual`).
 """
 
 from collections.abc import Sequence
@@ -20,7 +20,7 @@ if yaml.__with_libyaml__:
 
 
 class Unusual(Exception):
-    """A case that Hydra has to compose or refuse."""
+    """A case that this module leaves to Hydra."""
 
 
 class _Entry(NamedTuple):
@@ -36,9 +36,9 @@ class _Entry(NamedTuple):
 def merge(conf: Path, choices: Sequence[tuple[str, str]] = ()) -> dict[str, Any]:
     """Merge conf/config.yaml with all files that it names, directly or through others.
 
-    `choices` are Hydra's names of choices and the files chosen, e.g. ``("dataset", "my_homes")`` or
-    ``("classifier@cues.gist.classifier", "knn")``. Returns plain containers, references (``${...}``)
-    unresolved. Raises Unusual, e.g. for a missing file, invalid YAML, a choice of nothing, a package in a
+    `choices` are pairs of a choice, as Hydra names it, and a file, e.g. ``("dataset", "my_homes")`` or
+    ``("classifier@cues.gist.classifier", "knn")``. Returns plain containers with unresolved references
+    (``${...}``). Raises Unusual, e.g. for a missing file, invalid YAML, an empty choice, a package in a
     header, or a list of files.
     """
     if len(dict(choices)) < len(choices) or not all(file for _, file in choices):
@@ -58,8 +58,8 @@ def merge(conf: Path, choices: Sequence[tuple[str, str]] = ()) -> dict[str, Any]
 class _Tree:
     """The files in Hydra's order: the last of a defaults list first.
 
-    `parts` are package (a dotted name, "" for the root) and content of each file, `choices` those made
-    outside or by an ``override`` in a defaults list, and `seen` the names of all choices.
+    `parts` are the package (a dotted name, "" for the root) and the content of each file. `choices` come from
+    the command line or an ``override`` in a defaults list. `seen` are the names of all choices.
     """
 
     def __init__(self, conf: Path, choices: dict[str, str]) -> None:
@@ -70,7 +70,7 @@ class _Tree:
         self._contents: dict[str, dict[str, Any]] = {}
 
     def walk(self, name: str, package: str, before: tuple[str, ...]) -> None:
-        """Add a file and the files that it names; `before` are the files that led to it."""
+        """Add a file and the files that it names; `before` is the chain of files that name it."""
         content = dict(self._read(name))
         defaults = content.pop("defaults", ["_self_"])
         if name in before or not isinstance(defaults, list) or (content and "_self_" not in defaults):
@@ -130,7 +130,7 @@ def _entry(default: Any, folder: str, package: str) -> _Entry:
 
 
 def _over(below: Any, above: Any) -> Any:
-    """A value over another: mappings are merged, all else replaces."""
+    """Put one value over another: mappings are merged, other values are replaced."""
     if isinstance(above, dict):
         if isinstance(below, list) or (isinstance(below, str) and "$" in below):
             raise Unusual(below)

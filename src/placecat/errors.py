@@ -1,4 +1,4 @@
-"""Errors that the user can fix, and the end of a program on them."""
+"""Errors that the user can fix, and how they end the program."""
 
 import difflib
 import errno
@@ -21,7 +21,7 @@ class PlacecatError(ValueError):
 
 
 class NotComputable(PlacecatError):
-    """A number that these data cannot give with any setting; a table says so in its place."""
+    """A number that cannot be computed from these data with any setting; tables show the reason instead."""
 
 
 class SettingError(PlacecatError):
@@ -30,19 +30,19 @@ class SettingError(PlacecatError):
 
 # Errors of disks, file systems and system limits, with their remedies.
 _REFUSED = {
-    errno.ENOSPC: "make room and run again",
-    errno.EDQUOT: "make room and run again",
+    errno.ENOSPC: "free some space and run again",
+    errno.EDQUOT: "free some space and run again",
     errno.EFBIG: "allow larger files (ulimit -f) and run again",
-    errno.EACCES: "get the permission, or choose another place",
-    errno.EPERM: "get the permission, or choose another place",
-    errno.EROFS: "choose a writable place",
-    errno.EIO: "the disk or the network has an error: check it",
+    errno.EACCES: "get permission, or choose another folder",
+    errno.EPERM: "get permission, or choose another folder",
+    errno.EROFS: "choose a writable folder",
+    errno.EIO: "check the disk or the network",
     errno.EMFILE: "allow more open files (ulimit -n)",
     errno.ENFILE: "close other programs",
-    errno.ENAMETOOLONG: "give a shorter name",
-    errno.ENOTDIR: "a file stands where a folder is needed: give another name",
-    errno.EEXIST: "a file stands where a folder is needed: give another name",
-    errno.EISDIR: "give the name of a file",
+    errno.ENAMETOOLONG: "use a shorter name",
+    errno.ENOTDIR: "a file is where a folder should be: use another name",
+    errno.EEXIST: "a file is where a folder should be: use another name",
+    errno.EISDIR: "name a file",
 }
 
 
@@ -50,15 +50,15 @@ _REFUSED = {
 def exiting() -> Iterator[None]:
     """End the program without a traceback.
 
-    A user's mistake, a full disk or a missing permission ends it with one message and status 1, Ctrl-C with
-    130, and a closed output pipe silently.
+    After a user's mistake, or if the disk is full or a permission is missing, print one message and exit with
+    status 1. After Ctrl-C exit with 130; if the output pipe is closed, exit silently.
     """
     try:
         yield
     except PlacecatError as error:
         sys.exit(f"placecat: {error}")
     except BrokenPipeError:
-        # Otherwise Python reports it at exit.
+        # Otherwise Python reports the closed pipe at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(1)
     except OSError as error:
@@ -70,7 +70,7 @@ def exiting() -> Iterator[None]:
 
 
 def printable(text: str) -> str:
-    """Escape characters that control a terminal or cannot be shown, e.g. as ``\\x1b``; line ends stay."""
+    """Escape unprintable and control characters, e.g. as ``\\x1b``, except line ends."""
     if text.isprintable():
         return text
     return "".join(
@@ -79,13 +79,13 @@ def printable(text: str) -> str:
 
 
 def one_line(text: object) -> str:
-    """A name as :func:`printable` gives it, with line ends escaped too."""
+    """Escape a name like :func:`printable`, line ends too."""
     return printable(str(text)).replace("\n", "\\n")
 
 
 @contextmanager
 def reading(path: Path) -> Iterator[None]:
-    """Turn a system error in reading a user's file, e.g. a missing permission, into one PlacecatError."""
+    """Turn a system error while reading a user's file, e.g. a missing permission, into a PlacecatError."""
     try:
         yield
     except OSError as error:
@@ -96,17 +96,17 @@ def reading(path: Path) -> Iterator[None]:
 
 
 def is_refusal(error: OSError) -> bool:
-    """Whether the system refused to read or write, which the user can mend."""
-    # NumPy reports the bytes written, without a reason.
+    """Whether the system refused to read or write, which the user can fix."""
+    # NumPy reports the number of bytes written, but no error number.
     return error.errno in _REFUSED or (error.errno is None and "requested and" in str(error))
 
 
 def refusal(error: OSError, path: object = None) -> str:
-    """The system's error, its file (by default that of the error), and the remedy."""
+    """Describe a system error: the message, the file (by default the one in the error), and the remedy."""
     name = error.filename if path is None else path
     where = "" if name is None else f"{os.fsdecode(name) if isinstance(name, bytes) else name}: "
     number = error.errno or errno.ENOSPC
-    return f"{where}{error.strerror or os.strerror(number)}; {_REFUSED.get(number, 'choose another place')}"
+    return f"{where}{error.strerror or os.strerror(number)}; {_REFUSED.get(number, 'choose another folder')}"
 
 
 def did_you_mean(name: object, valid: Iterable[str], before: str = "; ") -> str:

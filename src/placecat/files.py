@@ -1,6 +1,6 @@
-"""Files of results: written under a temporary name, then renamed; equal content gives equal bytes.
+"""Read and write result files: atomically, and with equal bytes for equal content.
 
-NumPy and pandas are imported late: commands that only write settings must be quick.
+NumPy and pandas are imported late, since commands that only write settings must be quick.
 """
 
 import hashlib
@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 def replacing(target: Path) -> Iterator[Path]:
     """Yield a temporary path beside `target`; rename it if the block succeeds, remove it otherwise.
 
-    The block creates a file or a folder there. A file at `target` is replaced, a folder only by a folder.
-    Raises PlacecatError like :func:`check_target`, if a file would replace a folder, or if e.g. the disk is
-    full.
+    The block creates a file or a folder there. A file at `target` is replaced; a folder only by a folder.
+    Raises PlacecatError like :func:`check_target`, if a file would replace a folder, or if writing fails,
+    e.g. since the disk is full.
     """
     target = Path(target)
     check_target(target)
@@ -44,7 +44,7 @@ def replacing(target: Path) -> Iterator[Path]:
     except BaseException as error:
         _remove(temporary)
         if isinstance(error, OSError) and is_refusal(error):
-            # An error in writing to an open file has no name.
+            # An error while writing to an open file does not name the file.
             of = temporary if error.filename is None else Path(os.fsdecode(error.filename))
             if of.is_relative_to(temporary):
                 raise PlacecatError(f"cannot write {refusal(error, target)}") from error
@@ -52,22 +52,22 @@ def replacing(target: Path) -> Iterator[Path]:
 
 
 def check_target(target: Path) -> None:
-    """Refuse a path that is or contains the current folder, or that names nothing (``.``, ``..``)."""
+    """Refuse a path that is or contains the current folder, or that has no name (``.``, ``..``)."""
     if target.name in ("", ".", "..") or Path.cwd().is_relative_to(target.resolve()):
-        raise PlacecatError(f"{target} is or contains a folder that is in use: give another name to write to")
+        raise PlacecatError(f"{target} is or contains a folder that is in use: write to another name")
 
 
 def check_file(target: Path) -> None:
     """Refuse to write a file over a folder, a device or a pipe; errors also as for :func:`check_target`."""
     check_target(target)
     if target.is_dir():
-        raise PlacecatError(f"{target} is a folder: give the name of a file to write to")
+        raise PlacecatError(f"{target} is a folder: name a file to write to")
     if target.exists() and not target.is_file():
-        raise PlacecatError(f"{target} is not an ordinary file: give another name to write to")
+        raise PlacecatError(f"{target} is not an ordinary file: write to another name")
 
 
 def check_writable(target: Path) -> None:
-    """Test before the work whether its file can be written; raises PlacecatError like :func:`check_file`."""
+    """Check in advance that a file can be written; raises PlacecatError like :func:`check_file`."""
     check_file(target)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -79,7 +79,7 @@ def check_writable(target: Path) -> None:
 
 
 def _temporary(target: Path) -> Path:
-    # The suffix stays last, since numpy and pandas choose formats by it. The name is unique;
+    # The suffix stays last, since NumPy and pandas choose the format by it. The name is unique;
     # placecat.runs.mend removes the leftovers of a killed process.
     return target.with_name(f".{target.stem}.{secrets.token_hex(4)}.partial{target.suffix}")
 
@@ -118,7 +118,7 @@ def write_arrays(path: Path, arrays: Mapping[str, "np.ndarray"]) -> None:
 
     for name, array in arrays.items():
         if np.asarray(array).dtype.hasobject:
-            raise TypeError(f"array {name!r} holds Python objects, which only pickle could write")
+            raise TypeError(f"array {name!r} contains Python objects, which need pickle")
     # Not numpy.savez, whose headers depend on the version of Python.
     with replacing(path) as temporary, zipfile.ZipFile(temporary, "w") as archive:
         for name, array in arrays.items():

@@ -1,6 +1,6 @@
-"""Results of a cue or a system for one test home and seed: named arrays in one file, facts beside it.
+"""Results of a cue or a system for one test home and seed: named arrays in one file, facts in another.
 
-DVC takes about a millisecond per folder, so the arrays are not a folder of files.
+One file is used instead of a folder, since DVC needs about a millisecond per folder.
 """
 
 from collections.abc import Mapping
@@ -14,18 +14,18 @@ from placecat import files, paths
 
 
 def path_of(folder: Path, home: str, seed: str) -> Path:
-    """File of a test home and a seed, e.g. ``seed-0``, in the results folder of a cue or system."""
+    """The file of a test home and a seed, e.g. ``seed-0``, in the results folder of a cue or system."""
     return folder / f"{home}.{seed}.npz"
 
 
 def seeded(folder: Path, home: str, seed: int | None) -> Path:
-    """The file of one seed; a non-random result serves every seed."""
+    """The file of one seed, or the only file if the result is not random."""
     fixed = path_of(folder, home, paths.NO_SEED)
     return fixed if fixed.exists() else path_of(folder, home, paths.seed_name(seed))
 
 
 def seeds_in(folder: Path, home: str) -> list[str]:
-    """Names of the seeds with results for a test home: ``seed-0``, ``seed-1``, or ``no-seed`` alone."""
+    """Names of the seeds with results for a test home: ``seed-0``, ``seed-1``, or only ``no-seed``."""
     parts = [path.stem.rpartition(".") for path in folder.glob("*.npz")]
     return sorted(seed for of, _, seed in parts if of == home)
 
@@ -53,6 +53,6 @@ def read(path: Path, name: str) -> NDArray[Any]:
 
 
 def read_facts(path: Path) -> dict[str, Any]:
-    """Read the facts beside the arrays."""
+    """Read the facts."""
     facts: dict[str, Any] = files.read_json(path.with_suffix(".json"))
     return facts

@@ -1,4 +1,4 @@
-"""The commands ``placecat train``, ``predict`` and ``import``, which take footage."""
+"""The commands that work on footage: ``placecat train``, ``predict`` and ``import``."""
 
 import argparse
 from collections.abc import Callable
@@ -18,14 +18,14 @@ def add_command(
     description: str,
     epilog: str | None = None,
 ) -> argparse.ArgumentParser:
-    """Add a subcommand; `run` takes its options and returns the exit status."""
+    """Add a subcommand; `run` gets the parsed options and returns the exit status."""
     parser = commands.add_parser(name, help=help, description=description, epilog=epilog)
     parser.set_defaults(run=run)
     return parser
 
 
 def add(commands: Commands) -> None:
-    """Add the subcommands to those of `placecat`."""
+    """Add the subcommands to `placecat`."""
     _add_train(commands)
     _add_predict(commands)
     _add_import(commands)
@@ -38,14 +38,14 @@ def _add_train(commands: Commands) -> None:
         _train,
         "train a system and write it as one file",
         "Train a system, from features to smoothing, on the homes that `placecat repro` has described, and "
-        "write it as one file for `placecat predict`. It is trained again without each of these homes in "
-        "turn, to measure for its model card how it does in homes that it has not seen.",
+        "write it as one file for `placecat predict`. For the model card, the system is also trained without "
+        "each home in turn and tested on that home.",
     )
-    system = "one of conf/system; by default model.system"
+    system = "a system of conf/system; by default model.system"
     train.add_argument("system", nargs="?", metavar="SYSTEM", help=system)
-    without = "leave a home out of all training, to judge on it; may be repeated"
+    without = "leave a home out of all training, to test on it; may be repeated"
     train.add_argument("--without", action="append", default=[], metavar="HOME", help=without)
-    train.add_argument("--seed", type=int, help="one of protocol.seeds; by default model.seed")
+    train.add_argument("--seed", type=int, help="a seed of protocol.seeds; by default model.seed")
     output = f"by default {paths.MODEL}, or a name in {paths.MODELS}"
     train.add_argument("--output", type=Path, metavar="FILE", help=output)
 
@@ -56,12 +56,12 @@ def _add_predict(commands: Commands) -> None:
         "predict",
         _predict,
         "apply a trained system to a video, a folder of images, a bag or a camera",
-        "Name the place of every frame of new footage. Writes a table of frames, a table of segments (a "
-        "label file, once corrected), a timeline and a summary.",
+        "Name the place of every frame of new footage. Writes a table of frames, a table of segments (usable "
+        "as a label file after correction), a timeline and a summary.",
     )
     source = (
-        "a video, a folder of images, a bag of ROS, camera, camera:NUMBER, the address of a stream, or "
-        "home:NAME: a home of the data set, with its floors and labels"
+        "a video, a folder of images, a ROS bag, camera, camera:NUMBER, the address of a stream, or "
+        "home:NAME (a home of the data set, with its floors and labels)"
     )
     predict.add_argument("source", metavar="SOURCE", help=source)
     model = f"by default {paths.MODEL}"
@@ -71,33 +71,31 @@ def _add_predict(commands: Commands) -> None:
     film = predict.add_mutually_exclusive_group()
     mp4 = "also write an annotated video: place, confidence, probabilities, salient regions"
     film.add_argument("--video", dest="film", action="store_const", const=".mp4", help=mp4)
-    webm = "the same as WebM, which browsers can play; slower"
+    webm = "also write it as WebM, which browsers can play; slower"
     film.add_argument("--webm", dest="film", action="store_const", const=".webm", help=webm)
-    resize = "scale frames to a size that the model knows; frames of another shape are cut to their middle"
+    resize = "scale frames to a size that the model knows; crop the middle of frames of another shape"
     predict.add_argument("--resize", action="store_true", help=resize)
-    labels = "the true places (start,end,label), to compare with"
+    labels = "a CSV file of the true places (start,end,label), to compare with"
     predict.add_argument("--labels", type=Path, metavar="CSV", help=labels)
     dataset = "for home:NAME, choose another data set, e.g. dataset=my_homes; may be repeated"
     predict.add_argument(
         "--set", dest="overrides", action="append", default=[], metavar="OVERRIDE", help=dataset
     )
-    ignored = "a label in CSV whose frames are not scored, like those of transition; may be repeated"
+    ignored = "a label in CSV whose frames are not scored, like transitions; may be repeated"
     predict.add_argument("--ignore", action="append", default=[], metavar="LABEL", help=ignored)
-    every = "take every Nth frame, which is faster; 1 by default"
+    every = "use every Nth frame, which is faster; 1 by default"
     predict.add_argument("--every", type=int, default=1, metavar="N", help=every)
-    seconds = "take only the first S seconds; a camera stops then"
+    seconds = "use only the first S seconds; a camera stops then"
     predict.add_argument("--seconds", type=float, metavar="S", help=seconds)
-    predict.add_argument("--fps", type=float, help="frames/s of the footage, if it gives none or a wrong one")
-    predict.add_argument(
-        "--topic", help="the topic of the pictures in a bag, if several topics have pictures"
-    )
+    predict.add_argument("--fps", type=float, help="frames/s of the footage, if its own is missing or wrong")
+    predict.add_argument("--topic", help="the topic of the pictures in a bag, if several have pictures")
     mcap = "also write annotated pictures and probabilities as ROS 2 messages"
     predict.add_argument("--mcap", type=Path, metavar="FILE", help=mcap)
     rerun = "also write frames, regions and probabilities for Rerun (.rrd)"
     predict.add_argument("--rerun", type=Path, metavar="FILE", help=rerun)
     force = (
-        "replace files of --mcap and --rerun, and a prediction of another source or one that was edited: an "
-        "edited table is kept as NAME.edited.csv"
+        "replace files of --mcap and --rerun, and predictions that were edited or come from another source; "
+        "an edited table is kept as NAME.edited.csv"
     )
     predict.add_argument("--force", action="store_true", help=force)
 
@@ -113,12 +111,12 @@ def _add_import(commands: Commands) -> None:
         "panoramas",
         _import_panoramas,
         "360-degree pictures",
-        "Make homes from 360-degree pictures: seeded walks of a view that turns in them. Writes frames, "
-        "labels and a data card. The settings are those of conf/panoramas.yaml.",
+        "Make homes from 360-degree pictures: a view walks through them and turns, by a seed. Writes frames, "
+        "labels and a data card. The settings are in conf/panoramas.yaml.",
     )
     panoramas.add_argument("source", type=Path, metavar="SOURCE", help="the folder of the panoramas")
     panoramas.add_argument("destination", type=Path, metavar="DESTINATION", help="a new folder for the homes")
-    setting = "another value of a setting, e.g. source=zind, fps=10.0"
+    setting = "change a setting, e.g. source=zind, fps=10.0"
     panoramas.add_argument("changes", nargs="*", metavar="SETTING=VALUE", help=setting)
 
 

@@ -1,4 +1,4 @@
-"""Settings inferred from others: with them a cue is one module and one file of conf/."""
+"""Settings inferred from others, which reduce a cue to one module and one file of conf/."""
 
 import inspect
 from collections.abc import Iterator
@@ -15,11 +15,11 @@ _PACKAGES = {"local": local, "holistic": holistic}
 
 
 def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
-    """Find the descriptors that cues and codebooks name and no file of conf/descriptor describes.
+    """Find descriptors that cues and codebooks name but no file of conf/descriptor describes.
 
-    Returns ``local`` and ``holistic``, if not empty, to name to the defaults of its module's ``describe``.
-    Raises PlacecatError for a file of a cue or codebook that is not YAML or names a descriptor without a
-    module, or a module that cannot be imported or has a setting without a default.
+    Returns a mapping of ``local`` and ``holistic``, if not empty, to descriptor names and the defaults of
+    their modules' ``describe``. Raises PlacecatError if a file of a cue or codebook is not YAML, a descriptor
+    has no module, a module cannot be imported, or a setting has no default.
     """
     found: dict[str, dict[str, dict[str, Any]]] = {}
     for path, content in _files(conf, "cue", "codebook"):
@@ -36,17 +36,17 @@ def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
             if value is inspect.Parameter.empty:
                 raise PlacecatError(
                     f"{path}: the setting {setting!r} of the {kind} descriptor {name!r} has no default: give "
-                    f"it one, or write all its settings to {described}"
+                    f"it one, or write all settings to {described}"
                 )
         found.setdefault(kind, {})[name] = own
     return found
 
 
 def codebooks(conf: Path) -> dict[str, dict[str, Any]]:
-    """Find the codebooks of regions that cues name and no file of conf/codebook describes.
+    """Find codebooks of regions that cues name but no file of conf/codebook describes.
 
-    Returns name to settings that refer to those of the cue, without ``tree``, the clustering. Raises
-    PlacecatError for a file of a cue that is not YAML.
+    Returns a mapping of names to settings, which refer to those of the cue. ``tree``, the clustering, is left
+    out. Raises PlacecatError if a file of a cue is not YAML.
     """
     found = {}
     for path, cue in _files(conf, "cue"):
@@ -62,7 +62,7 @@ def codebooks(conf: Path) -> dict[str, dict[str, Any]]:
 
 
 def optional_descriptors(conf: Path) -> dict[str, list[str]]:
-    """List the descriptors that files of conf/optional add, by kind; PlacecatError if one is not YAML."""
+    """List the descriptors that conf/optional adds, by kind; PlacecatError if a file is not YAML."""
     found: dict[str, list[str]] = {}
     for _, content in _read(conf, "optional"):
         for kind, own in (content.get("descriptors") or {}).items():
@@ -71,7 +71,7 @@ def optional_descriptors(conf: Path) -> dict[str, list[str]]:
 
 
 def _files(conf: Path, *folders: str) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """Paths and contents of the files that have a ``descriptor``."""
+    """Paths and contents of the files with a ``descriptor``."""
     for folder in folders:
         for path, content in _read(conf, folder):
             if isinstance(content.get("descriptor"), dict):

@@ -1,6 +1,6 @@
-"""Items of a stage's output, e.g. one per cue or home: each is made again only if its inputs have changed.
+"""Items of a stage's output, e.g. one per cue or home, which are made again only if their inputs change.
 
-An item has a manifest: checksums of its inputs and of its files, without times or absolute paths.
+Each item has a manifest: checksums of its inputs and of its files, without times or absolute paths.
 """
 
 import hashlib
@@ -24,9 +24,9 @@ Work = tuple[Sequence[tuple[Any, ...]], Callable[[Path, list[Any]], None]]
 
 @dataclass(frozen=True)
 class Inputs:
-    """The inputs of an item: all settings that it depends on, in JSON types, and its files and folders.
+    """The inputs of an item: all settings that it depends on, in JSON types, and files and folders.
 
-    For a path in another item, the checksums in that item's manifest count.
+    A path in another item is represented by the checksums in that item's manifest.
     """
 
     settings: Any
@@ -43,10 +43,11 @@ def refresh(
 ) -> None:
     """Make the items that are missing, damaged or made from other inputs; remove unwanted ones.
 
-    Each is written under a temporary name and renamed, so a killed stage continues where it was. The code of
-    `stage`, the dependencies in src/ that dvc.yaml lists, is an input of every item. `wanted` is the name of
-    an item, also of its folder, to its inputs; `make` takes that name and the folder to write, which does not
-    exist yet. `begin`, if given, takes the names of all items to make before the first is made.
+    Each item is written under a temporary name and renamed, so a killed stage continues where it stopped.
+    The code of `stage` (its dependencies in src/ that dvc.yaml lists) is an input of every item. `wanted`
+    maps the names of items, which are also their folders, to their inputs. `make` gets a name and the folder
+    to write, which does not exist yet. `begin`, if given, gets the names of all items to make, before the
+    first is made.
     """
     outdated = list(_outdated(stage, folder, wanted))
     if outdated and begin is not None:
@@ -63,10 +64,10 @@ def refresh_together(
     function: Callable[..., Any],
     plan: Callable[[str], Work],
 ) -> None:
-    """Like :func:`refresh`, with the tasks of all items in one pool, so that no worker is idle.
+    """Like :func:`refresh`, but the tasks of all items share one pool, which keeps all workers busy.
 
-    `function` is as for :func:`placecat.parallel.in_parallel`, the same for all items. `plan` takes the name
-    of an item, which is written once its tasks are done.
+    `function` is as for :func:`placecat.parallel.in_parallel`, the same for all items. `plan` gets the name
+    of an item; the item is written when its tasks are done.
     """
     planned = [(name, made_from, *plan(name)) for name, made_from in _outdated(stage, folder, wanted)]
     if not planned:
@@ -80,7 +81,7 @@ def refresh_together(
 
 
 def _outdated(stage: str, folder: Path, wanted: Mapping[str, Inputs]) -> Iterator[tuple[str, str]]:
-    """Items to make, each with the checksum of its inputs; unwanted ones are removed."""
+    """Items to make, each with the checksum of its inputs; remove unwanted ones."""
     keep_only(folder, wanted)
     code = _code_of(stage)
     for name, inputs in wanted.items():
@@ -97,7 +98,7 @@ def _outdated(stage: str, folder: Path, wanted: Mapping[str, Inputs]) -> Iterato
 
 @contextmanager
 def _item(folder: Path, made_from: str) -> Iterator[Path]:
-    """Yield a temporary folder for the files of an item; it gets the manifest and its name at the end."""
+    """Yield a temporary folder for the files of an item; add the manifest and rename it at the end."""
     with files.replacing(folder) as temporary:
         yield temporary
         unchanged.check()
@@ -105,7 +106,7 @@ def _item(folder: Path, made_from: str) -> Iterator[Path]:
 
 
 def keep_only(folder: Path, names: Collection[str]) -> None:
-    """Remove all else in a folder, such as items of other settings; make the folder if missing."""
+    """Remove everything else in a folder, e.g. items of other settings; make the folder if missing."""
     folder.mkdir(parents=True, exist_ok=True)
     for path in folder.iterdir():
         if path.name not in names:
@@ -121,7 +122,7 @@ def _manifest(folder: Path) -> dict[str, Any] | None:
 
 
 def checksum(path: Path) -> str:
-    """Checksum of a file or of all files in a folder; those in an item's manifest are used as they are."""
+    """Checksum of a file or of all files in a folder; an item's checksums come from its manifest."""
     for folder in (path, *path.parents):
         manifest = _manifest(folder)
         if manifest is not None:

@@ -1,4 +1,4 @@
-"""Comparison of the tables of a run, of a git revision, or of another folder."""
+"""Compare the tables of a run, a git revision or another folder."""
 
 import io
 import subprocess
@@ -25,11 +25,11 @@ _WITHOUT_EFFECT = ("compute", "reproducibility", "figures")
 
 @dataclass(frozen=True)
 class Kept:
-    """The compared content of a run, every table value as text.
+    """The content of a run to compare, every table value as text.
 
-    `tables` are name to filled table, e.g. ``table_26``, and ``in_text`` for the numbers of the thesis's
-    text; `findings` has columns number and verdict among others; `settings` is the content of params.yaml.
-    The last two are None if missing.
+    `tables` maps names, e.g. ``table_26``, to filled tables; ``in_text`` has the numbers of the thesis's
+    text. `findings` has the columns number and verdict, among others. `settings` is the content of
+    params.yaml. The last two are None if missing.
     """
 
     tables: dict[str, pd.DataFrame]
@@ -38,15 +38,15 @@ class Kept:
 
 
 def compare(old: str = HEAD, new: str = "") -> tuple[list[str], bool]:
-    """Compare the tables of two sides, which are as for :func:`read`.
+    """Compare the tables of two sides, named as for :func:`read`.
 
-    Returns the lines of the report, and whether the tables are the kept ones as far as possible: False if,
-    with the same settings on the same data, a number differs by more than ``reproducibility.tolerance``.
-    Raises PlacecatError if a side has no tables, or without git, repository or such a revision.
+    Returns the lines of the report, and False if a number differs by more than ``reproducibility.tolerance``
+    although settings and data are the same, else True. Raises PlacecatError if a side has no tables, git is
+    not installed, the folder is not in a repository, or the revision does not exist.
     """
     tolerance = float(settings.get(settings.load(), "reproducibility.tolerance"))
     now, kept = read(new), read(old)
-    # An optional table that this run has not made is left from another run.
+    # An optional table that this run has not made comes from an earlier run.
     others = set(definitions.optional()) - definitions.tables(now.settings or {}).keys()
     tables_now, tables_kept = (
         {name: table for name, table in _with_data(one, now.settings).items() if name not in others}
@@ -61,7 +61,7 @@ def compare(old: str = HEAD, new: str = "") -> tuple[list[str], bool]:
 def _with_data(one: Kept, params: dict[str, Any] | None) -> dict[str, pd.DataFrame]:
     """Tables with a column `data`, the title of the data set of their numbers; "" if unknown.
 
-    `params` are settings that the definitions of tables refer to.
+    `params` are the settings that the definitions of tables refer to.
     """
     defined = {} if params is None else tables_of(params)
     found = {}
@@ -79,7 +79,7 @@ def _title(definition: Mapping[str, Any], params: dict[str, Any] | None) -> str:
     try:
         return "" if params is None else str(dataset_of(definition, params)["title"])
     except (PlacecatError, KeyError):
-        # An older revision may have another name.
+        # The table may have another name in an older revision.
         return ""
 
 
@@ -89,14 +89,14 @@ def is_folder(side: str) -> bool:
 
 
 def name_of(side: str) -> str:
-    """Name of a side: "git HEAD", "the folder ../other", or "this folder" for ""."""
+    """Describe a side: "git HEAD", "the folder ../other", or "this folder" for ""."""
     if not side:
         return "this folder"
     return f"the folder {side}" if is_folder(side) else f"git {side}"
 
 
 def read(side: str) -> Kept:
-    """Read a side: the folder of a project ("" for this one) or a git revision, with the errors of these."""
+    """Read a side: a project's folder ("" for this one) or a git revision; errors as in both functions."""
     return read_folder(Path(side)) if not side or is_folder(side) else read_revision(side)
 
 
@@ -110,7 +110,7 @@ def read_folder(root: Path = Path()) -> Kept:
 
 
 def read_revision(revision: str = HEAD) -> Kept:
-    """Read the results in a git revision, e.g. ``HEAD~1`` or a tag; PlacecatError if they are not there."""
+    """Read the results in a git revision, e.g. ``HEAD~1`` or a tag; PlacecatError if they are missing."""
     commit = commit_of(revision)
     wanted = [path.as_posix() for path in (*FOLDERS, paths.IN_TEXT, paths.FINDINGS, paths.PARAMS)]
     listed = _git("ls-tree", "-r", "-z", "--name-only", commit, "--", *wanted)
@@ -121,8 +121,8 @@ def read_revision(revision: str = HEAD) -> Kept:
 
 def commit_of(revision: str) -> str:
     """Hash of a revision's commit; raises PlacecatError without git, repository or revision."""
-    _git("rev-parse", "--git-dir", message="this folder is not in a git repository with kept tables")
-    unknown = f"git has no revision {revision!r}, `git log --oneline` lists the existing ones"
+    _git("rev-parse", "--git-dir", message="this folder is not in a git repository")
+    unknown = f"git has no revision {revision!r}: `git log --oneline` lists the existing ones"
     # The suffix makes git look for a commit, so it never takes a revision for an option.
     return _git("rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}", message=unknown).strip()
 
@@ -133,11 +133,11 @@ def about(revision: str) -> str:
 
 
 def _git(*arguments: str, message: str = "git failed") -> str:
-    """Output of a git command; if it fails, PlacecatError with the message and git's own."""
+    """Output of a git command; if it fails, PlacecatError with `message` and git's message."""
     try:
         done = subprocess.run(["git", *arguments], capture_output=True, check=False)
     except FileNotFoundError:
-        raise PlacecatError("git is not installed, and tables are compared with it: install it") from None
+        raise PlacecatError("git is not installed: install it to compare tables") from None
     if done.returncode != 0:
         said = " ".join(done.stderr.decode("utf-8", errors="replace").split())
         raise PlacecatError(f"{message} ({said})" if said else message)
@@ -170,9 +170,9 @@ def _table(text: str) -> pd.DataFrame:
 def changed_settings(
     now: dict[str, Any] | None, kept: dict[str, Any] | None, without: Collection[str] = _WITHOUT_EFFECT
 ) -> dict[str, tuple[str, str]]:
-    """Dotted names of settings that differ, to their values kept and now, "" for none.
+    """Dotted names of settings that differ, with their old and new values ("" if missing).
 
-    Those below the names in `without` are left out, since no table depends on them.
+    Settings below the names in `without` are left out, since no table depends on them.
     """
     new, old = (
         settings.flatten({name: value for name, value in (one or {}).items() if name not in without})

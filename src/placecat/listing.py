@@ -20,7 +20,7 @@ def read_frames(home: str) -> pd.DataFrame:
 
 
 def sequence_slices(home: str) -> list[slice]:
-    """Stretches of a home's frames without a cut, e.g. one per floor."""
+    """Runs of a home's frames without a cut, e.g. one per floor."""
     names = read_frames(home)["sequence"].to_numpy()
     starts = np.flatnonzero(np.r_[True, names[1:] != names[:-1]]) if len(names) else np.array([], int)
     return [
@@ -34,7 +34,7 @@ def frame_rate(home: str) -> float:
 
 
 def uneven_times(home: str) -> NDArray[np.float64] | None:
-    """Seconds of each frame since the start of its sequence; None if evenly timed, at `frame_rate`."""
+    """Seconds of each frame since the start of its sequence; None if the frame rate is constant."""
     facts = files.read_json(paths.sequences(home) / "home.json")
     return None if facts.get("is_even", True) else read_frames(home)["seconds"].to_numpy(np.float64)
 

@@ -15,7 +15,7 @@ LOCK, DEFINITION = Path("dvc.lock"), Path("dvc.yaml")
 
 
 def defined_stages(definition: Path = DEFINITION) -> dict[str, Any]:
-    """The stages of dvc.yaml by name; none in a folder without a pipeline."""
+    """The stages of dvc.yaml by name; empty in a folder without a pipeline."""
     if not definition.is_file():
         return {}
     stages: dict[str, Any] = yaml.load(definition.read_text(encoding="utf-8"), Loader=settings.Loader)[
@@ -25,10 +25,10 @@ def defined_stages(definition: Path = DEFINITION) -> dict[str, Any]:
 
 
 def data_version(stage: str = "sequences") -> str:
-    """DVC's checksum of the list of frames, which has the checksums of their source files.
+    """DVC's checksum of the list of frames, which contains the checksums of the source files.
 
-    `stage` is ``sequences``, or ``site_sequences`` for the further data sets. Raises PlacecatError if it has
-    not run through DVC.
+    `stage` is ``sequences``, or ``site_sequences`` for the further data sets. Raises PlacecatError if DVC has
+    not run it.
     """
     try:
         lock = yaml.load(LOCK.read_text(encoding="utf-8"), Loader=settings.Loader)
@@ -38,14 +38,14 @@ def data_version(stage: str = "sequences") -> str:
 
 
 def check_data(params: Mapping[str, Any]) -> None:
-    """Refuse (PlacecatError) features of another ``dataset`` than `params` has, by the records of DVC."""
+    """Raise PlacecatError if, by DVC's records, the features come from another ``dataset`` than `params`."""
     version = data_version()
     stages = yaml.load(LOCK.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
     listed = stages["sequences"].get("params", {}).get("params.yaml", {}).get("dataset")
     described = {dep["path"]: dep.get("md5") for dep in stages.get("features", {}).get("deps", [])}
     if listed != params["dataset"] or described.get(paths.SEQUENCES.as_posix()) != version:
         raise PlacecatError(
-            "the features are those of another data set than params.yaml has: run `placecat repro` with this "
+            "the features belong to another data set than params.yaml: run `placecat repro` with this "
             "data set first, or `dvc repro features tracks`"
         )
 

@@ -1,7 +1,7 @@
-"""From a name in the settings to code: a module of a package, and its definitions.
+"""Find the code that a setting names: a module of a package, and its definitions.
 
-A name is that of a module, so a new file is found without a list. Signatures are read from source, since
-imports take seconds (scikit-learn) and composing the settings must be quick.
+Names are module names, so new files need no list. Signatures are read from the source, since imports take
+seconds (scikit-learn) and composing the settings must be quick.
 """
 
 import ast
@@ -38,12 +38,12 @@ def names(package: str, *defining: str) -> list[str]:
 
 
 def require(package: str, name: object, what: str, *defining: str) -> str:
-    """Return a name if a module has it; otherwise the PlacecatError names the nearest and all modules.
+    """Return a name if a module has it; otherwise the PlacecatError suggests the nearest and lists all.
 
-    `package` and `defining` are as for `names`; `what` is the kind of name in the message, e.g.
+    `package` and `defining` are as for `names`; `what` describes the name in the message, e.g.
     ``classifier.model``.
     """
-    # This module first, since a list of all takes time.
+    # Try this module first, since listing all takes time.
     if not _defines(package, name, defining):
         valid = names(package, *defining)
         question = did_you_mean(name, valid)
@@ -65,7 +65,7 @@ def module(package: str, name: object, what: str, *defining: str) -> ModuleType:
 
 
 def estimator(package: str, name: object, what: str) -> str:
-    """Name the only scikit-learn estimator of a module; as for `require`, and PlacecatError unless one."""
+    """Name the only scikit-learn estimator of a module; errors as for `require`, or if there is not one."""
     full = f"{package}.{require(package, name, what)}"
     classes = [node for node in _statements(full).values() if isinstance(node, ast.ClassDef)]
     public = [
@@ -75,17 +75,17 @@ def estimator(package: str, name: object, what: str) -> str:
     ]
     if len(public) != 1:
         raise PlacecatError(
-            f"{what} {name!r} is not an estimator: {full} must define one class "
+            f"{what} {name!r} is not an estimator: {full} must define one subclass "
             "of scikit-learn's BaseEstimator"
         )
     return public[0]
 
 
 def parameters(package: str, name: str, definition: str) -> dict[str, bool]:
-    """List the settings that a function or class takes, without importing it.
+    """List the settings of a function or class without importing it.
 
-    Those of a function are its keyword-only parameters, those of a class all parameters of ``__init__``.
-    Returns name to whether it is required, in the order written; empty if the module does not define it.
+    A function's settings are its keyword-only parameters, a class's are all parameters of ``__init__``.
+    Maps each name to whether it is required, in source order; empty if the module does not define it.
     """
     found = _taking(package, name, definition)
     return {} if found is None else {argument.arg: needed for argument, needed in _settings(found)}
@@ -94,8 +94,8 @@ def parameters(package: str, name: str, definition: str) -> dict[str, bool]:
 def types(package: str, name: str, definition: str) -> dict[str, Any]:
     """Return the types of the settings of :func:`parameters`, without importing the code.
 
-    A type has its range if it has one (:mod:`placecat.ranges`); it is Any if it uses more than Python's
-    types, :mod:`typing`, the ranges and names listed in modules of this package.
+    A type includes its range, if any (:mod:`placecat.ranges`). It is Any if it uses more than Python's types,
+    :mod:`typing`, the ranges, and names listed in modules of this package.
     """
     found = _taking(package, name, definition)
     if found is None:
@@ -104,9 +104,9 @@ def types(package: str, name: str, definition: str) -> dict[str, Any]:
 
 
 def entries(package: str, dictionary: str) -> dict[str, tuple[str, str]]:
-    """List the entries of a dictionary, e.g. ``FIGURES``, that modules define: tuples that end in a function.
+    """List the entries of a dictionary, e.g. ``FIGURES``, in all modules: tuples that end in a function.
 
-    Returns entry to the names of its module and of its function, "" for a lambda, which takes no settings.
+    Maps each entry to the names of its module and function; "" for a lambda, which has no settings.
     """
     listed = {}
     for name in names(package, dictionary):
@@ -118,12 +118,12 @@ def entries(package: str, dictionary: str) -> dict[str, tuple[str, str]]:
 
 
 def keys(package: str, name: str, dictionary: str) -> list[str]:
-    """List the keys of a dictionary that a module defines as a literal, without importing it."""
+    """List the keys of a dictionary literal in a module, without importing it."""
     return list(_literal(package, name, dictionary))
 
 
 def forget() -> None:
-    """Forget where packages are, and search them again."""
+    """Clear the caches, so packages are searched again."""
     _locations.cache_clear()
 
 
@@ -135,7 +135,7 @@ def _locations(package: str) -> list[str]:
 
 
 def _defines(package: str, name: object, definitions: Collection[str]) -> bool:
-    """Whether a package has a module of this name that defines these."""
+    """Whether a package has a module of this name with these definitions."""
     file = _file(package, name)
     return file is not None and (
         not definitions or set(definitions) <= set(_parsed(file, file.stat().st_mtime_ns))
@@ -194,7 +194,7 @@ def _resolve(full_name: str, name: str) -> _Definition | None:
 
 
 def _ancestors(found: _Definition) -> Iterator[_Definition]:
-    """A class and the classes of this package that it derives from, the nearest first."""
+    """A class and its base classes in this package, the nearest first."""
     yield found
     if isinstance(found.node, ast.ClassDef):
         for base in found.node.bases:
@@ -221,7 +221,7 @@ def _is_abstract(node: ast.ClassDef) -> bool:
 
 
 def _taking(package: str, name: str, definition: str) -> _Definition | None:
-    """The function with the settings of a function or class: itself, or an ``__init__``."""
+    """The function whose parameters are the settings: the function itself, or an ``__init__``."""
     found = _resolve(f"{package}.{name}", definition)
     if found is None or isinstance(found.node, ast.FunctionDef):
         return found
@@ -233,7 +233,7 @@ def _taking(package: str, name: str, definition: str) -> _Definition | None:
 
 
 def _settings(found: _Definition) -> Iterator[tuple[ast.arg, bool]]:
-    """Parameters that are settings, each with whether it is required."""
+    """The parameters that are settings, and whether each is required."""
     node = found.node
     assert isinstance(node, ast.FunctionDef)
     if node.name == "__init__":
@@ -274,6 +274,6 @@ def _type(module: str, annotation: ast.expr | None) -> Any:
 
 
 def _value(node: ast.expr | None, names: _Names) -> Any:
-    # The source is this program's own.
+    # The source is part of this program.
     assert node is not None
     return eval(compile(ast.Expression(node), "<annotation>", "eval"), {"__builtins__": {}}, names)

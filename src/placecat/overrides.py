@@ -1,4 +1,4 @@
-"""Overrides in Hydra's grammar; unreadable ones are shown with the necessary quotes."""
+"""Overrides in Hydra's grammar; messages show how to quote unreadable ones."""
 
 import re
 import shlex
@@ -7,15 +7,15 @@ from typing import Any
 
 from placecat.errors import PlacecatError, did_you_mean
 
-# Text that a shell leaves unchanged in double quotes.
+# Text that a shell does not change in double quotes.
 _PLAIN_IN_QUOTES = re.compile(r"[^\"$`\\!]*")
 
 
 def check(overrides: Sequence[str], *, several: bool = False) -> None:
     """Refuse overrides, e.g. ``dataset.root=PATH``, that Hydra cannot read or would read as several values.
 
-    `several` allows settings with several values, as in a sweep. The PlacecatError names the setting, and its
-    spelling for a shell and for make.
+    `several` allows several values, as in a sweep. The PlacecatError names the setting and shows the spelling
+    for a shell and for make.
     """
     for number, override in enumerate(overrides):
         if _is_read(override, several=several):
@@ -29,12 +29,12 @@ def check(overrides: Sequence[str], *, several: bool = False) -> None:
             raise PlacecatError(f"the override {override!r} has no value: {hint}")
         name, _, value = override.partition("=")
         right = _quoted(override)
-        hint = _how(right, several) if right else "put it between quotes"
+        hint = _how(right, several) if right else "quote it"
         raise PlacecatError(f"Hydra cannot read the value {value!r} of {name} without quotes: {hint}")
 
 
 def unknown_setting(overrides: Sequence[str], content: Mapping[str, Any], where: str) -> str | None:
-    """Name the first setting that overrides change but `content` lacks, with those that it has; None if none.
+    """Name the first overridden setting that `content` lacks, and the valid ones; None if all exist.
 
     `where` is the file or folder of the settings.
 
@@ -66,7 +66,7 @@ def unknown_setting(overrides: Sequence[str], content: Mapping[str, Any], where:
 
 
 def text(value: str) -> str:
-    """Put a text between Hydra's quotes where Hydra would read something else without.
+    """Quote a text for Hydra if Hydra would misread it otherwise.
 
     >>> text("home_1"), text("Flat A"), text("a,b"), text("12")
     ('home_1', 'Flat A', "'a,b'", "'12'")

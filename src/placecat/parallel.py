@@ -1,4 +1,4 @@
-"""Parallel loops, on this machine or a cluster, whose results and order never depend on the processes."""
+"""Parallel loops on this machine or a cluster; results and order do not depend on the processes."""
 
 import os
 from collections.abc import Callable, Iterator, Sequence
@@ -22,7 +22,7 @@ def workers() -> int:
 def in_parallel(
     function: Callable[..., Any], tasks: Sequence[tuple[Any, ...]], description: str, **options: Any
 ) -> list[Any]:
-    """Return all results of :func:`stream`, which has the same parameters, in the order of `tasks`."""
+    """Return all results of :func:`stream` as a list; same parameters and order."""
     return list(stream(function, tasks, description, **options))
 
 
@@ -37,20 +37,20 @@ def stream(
 ) -> Iterator[Any]:
     """Call ``function(*task)`` for every task in parallel processes, with a progress line.
 
-    Every call is limited to one thread in BLAS, OpenMP and OpenCV, since the number of threads can change the
-    last bits of a sum. Yields the results in the order of `tasks`, each as soon as possible. Raises
-    PlacecatError if a process on this machine was killed or memory ran out; also the errors of `function`.
+    Every call uses one thread in BLAS, OpenMP and OpenCV, since the number of threads can change the last
+    bits of a sum. Yields the results in the order of `tasks`, each as soon as possible. Raises PlacecatError
+    if a process on this machine was killed or memory ran out, and the errors of `function`.
 
     Parameters
     ----------
     function
-        Reads files and writes none: its process may be on another machine, or be killed and replaced.
+        It may read files but not write any: its process may be on another machine, or be killed and replaced.
     description, unit
-        Text of the progress line, and name of the tasks on it, in the plural.
+        Text of the progress line, and the word for the tasks in it, in the plural.
     n_jobs
         Processes on this machine, by default :func:`workers`.
     locally
-        Never on a cluster, so that `function` may write files.
+        Never use a cluster; `function` may then write files.
     """
     cluster = None if locally else compute.cluster()
     if cluster is not None:
@@ -72,7 +72,7 @@ def _explained(results: Iterator[Any], description: str, jobs: int) -> Iterator[
         yield from results
     except TerminatedWorkerError:
         raise PlacecatError(
-            f"{description}: a worker process was killed, probably since memory ran out; {fewer}"
+            f"{description}: a worker process was killed, probably because memory ran out; {fewer}"
         ) from None
     except MemoryError:
         raise PlacecatError(f"{description}: memory ran out; {fewer}") from None

@@ -1,4 +1,4 @@
-"""Paths relative to the project's folder, in which every stage runs."""
+"""Paths relative to the project's folder, where every stage runs."""
 
 from pathlib import Path
 
@@ -61,15 +61,15 @@ PAGE = Path("reports/index.html")
 RESULTS = Path("reports/results.parquet")
 EXPLANATIONS = Path("reports/explanations.json")
 
-# Name of the seed of non-random results.
+# Seed name of results that are not random.
 NO_SEED = "no-seed"
-# In the folder of a home's features: a variant of its salient regions, and the frames that have it.
+# In the features folder of a home: a variant of its salient regions, and the frames that have it.
 VARIANT = "variant_{}"
 VARIANT_FRAMES = "frames.npy"
 
 
 def sequences(home: str) -> Path:
-    """Folder of the frames and labels of a home, ``home_1``, or of one of a split, ``university/north_2``."""
+    """Folder of frames and labels of a home, ``home_1``, or a split's sequence, ``university/north_2``."""
     return (SITE_SEQUENCES if "/" in home else SEQUENCES) / home
 
 
@@ -79,15 +79,15 @@ def features(home: str) -> Path:
 
 
 def seed_name(seed: int | None) -> str:
-    """Name of a result's seed in file names: `seed-0`, or `no-seed` if nothing is random."""
+    """Name of a seed in file names: `seed-0`, or `no-seed` if nothing is random."""
     return NO_SEED if seed is None else f"seed-{seed}"
 
 
 def codebook(name: str, training_set: str, seed: int) -> Path:
-    """File of a codebook for one training set (see :class:`placecat.training.plan.Plan`) and seed."""
+    """The file of a codebook for one training set (see :class:`placecat.training.plan.Plan`) and seed."""
     return CODEBOOKS / name / codebook_file(training_set, seed)
 
 
 def codebook_file(training_set: str, seed: int) -> str:
-    """Name of the file of one training set and seed in a codebook's folder."""
+    """The name of that file in the codebook's folder."""
     return f"{training_set}.{seed_name(seed)}.npz"

@@ -1,4 +1,4 @@
-"""Progress of a loop: a single line in a terminal, a line now and then in a log."""
+"""Progress of a loop: one updated line in a terminal, occasional lines in a log."""
 
 import sys
 from collections.abc import Callable, Iterable
@@ -6,7 +6,7 @@ from typing import Any
 
 from tqdm import tqdm
 
-# Seconds between two lines of a log, and before the first.
+# Seconds between lines of a log, and before the first.
 IN_LOG = 30.0
 _IN_TERMINAL = 0.2
 _COUNT = "{desc}: {n_fmt}{unit}, {rate_fmt}{postfix}"
@@ -15,11 +15,11 @@ _BAR = "{desc}: {percentage:3.0f} % |{bar:20}| {n_fmt} of {total_fmt}{unit}, {re
 
 
 class Progress(tqdm):
-    """A progress line on the standard error, with the time left.
+    """A progress line on standard error, with the time left.
 
-    In a terminal it is a single line of any width and disappears at the end. Elsewhere a line is written
-    every `IN_LOG` seconds, and none for short loops. `iterable` is None if :meth:`update` is called instead,
-    `total` None if unknown; `unit` names the steps, in the plural.
+    A terminal shows a single line that disappears at the end. Elsewhere a line is written every `IN_LOG`
+    seconds, so short loops write nothing. `iterable` is None if :meth:`update` is called instead; `total` is
+    None if unknown; `unit` names the steps, in the plural.
     """
 
     def __init__(
@@ -42,7 +42,7 @@ class Progress(tqdm):
         )
 
     def close(self) -> None:
-        """End the line in a terminal; a log gets nothing more."""
+        """End the line in a terminal; write nothing to a log."""
         self.disable = self.disable or not self.fp.isatty()
         super().close()
 
@@ -53,7 +53,7 @@ class Progress(tqdm):
             return tqdm.status_printer(file)
 
         def write_line(text: str) -> None:
-            # tqdm clears its line by an empty one.
+            # tqdm clears its line by writing an empty one.
             if text.strip():
                 file.write(f"{text}\n")
                 file.flush()

@@ -1,6 +1,6 @@
-"""Types of settings with their ranges, for annotations. No range contains NaN or infinity.
+"""Types of settings with their ranges, for annotations. Ranges exclude NaN and infinity.
 
-:mod:`placecat.schema` checks those of a section; :mod:`placecat.signatures` those of a function or estimator.
+:mod:`placecat.schema` checks the sections of params.yaml, :mod:`placecat.signatures` the parameters of code.
 """
 
 from collections.abc import Collection
@@ -9,34 +9,34 @@ from typing import Annotated, Any
 
 from annotated_types import Interval
 
-# Larger values are typing errors, and would overflow somewhere.
+# Larger values are typing errors and could overflow.
 _MOST, _LARGEST = 2**31 - 1, 1e12
 
 Count = Annotated[int, Interval(ge=1, le=_MOST)]
 """One or more."""
 Index = Annotated[int, Interval(ge=0, le=_MOST)]
-"""A number from 0, or none or more of something."""
+"""A number or count of 0 or more."""
 Seed = Annotated[int, Interval(ge=0, le=2**32 - 1)]
-"""A seed of NumPy."""
+"""A seed for NumPy."""
 Two = Annotated[int, Interval(ge=2, le=_MOST)]
 """Two or more."""
 Side = Annotated[int, Interval(ge=1, le=2**14)]
 """Width or height of an image, in pixels."""
 Pixels = Annotated[int, Interval(ge=16, le=2**14)]
-"""Width that a frame is reduced to."""
+"""Width to which frames are reduced, in pixels."""
 Positive = Annotated[float, Interval(gt=0, le=_LARGEST)]
 NonNegative = Annotated[float, Interval(ge=0, le=_LARGEST)]
 AtLeastOne = Annotated[float, Interval(ge=1, le=_LARGEST)]
 Share = Annotated[float, Interval(ge=0, le=1)]
-"""Part of a whole, from nothing to all."""
+"""A share from 0 to 1."""
 PositiveShare = Annotated[float, Interval(gt=0, le=1)]
 PartShare = Annotated[float, Interval(gt=0, lt=1)]
-"""Neither nothing nor all."""
+"""A share above 0 and below 1."""
 
 
 @dataclass(frozen=True)
 class OneOf:
-    """A text that must be one of the names in a tuple, or of the keys of a dictionary."""
+    """A text that must be in a tuple of names or a key of a dictionary."""
 
     names: Collection[str]
 

@@ -1,4 +1,4 @@
-"""Check that the names in settings of cues, codebooks, systems and so on exist."""
+"""Check that the cues, codebooks, systems and so on that settings name exist."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Any
@@ -6,7 +6,7 @@ from typing import Any
 from placecat import paths
 from placecat.errors import PlacecatError, did_you_mean
 
-# Place of a reference, kind of its target, the name, and the existing names.
+# Where a reference is, the kind of its target, its name, and the existing names.
 _Reference = tuple[str, str, str, Collection[str]]
 _SECTIONS = (
     *("cues", "codebooks", "systems", "filters", "splits"),
@@ -15,7 +15,7 @@ _SECTIONS = (
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse settings that name anything that does not exist; the PlacecatError names all that exist."""
+    """Refuse references to missing settings; the PlacecatError lists the existing names."""
     for where, kind, name, valid in _references(params):
         if str(name) not in valid:
             question, there = did_you_mean(name, valid), ", ".join(valid) or "none"
@@ -23,7 +23,7 @@ def check(params: Mapping[str, Any]) -> None:
 
 
 def _references(params: Mapping[str, Any]) -> Iterator[_Reference]:
-    # A missing section neither refers nor is referred to; the stage that reads it reports it.
+    # A missing section is skipped here; the stage that reads it reports it.
     cues, codebooks, systems, filters, splits, descriptors, smoothing, tracking, protocol, dataset, model = (
         params.get(name) or {} for name in _SECTIONS
     )
@@ -85,7 +85,7 @@ def _each(where: str, kind: str, names: Iterable[str], valid: Collection[str]) -
 
 
 def _described(cue: Mapping[str, Any], codebooks: Mapping[str, Any]) -> Mapping[str, Any]:
-    """The descriptor of a cue, or of its codebook if it has one."""
+    """The descriptor of a cue, or of the cue's codebook if it has one."""
     own = cue if cue["codebook"] is None else codebooks[cue["codebook"]]
     descriptor: Mapping[str, Any] = own["descriptor"]
     return descriptor
@@ -98,7 +98,7 @@ def _file(group: str, name: str) -> str:
 def _of_descriptor(
     where: str, descriptor: Mapping[str, Any] | None, computed: Mapping[str, Collection[str]]
 ) -> Iterator[_Reference]:
-    """The descriptor of a cue or a codebook, and the colour descriptor that it appends."""
+    """The descriptor of a cue or codebook, and the colour descriptor appended to it."""
     if not isinstance(descriptor, Mapping) or not {"kind", "name"} <= set(descriptor):
         raise PlacecatError(f"{where}: descriptor needs kind (local or holistic) and name")
     yield where, "kind of descriptor", descriptor["kind"], ["local", "holistic"]

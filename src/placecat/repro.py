@@ -1,4 +1,4 @@
-"""The run of `dvc repro`."""
+"""Run `dvc repro`."""
 
 import os
 import signal
@@ -14,24 +14,24 @@ from placecat.errors import PlacecatError
 from placecat.lockfile import LOCK, defined_stages
 from placecat.runs import lifeline, lock, mend
 
-# Seconds for DVC and its stage to end after a terminal's Ctrl-C, which reaches them too.
+# Seconds that DVC and its stage get to end after Ctrl-C in a terminal, which reaches them too.
 _CTRL_C = 3.0
 
 
 class _Stopped(BaseException):
-    """A request to end this process, with the signal as its argument."""
+    """A request to end this process; its argument is the signal."""
 
 
 def run(*, force: bool = False, **environment: str) -> int:
-    """Mend what a killed run left, then run `dvc repro`, with output to the terminal; return its exit status.
+    """Clean up after a killed run, then run `dvc repro` in the terminal; return its exit status.
 
-    On Ctrl-C and SIGTERM the stage cleans up, then DVC ends, then this call. `force` runs stages even if none
-    of their dependencies has changed; `environment` has further variables for the stages. Raises
-    PlacecatError if another run is in progress in this folder, or the folder is not under git.
+    On Ctrl-C and SIGTERM the stage cleans up, then DVC ends, then this call. `force` runs stages even if no
+    dependency has changed; `environment` has additional variables for the stages. Raises PlacecatError if
+    another run is in progress in this folder, or the folder is not a git repository.
     """
-    # DVC waits for another that reads the project, instead of losing a stage that has just finished.
+    # DVC waits if another process reads the project; otherwise it would lose a stage that has just finished.
     command = [sys.executable, "-m", "placecat.runs.dvc", "--wait-for-lock", "repro"]
-    # This Python comes first on the path, since the stages call `python`.
+    # Stages call `python`, so this Python must be first on the path.
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
     with lock.alone():
         _check_git()
@@ -53,13 +53,13 @@ def run(*, force: bool = False, **environment: str) -> int:
 
 
 class Before:
-    """params.yaml before it is written for a run, which may be refused."""
+    """A copy of the old params.yaml, in case the run is refused."""
 
     def __init__(self) -> None:
         self._params, self._lock = _content(paths.PARAMS), _content(LOCK)
 
     def restore(self) -> None:
-        """Put it back unless a stage has ended since: then the run continues with the new settings."""
+        """Restore it, unless a stage has ended since; such a run continues with the new settings."""
         if _content(LOCK) != self._lock or _content(paths.PARAMS) == self._params:
             return
         if self._params is None:
@@ -67,7 +67,7 @@ class Before:
         else:
             with files.replacing(paths.PARAMS) as temporary:
                 temporary.write_bytes(self._params)
-        print(f"No stage has ended: {paths.PARAMS} is as it was before.", file=sys.stderr)
+        print(f"No stage has ended: {paths.PARAMS} was restored.", file=sys.stderr)
 
 
 def _content(path: Path) -> bytes | None:
@@ -75,11 +75,11 @@ def _content(path: Path) -> bytes | None:
 
 
 def _check_git() -> None:
-    """Refuse a folder without git, e.g. from a ZIP file, with a remedy, which DVC's own refusal lacks."""
+    """Refuse a folder without git, e.g. from a ZIP file, and name a remedy, which DVC does not."""
     configurations = [path for path in (Path(".dvc/config"), Path(".dvc/config.local")) if path.is_file()]
     if not Path(".git").exists() and not any("no_scm" in path.read_text() for path in configurations):
         raise PlacecatError(
-            "this folder is not a git repository, which DVC expects: run `git init`, or, without git, "
+            "this folder is not a git repository, but DVC needs one: run `git init`, or, without git, "
             "`dvc config --local core.no_scm true`"
         )
 
@@ -91,7 +91,7 @@ def _stop(number: int, frame: FrameType | None) -> None:
 
 
 def _end(dvc: subprocess.Popen[bytes], number: int) -> int:
-    """End DVC, which first ends its stage; return its exit status."""
+    """End DVC after its stage; return DVC's exit status."""
     try:
         processes = psutil.Process(dvc.pid).children(recursive=True)
     except psutil.NoSuchProcess:

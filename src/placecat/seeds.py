@@ -1,9 +1,9 @@
-"""Seeds derived from names, not from order or time."""
+"""Seeds derived from names, independent of order and time."""
 
 import hashlib
 
 
 def derive(*parts: str | int) -> int:
-    """Derive a seed in [0, 2**32) from names in order, e.g. ``("codebook", "hog_y", "Home1+Home2")``."""
+    """Derive a seed in [0, 2**32) from a sequence of names, e.g. ``("codebook", "hog_y", "Home1+Home2")``."""
     text = "\x1f".join(f"{type(part).__name__}:{part}" for part in parts)
     return int.from_bytes(hashlib.sha256(text.encode()).digest()[:4], "big")

@@ -1,4 +1,4 @@
-"""Settings of params.yaml: read, look up, refuse unknown ones."""
+"""Read and look up the settings of params.yaml, and refuse unknown ones."""
 
 import copy
 import inspect
@@ -11,7 +11,7 @@ import yaml
 from placecat import paths
 from placecat.errors import PlacecatError, SettingError, did_you_mean
 
-# libyaml's loader, if PyYAML has it, is ten times faster.
+# libyaml's loader is ten times faster; not every PyYAML has it.
 Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
@@ -21,7 +21,7 @@ def load(path: Path = paths.PARAMS) -> dict[str, Any]:
 
 
 def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]:
-    """Read a YAML file that holds a mapping; for any other the PlacecatError may end in the remedy."""
+    """Read a YAML file that contains a mapping; the PlacecatError for any other may end with the remedy."""
     try:
         content = yaml.load(path.read_text(encoding="utf-8"), Loader=Loader)
     except FileNotFoundError:
@@ -34,7 +34,7 @@ def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]
 
 
 def get(params: Mapping[str, Any], name: str) -> Any:
-    """Look up a setting by its dotted name; for a missing one the PlacecatError names those that exist."""
+    """Look up a setting by its dotted name; if it is missing, the PlacecatError lists the existing ones."""
     value: Any = params
     walked: list[str] = []
     for part in name.split("."):
@@ -48,7 +48,7 @@ def get(params: Mapping[str, Any], name: str) -> Any:
 
 
 def check(function: Callable[..., Any], settings: Mapping[str, Any], where: str) -> None:
-    """Refuse settings that `function` does not take by name; the PlacecatError names all that it takes."""
+    """Refuse settings that are not keyword parameters of `function`; the PlacecatError lists valid ones."""
     valid = [
         name
         for name, parameter in inspect.signature(function).parameters.items()
@@ -58,7 +58,7 @@ def check(function: Callable[..., Any], settings: Mapping[str, Any], where: str)
 
 
 def refuse_unknown(settings: Mapping[str, Any], valid: list[str], where: str) -> None:
-    """Raise SettingError for the first setting that is not among the `valid` names."""
+    """Raise SettingError for the first setting that is not `valid`."""
     for name in settings:
         if name not in valid:
             question = did_you_mean(name, valid)
@@ -68,7 +68,7 @@ def refuse_unknown(settings: Mapping[str, Any], valid: list[str], where: str) ->
 
 
 def call(function: Callable[..., Any], *args: Any, settings: Mapping[str, Any], where: str) -> Any:
-    """Call `function` with positional arguments and checked settings; required ones must be there."""
+    """Call `function` with positional arguments and checked settings; required settings must be present."""
     check(function, settings, where)
     try:
         inspect.signature(function).bind(*args, **settings)
@@ -78,9 +78,9 @@ def call(function: Callable[..., Any], *args: Any, settings: Mapping[str, Any], 
 
 
 def changed(content: Mapping[str, Any], overrides: Mapping[str, Any], who: str, where: str) -> dict[str, Any]:
-    """Copy nested settings with those of dotted names changed.
+    """Copy nested settings and change some by their dotted names.
 
-    The PlacecatError for an unknown one says that `who`, e.g. ``table_12 changes``, names a setting that
+    The PlacecatError for an unknown setting says that `who`, e.g. ``table_12 changes``, names a setting that
     `where` lacks.
     """
     result = copy.deepcopy(dict(content))
@@ -91,13 +91,13 @@ def changed(content: Mapping[str, Any], overrides: Mapping[str, Any], who: str, 
             place = place.get(part) if isinstance(place, dict) else None
         if not isinstance(place, dict) or last not in place:
             raise PlacecatError(f"{who} {name}, but {where} has no such setting")
-        # A copy, since a later override may change a part of it.
+        # A copy, since a later override may change part of it.
         place[last] = copy.deepcopy(value)
     return result
 
 
 def flatten(settings: Mapping[str, Any], prefix: str = "") -> dict[str, str]:
-    """Nested settings as dotted names with text values, e.g. ``cues.gist.classifier.base.nu``: ``0.2``."""
+    """Flatten nested settings to dotted names and text, e.g. ``cues.gist.classifier.base.nu``: ``0.2``."""
     flat: dict[str, str] = {}
     for name, value in settings.items():
         if isinstance(value, Mapping):

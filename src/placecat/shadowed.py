@@ -1,4 +1,4 @@
-"""Refusal of packages on PYTHONPATH that hide installed ones, since other versions give other numbers."""
+"""Refuse packages on PYTHONPATH that hide installed ones, since other versions give other numbers."""
 
 import importlib.machinery
 import os
@@ -11,7 +11,7 @@ PACKAGES = ("cv2", "numpy", "scipy", "sklearn", "pandas", "joblib", "matplotlib"
 
 
 def check() -> None:
-    """Refuse a package on PYTHONPATH that hides an installed one; the PlacecatError locates it."""
+    """Refuse a package on PYTHONPATH that hides an installed one; the PlacecatError names its path."""
     installed = [str(Path(sysconfig.get_path(kind)).resolve()) for kind in ("purelib", "platlib")]
     folders = [folder for folder in os.environ.get("PYTHONPATH", "").split(os.pathsep) if folder]
     folders = [folder for folder in folders if str(Path(folder).resolve()) not in installed]
@@ -22,6 +22,4 @@ def check() -> None:
         other = find(name, folders)
         # A folder without code is not a package.
         if other is not None and other.origin is not None and find(name, installed) is not None:
-            raise PlacecatError(
-                f"PYTHONPATH gives another {name} than the installed one, {other.origin}: unset PYTHONPATH"
-            )
+            raise PlacecatError(f"PYTHONPATH hides the installed {name} by {other.origin}: unset PYTHONPATH")

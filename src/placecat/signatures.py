@@ -1,6 +1,6 @@
-"""Check that settings that name code name existing code, and that it takes the settings beside it.
+"""Check that code named in the settings exists and has the parameters that they set.
 
-The check needs no import of the code, so it runs when settings are composed, before any stage.
+The check does not import the code, so it is quick enough to run when settings are composed.
 """
 
 from collections.abc import Mapping
@@ -17,15 +17,15 @@ from placecat.settings import refuse_unknown
 SEQUENCES, READER = "placecat.sequences", ("list_homes", "read_home")
 CUES, LEARNING = "placecat.cues", "placecat.learning"
 FIGURES = "placecat.report.figures"
-# Parameters of estimators that the code sets, not the settings.
+# Parameters of estimators that the code sets.
 GIVEN = frozenset({"base", "codebook", "n_clusters", "n_values", "n_jobs", "seed"})
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse names without code, settings that are unknown or missing, and impossible values.
+    """Refuse names of missing code, unknown or missing settings, and impossible values.
 
     `params` are all settings, after :func:`placecat.schema.check`. The PlacecatError names the setting, the
-    nearest valid one and all valid ones.
+    nearest valid name and all valid names.
     """
     for section in ("dataset", "toy", "codebooks", "cues", "systems", "splits"):
         check_part(params.get(section), section)
@@ -40,8 +40,8 @@ def check(params: Mapping[str, Any]) -> None:
 def check_part(content: Any, where: str) -> None:
     """Check every classifier, clustering and layout in a part of the settings; errors as in :func:`check`.
 
-    A mapping with ``layout`` is a data set, one with ``model`` a classifier, one with ``tree`` a codebook.
-    `where` is the name of the part in messages, e.g. ``cues``.
+    A mapping with ``layout`` is a data set, with ``model`` a classifier, with ``tree`` a codebook. `where`
+    names the part in messages, e.g. ``cues``.
     """
     if not isinstance(content, Mapping):
         return
@@ -61,11 +61,12 @@ def check_part(content: Any, where: str) -> None:
 def check_estimator(options: Mapping[str, Any], where: str) -> str:
     """Check the settings of an estimator of `placecat.learning`; return the name of its class.
 
-    They are ``name``, that of its module, and its parameters except those in `GIVEN`. `where` is their name
-    in messages, e.g. ``classifier.base``. The PlacecatError for an unknown one names the valid ones.
+    The settings are ``name``, the estimator's module, and its parameters except those in `GIVEN`. `where`
+    names them in messages, e.g. ``classifier.base``. The PlacecatError for an unknown one lists the valid
+    ones.
     """
     if not isinstance(options, Mapping) or "name" not in options:
-        raise SettingError(f"{where} has no setting 'name', which it needs")
+        raise SettingError(f"{where} needs the setting 'name'")
     own = dict(options)
     name = own.pop("name")
     class_name = lookup.estimator(LEARNING, name, f"{where}.name")
@@ -93,7 +94,7 @@ def _check_descriptor(kind: str, name: str, entry: Mapping[str, Any]) -> None:
 
 
 def _check_figures(figures: Mapping[str, Any]) -> None:
-    # Figures 12 to 14 share their settings; `placecat.schema` checks those of the example.
+    # Figures 12 to 14 share their settings; `placecat.schema` checks the settings of the example.
     drawn = lookup.entries(FIGURES, "FIGURES") | {"clusters": ("clusters", "_draw")}
     for name, own in figures.items():
         if name == "example":
@@ -105,7 +106,7 @@ def _check_figures(figures: Mapping[str, Any]) -> None:
 
 
 class _Setting(NamedTuple):
-    """A setting: whether it is required, and the check of its values."""
+    """A setting: whether it is required, and a check of its values."""
 
     is_needed: bool
     values: TypeAdapter[Any]
@@ -121,14 +122,14 @@ def _taken(package: str, name: str, definition: str) -> dict[str, _Setting]:
 
 @lru_cache
 def _optional(package: str, name: str, definition: str) -> dict[str, _Setting]:
-    """The settings of an estimator: all have defaults."""
+    """The settings of an estimator, which all have defaults."""
     taken = _taken(package, name, definition)
     return {name: one._replace(is_needed=False) for name, one in taken.items() if name not in GIVEN}
 
 
 @lru_cache
 def _of_regions() -> dict[str, _Setting]:
-    """Settings of salient regions; a variant has some of them."""
+    """The settings of salient regions; a variant changes some of them."""
     kinds = get_type_hints(Regions, include_extras=True)
     return {name: _Setting(False, schema.of_type(kinds[name])) for name in Regions.model_fields}
 
@@ -139,4 +140,4 @@ def _check(options: Mapping[str, Any], taken: Mapping[str, _Setting], where: str
         if name in options:
             schema.check_value(options[name], setting.values, f"{where}.{name}")
         elif setting.is_needed:
-            raise SettingError(f"{where} has no setting {name!r}, which it needs")
+            raise SettingError(f"{where} needs the setting {name!r}")

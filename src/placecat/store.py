@@ -1,4 +1,4 @@
-"""The descriptors of a home, from the stages `features` and `tracks`."""
+"""Read the descriptors of a home, from the stages `features` and `tracks`."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -15,11 +15,11 @@ from placecat.errors import PlacecatError
 def read_descriptors(
     home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64] | None = None
 ) -> Descriptors:
-    """Read one descriptor of one home for a cue, of the frames `rows` or of all.
+    """Read one descriptor of one home for a cue, for the frames `rows` or for all.
 
     `home` is as for :func:`placecat.paths.features`, `descriptor` as for :func:`placecat.cue_input.check`.
-    Raises PlacecatError for an unknown setting, too many regions, or a descriptor that was not computed at
-    all or for these frames.
+    Raises PlacecatError for an unknown setting, too many regions, or a descriptor that was not computed for
+    these frames.
     """
     cue_input.check(descriptor)
     folder = folder_of(home, descriptor)
@@ -45,7 +45,7 @@ def read_descriptors(
 
 
 def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
-    """Paths of all files that :func:`read_descriptors` reads of a home, existing or not."""
+    """Paths of all files that :func:`read_descriptors` reads for a home, existing or not."""
     folder = folder_of(home, descriptor)
     names = [f"{name}.npy" for name in cue_input.array_names(descriptor)]
     if "variant" in descriptor:
@@ -56,7 +56,7 @@ def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
 
 
 def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Those of some frames, in order of time, that have a descriptor; a variant of regions lacks some."""
+    """Select the frames that have a descriptor, in order of time; variants of regions lack some frames."""
     if "variant" not in descriptor:
         return rows
     there: NDArray[np.int64] = np.intersect1d(rows, _described(folder_of(home, descriptor)))
@@ -81,11 +81,11 @@ def _described(folder: Path) -> NDArray[np.int64]:
 
 
 def _rows(folder: Path, frames: NDArray[np.int64] | None) -> NDArray[np.int64]:
-    """Positions of frames in the arrays of a variant."""
+    """Indices of frames in the arrays of a variant."""
     there = _described(folder)
     if frames is None or not np.isin(frames, there).all():
         raise PlacecatError(
-            f"{folder} has the frames of region_variants.frames only: a variant of the regions is for trials"
+            f"{folder} has only the frames of region_variants.frames: use variants of regions in trials only"
         )
     rows: NDArray[np.int64] = np.searchsorted(there, frames)
     return rows
@@ -94,7 +94,7 @@ def _rows(folder: Path, frames: NDArray[np.int64] | None) -> NDArray[np.int64]:
 def read_training(
     homes: tuple[str, ...], descriptor: Mapping[str, Any], selection: Mapping[str, NDArray[np.int64]]
 ) -> Descriptors:
-    """Descriptors of the selected frames of several homes, in the order of `homes`."""
+    """Read the descriptors of selected frames of several homes, in the order of `homes`."""
     parts = [read_descriptors(home, descriptor, selection[home]) for home in homes]
     x = np.concatenate([part.x for part in parts])
     if parts[0].counts is None:

@@ -7,7 +7,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 
 @cache
 def environment(package: str) -> Environment:
-    """Templates in a package's folder `templates`; HTML is escaped, an unknown name is an error."""
+    """Load the templates in a package's folder `templates`; HTML is escaped, unknown names are errors."""
     return Environment(
         loader=PackageLoader(package),
         autoescape=select_autoescape(["html.j2"]),

@@ -1,4 +1,4 @@
-"""Times of the stages, on which no result depends: measured, gathered by `placecat repro`, kept in git."""
+"""Times of the stages: measured, collected by `placecat repro`, kept in git. No result depends on them."""
 
 import os
 import uuid
@@ -9,25 +9,25 @@ import pandas as pd
 from placecat import files, paths
 from placecat.errors import PlacecatError
 
-# Environment variable with the name of the `placecat repro` that a stage runs in.
+# Environment variable that names the `placecat repro` call in which a stage runs.
 CALL = "PLACECAT_CALL"
-# Stages run once; `runs` is from the time when some ran once per home, and a column of the files in git.
+# `runs` is always 1; it remains a column of the files in git, since some stages once ran once per home.
 COLUMNS = ["stage", "runs", "seconds"]
 
 
 def new_call() -> str:
-    """Make a unique name for this call."""
+    """Make a unique name for this call of `placecat repro`."""
     return uuid.uuid4().hex
 
 
 def record(stage: str, seconds: float) -> None:
-    """Write the wall time of a stage, in seconds, to data/times/STAGE.json, over its last time."""
+    """Write the wall time of a stage, in seconds, to data/times/STAGE.json; replace the previous time."""
     content = {"call": os.environ.get(CALL, ""), "runs": 1, "seconds": round(seconds, 2), "stage": stage}
     files.write_json(paths.TIMES / f"{stage}.json", content)
 
 
 def gather(call: str) -> pd.DataFrame:
-    """Read the times of a call's stages: columns `COLUMNS`, with seconds of wall time, the longest first."""
+    """Read the times of a call's stages: columns `COLUMNS`, wall time in seconds, the longest first."""
     # Names with a leading dot are unfinished.
     records = [files.read_json(path) for path in paths.TIMES.glob("[!.]*.json")]
     table = pd.DataFrame([one for one in records if one["call"] == call], columns=COLUMNS)
@@ -37,8 +37,8 @@ def gather(call: str) -> pd.DataFrame:
 def write(by_stage: pd.DataFrame, seconds: float, data: str, cores: int, *, is_complete: bool) -> None:
     """Write data/times.csv, and data/times.json if every stage of the pipeline ran (`is_complete`).
 
-    `by_stage` is from :func:`gather`, `seconds` the wall time of the whole call including DVC's own, `data`
-    the title of the data set, and `cores` the number of worker processes.
+    `by_stage` is from :func:`gather`. `seconds` is the wall time of the call, including DVC; `data` the
+    title of the data set; `cores` the number of worker processes.
     """
     files.write_csv(paths.LAST_TIMES, by_stage[["stage", "seconds"]])
     if is_complete:
@@ -51,14 +51,12 @@ def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
     try:
         content = files.read_json(paths.COMPLETE_TIMES)
     except FileNotFoundError:
-        raise PlacecatError(
-            "no run in which every stage ran has been measured here: `placecat repro --force` is one"
-        ) from None
+        raise PlacecatError("no complete run has been measured here: run `placecat repro --force`") from None
     return pd.DataFrame(content["by_stage"], columns=COLUMNS), content["facts"]
 
 
 def known() -> dict[str, float]:
-    """Seconds of each stage in a full run: the last one here, else the one kept in git."""
+    """Seconds of each stage in a full run: the last one here, or else the one in git."""
     try:
         by_stage, _ = read_complete()
     except PlacecatError:
@@ -69,14 +67,14 @@ def known() -> dict[str, float]:
 
 
 def keep() -> None:
-    """Copy the times of the last full run to reports/times.csv and times.json, for git."""
+    """Copy the times of the last full run to reports/times.csv and times.json, which are in git."""
     by_stage, facts = read_complete()
     files.write_csv(paths.KEPT_TIMES, by_stage)
     files.write_json(paths.KEPT_TIMES_FACTS, facts)
 
 
 def text(by_stage: pd.DataFrame, seconds: float) -> str:
-    """Lines for the terminal, the longest stage first; `seconds` is the wall time of the whole call."""
+    """Lines for the terminal, the longest stage first; `seconds` is the wall time of the call."""
     if by_stage.empty:
         return f"Times: no stage had to run; {seconds:.1f} s."
     spent, total = float(by_stage["seconds"].sum()), len(by_stage)

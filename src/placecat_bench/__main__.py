@@ -10,15 +10,15 @@ from placecat.errors import exiting
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Measure the pieces named, or all."""
+    """Measure the named pieces, or all."""
     parser = argparse.ArgumentParser(
         prog="python -m placecat_bench",
-        description="Time each piece beside its best alternative, on one thread, and write "
+        description="Time each piece against its best alternative, on one thread, and write "
         f"{paths.BENCHMARKS}. If pieces are named, only their rows are replaced.",
     )
     parser.add_argument("pieces", nargs="*", metavar="PIECE", help="by default all")
     options = parser.parse_args(arguments)
-    # For what reads it on import, such as the peers' OpenMP.
+    # For libraries that read it on import, such as the peers' OpenMP.
     os.environ["OMP_NUM_THREADS"] = "1"
     from placecat_bench.run import run
 

@@ -1,4 +1,4 @@
-"""Comparisons of a benchmark: ours with a peer, or a number with a limit."""
+"""Comparisons in a benchmark: ours with a peer, or a number with a limit."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -14,8 +14,8 @@ TORCH = "bench-torch"
 class Peer:
     """An alternative that a user could pick, e.g. "scikit-image: local_binary_pattern and histogram".
 
-    The version of `package`, its distribution, is recorded. It may be in a `folder` apart from the installed
-    ones, and of another extra than bench, which only some install.
+    `package` is its distribution, whose version is recorded. It may be in a separate `folder`, or come from
+    an `extra` other than bench, which need not be installed.
     """
 
     name: str
@@ -28,10 +28,10 @@ class Peer:
 class Comparison:
     """Ours and a peer, timed in turn on the same input; raises ValueError without one target or 5 repeats.
 
-    The target is `faster`, at least so many times faster than the peer, or `at_most`, so many times the
-    peer's time. `ours` and `theirs` are the calls to time, `repeats` the pairs of calls. `warm_up` calls each
-    once before; not where one call takes minutes. `parts` of ours are timed if the target is missed, to show
-    where the time goes.
+    The target is `faster` (the least factor by which ours is faster) or `at_most` (the largest multiple of
+    the peer's time). `ours` and `theirs` are the calls to time, `repeats` the number of pairs. `warm_up`
+    calls each once before; turn it off if a call takes minutes. `parts` of ours are timed if the target is
+    missed, to show where the time goes.
     """
 
     piece: str
@@ -48,7 +48,7 @@ class Comparison:
     def __post_init__(self) -> None:
         _check_one(self.piece, faster=self.faster, at_most=self.at_most)
         if self.repeats < LEAST_REPEATS:
-            raise ValueError(f"{self.piece}: {self.repeats} repeats are no median, take {LEAST_REPEATS}")
+            raise ValueError(f"{self.piece}: {self.repeats} repeats are too few, use {LEAST_REPEATS} or more")
 
     @property
     def target(self) -> str:
@@ -58,7 +58,7 @@ class Comparison:
         return f"at most {self.at_most:g}x its time"
 
     def ratio(self, ours: float, theirs: float) -> float:
-        """Ratio of two times in seconds that the target is about."""
+        """Ratio of two times in seconds, to compare with the target."""
         return theirs / ours if self.faster is not None else ours / theirs
 
     def is_met(self, ratio: float) -> bool:
@@ -68,9 +68,9 @@ class Comparison:
 
 @dataclass(frozen=True)
 class Limit:
-    """A number that may not be above `at_most`, or below `at_least`; raises ValueError unless one is given.
+    """A number with a limit, `at_most` or `at_least`; raises ValueError unless exactly one limit is set.
 
-    `measure` gives the number, and `quantity` names it, e.g. "frames/s" or "largest difference of a
+    `measure` returns the number, and `quantity` names it, e.g. "frames/s" or "largest difference of a
     probability". `parts` are as for `Comparison`.
     """
 
@@ -108,14 +108,14 @@ class Absent:
     reason: str
 
 
-# What a piece yields.
+# The entries of a piece.
 Entry = Comparison | Limit | Absent
 
 
 def _check_one(piece: str, **targets: float | None) -> None:
     given = [name for name, value in targets.items() if value is not None]
     if len(given) != 1:
-        raise ValueError(f"{piece}: give one of {' and '.join(targets)} as target, not {len(given)}")
+        raise ValueError(f"{piece}: set one of {' and '.join(targets)} as target, not {len(given)}")
 
 
 def _reaches(value: float, *, at_least: float | None, at_most: float | None) -> bool:

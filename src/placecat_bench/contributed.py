@@ -1,7 +1,7 @@
-"""OpenCV's contributed saliency, in a process of its own: its package replaces the one that placecat uses.
+"""OpenCV's contributed saliency, in a separate process, since its package replaces the one placecat uses.
 
-As a program, ``python contributed.py NAME FILE`` computes the map of each picture in an .npz once for every
-line that it reads, and answers with a line.
+As a program, ``python contributed.py NAME FILE`` computes the maps of all pictures in an .npz for every line
+that it reads, and answers with a line.
 """
 
 import os
@@ -18,13 +18,13 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 PACKAGE = "opencv-contrib-python-headless"
-# Beside the environment's own packages, where `make bench` installs it.
+# `make bench` installs it here, apart from the environment's packages.
 FOLDER = Path(sys.prefix) / "contributed"
 
 
 @contextmanager
 def contributed(name: str, pictures: Sequence[NDArray[np.uint8]]) -> Iterator[Callable[[], None]]:
-    """Give a call that computes the maps of pictures (H, W, 3) by the class `name` of ``cv2.saliency``.
+    """Make a function that computes the maps of pictures (H, W, 3) with the class `name` of ``cv2.saliency``.
 
     Raises PlacecatError if the package is missing or its process ends.
     """

@@ -1,4 +1,4 @@
-"""Frames for the pieces of the vision: one of each rendered home."""
+"""Frames for the vision pieces, one from each rendered home."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -16,7 +16,7 @@ from placecat.vision.attention import compute_maps, find_regions
 from placecat.vision.maps import FrameMaps
 
 HOMES = Path("data/homes")
-# The thesis's number.
+# As in the thesis.
 REGIONS = 25
 
 Image = NDArray[np.uint8]
@@ -25,9 +25,9 @@ Described = tuple[FrameMaps, NDArray[np.float32]]
 
 
 def jpegs(homes: Path = HOMES) -> list[Image]:
-    """Encode the frame a third into each rendered home's video as JPEG, with OpenCV's default quality.
+    """Encode the frame one third into each rendered home's video as JPEG, with OpenCV's default quality.
 
-    Returns the files' bytes. Raises PlacecatError for a folder without videos, or one that cannot be read.
+    Returns the bytes of each file. Raises PlacecatError if the folder has no videos or one cannot be read.
     """
     videos = sorted(homes.glob("*.mp4"))
     if not videos:
@@ -36,22 +36,22 @@ def jpegs(homes: Path = HOMES) -> list[Image]:
 
 
 def encoded(frame: Image) -> Image:
-    """Encode a (H, W, 3) uint8 BGR frame as JPEG: the file's bytes."""
+    """Encode a (H, W, 3) uint8 BGR frame as JPEG; return the bytes."""
     return np.asarray(cv2.imencode(".jpg", frame)[1])
 
 
 def decoded(jpeg: Image) -> Image:
-    """Decode a JPEG: (H, W, 3) uint8 BGR."""
+    """Decode a JPEG to (H, W, 3) uint8 BGR."""
     return np.asarray(cv2.imdecode(jpeg, cv2.IMREAD_COLOR))
 
 
 def size(frame: NDArray[Any]) -> str:
-    """Width and height in words."""
+    """Width and height as text."""
     return f"{frame.shape[1]}x{frame.shape[0]}"
 
 
 def options() -> dict[str, Any]:
-    """The settings with which the stage features describes frames."""
+    """The settings of the stage features."""
     params = settings.load()
     return feature_options(params, settings.get(params, "descriptors"))
 

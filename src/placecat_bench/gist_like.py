@@ -1,11 +1,11 @@
-"""Made frames of walks through homes, as hard to learn from as Gist descriptors.
+"""Synthetic frames of walks through homes, as hard to learn from as Gist descriptors.
 
-The time of the kernel machines depends on the frames: with few support vectors they and their peers have
-little to do. So the numbers below are such that 2000 of these frames resemble the 1978 frames of five
-rendered homes, described by Gist (1024 numbers, standardised). The first, the first 21 and the first 101
-principal components have 0.23, 0.74 and 0.95 of the variance (0.22, 0.73 and 0.94 there), 66 % of the frames
-are support vectors of a class's nu-SVM (56 %), a class's RVM has 63 to 82 relevance vectors (51 to 99), and
-in an unseen home 36 % of the frames are placed right (36 %).
+The time of kernel machines depends on the frames: with few support vectors they and their peers have little
+work. The constants below therefore make 2000 of these frames resemble 1978 real ones (five rendered homes,
+Gist with 1024 standardised numbers; their values in brackets). The first, the first 21 and the first 101
+principal components have 0.23, 0.74 and 0.95 of the variance (0.22, 0.73 and 0.94); 66 % of the frames are
+support vectors of a class's nu-SVM (56 %); a class's RVM has 63 to 82 relevance vectors (51 to 99); and 36 %
+of the frames in an unseen home are classified right (36 %).
 """
 
 from collections.abc import Sequence
@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 CLASSES = 5
-# Independent sources of variance, and how their deviations fall.
+# Independent sources of variance, and the decay of their standard deviations.
 _SOURCES, _DECAY, _FIRST = 256, 0.6, 1.2
-# Deviations beside those of the views, which are 1.
+# Other standard deviations; the views have 1.
 _CLASS, _ROOM, _FRAME = 0.12, 0.2, 0.5
 _VIEWS = 20
 _FRAMES_TO_THE_NEXT_VIEW = 5
@@ -34,10 +34,10 @@ class Frames:
 
 
 def draw_frames(n: int, features: int, homes: Sequence[int], seed: int = 0) -> Frames:
-    """Walk through homes, each room visited four times, every frame between two of the room's views.
+    """Walk through homes: visit each room four times, every frame between two of the room's views.
 
-    Each home, a number of 0 or more, has about n / len(homes) frames of D `features`, and is the same
-    whatever the others. `seed` is that of the places and the descriptor.
+    Homes are numbers of 0 or more. Each has about n / len(homes) frames of D `features` and does not depend
+    on the other homes. `seed` determines the places and the descriptor.
     """
     rng = np.random.default_rng(seed)
     mixing = rng.normal(size=(_SOURCES, features))

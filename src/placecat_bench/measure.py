@@ -1,4 +1,4 @@
-"""Measuring entries, one row each."""
+"""Measure the entries of a benchmark, one row each."""
 
 import statistics
 import sys
@@ -31,11 +31,11 @@ _PART_REPEATS = 3
 
 
 def measure(entry: Entry) -> dict[str, object]:
-    """Measure one entry: a row by `COLUMNS`, with None where there is no value.
+    """Measure one entry; return a row with `COLUMNS`, None where a value is missing.
 
-    ``ours`` and ``theirs`` are medians of seconds, or the number of a `Limit`; ``ratio`` is the median of the
-    pairs' ratios, ``low`` and ``high`` the least and the greatest; ``met`` is "yes" or "no"; ``spent`` says
-    where the time goes if the target is missed. For a peer that cannot be measured, ``spent`` is the reason.
+    ``ours`` and ``theirs`` are medians of seconds, or the number of a `Limit`. ``ratio`` is the median of the
+    ratios of pairs, ``low`` and ``high`` are the smallest and the largest. ``met`` is "yes" or "no".
+    ``spent`` says where the time goes if the target is missed, or why a peer cannot be measured.
     Raises PlacecatError if the peer is not installed.
     """
     if isinstance(entry, Absent):
@@ -70,20 +70,20 @@ def _absent(piece: str, text: str, peer: str, reason: str) -> dict[str, object]:
 
 
 def _version(peer: Peer) -> str | None:
-    """Version of a peer; None for a missing one of an extra that only some install."""
+    """Version of a peer; None if it is missing and belongs to another extra than bench."""
     folders = sys.path if peer.folder is None else [str(peer.folder)]
     for found in distributions(name=peer.package, path=folders):
         return found.version
     if peer.extra == TORCH:
         return None
     raise PlacecatError(
-        f"{peer.package} is not installed, with which {peer.name!r} is measured: run `make bench`, or "
+        f"{peer.package} is not installed, but {peer.name!r} needs it: run `make bench`, or "
         "pip install -e '.[bench]'; where it has no wheel, name the other pieces"
     )
 
 
 def _spent(parts: Mapping[str, Callable[[], Any]], whole: float | None) -> str:
-    """Parts and their share of a whole (seconds), or their seconds where there is none; the largest first."""
+    """Parts, the largest first, with their share of the total seconds, or their seconds without a total."""
     times = {name: median_seconds(part, _PART_REPEATS) for name, part in parts.items()}
     ordered = sorted(times.items(), key=lambda item: -item[1])
     if whole is None:

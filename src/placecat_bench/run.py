@@ -1,4 +1,4 @@
-"""Measuring pieces one after the other, and the file of the measurements."""
+"""Measure pieces one after the other, and write the file of measurements."""
 
 import platform
 from collections.abc import Sequence
@@ -18,12 +18,12 @@ _MODULE = "module"
 
 
 def run(chosen: Sequence[str], target: Path = paths.BENCHMARKS) -> pd.DataFrame:
-    """Measure pieces on one thread; write the rows after each, those of other pieces staying as they are.
+    """Measure pieces on one thread; write the rows after each piece, and keep the rows of other pieces.
 
-    `chosen` are names of modules in :mod:`placecat_bench.pieces`, none for all. `target` is the CSV; the
-    facts of the machine go to a JSON of the same name beside it. Returns its content: the column module, and
-    those of :data:`placecat_bench.measure.COLUMNS`. Raises PlacecatError for an unknown piece, a peer that is
-    not installed, or rows that would stay but are from another machine.
+    `chosen` are names of modules in :mod:`placecat_bench.pieces`; empty means all. `target` is the CSV file;
+    the facts of the machine go to a JSON file with the same name. Returns the CSV's content, with the column
+    module and :data:`placecat_bench.measure.COLUMNS`. Raises PlacecatError for an unknown piece, a missing
+    peer, or other rows that were measured on another machine.
     """
     all_names, facts, facts_file = pieces.names(), _facts(), target.with_suffix(".json")
     generators = {name: pieces.load(name) for name in dict.fromkeys(chosen or all_names)}
@@ -39,7 +39,7 @@ def run(chosen: Sequence[str], target: Path = paths.BENCHMARKS) -> pd.DataFrame:
     for name, entries in generators.items():
         rows = pd.DataFrame(single_threaded(_measure_piece, (name, entries)), columns=table.columns)
         others = table[table[_MODULE] != name]
-        # Sorted, and rows of one piece in their own order.
+        # Sort by piece; rows of a piece stay in order.
         table = pd.concat([others, rows]) if len(others) else rows
         table = table.sort_values(_MODULE, kind="stable", ignore_index=True)
         files.write_csv(target, table)
@@ -71,7 +71,7 @@ def summary(row: dict[str, object]) -> str:
 
 
 def _facts() -> dict[str, str]:
-    """Facts that the numbers depend on, besides the peers' versions."""
+    """Facts that the numbers depend on, except the peers' versions."""
     processor = Path("/proc/cpuinfo")
     lines = processor.read_text(encoding="utf-8").splitlines() if processor.exists() else []
     model = next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), "")

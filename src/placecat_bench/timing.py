@@ -1,4 +1,4 @@
-"""Wall times of calls in turn."""
+"""Wall times of alternating calls."""
 
 import gc
 import statistics
@@ -11,9 +11,9 @@ from typing import Any
 def time_in_turn(
     ours: Callable[[], Any], theirs: Callable[[], Any], *, repeats: int, warm_up: bool = True
 ) -> tuple[list[float], list[float]]:
-    """Time pairs of calls A B, B A, A B, ...: a temporary slowdown of the machine slows both.
+    """Time pairs of calls A B, B A, A B, ..., so a temporary slowdown of the machine affects both.
 
-    `warm_up` calls each once before, untimed. Returns the seconds of ours and of theirs, `repeats` each.
+    `warm_up` first calls each once, untimed. Returns `repeats` seconds of ours and of theirs.
     """
     if warm_up:
         ours()
@@ -26,7 +26,7 @@ def time_in_turn(
 
 
 def seconds(call: Callable[[], Any]) -> float:
-    """Wall time of one call, without the collection of garbage that others left."""
+    """Wall time of one call, after garbage collection."""
     gc.collect()
     start = time.perf_counter()
     call()
@@ -39,7 +39,7 @@ def median_seconds(call: Callable[[], Any], repeats: int) -> float:
 
 
 class Latest:
-    """Calls of ours and theirs whose last results are kept, since some take minutes and are compared too."""
+    """Calls of ours and theirs that keep the last result, since it is compared too and may take minutes."""
 
     def __init__(self, ours: Callable[[], Any], theirs: Callable[[], Any]) -> None:
         self._calls = {"ours": ours, "theirs": theirs}
@@ -47,11 +47,11 @@ class Latest:
         self.calls = partial(self.call, "ours"), partial(self.call, "theirs")
 
     def call(self, name: str) -> None:
-        """Make a call by its name."""
+        """Make the call of this name."""
         self._results[name] = self._calls[name]()
 
     def result(self, name: str) -> Any:
-        """Result of the last call, which is made if there was none."""
+        """Result of the last call; make one if there was none."""
         if name not in self._results:
             self.call(name)
         return self._results[name]

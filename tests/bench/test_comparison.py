@@ -25,7 +25,7 @@ def test_at_most_is_our_time_over_the_peers():
 
 @pytest.mark.parametrize("targets", [{}, {"faster": 2, "at_most": 2}])
 def test_a_comparison_has_one_target(targets):
-    with pytest.raises(ValueError, match="Sorting: give one of faster and at_most as target"):
+    with pytest.raises(ValueError, match="Sorting: set one of faster and at_most as target"):
         comparison(**targets)
 
 

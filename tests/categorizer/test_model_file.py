@@ -289,7 +289,7 @@ def test_training_refuses_where_it_may_not_write_before_it_begins(tmp_path, monk
     (tmp_path / "README.md").write_text("text")
     with pytest.raises(PlacecatError, match=r"README\.md is not a model, and is not replaced"):
         train.train_command("das_551_best", [], None, tmp_path / "README.md")
-    with pytest.raises(PlacecatError, match="a file stands where a folder is needed"):
+    with pytest.raises(PlacecatError, match="a file is where a folder should be"):
         train.train_command("das_551_best", [], None, tmp_path / "README.md/x")
 
 

@@ -75,14 +75,14 @@ def test_a_sweep_is_refused_with_all_that_is_wrong_in_it(project):
     with pytest.raises(PlacecatError) as caught:
         swept("descriptor=gist", "classifier=nu_svm,naive_bayes", "classifier.clusters=46,47")
     text = str(caught.value)
-    assert text.startswith("3 of 4 combinations are refused, nothing was computed:")
+    assert text.startswith("3 of 4 combinations are refused; nothing was computed:")
     assert "use 46 or 61\n    classifier=naive_bayes classifier.clusters=47" in text
     assert "classifier=nu_svm classifier.clusters=46" in text
     assert "classifier=naive_bayes classifier.clusters=46" not in text
 
 
 def test_an_interval_is_for_a_search(project):
-    with pytest.raises(PlacecatError, match="from which only a search can choose"):
+    with pytest.raises(PlacecatError, match="which only a search allows"):
         swept("descriptor=gist", "classifier=nu_svm", "classifier.base.nu=interval(0.1,0.2)")
 
 
@@ -103,7 +103,7 @@ def test_combinations_are_in_the_order_that_hydra_numbers_them_in(project):
 def test_every_classifier_goes_with_a_whole_frame_or_is_refused(project, path):
     if path.stem == "discriminative_regions":
         with pytest.raises(
-            PlacecatError, match="decides from salient regions, but descriptor gist is one of whole"
+            PlacecatError, match="decides from salient regions, but descriptor gist is for whole"
         ):
             resolved("descriptor=gist", f"classifier={path.stem}", "test_home=all")
         return

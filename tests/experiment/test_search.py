@@ -156,10 +156,10 @@ def test_the_command_line_goes_first():
         ({CLUSTERS: "range(16, 91, 15)"}, (), "does not contain 91"),
         ({GAMMA: "tag(log, interval(0.0, 4.0))"}, (), "is not a span"),
         ({"classifier.unheard": "choice(1, 2)"}, (), "no such setting"),
-        (PARAMS, ["test_home=home_1,home_2"], "belongs to how"),
-        (PARAMS, ["judge=choice(training_homes,test_home)"], "belongs to how"),
-        (PARAMS, ["seeds=choice([0],[1])"], "belongs to how"),
-        ({GAMMA: "2.0"}, (), "nothing is left"),
+        (PARAMS, ["test_home=home_1,home_2"], "belongs to the measurement"),
+        (PARAMS, ["judge=choice(training_homes,test_home)"], "belongs to the measurement"),
+        (PARAMS, ["seeds=choice([0],[1])"], "belongs to the measurement"),
+        ({GAMMA: "2.0"}, (), "nothing to search"),
     ],
 )
 def test_impossible_spaces_are_refused(params, arguments, message):

@@ -100,8 +100,8 @@ def test_dropped_frames_are_counted_with_and_without_label():
 @pytest.mark.parametrize(
     ("threshold", "share", "message"),
     [
-        (None, None, "either a threshold or a share"),
-        (0.1, 0.1, "either a threshold or a share"),
+        (None, None, "needs a threshold or a share"),
+        (0.1, 0.1, "needs a threshold or a share"),
         (-0.1, None, "threshold=-0.1: it must be greater than or equal to 0"),
         (float("nan"), None, "threshold=nan: it must be a finite number"),
         (None, 0.0, "share=0.0: it must be greater than 0"),

@@ -201,7 +201,7 @@ def test_a_face_that_is_no_square_is_named(folder):
         ("visits=[2,1]", "visits=[2, 1]: the first must not be larger than the second"),
         ("tilt=[-91,0]", "tilt.0=-91"),
         ("labels.living_room=7", "labels.living_room=7: it must be a list"),
-        ("ways=[my room]", "label files separate their columns by spaces"),
+        ("ways=[my room]", "must not contain spaces"),
         ("cubes.file=face.jpg", "it must have FILE and FACE"),
         ("stays.kitchen.mean=0", "stays.kitchen.mean=0"),
         ("+stays.kitchen.mode=1", "stays.kitchen has no setting 'mode'"),

@@ -112,5 +112,5 @@ def test_a_training_home_is_smoothed_with_statistics_of_the_others(project, monk
     tested = smoothed([5.0] * 4)["delayed"]
     assert judged[3][2:] == judge_home(plan.test, tested, 1e-6)
     fold_file.write(source, {"test": fold_file.read(source, "test")})
-    with pytest.raises(PlacecatError, match="has no cross_validated"):
+    with pytest.raises(PlacecatError, match="has no array cross_validated"):
         judge()

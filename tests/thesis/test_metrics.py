@@ -101,7 +101,10 @@ def test_what_these_data_cannot_give_has_no_rows(results):
 @pytest.mark.parametrize(
     ("plots", "message"),
     [
-        ({"confusion": {"z": "integration/z"}}, r"plots\.confusion\.z: there is no result 'integration/z'"),
+        (
+            {"confusion": {"z": "integration/z"}},
+            r"plots\.confusion\.z: result 'integration/z' does not",
+        ),
         ({"confusions": {}}, r"plots has no setting 'confusions'; did you mean 'confusion'\?"),
     ],
 )
@@ -116,7 +119,7 @@ def test_a_few_averages_are_columns_for_dvc(results):
     # Homes with 87.5, 50, 50 and 100 percent.
     assert averages == {"after": 71.88, "log_loss": {"after": 1.375}}
     for kind in ("accuracy", "log_loss"):
-        with pytest.raises(PlacecatError, match=rf"metrics\.{kind}\.z: there is no result 'integration/z'"):
+        with pytest.raises(PlacecatError, match=rf"metrics\.{kind}\.z: result 'integration/z' does not"):
             chosen_averages(results, {kind: {"z": "integration/z"}})
     with pytest.raises(PlacecatError, match="metrics has no setting 'log_los'; did you mean 'log_loss'"):
         chosen_averages(results, {"log_los": columns})

@@ -1,4 +1,4 @@
-"""The sweepers, where Hydra looks for them. Hydra always imports them: nothing slow at the top."""
+"""The sweepers, where Hydra looks for them. Hydra always imports this module, so slow imports come late."""
 
 import sys
 from abc import abstractmethod
@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 
 
 class _Checked(Sweeper):
-    """A sweeper that ends with one message if an experiment is refused, and with status 1 if one failed."""
+    """A sweeper that ends with one message if an experiment is refused, and with status 1 if one fails."""
 
     def setup(self, *, hydra_context: HydraContext, task_function: TaskFunction, config: DictConfig) -> None:
-        """Keep Hydra's context and settings, and make its launcher."""
+        """Store Hydra's context and settings, and make its launcher."""
         from hydra.core.plugins import Plugins
 
         self.hydra_context: HydraContext = hydra_context
@@ -28,7 +28,7 @@ class _Checked(Sweeper):
         )
 
     def sweep(self, arguments: list[str]) -> None:
-        """Check, run and tell; `arguments` are overrides of the command line."""
+        """Check, run and report; `arguments` are the overrides of the command line."""
         from placecat.errors import PlacecatError
 
         try:
@@ -43,16 +43,16 @@ class _Checked(Sweeper):
         self.launcher.launch(lines, initial_job_idx=0)
 
     def logged(self, arguments: "Sequence[str]") -> "Sequence[str] | None":
-        """The name by which MLflow knows the sweep; None if it is not to be logged."""
+        """The name of the sweep in MLflow; None if it is not logged."""
         return [str(self.config.hydra.sweeper._target_), *arguments] if self.config.track else None
 
     @abstractmethod
     def run(self, arguments: list[str]) -> bool:
-        """Check, run and tell; return whether all went well."""
+        """Check, run and report; return whether all experiments succeeded."""
 
 
 class GridSweeper(_Checked):
-    """Run every combination, as Hydra's own sweeper does, after a check of all."""
+    """Check all combinations, then run them as Hydra's basic sweeper does."""
 
     def run(self, arguments: list[str]) -> bool:
         """Run the combinations."""
@@ -62,7 +62,7 @@ class GridSweeper(_Checked):
         experiments = sweep.check(self.config, lines, combinations)
         for own, experiment in zip(combinations, experiments, strict=True):
             if own.get(summary.HOME, "all") != "all":
-                # By its name, however it was spelled.
+                # Use the name of the home, however it was spelled.
                 own[summary.HOME] = "+".join(experiment.homes)
         with sweep.begun(self.config, combinations) as folder:
             jobs.run(folder, lines, experiments, self.launch)
@@ -70,10 +70,10 @@ class GridSweeper(_Checked):
 
 
 class OptunaSweeper(_Checked):
-    """Choose each experiment's settings by the accuracies of those before, with Optuna.
+    """Choose each experiment's settings with Optuna, by the accuracies of earlier experiments.
 
-    Unlike Hydra's own plugin, which needs Optuna 2, it tries the setting without a search first, and its
-    batches do not depend on the number of the launcher's workers. The parameters are those of
+    Unlike Hydra's own plugin, which needs Optuna 2, it tries the unsearched settings first, and its batches
+    do not depend on the number of workers. The parameters are described in
     conf/hydra/sweeper/optuna.yaml.
     """
 
@@ -96,7 +96,7 @@ class OptunaSweeper(_Checked):
         self.params = {str(key): value for key, value in (params or {}).items()}
 
     def run(self, arguments: list[str]) -> bool:
-        """Search, and write the result to the folder of the sweep."""
+        """Search, and write the result to the sweep's folder."""
         from placecat import settings
         from placecat.experiment import jobs, sweep
         from placecat.search import report, requirements, space, study

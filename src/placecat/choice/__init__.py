@@ -1,1 +1,1 @@
-"""The choice, on training homes, of settings that the thesis leaves open."""
+"""Choose settings that the thesis leaves open, on training homes."""

@@ -1,4 +1,4 @@
-"""Candidates for settings, and the choice between them."""
+"""Candidates for settings, and how one is chosen."""
 
 import itertools
 from collections.abc import Mapping, Sequence
@@ -13,7 +13,7 @@ COLUMNS = ["data", *KEYS, "test_home", *NUMBERS, *(f"test_{name}" for name in NU
 
 
 def combinations(grids: Sequence[Mapping[str, Sequence[Any]]]) -> list[dict[str, Any]]:
-    """List every combination of the values of each grid, the last setting fastest.
+    """List every combination of the values in each grid; the last setting changes fastest.
 
     >>> combinations([{"scaling": ["standard"], "gamma_scale": [1.0, 2.0]}])
     [{'scaling': 'standard', 'gamma_scale': 1.0}, {'scaling': 'standard', 'gamma_scale': 2.0}]
@@ -24,7 +24,7 @@ def combinations(grids: Sequence[Mapping[str, Sequence[Any]]]) -> list[dict[str,
 
 
 def changed(config: Mapping[str, Any], overrides: Mapping[str, Any], where: str) -> dict[str, Any]:
-    """Return a copy of the settings with those of dotted names changed; unknown ones raise PlacecatError."""
+    """Copy the settings and change some by their dotted names; unknown ones raise PlacecatError."""
     return settings.changed(config, overrides, "conf/choice.yaml tries", where)
 
 
@@ -38,9 +38,9 @@ def choose(table: pd.DataFrame, margin: float) -> pd.DataFrame:
 
     ``accuracy`` (percent) and ``log_loss`` are means over training homes that the model has not seen;
     ``test_accuracy`` and ``test_log_loss`` are ignored. Candidates whose mean accuracy is within `margin`
-    points of the best are equally good; of these, the first with the least log-loss is chosen. Returns one
-    row per candidate: kind, name, candidate, accuracy, log_loss, chosen. Data sets weigh the same, and so do
-    the test homes of each.
+    points of the best count as equal; the first of these with the least log-loss is chosen. Returns one row
+    per candidate: kind, name, candidate, accuracy, log_loss, chosen. All data sets have the same weight, and
+    so have all test homes of a data set.
     """
     means = table.groupby([*KEYS, "data"], sort=False)[NUMBERS].mean()
     means = means.groupby(level=KEYS, sort=False).mean().reset_index()

@@ -22,7 +22,7 @@ _DECIMALS = {"accuracy": 2, "test_accuracy": 2, "log_loss": 4, "test_log_loss": 
 
 
 def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
-    """Read conf/choice.yaml; raises PlacecatError if a setting is unknown, missing or of the wrong kind."""
+    """Read conf/choice.yaml; raises PlacecatError if a setting is unknown, missing or of the wrong type."""
     content = conf_file.read(path, ("margin", "smallest", *KINDS))
     margin = content["margin"]
     if isinstance(margin, bool) or not isinstance(margin, int | float) or not 0 <= margin < 100:
@@ -37,11 +37,11 @@ def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
 
 
 def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> pd.DataFrame:
-    """Judge every candidate on the data set of params.yaml; return the choice on all data sets of the file.
+    """Judge every candidate on the data set of params.yaml; return the choice over all data sets in `output`.
 
-    In `output` the rows of this data set and these kinds are replaced, the others stay. The choice is as in
-    :func:`placecat.choice.candidates.choose`. Raises PlacecatError for wrong settings, or features or cues
-    that were not computed.
+    Rows of this data set and these kinds are replaced in `output`, other rows stay. The choice is made by
+    :func:`placecat.choice.candidates.choose`. Raises PlacecatError for wrong settings, or if features or cues
+    were not computed.
     """
     options, params = read_settings(), settings.load()
     data = str(settings.get(params, "dataset.title"))
@@ -56,7 +56,7 @@ def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> 
     return choose(table, float(options["margin"]))
 
 
-# Name and label of a candidate, and the arguments of its judge.
+# Name and label of a candidate, and arguments of the function that judges it.
 Task = tuple[str, str, tuple[Any, ...]]
 Tasks = tuple[Callable[..., list[Judgement]], list[Task]]
 
@@ -134,7 +134,7 @@ def _smoothing_tasks(options: Mapping[str, Any], params: Mapping[str, Any]) -> T
 def _without_codebook(params: Mapping[str, Any], name: str) -> Mapping[str, Any]:
     cue: Mapping[str, Any] = settings.get(params, f"cues.{name}")
     if cue["codebook"] is not None:
-        raise PlacecatError(f"{SETTINGS}: the cue {name} has a codebook; choose among others")
+        raise PlacecatError(f"{SETTINGS}: the cue {name} has a codebook; name cues without one")
     return cue
 
 

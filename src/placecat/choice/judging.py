@@ -1,4 +1,4 @@
-"""Judgement of candidates on training homes, from the stages' features and cues."""
+"""Judge candidates on training homes, from the stages' features and cues."""
 
 import itertools
 from collections.abc import Mapping, Sequence
@@ -21,26 +21,26 @@ Judgement = tuple[str, str, float, float]
 
 
 def judge(truth: NDArray[np.int16], proba: NDArray[np.float64], smallest: float) -> tuple[float, float]:
-    """Accuracy in percent (mean over the places) and log-loss (likewise, in nats) of one home's frames."""
+    """Accuracy (percent) and log-loss (nats) of one home's frames, both means over the places."""
     confusion = confusion_matrix(truth, proba.argmax(axis=1), proba.shape[1])
     return home_accuracy(confusion), log_loss(truth, proba, smallest=smallest)
 
 
 def left_out(homes: Sequence[str]) -> list[tuple[str, ...]]:
-    """List the homes that are left out together: every pair, and every home alone."""
+    """List the sets of homes to leave out together: every pair, and every home alone."""
     return [*itertools.combinations(homes, 2), *((home,) for home in homes)]
 
 
 def predict_unseen(plan: plans.Plan, cue: Cue) -> dict[str, NDArray[np.float64]]:
-    """Train a cue without clusters by a plan; return its distributions for all frames of the tested homes."""
+    """Train a cue without clusters by a plan; return distributions for all frames of the tested homes."""
     trained = train(plan, cue)
     return {part.home: trained.predict(part.home) for part in plan.tested}
 
 
 def judge_cue(plan: plans.Plan, cue: Cue, smallest: float) -> list[Judgement]:
-    """Train a cue without clusters by a plan that leaves out some homes, and judge these.
+    """Train a cue without clusters by a plan that leaves out some homes, and judge the cue on these.
 
-    The plan tests one home, or two, each of which is an unseen training home when the other is tested.
+    The plan tests one or two homes. Of two, each is an unseen training home when the other is tested.
     `smallest` is as for :func:`placecat.evaluation.probabilities.log_loss`.
     """
     unseen = predict_unseen(plan, cue)
@@ -49,18 +49,18 @@ def judge_cue(plan: plans.Plan, cue: Cue, smallest: float) -> list[Judgement]:
 
 
 def judge_home(home: str, proba: NDArray[np.float64], smallest: float) -> tuple[float, float]:
-    """Judge the distributions of a home on its labelled frames."""
+    """Judge the distributions of a home's labelled frames."""
     labels = listing.read_labels(home)
     rows = np.flatnonzero(labels >= 0)
     return judge(labels[rows], proba[rows], smallest)
 
 
 def judge_system(system: Mapping[str, Any], plan: plans.Plan, seed: int, smallest: float) -> list[Judgement]:
-    """Train an integration on the cues of a fold and judge the homes that they have not seen.
+    """Train an integration on the cues of a fold, and judge it on the homes that the cues have not seen.
 
-    `system` has the ``scheme`` of the plan. In a plan of 4-5-1 the integration trains on the homes of the
-    cues, as in 5-5-1, and judges the home that is kept from them as well as the test home; in one of 5-5-1 it
-    judges the test home.
+    `system` has the ``scheme`` of the plan. In 4-5-1 the integration trains on the homes of the cues, as in
+    5-5-1, and is judged on the home that the cues have not seen and on the test home. In 5-5-1 it is judged
+    on the test home.
     """
     read = CueResults(system, plan.test, seed)
     cue_homes, method = {part.home for part in plan.cues}, system["integrator"]["method"]
@@ -84,7 +84,7 @@ _HELD_OUT = ("cross_validated", "cross_validated_truth")
 
 
 def _both_ways(without: tuple[str, ...], judged: Mapping[str, tuple[float, float]]) -> list[Judgement]:
-    """Each of two homes is judged with the other as the test home; a single one is the test home."""
+    """Pair each home with its test home: the other one of two, or itself if alone."""
     if len(without) == 1:
         return [(without[0], without[0], *judged[without[0]])]
     first, second = without

@@ -1,7 +1,7 @@
-"""Judgement of smoothing candidates on training homes, for single cues only.
+"""Judge smoothing candidates on training homes, for single cues only.
 
-The distributions that train an integration come from cues that have seen other frames of the same home, and
-so look too good.
+Integrations cannot be judged like this. Their training distributions look too good, since they come from cues
+that have seen other frames of the same home.
 """
 
 from collections.abc import Mapping
@@ -28,14 +28,14 @@ def judge_smoothing(
 ) -> list[Judgement]:
     """Smooth the homes of one fold of a cue with settings of :func:`placecat.fusion.smoothing.fit`.
 
-    `source` is the file of the stage `cues` for the fold; without cross-validation by home it raises
-    PlacecatError. `unseen` has for each training home (frames, n_classes) distributions of every frame, by a
-    cue that has seen neither it nor the test home. It is smoothed with statistics of the other training
-    homes; the test home with those of all.
+    `source` is the file of the stage `cues` for the fold; PlacecatError if it lacks cross-validation by home.
+    `unseen` has (frames, n_classes) distributions of all frames of each training home, from a cue that has
+    seen neither this home nor the test home. A training home is smoothed with statistics of the other
+    training homes, the test home with statistics of all of them.
     """
     if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(
-            f"{source} has no cross_validated: smoothing is judged on cues with cross_validate on; "
+            f"{source} has no array cross_validated: smoothing is judged on cues with cross_validate: true; "
             "run `dvc repro`"
         )
     held_out, truth = (fold_file.read(source, name) for name in ("cross_validated", "cross_validated_truth"))

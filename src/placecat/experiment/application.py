@@ -14,14 +14,14 @@ from placecat.errors import PlacecatError
 from placecat.experiment import options
 from placecat.experiment.job import job
 
-# Most characters of the keys in a folder's name.
+# Largest number of characters of keys in a folder's name.
 _LONGEST = 80
 
 
 def main(arguments: Sequence[str]) -> None:
-    """Run the experiments of a Hydra application's arguments.
+    """Run the experiments that Hydra's arguments describe.
 
-    Raises PlacecatError outside a project's folder, and SystemExit with a message or status 1 if a setting is
+    Raises PlacecatError outside a project's folder; SystemExit with a message or status 1 if a setting is
     wrong or an experiment failed.
     """
     for path in (paths.CONF / f"{options.CONFIG}.yaml", paths.PARAMS):
@@ -54,14 +54,14 @@ def main(arguments: Sequence[str]) -> None:
 
 
 def folder_of(given: Sequence[str]) -> str:
-    """Name the folder of a sweep by its overrides, except ``hydra.``; the same command finds it again."""
+    """Name a sweep's folder by its overrides except ``hydra.``, so the same command finds it again."""
     own = [one for one in given if not one.startswith(("hydra.", "hydra/launcher"))]
     keys = "-".join(re.sub(r"[^\w.]", "", one.partition("=")[0]) for one in own)
     return f"multirun/{keys[:_LONGEST]}-{hashlib.sha256(repr(own).encode()).hexdigest()[:8]}"
 
 
 def search(arguments: Sequence[str]) -> None:
-    """Search settings: the first argument may name a file of conf/search; the rest is as for `main`."""
+    """Search settings; the first argument may name a file of conf/search, the others are as for `main`."""
     rest = list(arguments)
     if rest and "=" not in rest[0] and not rest[0].startswith("-"):
         rest[0] = f"+search={rest[0]}"

@@ -1,4 +1,4 @@
-"""The meaning of one combination of settings, and checks that it can be computed."""
+"""Resolve one combination of settings, and check that it can be computed."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -22,12 +22,12 @@ from placecat.training.plan import Plan
 
 @dataclass(frozen=True)
 class Experiment:
-    """One experiment, checked: its training and test data, and the names of the test homes.
+    """A checked experiment: its training and test data, and the names of the test homes.
 
     `judge` is ``test_home`` or ``training_homes``, see :meth:`~placecat.experiment.data.Data.plans`.
     `settings` are ``descriptor``, ``classifier`` and, for classifiers on clusters, ``codebook``, as in a
-    table's trial. `frames` are ``offset`` and ``step`` of the training frames. `seeds` are those of the
-    clusters, only None if nothing is random.
+    table's trial. `frames` are ``offset`` and ``step`` of the training frames. `seeds` are the seeds of the
+    clusters, or a single None if nothing is random.
     """
 
     data: Data
@@ -38,7 +38,7 @@ class Experiment:
     seeds: tuple[int | None, ...]
 
     def plans(self) -> dict[str, list[Plan]]:
-        """For each test home the plans whose mean accuracy is its accuracy."""
+        """The plans of each test home; their mean accuracy is the home's accuracy."""
         return {
             home: [plan.with_cue_frames(self.frames) for plan in self.data.plans(home, self.judge)]
             for home in self.homes
@@ -57,10 +57,10 @@ class Experiment:
 
 
 def resolve(config: Mapping[str, Any], params: Mapping[str, Any]) -> Experiment:
-    """Resolve a combination, and refuse impossible ones; reads labels and the sizes of features, no features.
+    """Resolve a combination, or refuse an impossible one; reads labels and array sizes, but no features.
 
-    `config` is conf/experiment.yaml, composed, as plain containers; `params` is params.yaml, with which the
-    features were computed. The PlacecatError names the mistake and the remedy.
+    `config` is the composed conf/experiment.yaml as plain containers. `params` is the params.yaml that the
+    features were computed with. The PlacecatError names the mistake and the remedy.
     """
     schema.check(config, schema.Experiment)
     data = data_sets.find(params, config["data"])
@@ -101,7 +101,7 @@ def _seeds(wanted: int | Sequence[int] | None, default: Sequence[int]) -> tuple[
 
 
 def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
-    """The descriptor as in tables, since seeds derive from the text."""
+    """The descriptor as tables write it, since seeds derive from the text."""
     own = dict(wanted)
     if own["kind"] == "holistic":
         settings.refuse_unknown(own, ["kind", "name"], f"descriptor {own['name']}, of whole frames,")
@@ -117,7 +117,7 @@ def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _check_classifier(classifier: Mapping[str, Any]) -> bool:
-    """Check everything that the classifier's own modules check; return whether it works on clusters."""
+    """Run the checks of the classifier's modules; return whether it works on clusters."""
     model = lookup.require(cues.__name__, classifier.get("model"), "classifier.model", "fit")
     valid = list(lookup.parameters(cues.__name__, model, "fit"))
     options = {name: value for name, value in classifier.items() if name != "model"}
@@ -152,8 +152,8 @@ def _codebook(
     model = str(classifier["model"])
     if descriptor["kind"] != "local" and cues.of_regions_only(model):
         raise PlacecatError(
-            f"{_name(classifier)} decides from salient regions, but descriptor {descriptor['name']} is one "
-            "of whole frames: take a descriptor of regions, or another classifier"
+            f"{_name(classifier)} decides from salient regions, but descriptor {descriptor['name']} is for "
+            "whole frames: use a descriptor of regions, or another classifier"
         )
     of_frames = config["cells_of_frames"]
     if descriptor["kind"] == "local" or model not in of_frames:
@@ -173,7 +173,7 @@ def _codebook(
 
 
 def _check_data(experiment: Experiment, kernel_rows: int) -> None:
-    """Compare with the files in data/: features, their sizes, and labels of the training frames."""
+    """Check against data/: features, their sizes, and labels of the training frames."""
     plans = [plan for of_home in experiment.plans().values() for plan in of_home]
     training = {part.home: part.chosen() for plan in plans for part in plan.cues}
     every = sorted({plan.test for plan in plans} | set(training))
@@ -194,10 +194,10 @@ def _check_data(experiment: Experiment, kernel_rows: int) -> None:
             raise PlacecatError(
                 f"for {tested.sequence} no training frame shows {missing[0]}, in "
                 f"{', '.join(part.sequence for part in plan.cues)}: "
-                "take other data" + ("" if experiment.judge == TEST_HOME else f" or judge={TEST_HOME}")
+                "use other data" + ("" if experiment.judge == TEST_HOME else f" or judge={TEST_HOME}")
             )
         if not len(tested.chosen()[0]):
-            raise PlacecatError(f"{tested.sequence} has no labelled frame: nothing can be tested on it")
+            raise PlacecatError(f"{tested.sequence} has no labelled frame to test on")
     classifier, descriptor = experiment.settings["classifier"], experiment.settings["descriptor"]
     is_kernel = isinstance(_base(classifier), KernelMachine)
     if is_kernel and descriptor["kind"] == "local" and classifier.get("max_rows") is None:
@@ -219,7 +219,7 @@ def _counts(home: str, descriptor: Mapping[str, Any]) -> np.ndarray:
 
 
 def _length(data: Data, home: str, descriptor: Mapping[str, Any]) -> int:
-    """Length of the joined descriptor; refuses one that was not computed, or only for fewer regions."""
+    """Length of the joined descriptor; refuses a descriptor that was not computed for enough regions."""
     folder, kind = store.folder_of(home, descriptor), descriptor["kind"]
     computed = sorted(path.stem.removeprefix(f"{kind}_") for path in folder.glob(f"{kind}_*.npy"))
     length = int(bool(descriptor.get("y_pos", False)))
@@ -237,8 +237,8 @@ def _length(data: Data, home: str, descriptor: Mapping[str, Any]) -> int:
         shape = files.read_array(folder / f"{kind}_{name}.npy").shape
         if kind == "local" and descriptor["max_regions"] > shape[1]:
             raise PlacecatError(
-                f"descriptor.max_regions={descriptor['max_regions']}, but {shape[1]} regions of a frame were "
-                f"described at most (regions.max_regions of params.yaml): use {shape[1]} or less"
+                f"descriptor.max_regions={descriptor['max_regions']}, but at most {shape[1]} regions "
+                f"per frame were described (regions.max_regions of params.yaml): use {shape[1]} or less"
             )
         length += shape[-1]
     return length
@@ -250,14 +250,14 @@ def _check_length(own: Mapping[str, Any], length: int) -> None:
         divisors = [number for number in (1, 2, 4, 8, 16, 32, 64) if length % number == 0]
         raise PlacecatError(
             f"codebook.cells={cells}: descriptor {own['descriptor']['name']} of {length} values cannot be "
-            f"cut into as many: use one of {', '.join(map(str, divisors))}"
+            f"split into that many: use one of {', '.join(map(str, divisors))}"
         )
     reduction = own["classifier"].get("reduction")
     if reduction is None:
         return
     settings.check(SpatialPCA, reduction, "classifier.reduction")
     try:
-        # It checks its settings first; the data error of a single sample comes after that.
+        # It checks its settings before it refuses a single sample.
         SpatialPCA(**reduction).fit(np.zeros((1, length), np.float32))
     except NotComputable:
         pass

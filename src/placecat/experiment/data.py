@@ -1,4 +1,4 @@
-"""The data of an experiment: its plans and its test homes."""
+"""The data of an experiment: training plans and test homes."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -14,9 +14,9 @@ from placecat.training.plan import Plan
 
 @dataclass(frozen=True)
 class Data:
-    """A data set with features: the main one's name or that of a split, and the names of the places.
+    """A data set with features: its name (the main one or a split), and the names of the places.
 
-    `by_test` is the name of each sequence that can be tested to the plan that tests it alone.
+    `by_test` maps each sequence that can be tested to the plan that tests only it.
     """
 
     name: str
@@ -26,24 +26,24 @@ class Data:
     def plans(self, test: str, judge: str) -> list[Plan]:
         """The plans behind the accuracy of one test home of `by_test`.
 
-        If `judge` is ``test_home``, the plan of this home. If it is ``training_homes``, a plan for each of
-        its training homes, in which that one is tested and the others train; the test home takes no part.
+        If `judge` is ``test_home``, this is the home's plan. If it is ``training_homes``, there is one plan
+        per training home, which tests that home and trains on the others; the test home is not used.
         """
         plan = self.by_test[test]
         if judge == TEST_HOME:
             return [plan]
         plans = planning.on_training_homes(plan)
-        # As for the tables: cross-validation needs two homes that train a cue.
+        # As in the tables, cross-validation needs two homes that train a cue.
         if len(plans) < 3:
             raise PlacecatError(
-                f"judge=training_homes leaves one training home out and needs two others, but {self.name} "
+                f"judge=training_homes leaves out one training home and needs two others, but {self.name} "
                 f"has {len(plans)} beside {test}: use judge={TEST_HOME}"
             )
         return plans
 
 
 def find(params: Mapping[str, Any], name: str) -> Data:
-    """Look up the data, ``main`` or a split of params.yaml; for others the PlacecatError names all."""
+    """Look up the data, ``main`` or a split of params.yaml; for others the PlacecatError lists all."""
     if name == MAIN:
         plans = planning.of_homes(params, "5-5-1")
         return Data(plans[0].dataset, plans[0].classes, {plan.test: plan for plan in plans})
@@ -55,7 +55,7 @@ def find(params: Mapping[str, Any], name: str) -> Data:
 
 
 def find_homes(data: Data, wanted: Any) -> tuple[str, ...]:
-    """Test homes, ``all`` or names whose letters and digits count; for others the PlacecatError names all."""
+    """Find test homes: ``all``, or names compared by letters and digits; the PlacecatError lists them."""
     if wanted == ALL:
         return tuple(data.by_test)
     spellings: dict[str, list[str]] = {}

@@ -1,4 +1,4 @@
-"""The jobs of a sweep: finished ones are not run again, and a killed one does not end the others."""
+"""Run the jobs of a sweep: skip finished jobs, and continue after a killed one."""
 
 import math
 import os
@@ -17,13 +17,13 @@ from placecat.experiment.made_from import is_finished, made_from
 from placecat.runs import lock
 
 _NO_RESULT = "no result"
-# Runs some jobs, given by their overrides.
+# Runs jobs with these overrides.
 Launch = Callable[[Sequence[Sequence[str]]], Any]
 
 
 @contextmanager
 def alone(folder: Path) -> Iterator[None]:
-    """Make the folder of a sweep and wait while another process runs it; if stopped, say how to continue."""
+    """Make and lock the folder of a sweep, after any other process; if stopped, print how to continue."""
     folder.mkdir(parents=True, exist_ok=True)
     with lock.waiting(
         folder / ".lock", f"Another process runs this sweep ({folder}): this one waits for it."
@@ -43,17 +43,18 @@ def run(
     *,
     first: int = 0,
 ) -> list[float]:
-    """Run the unfinished jobs; each has a folder named by its number, from `first` on.
+    """Run the unfinished jobs; each has a folder named by its number, starting with `first`.
 
-    `lines` and `experiments` are for each job its overrides and its resolved experiment, None if only the job
-    itself can refuse them. Returns the accuracies in percent, in the order of the jobs; NaN for none.
+    `lines` are the overrides of each job. `experiments` are the resolved experiments, None if only the job
+    itself can refuse its overrides. Returns the accuracies in percent, in the order of the jobs; NaN if a job
+    has none.
     """
     numbers = range(first, first + len(lines))
     todo = []
     for number, experiment in zip(numbers, experiments, strict=True):
         own = folder / str(number)
         if experiment is None or not is_finished(own, made_from(experiment)):
-            # The existing result is of other settings, data or code, or of a failed job.
+            # The existing result has other settings, data or code, or its job failed.
             (own / output.RESULT).unlink(missing_ok=True)
             todo.append(number)
     if len(todo) < len(lines):
@@ -61,7 +62,7 @@ def run(
     os.environ[job.WORKERS_OF] = str(os.getpid())
 
     def start(some: Sequence[int]) -> None:
-        # The number is set here, since Hydra counts only the jobs of this call.
+        # Set the number here, since Hydra counts only the jobs of this call.
         launch([[*lines[number - first], f"hydra.sweep.subdir={number}"] for number in some])
 
     def failed(number: int) -> str | None:
@@ -72,7 +73,7 @@ def run(
             start(todo)
             break
         except TerminatedWorkerError:
-            # One job ended all that ran beside it: run each again alone.
+            # A killed job ends all jobs beside it: run each again alone.
             killed = [number for number in todo if failed(number) == output.KILLED]
             if not killed:
                 raise

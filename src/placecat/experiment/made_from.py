@@ -1,4 +1,4 @@
-"""The origin of an experiment's result, by which a sweep finds its finished jobs."""
+"""The origin of an experiment's result, which tells a sweep whether a job is finished."""
 
 import hashlib
 from pathlib import Path
@@ -14,10 +14,10 @@ _OF_CODE = ("placecat", "Python", *PACKAGES, "OpenCV")
 
 
 def made_from(experiment: Experiment) -> dict[str, Any]:
-    """Describe what a result depends on, in JSON types: a part of result.json.
+    """Describe the inputs of a result in JSON types, for result.json.
 
-    It has ``settings``; ``plans``, a checksum of the training and test sequences; ``data``, for each sequence
-    a checksum of its labels and of the descriptor; ``code``, versions of placecat and the libraries.
+    The parts are ``settings``; ``plans``, a checksum of the training and test sequences; ``data``, a checksum
+    of labels and descriptor for each sequence; ``code``, versions of placecat and the libraries.
     """
     plans = [plan for of_home in experiment.plans().values() for plan in of_home]
     sequences = sorted({part.home for plan in plans for part in (*plan.cues, *plan.tested)})
@@ -31,7 +31,7 @@ def made_from(experiment: Experiment) -> dict[str, Any]:
 
 
 def made_from_of(result: dict[str, Any]) -> dict[str, Any]:
-    """The same, read from a result; incomplete if the job failed early."""
+    """Read the origin from a result; it is incomplete if the job failed early."""
     return {name: result[name] for name in ("settings", "plans", "data", "code") if name in result}
 
 

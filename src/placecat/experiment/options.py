@@ -1,4 +1,4 @@
-"""The options of an experiment: descriptors and data, found in conf/."""
+"""The options of an experiment: the descriptors and data in conf/."""
 
 from pathlib import Path
 from typing import Any
@@ -15,11 +15,10 @@ TEST_HOME = "test_home"
 
 
 def descriptors(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:
-    """Names of descriptors in experiments to their settings in a cue (see :mod:`placecat.store`).
+    """Map names of descriptors in experiments to their settings in a cue (see :mod:`placecat.store`).
 
-    They come from conf/descriptor, from cues whose descriptor has no file there, and from conf/optional. If
-    both kinds have a descriptor of one name, the name alone is that of salient regions, and
-    ``holistic_NAME`` that of whole frames.
+    They come from conf/descriptor, from cues whose descriptor has no file there, and from conf/optional. If a
+    name occurs in both kinds, ``NAME`` describes salient regions and ``holistic_NAME`` whole frames.
     """
     further = (inferred.descriptors(conf), inferred.optional_descriptors(conf))
 
@@ -48,7 +47,7 @@ def splits(conf: Path = paths.CONF) -> list[str]:
 
 
 def register(conf: Path = paths.CONF) -> None:
-    """Register descriptors and data with Hydra, which finds the other options in conf/."""
+    """Register descriptors and data with Hydra, which reads the other options from conf/."""
     store = ConfigStore.instance()
     for name, own in descriptors(conf).items():
         store.store(group="descriptor", name=name, node=own)

@@ -1,4 +1,4 @@
-"""The files of an experiment, and its result in a few words."""
+"""The files of an experiment, and its result in one line."""
 
 from pathlib import Path
 from typing import Any
@@ -11,7 +11,7 @@ SECONDS = "seconds.json"
 TRACEBACK = "traceback.txt"
 SUMMARY = "summary.csv"
 FAILED = "failed"
-# The result of a job until it has another.
+# The preliminary result of a job.
 KILLED = "its process was killed, perhaps because memory ran out"
 
 
@@ -33,7 +33,7 @@ def read(folder: Path) -> dict[str, Any]:
 
 
 def shown(result: dict[str, Any]) -> str:
-    """A result in a few words."""
+    """A result in one line."""
     if FAILED in result:
         return f"failed: {result[FAILED]}"
     if result["accuracy"] is None:

@@ -1,4 +1,4 @@
-"""Computation of one experiment, by the functions behind the tables."""
+"""Compute one experiment with the functions behind the tables."""
 
 from typing import Any
 
@@ -14,12 +14,12 @@ Outcome = np.ndarray | str
 
 
 def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
-    """Train and test for every test home, fold and seed, in `workers` processes, on which no result depends.
+    """Train and test for every test home, fold and seed; no result depends on the number of `workers`.
 
-    Returns JSON types only: ``settings``; ``accuracy`` in percent, the mean over test homes, None for none;
-    ``homes``, for each test home its ``accuracy``, the mean over seeds and folds, or the ``reason`` for none,
-    and ``folds``: for each tested home and seed ``accuracy`` and ``confusion``, counts with true places as
-    rows.
+    Returns JSON types only: ``settings``; ``accuracy`` in percent, the mean over test homes, or None; and
+    ``homes``. Each test home has its ``accuracy``, the mean over seeds and folds, or the ``reason`` why it
+    has none, and ``folds``: ``accuracy`` and ``confusion`` (counts, true places as rows) of each tested home
+    and seed.
     """
     plans = experiment.plans()
     keys = [
@@ -46,7 +46,7 @@ def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
 
 
 def _of_home(outcomes: list[tuple[str, int | None, Outcome]]) -> dict[str, Any]:
-    """As in a table's cell: a home counts if every seed gave a number."""
+    """Average as in a table's cell: a home counts if every seed has a number."""
     reasons = [found for _, _, found in outcomes if isinstance(found, str)]
     folds: dict[str, dict[str, Any]] = {}
     for test, seed, found in outcomes:

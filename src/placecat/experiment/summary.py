@@ -1,4 +1,4 @@
-"""The results of a sweep or an experiment as a readable table."""
+"""Readable tables of the results of a sweep or an experiment."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -31,7 +31,7 @@ class Ran:
 
     @property
     def has_failed(self) -> bool:
-        """Whether it failed or did not finish."""
+        """Whether the experiment failed or did not finish."""
         return output.FAILED in self.result
 
     @property
@@ -42,7 +42,7 @@ class Ran:
 
     @property
     def spread(self) -> float:
-        """The largest minus the smallest accuracy of the seeds, as in a table; NaN if nothing is random."""
+        """The largest minus the smallest accuracy over seeds, as in the tables; NaN if nothing is random."""
         by_seed: dict[str, list[float]] = {}
         for home in self.result.get("homes", {}).values():
             for fold in home["folds"].values():
@@ -54,7 +54,7 @@ class Ran:
 
 
 def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
-    """Gather the results of a sweep; `combinations` are each experiment's values of the swept keys."""
+    """Collect the results of a sweep; `combinations` are each experiment's values of the swept keys."""
     found = []
     for number, values in enumerate(combinations):
         own = folder / str(number)
@@ -82,17 +82,17 @@ def as_frame(ran: Sequence[Ran]) -> pd.DataFrame:
 
 
 def _accuracies(ran: Sequence[Ran]) -> pd.DataFrame:
-    """Swept keys and accuracy, not rounded; NaN for experiments without one."""
+    """Swept keys and unrounded accuracy; NaN for experiments without one."""
     frame = pd.DataFrame([{**one.values, "accuracy": one.result["accuracy"]} for one in ran])
-    # A sweep may contain one home in two spellings.
+    # A sweep may contain a home in two spellings.
     return frame.astype({"accuracy": float}).drop_duplicates(list(ran[0].values) or None)
 
 
 def grid(ran: Sequence[Ran]) -> pd.DataFrame:
     """The accuracies as a table of text over the swept keys.
 
-    Columns are the values of the first numeric key, else of the last one that is not the test home. If test
-    homes were swept, their average is below them.
+    The columns are the values of the first numeric key, or else of the last key except the test home. If
+    test homes were swept, their average is below them.
     """
     swept, frame = list(ran[0].values), _accuracies(ran)
     others = [key for key in swept if key != HOME]
@@ -103,10 +103,10 @@ def grid(ran: Sequence[Ran]) -> pd.DataFrame:
     numbers = [key for key in others if pd.to_numeric(frame[key], errors="coerce").notna().all()]
     across = (numbers[:1] or others[-1:]) if len(swept) > 1 else []
     across = [key for key in across if frame[key].nunique() <= _MOST_COLUMNS]
-    # The homes last, so that the rows of an average stay together.
+    # The homes come last, to keep the rows of an average together.
     down = [key for key in others if key not in across] + [key for key in swept if key == HOME]
     for key in swept:
-        # Keep the given order.
+        # Keep the order of the sweep.
         frame[key] = pd.Categorical(frame[key], frame[key].unique())
     table = frame.set_index([*down, *across]) if swept else frame
     table = table["accuracy"].unstack(across) if across else table.sort_index()
@@ -118,7 +118,7 @@ def highest(ran: Sequence[Ran]) -> tuple[dict[str, str], float] | None:
     """The settings with the highest accuracy, averaged over swept test homes."""
     frame = _accuracies(ran)
     others = [key for key in ran[0].values if key != HOME]
-    # Settings without a number for one of the homes do not compare.
+    # Settings without a number for one of the homes cannot be compared.
     means = [
         (float(own["accuracy"].mean(skipna=False)), {key: str(own[key].iloc[0]) for key in others})
         for _, own in (frame.groupby(others, sort=False) if others else [(None, frame)])

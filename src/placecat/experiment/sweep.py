@@ -1,4 +1,4 @@
-"""A sweep: check every experiment before the first runs, then report and log the results."""
+"""A sweep: check all experiments before the first one runs, then report and log the results."""
 
 import itertools
 import sys
@@ -20,15 +20,15 @@ from placecat.experiment import jobs, output, summary
 from placecat.experiment.combination import Experiment, resolve
 
 _REFUSALS = (PlacecatError, HydraException, OmegaConfBaseException)
-# Most refused combinations that a message lists for one reason.
+# Largest number of refused combinations that a message lists for one reason.
 _LISTED = 8
 
 
 def grid(arguments: Sequence[str], loader: ConfigLoader) -> tuple[list[list[str]], list[dict[str, str]]]:
-    """Read every combination of the values in Hydra's overrides; `loader` is Hydra's, for ``glob``.
+    """List all combinations of the values in Hydra's overrides; `loader` is Hydra's, for ``glob``.
 
-    Returns the overrides of each experiment, in Hydra's order, and its values of the keys with several
-    values. An interval, which is only for a search, raises PlacecatError.
+    Returns the overrides of each experiment, in Hydra's order, and its values of the swept keys. An interval,
+    which only a search allows, raises PlacecatError.
     """
     overrides = OverridesParser.create(config_loader=loader).parse_overrides(list(arguments))
     choices: list[list[tuple[str, dict[str, str]]]] = []
@@ -40,7 +40,7 @@ def grid(arguments: Sequence[str], loader: ConfigLoader) -> tuple[list[list[str]
             choices.append([(f"{key}={value}", {key: value}) for value in one.sweep_string_iterator()])
         else:
             raise PlacecatError(
-                f"{one.input_line} is an interval, from which only a search can choose: give single values"
+                f"{one.input_line} is an interval, which only a search allows: list single values"
             )
     lines, combinations = [], []
     for parts in itertools.product(*choices):
@@ -52,10 +52,10 @@ def grid(arguments: Sequence[str], loader: ConfigLoader) -> tuple[list[list[str]
 def check(
     config: DictConfig, lines: Sequence[Sequence[str]], combinations: Sequence[dict[str, str]]
 ) -> list[Experiment]:
-    """Resolve each combination; the PlacecatError names each impossible one, and why.
+    """Resolve each combination; the PlacecatError lists the impossible ones, with reasons.
 
-    `config` is the sweep, composed with Hydra's own settings; `lines` are the overrides of each experiment,
-    and `combinations` its name in messages.
+    `config` is the composed sweep, including Hydra's settings. `lines` are the overrides of each experiment,
+    and `combinations` its swept values, for messages.
     """
     params = settings.load()
     experiments: list[Experiment] = []
@@ -67,7 +67,7 @@ def check(
             refused.setdefault(" ".join(str(error).split()), []).append(summary.label(own))
     if refused:
         count = sum(map(len, refused.values()))
-        text = [f"{count} of {len(lines)} combinations are refused, nothing was computed:"]
+        text = [f"{count} of {len(lines)} combinations are refused; nothing was computed:"]
         for message, labels in refused.items():
             text += [f"- {message}", *(f"    {label}" for label in labels[:_LISTED])]
             if len(labels) > _LISTED:
@@ -91,25 +91,25 @@ def _meant(config: DictConfig, line: Sequence[str], params: Mapping[str, Any]) -
 
 @contextmanager
 def begun(config: DictConfig, combinations: Sequence[dict[str, str]]) -> Iterator[Path]:
-    """Lock and yield the folder of the sweep; finished jobs in it stay, and even a failed block reports."""
+    """Lock and yield the folder of the sweep; keep finished jobs, and report even if the block fails."""
     folder = Path(config.hydra.sweep.dir)
     with jobs.alone(folder):
-        # It covers all jobs, and some may run again.
+        # The old summary covers all jobs, but some may run again.
         (folder / output.SUMMARY).unlink(missing_ok=True)
         OmegaConf.save(config, folder / "multirun.yaml")
         try:
             yield folder
         except Exception:
-            # Not logged, since the same command continues the sweep.
+            # Do not log yet, since the same command continues the sweep.
             tell(folder, combinations, log=None)
             raise
 
 
 def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: Sequence[str] | None) -> bool:
-    """Print, write and log the results of a sweep; return whether all went well.
+    """Print, write and log the results of a sweep; return whether all experiments succeeded.
 
-    `combinations` are the swept keys and their values, of each started experiment. `log` has the overrides of
-    the sweep, to log it to MLflow as well; None for no logging.
+    `combinations` are the swept keys and values of each started experiment. `log` has the overrides of the
+    sweep, for MLflow; None turns logging off.
     """
     ran = summary.read(folder, combinations)
     if not ran:
@@ -127,7 +127,7 @@ def tell_one(folder: Path, result: dict[str, object], *, log: bool) -> bool:
 
 
 def _log(write: Callable[[Any], str]) -> bool:
-    """Log to MLflow; print where, or why it failed. The results are on disk in any case."""
+    """Log to MLflow; print where, or why it failed. The results are on disk either way."""
     # Late, since it imports MLflow.
     from placecat.experiment import tracking
 

@@ -1,4 +1,4 @@
-"""Experiments in MLflow, logged by one process at the end: one run each, those of a sweep below a parent."""
+"""Log experiments to MLflow, in one process at the end: one run each, nested in a sweep's parent run."""
 
 import hashlib
 import json
@@ -31,10 +31,10 @@ _FILES = (output.SUMMARY, report.SUMMARY, report.RESULTS)
 
 
 def log_sweep(ran: Sequence[Ran], folder: Path, overrides: Sequence[str]) -> str:
-    """Log a sweep and its experiments once; a failed log is replaced. Returns where it is, for people.
+    """Log a sweep and its experiments once; replace an incomplete log. Returns its location as text.
 
-    `folder` is that of the sweep, with its summary. The overrides identify the sweep, with the settings, data
-    and code of its experiments. Raises PlacecatError if MLflow cannot be written to.
+    `folder` is the sweep's folder, with its summary. A sweep is identified by its overrides and by the
+    settings, data and code of its experiments. Raises PlacecatError if MLflow cannot be written to.
     """
     swept = list(ran[0].values)
     name = f"{' x '.join(swept) or 'one combination'}: {len(ran)} experiments"
@@ -91,7 +91,7 @@ def log_one(result: dict[str, Any], folder: Path) -> str:
 
 
 def _open() -> tuple[Any, str, str]:
-    """Client, number of the data set's experiment, and its place, for people."""
+    """Client, number of the data set's experiment, and its location as text."""
     params = settings.load()
     name, title = (str(settings.get(params, f"dataset.{key}")) for key in ("name", "title"))
     uri = store.tracking_uri()
@@ -107,7 +107,7 @@ def _versions() -> dict[str, str]:
     try:
         version = data_version()
     except PlacecatError:
-        # Features were not made by DVC.
+        # DVC did not make the features.
         version = "unknown"
     return {"data_version": version, store.COMMIT: git_commit()}
 
@@ -144,7 +144,7 @@ def _log_one(client: Any, experiment: str, name: str, one: Ran, parent: str | No
 
 
 def _params(used: dict[str, Any]) -> dict[str, str]:
-    """Parameters of an experiment, by the names that rows of tables have."""
+    """Parameters of an experiment, named as in the rows of tables."""
     parts = ("descriptor", "classifier", "codebook")
     rest = settings.flatten({name: value for name, value in used.items() if name not in parts})
     cue = params_of_cue(used["descriptor"], used["classifier"], used.get("codebook"))

@@ -1,4 +1,4 @@
-"""The plan of a replication: how many homes decide each finding, and how often the rule errs.
+"""Plan a replication: how many homes decide each finding, and how often the rule errs.
 
-No stage uses it: it is for before a run.
+It is used before a run; no stage uses it.
 """

@@ -1,4 +1,4 @@
-"""How many homes decide each finding, from the spread between the homes of a run."""
+"""Compute how many homes decide each finding, from the spread between the homes of a run."""
 
 import re
 from pathlib import Path
@@ -14,9 +14,9 @@ COMPARISONS = Path("reports/findings_comparisons.csv")
 LEVEL = 0.98
 """Level of the intervals of the replication; see docs/replication.md."""
 GROUP = 6
-"""Homes of a group, and of the run that the spread comes from."""
+"""Homes in a group, and in the run that the spread comes from."""
 RUN_LEVEL = 0.95
-"""Level of the intervals of that run."""
+"""Level of the intervals in that run."""
 
 _MOST = 240
 _WANTED = 0.8
@@ -28,17 +28,17 @@ def power_table(comparisons: pd.DataFrame, homes: int = 24) -> pd.DataFrame:
     Parameters
     ----------
     comparisons
-        As reports/findings_comparisons.csv: of one run on six homes.
+        The table reports/findings_comparisons.csv, from one run on six homes.
     homes
-        Of the replication, in groups of six.
+    Number of homes in the replication, in groups of six.
 
     Returns
     -------
     pandas.DataFrame
-        One row per finding: number, units (homes of the replication that decide it), spread (largest standard
-        deviation between homes, points), and for two truths, the published differences and the measured ones:
-        power (probability of a verdict with `homes` homes) and needed (homes for 80 %). NaN where nothing is
-        known: comparisons of one home, of stays or of shares, and differences that were not published.
+        One row per finding: number, units (homes of the replication that decide it) and spread (largest
+        standard deviation between homes, points). Also, once for the published and once for the measured
+        differences as truth: power (probability of a verdict with `homes` homes) and needed (homes for 80 %).
+        NaN if unknown: for comparisons of one home, of stays or of shares, and for unpublished differences.
     """
     rows = []
     for number, of_finding in comparisons[comparisons["reading"].fillna("") == ""].groupby("finding"):
@@ -57,7 +57,7 @@ def power_table(comparisons: pd.DataFrame, homes: int = 24) -> pd.DataFrame:
 
 
 def _known(row: dict) -> tuple[float, float, Range, float, float] | None:
-    """Share of the homes, spread, claimed range, published and measured difference of a comparison."""
+    """Share of the homes, spread, claimed range, and published and measured difference of a comparison."""
     claimed = _claimed(str(row["range"]))
     units = re.fullmatch(r"(\d+) homes?(?: x (\d+) seeds?)?", str(row["units"]))
     if claimed is None or units is None or int(units[1]) < 2:

@@ -1,4 +1,4 @@
-"""How many homes decide a claim, and how often the rule decides wrongly, computed before a run."""
+"""Compute before a run how many homes decide a claim, and how often the rule decides wrongly."""
 
 import math
 
@@ -10,7 +10,7 @@ from placecat.evaluation.bootstrap import stretch
 from placecat.evaluation.verdict import Range
 
 SHAPES = ("normal", "exponential", "student")
-"""Distributions of the difference in a home: the second is skewed, the third has 3 degrees of freedom."""
+"""Distributions of the difference in a home; the second is skewed, the third has 3 degrees of freedom."""
 
 _DRAWS = 4000
 
@@ -21,16 +21,16 @@ def spread(low: float, high: float, homes: int, level: float = 0.95) -> float:
     Parameters
     ----------
     low, high
-        Ends, from as many `homes` as units, at least 2.
+        Ends of the interval.
     homes
-        Number of them.
+    Number of homes, each one unit; at least 2.
     level
-        Of the interval.
+    Level of the interval.
 
     Returns
     -------
     float
-        In the unit of the ends.
+        The deviation in the unit of the ends.
     """
     half = (high - low) / 2.0
     return half * math.sqrt(homes) / float(stats.t.ppf((1.0 + level) / 2.0, homes - 1))
@@ -46,17 +46,17 @@ def power(
     effect, deviation
         Mean and standard deviation of the difference between homes, in points.
     homes
-        At least 2.
-    claimed
+        Number of homes, at least 2.
+        claimed
         Range that the claim allows.
-    level, wide
-        Of the interval that has to be inside, and of the one that has to be outside
+        level, wide
+        Levels of the interval that must be inside, and of the one that must be outside
         (`placecat.evaluation.verdict.corrected_level`).
 
     Returns
     -------
     holds, fails
-        Probabilities, from 4,000 draws of mean and deviation that are always the same.
+        Probabilities, from 4,000 fixed draws of mean and deviation.
     """
     rng = np.random.default_rng(20210)
     means = effect + deviation / math.sqrt(homes) * rng.standard_normal(_DRAWS)
@@ -77,7 +77,7 @@ def homes_needed(
     group: int = 6,
     most: int = 600,
 ) -> int | None:
-    """Find the smallest number of homes, in whole groups, that decides with a given power.
+    """Find the smallest number of homes, in whole groups, that reaches a power.
 
     Parameters
     ----------
@@ -86,14 +86,14 @@ def homes_needed(
     wanted
         Probability of a verdict, whichever is right for `effect`.
     group
-        Homes are added in groups of so many.
+        Number of homes in a group.
     most
-        Where the search ends.
+    Largest number of homes to try.
 
     Returns
     -------
     int or None
-        None if `most` homes do not decide.
+        None if `most` homes are not enough.
     """
     for homes in range(group, most + 1, group):
         if max(power(effect, deviation, homes, claimed, wide=wide)) >= wanted:
@@ -116,25 +116,26 @@ def error_rate(
 ) -> float:
     """Simulate how often the rule of the ledger decides wrongly.
 
-    Every simulation draws homes, forms the interval of :func:`placecat.evaluation.bootstrap.paired_bootstrap`
-    over them and judges it. All use the same resamples, as a finding of the ledger does.
+    Every simulation draws homes, computes the interval over them
+    (:func:`placecat.evaluation.bootstrap.paired_bootstrap`) and judges it. All use the same resamples, as the
+    ledger does for a finding.
 
     Parameters
     ----------
     truth
         True mean difference; homes have a standard deviation of 1.
     claimed
-        Range of the claim. `holds` is wrong if the truth is not inside it, `does not hold` if it is.
+        Range of the claim. `holds` is wrong if the truth is outside, `does not hold` if it is inside.
     homes
-        Number, a multiple of `group`.
+    Number of homes, a multiple of `group`.
     shape
-        One of `SHAPES`; a negative sign before it, "-exponential", turns the tail to the other side.
+        One of `SHAPES`; a minus sign before it, "-exponential", turns the tail to the other side.
     group, shared
-        Homes of a group have this share of their variance in common: they train each other.
+    Size of a group, and the share of variance that its homes have in common since they train each other.
     level
-        Of the interval.
+    Level of the interval.
     simulations, resamples, seed
-        Numbers of both, and the seed of the homes.
+    Numbers of simulations and resamples, and the seed of the homes.
 
     Returns
     -------

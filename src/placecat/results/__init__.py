@@ -1,4 +1,4 @@
-"""Results of a run: their types, and where they are on disk."""
+"""Results of a run: their types and files."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,11 +11,11 @@ def load(project: Path | str = ".") -> "pd.DataFrame":
     """Load every number of the tables and of the text as one table, one row per cell.
 
     `project` is the project's folder; raises PlacecatError if its stage `report` has not run. Columns:
-    ``cell`` is its number (for ``placecat explain``); ``table``, ``title``, ``group``, ``row`` and ``column``
-    locate it; ``home`` is its only test home, or "all". ``quantity`` is the measured quantity; ``measured``,
-    ``published`` and their ``difference`` are in ``unit``, NaN for none. ``spread`` is the largest minus the
-    smallest of the ``seeds``, which ``seed_names`` and ``by_seed`` list. ``note`` says why the two numbers
-    differ, or why one is missing; ``findings`` are those that use it. Its origin: ``data`` and
+    ``cell`` is the cell's number (for ``placecat explain``); ``table``, ``title``, ``group``, ``row`` and
+    ``column`` locate it; ``home`` is its only test home, or "all". ``quantity`` is the measured quantity;
+    ``measured``, ``published`` and their ``difference`` are in ``unit``, NaN if missing. ``spread`` is the
+    largest minus the smallest number of the ``seeds``, which ``seed_names`` and ``by_seed`` list. ``note``
+    says why the two numbers differ or one is missing; ``findings`` use the cell. Its origin: ``data`` and
     ``published_data``; ``results``, ``system``, ``cues``, ``classifiers``, ``descriptors``, ``filter`` and
     ``plan``; ``trained_on``, and the numbers of frames that trained the cues (``training_frames``) and the
     integration (``integration_frames``) and were tested (``tested_frames``); ``settings`` as JSON; and DVC's

@@ -1,4 +1,4 @@
-"""Tables of decisions: counts of one home, of all homes, and shares."""
+"""Tables of decisions: counts in one home, counts in all homes, and shares."""
 
 import numpy as np
 import pandas as pd
@@ -29,11 +29,11 @@ def pooled_rows(one: Measured) -> pd.DataFrame:
 
 
 def pooled_counts(one: Measured) -> np.ndarray:
-    """(classes, classes) counts over all homes and seeds; row a true place, column a decided one."""
+    """(classes, classes) counts over all homes and seeds; rows are true places, columns decided ones."""
     return one.confusion.sum(axis=(0, 1))
 
 
 def shares(counts: np.ndarray) -> np.ndarray:
-    """(classes, classes) percent of the frames of each true place; NaN for a place without frames."""
+    """(classes, classes) percentages of each true place's frames; NaN for a place without frames."""
     frames = counts.sum(axis=1, keepdims=True)
     return np.divide(100.0 * counts, frames, out=np.full(counts.shape, np.nan), where=frames > 0)

@@ -1,4 +1,4 @@
-"""All measurements of a run: counts of decisions by true place."""
+"""The measurements of a run: counts of decisions by true place, and qualities of distributions."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from placecat.paths import NO_SEED
 SCORE_COLUMNS = ["result", "home", "seed", "truth", "decision", "frames"]
 MISSING_COLUMNS = ["result", "home", "reason"]
 DROPPED_COLUMNS = ["filter", "home", "threshold", "frames", "dropped", "labelled", "dropped_labelled"]
-# The measures that are means (the others are counts), and their names in tables.
+# Measures that are means, and their names in tables; other measures are counts.
 MEASURES = {
     "log_loss": "Log loss",
     "calibration_error": "Calibration error",
@@ -29,7 +29,7 @@ DECIMALS = {"log_loss": 3, "calibration_error": 2, "stay_accuracy": 2}
 
 @dataclass(frozen=True)
 class Measured:
-    """One result: decisions on the frames of some test homes, once for each seed.
+    """One result: decisions on the frames of some test homes, for each seed.
 
     Attributes
     ----------
@@ -38,7 +38,7 @@ class Measured:
     seeds
         Names of the seeds, e.g. ``("seed-0", "seed-1")``; ``("no-seed",)`` where nothing is random.
     confusion
-        (seeds, homes, classes, classes) counts; row a true class, column a decided one.
+        (seeds, homes, classes, classes) counts; rows are true classes, columns decided ones.
     """
 
     homes: tuple[str, ...]
@@ -56,30 +56,30 @@ class Measured:
         return np.array([[home_accuracy(of_home) for of_home in of_seed] for of_seed in self.confusion])
 
     def by_class(self) -> NDArray[np.float64]:
-        """(seeds, homes, classes) percentages, NaN where a home has no frame of a class."""
+        """(seeds, homes, classes) percentages; NaN if a home has no frame of a class."""
         return np.array([[class_accuracies(of_home) for of_home in of_seed] for of_seed in self.confusion])
 
     def plain(self) -> NDArray[np.float64]:
-        """(seeds, homes) percentages of all frames, of any place."""
+        """(seeds, homes) percentages of right frames, regardless of the place."""
         right = np.diagonal(self.confusion, axis1=2, axis2=3).sum(axis=2)
         frames = self.confusion.sum(axis=(2, 3))
         return np.divide(100.0 * right, frames, out=np.full(right.shape, np.nan), where=frames > 0)
 
     def pooled(self) -> Measured:
-        """The same, with the frames of all homes counted as one."""
+        """The same, with the frames of all homes pooled."""
         return Measured(("all",), self.seeds, self.classes, self.confusion.sum(axis=1, keepdims=True))
 
 
 @dataclass(frozen=True)
 class Quality:
-    """Quality of one result's distributions on some test homes, once for each seed.
+    """Quality of one result's distributions on some test homes, for each seed.
 
     Attributes
     ----------
     homes, seeds
         As for :class:`Measured`.
     values
-        Name of a number of :class:`placecat.evaluation.quality.HomeQuality` to (seeds, homes) values.
+        Maps names in :class:`placecat.evaluation.quality.HomeQuality` to (seeds, homes) values.
     """
 
     homes: tuple[str, ...]
@@ -98,12 +98,12 @@ class Quality:
         return values[:, there].mean(axis=1) if there.any() else np.empty(0)
 
     def stay_share(self) -> NDArray[np.float64]:
-        """(seeds,) percent of all stays of all homes that are named right; (0,) without stays."""
+        """(seeds,) percentages of stays in all homes that are named right; (0,) without stays."""
         stays = self.values["stays"].sum(axis=1)
         return 100.0 * self.values["stays_right"].sum(axis=1) / stays if stays.all() else np.empty(0)
 
     def averages(self) -> dict[str, float]:
-        """Each of `MEASURES` as the rounded mean over homes and seeds, without those that have no number."""
+        """Each of `MEASURES` as the rounded mean over homes and seeds, except those without a number."""
         means = {measure: self.over_homes(measure) for measure in MEASURES}
         return {name: round(float(one.mean()), DECIMALS[name]) for name, one in means.items() if len(one)}
 
@@ -117,18 +117,18 @@ class Results:
     homes, classes
         Names of the homes and of the places of the main data set, in order.
     measured
-        Name of the result, e.g. ``cues/gist/5-5-1``, to its measurement.
+        Maps the name of a result, e.g. ``cues/gist/5-5-1``, to its measurement.
     missing
-        (result, home) to the reason why this data cannot give it.
+    Maps (result, home) to the reason why these data do not allow it.
     stays
-        The results of further data sets by stay: each stay, a visit to a place, is a "home" here, with frames
-        of a single place.
+    The results of further data sets by stay. Each stay (a visit to a place) counts as a "home" with frames
+    of a single place.
     dropped
-        Name of an information filter to the frames that it drops
-        (:func:`placecat.fusion.information_filter.dropped`): columns home, threshold, frames, dropped,
-        labelled, dropped_labelled.
+    Maps the name of an information filter to the frames that it drops
+    (:func:`placecat.fusion.information_filter.dropped`): columns home, threshold, frames, dropped,
+    labelled, dropped_labelled.
     quality
-        Name of a result, except trials, to the quality of its distributions.
+    Maps the name of a result, except trials, to the quality of its distributions.
     """
 
     homes: tuple[str, ...]
@@ -148,7 +148,7 @@ class Results:
         """Look up one result; for an unknown name the PlacecatError names the nearest ones."""
         if name not in self.measured:
             near = difflib.get_close_matches(name, self.measured, n=3) or sorted(self.measured)[:5]
-            raise PlacecatError(f"there is no result {name!r}: did you mean {' or '.join(near)}?")
+            raise PlacecatError(f"result {name!r} does not exist: did you mean {' or '.join(near)}?")
         return self.measured[name]
 
     def find(self, name: str) -> Measured | None:
@@ -156,11 +156,11 @@ class Results:
         return None if name not in self.measured and self.reasons(name) else self.of(name)
 
     def reasons(self, name: str) -> list[str]:
-        """Why a result lacks homes, each reason once."""
+        """The reasons why a result lacks homes, without duplicates."""
         return list(dict.fromkeys(reason for (result, _), reason in self.missing.items() if result == name))
 
     def drops(self, name: str, home: str = "") -> str:
-        """The frames that a result's information filter drops, in all homes or one; "" without a filter."""
+        """Describe the share of frames that a result's information filter drops; "" without a filter."""
         homes = next((self.dropped[part] for part in name.split("/")[1:2] if part in self.dropped), None)
         if homes is None:
             return ""
@@ -174,8 +174,8 @@ class Results:
     def accuracy_table(self) -> pd.DataFrame:
         """All accuracies: result, home, place, frames, accuracy (mean over seeds), spread, seeds.
 
-        ``place`` is "all" for the mean over places; ``spread`` is the largest minus the smallest of the
-        seeds, empty where nothing is random.
+        ``place`` is "all" for the mean over places; ``spread`` is the largest minus the smallest number of
+        the seeds, empty if nothing is random.
         """
         rows = []
         for name, one in self.measured.items():
@@ -214,11 +214,11 @@ def from_scores(
     stays: pd.DataFrame | None = None,
     dropped: pd.DataFrame | None = None,
 ) -> Results:
-    """Build the results from the rows that `score_rows` gives; in `stays`, stays replace homes.
+    """Build the results from the rows of `score_rows`; in `stays`, stays replace homes.
 
     `scores` and `missing` have the columns `SCORE_COLUMNS` and `MISSING_COLUMNS`. `other_classes` are the
-    lists of places of the other data sets, in order; a result gets the first list that has all its places,
-    the main one first.
+    lists of places of the other data sets, in order. A result gets the first list that contains its places;
+    the main data set's list comes first.
     """
     reasons = {(str(row.result), str(row.home)): str(row.reason) for row in missing.itertuples(index=False)}
     lists = (tuple(classes), *map(tuple, other_classes))
@@ -233,7 +233,7 @@ def from_scores(
 
 
 def _measured(scores: pd.DataFrame, lists: Sequence[tuple[str, ...]]) -> dict[str, Measured]:
-    # Plain lists, since pandas takes most of the time here: once per column, not once per result.
+    # Convert columns to lists once, since pandas would dominate the time if called for every result.
     columns = {name: scores[name].tolist() for name in ("home", "seed", "truth", "decision", "frames")}
     codes, names = pd.factorize(scores["result"])
     rows: list[list[int]] = [[] for _ in names]

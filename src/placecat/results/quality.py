@@ -1,4 +1,4 @@
-"""Quality of the distributions of every result: log-loss, calibration error, and stays named right."""
+"""Quality of the distributions of all results: log-loss, calibration error, and stays named right."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from placecat.results.measured import DECIMALS, Quality
 QUALITY_COLUMNS = ["result", "home", "seed", *HomeQuality._fields]
 TEXT_COLUMNS = QUALITY_COLUMNS[:3]
 _COUNTS = ("stays", "stays_right")
-# Written decimals: the last bits of a logarithm depend on the processor.
+# Decimals in the file; the last bits of a logarithm depend on the processor.
 _DECIMALS = 6
 STAY_SHARE = "stay_share"
 _SHOWN = DECIMALS | {STAY_SHARE: 2}
@@ -39,7 +39,7 @@ def quality_rows(name: str, one: Quality) -> list[tuple[str | float, ...]]:
 
 
 def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
-    """Name of a result to its numbers, from the rows that `quality_rows` gives."""
+    """Map names of results to their quality, from the rows of `quality_rows`."""
     found = {}
     for name, rows in table.groupby("result", sort=False):
         homes, seeds = tuple(dict.fromkeys(rows["home"])), tuple(dict.fromkeys(rows["seed"]))
@@ -55,10 +55,10 @@ def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
 def quality_table(found: Mapping[str, Quality]) -> pd.DataFrame:
     """The means of each result over its homes and seeds, one row per result.
 
-    Columns result; homes, seeds (their numbers; 0 if nothing is random); log_loss (nats), calibration_error,
-    stay_accuracy (percent, the mean over the places of a home and over homes); stays, the number of stays;
-    stay_share, the percentage of all stays that were named right; and the ``spread`` of each, the largest
-    minus the smallest of the seeds, NaN if nothing is random.
+    Columns: result; homes and seeds, their numbers (0 seeds if nothing is random); log_loss (nats);
+    calibration_error; stay_accuracy (percent, the mean over the places of a home and over homes); stays, the
+    number of stays; stay_share, the percentage of stays that were named right; and the ``spread`` of each,
+    the largest minus the smallest number of the seeds, NaN if nothing is random.
     """
     rows = []
     for name, one in found.items():

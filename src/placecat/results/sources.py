@@ -1,4 +1,4 @@
-"""Files of the distributions of every result, by the result's name."""
+"""The files of the distributions of every result, by the result's name."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,9 +14,9 @@ from placecat.training import protocol
 
 @dataclass(frozen=True)
 class Source:
-    """Files of one result's distributions over the places `classes`: one array `name` for each home and seed.
+    """The files of one result's distributions over `classes`: an array `name` for each home and seed.
 
-    Test homes have the names of their folders; `site` is their further data set, "" for the main one.
+    Test homes are named like their folders; `site` is their further data set, "" for the main one.
     """
 
     folder: Path
@@ -26,11 +26,11 @@ class Source:
     classes: tuple[str, ...]
 
     def seeds(self) -> tuple[str, ...]:
-        """Names of the seeds on disk."""
+        """Names of the seeds that have files."""
         return tuple(fold_file.seeds_in(self.folder, self.homes[0]))
 
     def file(self, home: str, seed: str) -> Path:
-        """File with the array, among others, of a test home and seed."""
+        """The file with the array of a test home and seed."""
         return fold_file.path_of(self.folder, home, seed)
 
     def array(self, home: str, seed: str) -> NDArray[np.float64]:
@@ -43,7 +43,7 @@ class Source:
 
 
 def sources(params: Mapping[str, Any]) -> dict[str, Source]:
-    """Name every result that has distributions, by all settings.
+    """Name every result that has distributions, from the settings.
 
     E.g. ``cues/gist/5-5-1``, ``tempered/gist``, ``integration/das_551_all``, ``hmm/...`` and
     ``smoothing/...`` (before and after the delay), ``filtered/informative/gist``,

@@ -1,4 +1,4 @@
-"""The schema of params.yaml and of an experiment, which refuses wrong settings at once."""
+"""The schema of params.yaml and of an experiment, which refuses wrong settings early."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -16,10 +16,10 @@ _SHOWN = 80
 
 
 def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
-    """Refuse a setting that is unknown, missing, of another type or out of its range.
+    """Refuse settings that are unknown, missing, of a wrong type or out of range.
 
-    `content` are settings as plain containers, `model` is their section. The PlacecatError names the first
-    such setting by its dotted name.
+    `content` are settings as plain containers, `model` is their section. The PlacecatError gives the dotted
+    name of the first wrong setting.
     """
     try:
         model.model_validate(content)
@@ -28,7 +28,7 @@ def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
 
 
 def check_value(value: Any, adapter: TypeAdapter[Any], where: str) -> None:
-    """Refuse a value of a wrong type or range, by :func:`of_type`, in the setting of a dotted name."""
+    """Refuse a value of a wrong type or range; `adapter` is from :func:`of_type`, `where` a dotted name."""
     try:
         adapter.validate_python(value)
     except ValidationError as error:
@@ -36,7 +36,7 @@ def check_value(value: Any, adapter: TypeAdapter[Any], where: str) -> None:
 
 
 def of_type(kind: Any) -> TypeAdapter[Any]:
-    """Return a strict check of values of a type, without NaN and infinity."""
+    """Make a strict check for values of a type, which excludes NaN and infinity."""
     return TypeAdapter(kind, config=ConfigDict(strict=True, allow_inf_nan=False))
 
 
@@ -44,13 +44,13 @@ def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str,
     """The first mistake, in one line."""
     errors = error.errors(include_url=False)
     places = [_place(content, (*before, *one["loc"])) for one in errors]
-    # If a value may be of several kinds, the nearest kind.
+    # If a value may have several types, report the nearest type.
     same = [number for number, place in enumerate(places) if place[: len(places[0])] == places[0]]
     first = max(same, key=lambda number: (len(places[number]), not errors[number]["type"].endswith("_type")))
     place, told = places[first], errors[first]
     dotted, kind, value = ".".join(place), told["type"], told["input"]
     if kind == "missing":
-        return f"{dotted or 'the settings'} has no setting {told['loc'][-1]!r}, which it needs"
+        return f"{dotted or 'the file'} needs the setting {told['loc'][-1]!r}"
     if kind == "extra_forbidden":
         *parents, name = place
         unknown = {str(one["loc"][-1]) for one in errors if one["type"] == kind}
@@ -63,18 +63,18 @@ def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str,
     said = told["msg"].removeprefix("Value error, ").replace("Input should be", "it must be")
     said = said.replace("Value should", "it must").replace(" after validation", "")
     if kind == "string_type" and isinstance(value, int | float):
-        said = f"text is needed here, and YAML reads this as a number: write '{value}', with quotes"
+        said = f"it must be text, but YAML reads a number: write '{value}', with quotes"
     elif kind == "list_type":
         said = f"it must be a list: write [{_short(value)}]"
     elif kind in ("dict_type", "mapping_type", "model_type"):
-        said = "it must have settings of its own"
+        said = "it must be a mapping of settings"
     if told["loc"][-1:] == ("[key]",):
         return f"{'.'.join(place[:-1])}: {_short(repr(value))} is not a valid name: {said}"
     return f"{dotted}: {said}" if isinstance(value, Mapping) else f"{dotted}={_short(value)}: {said}"
 
 
 def _place(content: Any, loc: tuple[Any, ...]) -> tuple[str, ...]:
-    """The place of a mistake, without the name of the kind that pydantic adds to `loc` for unions."""
+    """The place of a mistake, without the type name that pydantic adds to `loc` for unions."""
     place: list[str] = []
     for part in loc:
         if isinstance(content, Mapping | list) and _has(content, part):
@@ -88,6 +88,6 @@ def _has(here: Any, part: Any) -> bool:
 
 
 def _short(value: Any) -> str:
-    """A value roughly as in YAML, shortened in the middle."""
+    """A value in approximate YAML, shortened in the middle."""
     text = printable(str(value).replace("\n", "\\n"))
     return text if len(text) <= _SHOWN else f"{text[: _SHOWN // 2]}...{text[-_SHOWN // 2 :]}"

@@ -9,21 +9,21 @@ from placecat.schema.sections import Descriptor
 
 
 class ExperimentFrames(Section):
-    """Frames of an experiment; None: as in params.yaml."""
+    """Frames of an experiment; None means as in params.yaml."""
 
     offset: Index | None
     step: Count | None
 
 
 class ExperimentCodebook(Section):
-    """Codebook of an experiment; None: the classifier's usual one."""
+    """Codebook of an experiment; None means the classifier's default."""
 
     cells: Count | None
     tree: Own
 
 
 class Limits(Section):
-    """Limits that an experiment must not exceed without permission."""
+    """Limits of an experiment, which users may raise."""
 
     kernel_rows: Count
 
@@ -34,7 +34,7 @@ class Experiment(Section):
     descriptor: Descriptor
     classifier: Own
     data: Key
-    # In any spelling, also 1 for Home1.
+    # In any spelling, even 1 for Home1.
     test_home: str | int | list[str | int]
     judge: Literal["test_home", "training_homes"]
     frames: ExperimentFrames

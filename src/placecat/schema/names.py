@@ -1,4 +1,4 @@
-"""Names and texts in the settings: names of files, labels and titles."""
+"""Types of names and texts in the settings: file names, labels and titles."""
 
 import re
 from collections.abc import Hashable
@@ -8,10 +8,10 @@ from typing import Annotated, TypeVar
 from pydantic import AfterValidator
 
 _Item = TypeVar("_Item", bound=Hashable)
-# A file name has 255 bytes; some are left for prefix and ending.
+# A file name has at most 255 bytes; some are reserved for prefix and suffix.
 _LONGEST_NAME, _LONGEST_TEXT = 200, 4000
 _KEY = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_-]*")
-# Values of `protocol.test_homes` that do not name a home.
+# Values of `protocol.test_homes` that are not names of homes.
 _RESERVED = ("all",)
 
 
@@ -28,12 +28,12 @@ def _text(text: str) -> str:
 def _folder(text: str) -> str:
     _text(text)
     if "://" in text:
-        raise ValueError("it is an address: copy the data into a folder, and name that")
+        raise ValueError("it is an address: copy the data into a folder, and name the folder")
     if text.startswith("~"):
         raise ValueError("~ is not expanded here: write the whole path")
     # DVC accepts no folder that a stage writes into.
     if Path("data").resolve().is_relative_to(Path(text).resolve()):
-        raise ValueError("the stages write into this folder: put the homes in a folder of their own")
+        raise ValueError("the stages write into this folder: put the homes in another folder")
     return text
 
 
@@ -58,7 +58,7 @@ def _file_name(text: str) -> str:
 
 def _key(text: str) -> str:
     if not _KEY.fullmatch(text):
-        raise ValueError("it is a part of dotted names: use only the letters a to z, digits, _ and -")
+        raise ValueError("it is part of dotted names: use only the letters a to z, digits, _ and -")
     return _file_name(text)
 
 
@@ -72,12 +72,12 @@ def _distinct(items: list[_Item]) -> list[_Item]:
 Text = Annotated[str, AfterValidator(_text)]
 """Any text, such as an address."""
 Folder = Annotated[str, AfterValidator(_folder)]
-"""The path of a folder of data, which a stage depends on."""
+"""The path of a data folder that a stage depends on."""
 Label = Annotated[str, AfterValidator(_short)]
-"""A title, a place, a camera: text of tables and figures."""
+"""A title, a place or a camera: text in tables and figures."""
 FileName = Annotated[str, AfterValidator(_file_name)]
-"""A home, a sequence: it names files and folders."""
+"""A home or a sequence: it names files and folders."""
 Key = Annotated[str, AfterValidator(_key)]
-"""A cue, a codebook, a system: it names files and is a part of dotted names."""
+"""A cue, a codebook or a system: it names files and is part of dotted names."""
 Distinct = Annotated[list[_Item], AfterValidator(_distinct)]
-"""A list of different items."""
+"""A list without duplicates."""

@@ -1,4 +1,4 @@
-"""Numbers of images: levels of a pyramid, and windows with a middle."""
+"""Types of image sizes: levels of a pyramid, and windows with a centre."""
 
 from typing import Annotated
 
@@ -10,7 +10,7 @@ from placecat.ranges import Count
 
 def _odd(number: int) -> int:
     if number % 2 == 0:
-        raise ValueError("it must be odd, to have a middle")
+        raise ValueError("it must be odd")
     return number
 
 
@@ -23,5 +23,5 @@ def _ascending(numbers: list[int]) -> list[int]:
 Odd = Annotated[Count, AfterValidator(_odd)]
 Window = Annotated[int, Interval(ge=3, le=999), AfterValidator(_odd)]
 Level = Annotated[int, Interval(ge=1, le=16)]
-"""Of a pyramid of images."""
+"""Levels of an image pyramid."""
 Levels = Annotated[list[Level], MinLen(1), AfterValidator(_ascending)]

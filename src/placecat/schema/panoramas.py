@@ -18,7 +18,7 @@ def _ordered(numbers: list[float]) -> list[float]:
 
 def _word(text: str) -> str:
     if not text or text.split() != [text]:
-        raise ValueError("label files separate their columns by spaces: write it without any")
+        raise ValueError("it must not contain spaces, which separate the columns of label files")
     return text
 
 
@@ -40,7 +40,7 @@ class Stay(Section):
 
 
 class Faces(Section):
-    """Text for each face in the names of the files."""
+    """Text that marks each face in file names."""
 
     front: Text
     right: Text
@@ -51,7 +51,7 @@ class Faces(Section):
 
 
 class Cubes(Section):
-    """Names of the six pictures of a panorama."""
+    """File names of the six pictures of a panorama."""
 
     file: Text
     faces: Faces
@@ -65,7 +65,7 @@ class Cubes(Section):
 
 
 class Zind(Section):
-    """Of the Zillow Indoor Dataset."""
+    """Settings for the Zillow Indoor Dataset."""
 
     others: Word | None
     inside_only: bool

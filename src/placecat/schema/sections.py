@@ -42,13 +42,13 @@ class Dataset(Section):
                 raise ValueError(f"homes: {home!r} and another differ only in capital letters")
         for name in self.ignored:
             if name in self.classes:
-                raise ValueError(f"ignored: {name!r} is also a class; remove it from one of both")
+                raise ValueError(f"ignored: {name!r} is also a class; remove it from one of the two")
         return self
 
     @model_validator(mode="before")
     @classmethod
     def _without_those_of_the_layout(cls, content: Any) -> Any:
-        """Leave out the settings of the layout's reader, which checks them itself."""
+        """Leave out the settings of the layout's reader, which checks them."""
         if not isinstance(content, Mapping) or set(content) <= set(cls.model_fields):
             return content
         own = lookup.parameters("placecat.sequences", str(content.get("layout")), "read_home")
@@ -267,10 +267,10 @@ class Integrator(Section):
     def _of_its_method(self) -> "Integrator":
         for name, method in (("classifier", "das"), ("shrinkage", "log_pool")):
             if (getattr(self, name) is not None) != (self.method == method):
-                raise ValueError(f"{name} is a setting of method: {method}, which needs it, and of no other")
+                raise ValueError(f"{name} is required by method: {method}, and only by it")
         if "smallest" in self.model_fields_set and (self.smallest is None or self.method != "log_pool"):
             raise ValueError(
-                "smallest is a number for method: log_pool alone; leave it out for the usual one"
+                "smallest is a number, and only for method: log_pool; leave it out for the default"
             )
         return self
 
@@ -288,7 +288,7 @@ class System(Section):
     @model_validator(mode="after")
     def _without_extra(self) -> "System":
         if self.extra and self.integrator.method == "log_pool":
-            raise ValueError("extra: true does not go with log_pool, which learns from the cues' own homes")
+            raise ValueError("extra: true does not work with log_pool, which learns from the cues' homes")
         return self
 
 
@@ -303,7 +303,7 @@ class Filter(Section):
     @model_validator(mode="after")
     def _one_of_both(self) -> "Filter":
         if (self.threshold is None) == (self.share is None):
-            raise ValueError("it needs either a threshold or a share: set the other one to null")
+            raise ValueError("it needs a threshold or a share, not both: set the other one to null")
         return self
 
 
@@ -328,7 +328,7 @@ class Split(Section):
     @model_validator(mode="after")
     def _cues_are_not_judged(self) -> "Split":
         if self.integrator.method == "log_pool":
-            raise ValueError("log_pool does not go with a fixed split, whose cues are not cross-validated")
+            raise ValueError("log_pool does not work with a fixed split, whose cues are not cross-validated")
         return self
 
 
@@ -375,7 +375,7 @@ class Toy(Section):
 
 
 class Params(Section):
-    """params.yaml. A missing section is reported by the stage that reads it."""
+    """params.yaml. The stage that reads a missing section reports it."""
 
     dataset: Dataset | None = None
     attention: Attention | None = None

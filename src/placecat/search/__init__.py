@@ -1,1 +1,1 @@
-"""Search of an experiment's settings with Optuna, judged on training homes only."""
+"""Search an experiment's settings with Optuna, judged on training homes only."""

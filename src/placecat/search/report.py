@@ -14,15 +14,15 @@ from placecat.search.study import Tried, best
 RESULTS = "optimization_results.yaml"
 SUMMARY = "search.md"
 _PROGRAM = "placecat experiment"
-# Settings in which the test differs from the search, or that have their default.
+# Settings that differ between the test and the search, or that have their default.
 _REPLACED = ("search", "judge", "test_home", "track", "data=main")
 
 
 def write(folder: Path, tried: Sequence[Tried], space: Space, base: dict[str, str], home: str) -> str:
-    """Write the results and a summary to the folder of the sweep; return the summary, as Markdown.
+    """Write the results and a summary to the folder of the sweep; return the summary as Markdown.
 
-    `tried` are the tried settings, the starts first; `base` the chosen options of ``descriptor``,
-    ``classifier`` and ``data``; `home` the test home, which was not read.
+    `tried` are the settings that were tried, the starts first. `base` are the chosen options of
+    ``descriptor``, ``classifier`` and ``data``. `home` is the test home, which was not used.
     """
     starts, found = dict(zip(space.starts, tried, strict=False)), best(tried)
     without = [one for one in tried if one.accuracy is None]
@@ -57,7 +57,7 @@ def _text(
     lines = [
         f"# Search: {' '.join(common)}",
         "",
-        f"Mean accuracy in percent with each training home left out in turn; {home} was not read.",
+        f"Mean accuracy in percent with each training home left out in turn; {home} was not used.",
         "",
         "| setting | experiment | accuracy | overrides |",
         "| --- | ---: | ---: | --- |",
@@ -68,13 +68,13 @@ def _text(
         for name, one in rows
     ]
     if without:
-        lines += ["", f"{without} of the experiments gave no number: see summary.csv."]
+        lines += ["", f"{without} of the experiments have no result: see summary.csv."]
     if found in starts.values():
         lines += ["", "Nothing better was found. Its test on the test home:"]
     else:
         lines += [
             "",
-            f"The best of {count} looks too good here, since it was chosen here. Test it once on "
+            f"The accuracy of the best of {count} is too high, since it was chosen by it. Test it once on "
             "the test home, after all choices are made:",
         ]
     lines += ["", f"    {_command(found, common, home)}", ""]
@@ -90,5 +90,5 @@ def _command(one: Tried, common: Sequence[str], home: str) -> str:
 
 
 def _values(one: Tried) -> dict[str, Any]:
-    """Key to value, numbers as numbers."""
+    """Keys and values, with numbers converted."""
     return {key: yaml.safe_load(value) for key, value in values(one.overrides).items()}

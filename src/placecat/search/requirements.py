@@ -1,4 +1,4 @@
-"""Requirements of a search, checked before anything is computed."""
+"""Check the requirements of a search before anything is computed."""
 
 import importlib.util
 from collections.abc import Mapping
@@ -10,10 +10,10 @@ JUDGE = "training_homes"
 
 
 def check(config: Mapping[str, Any]) -> None:
-    """Refuse a search whose result would mean nothing.
+    """Refuse a search whose result would be meaningless.
 
-    Raises PlacecatError if Optuna is not installed, the experiment's ``judge`` is not the training homes, or
-    there are several test homes.
+    Raises PlacecatError if Optuna is not installed, ``judge`` is not ``training_homes``, or there are several
+    test homes.
     """
     need_optuna()
     if config.get("judge") != JUDGE:

@@ -1,4 +1,4 @@
-"""The space of a search, read from Hydra's overrides, and its starts."""
+"""The space of a search, read from Hydra's overrides, and its first settings."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ from placecat.search import starts
 if TYPE_CHECKING:
     from optuna.distributions import BaseDistribution
 
-# Settings of the method. Data, homes, seeds and judge are its measurement and are not searched.
+# Settings of the method. Data, homes, seeds and judge belong to the measurement and are not searched.
 _OF_THE_METHOD = ("descriptor", "classifier", "codebook", "clustering")
 
 
@@ -22,10 +22,10 @@ _OF_THE_METHOD = ("descriptor", "classifier", "codebook", "clustering")
 class Space:
     """The space of a search.
 
-    `distributions` are keys to Optuna's distributions, the values of a choice written as in Hydra. `starts`
-    are the source of each start, e.g. ``conf/cue/hog_y.yaml``, to key to value. `fixed` are the overrides of
-    all experiments. `digits` are the significant digits of numbers chosen from intervals; the starts stay as
-    they are.
+    `distributions` maps keys to Optuna's distributions; choices have their values in Hydra's spelling.
+    `starts` maps the source of each start, e.g. ``conf/cue/hog_y.yaml``, to its keys and values. `fixed` are
+    the overrides of all experiments. `digits` are the significant digits of numbers chosen from intervals;
+    starts are not rounded.
     """
 
     distributions: "dict[str, BaseDistribution]"
@@ -34,7 +34,7 @@ class Space:
     digits: int
 
     def overrides(self, chosen: Mapping[str, Any]) -> tuple[str, ...]:
-        """The overrides for Optuna's choice of values."""
+        """The overrides for the values that Optuna chose."""
         return tuple(f"{key}={self._written(key, chosen[key])}" for key in self.distributions)
 
     def _written(self, key: str, value: Any) -> Any:
@@ -46,7 +46,7 @@ class Space:
         return min(max(float(f"{value:.{self.digits}g}"), own.low), own.high)
 
     def ends(self) -> list[tuple[str, ...]]:
-        """Overrides with each setting at each of its ends, the others as in the first start."""
+        """Overrides that set each key to both ends of its range, and the others as in the first start."""
         first = next(iter(self.starts.values()))
         found = [first]
         for key, own in self.distributions.items():
@@ -56,7 +56,7 @@ class Space:
 
 
 def values(overrides: Sequence[str]) -> dict[str, str]:
-    """Key to value of overrides."""
+    """Keys and values of overrides."""
     return dict(one.split("=", 1) for one in overrides)
 
 
@@ -70,11 +70,11 @@ def read(
 ) -> Space:
     """Read the space from the configuration and the command line, which takes precedence.
 
-    `spans` are keys to spans as in conf/search, e.g. ``interval(0.1, 2)`` or ``choice(a, b)``. `arguments`
-    are overrides; keys with a single value there are not searched. `config` is the experiment composed
-    without the searched settings, with Hydra's own settings: the first start. `params` is params.yaml, see
-    :func:`placecat.search.starts.find`. Raises PlacecatError if nothing is searched, a key is not one of the
-    method, or the space does not hold a start.
+    `spans` maps keys to spans as in conf/search, e.g. ``interval(0.1, 2)`` or ``choice(a, b)``. `arguments`
+    are overrides; keys with a single value there are not searched. `config` is the first start: the
+    experiment composed without the searched settings, including Hydra's. `params` is params.yaml, see
+    :func:`placecat.search.starts.find`. Raises PlacecatError if nothing is searched, a key does not belong to
+    the method, or a start lies outside the space.
     """
     parser = OverridesParser.create()
     written = [*(f"{key}={value}" for key, value in spans.items()), *arguments]
@@ -82,14 +82,14 @@ def read(
     searched = {key: one for key, one in by_key.items() if one.is_sweep_override()}
     if not searched:
         raise PlacecatError(
-            "nothing is left to search: give a setting several values, e.g. "
+            "there is nothing to search: give a setting several values, e.g. "
             "'classifier.base.gamma=tag(log, interval(0.1, 10))'"
         )
     for key, one in searched.items():
         if key.split(".")[0].split("@")[0] not in _OF_THE_METHOD:
             raise PlacecatError(
-                f"{one.input_line}: a search chooses settings of {', '.join(_OF_THE_METHOD)} only; {key} "
-                "belongs to how they are measured and has one value"
+                f"{one.input_line}: a search chooses only settings of {', '.join(_OF_THE_METHOD)}; {key} "
+                "belongs to the measurement and has one value"
             )
     found = starts.find(list(searched), config, params)
     distributions = {}
@@ -106,7 +106,7 @@ def read(
 def _distribution(
     override: Override, found: Mapping[str, Any], parser: OverridesParser
 ) -> "tuple[BaseDistribution, dict[str, Any]]":
-    """The distribution of a setting, and the starts' values of it, in Optuna's form."""
+    """The distribution of a setting and its values in the starts, in Optuna's form."""
     from optuna.distributions import CategoricalDistribution, FloatDistribution, IntDistribution
     from optuna.trial import create_trial
 
@@ -133,7 +133,7 @@ def _distribution(
         }
     for name, value in as_known.items():
         try:
-            # Optuna checks whether the distribution holds a value.
+            # Optuna checks whether the distribution contains a value.
             create_trial(params={key: value}, distributions={key: distribution}, value=0.0)
         except ValueError:
             raise PlacecatError(

@@ -1,4 +1,4 @@
-"""The first settings of a search, which make its result at least as good."""
+"""The first settings of a search; the result is at least as good as these."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -12,11 +12,11 @@ SETTINGS = "the settings without a search"
 
 
 def find(keys: Sequence[str], config: DictConfig, params: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
-    """Find the settings to start with: the source of each start to the values of the searched keys.
+    """Find the settings to start with; map the source of each start to values of the searched keys.
 
-    `config` is the experiment composed without the searched settings, with Hydra's own settings: the first
-    start. A key that it lacks raises PlacecatError. A cue of `params` with the experiment's descriptor and
-    classifier but other settings is also a start: those of conf/cue are the best of the thesis.
+    `config` is the first start: the experiment composed without the searched settings, including Hydra's. A
+    key that it lacks raises PlacecatError. Cues of `params` with the experiment's descriptor and classifier
+    but other settings are also starts, since conf/cue has the best settings of the thesis.
     """
     first = {key: _value(key, config) for key in keys}
     found = {SETTINGS: first}
@@ -42,7 +42,7 @@ def _value(key: str, config: DictConfig) -> Any:
 def _of_cue(
     cue: Mapping[str, Any], params: Mapping[str, Any], config: DictConfig, keys: Sequence[str]
 ) -> dict[str, Any]:
-    """The classifier's settings of a cue with the experiment's descriptor and classifier, else none."""
+    """The classifier settings of a cue if it has the experiment's descriptor and classifier, else None."""
     codebook = cue.get("codebook")
     descriptor = cue["descriptor"] if codebook is None else params["codebooks"][codebook]["descriptor"]
     wanted = {f"descriptor.{name}": value for name, value in descriptor.items()}

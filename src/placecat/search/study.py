@@ -1,4 +1,4 @@
-"""Optuna's choice of the next settings, in batches that do not depend on the number of workers."""
+"""Choose settings with Optuna, in batches that do not depend on the number of workers."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -10,7 +10,7 @@ from placecat.search.space import Space
 
 @dataclass(frozen=True)
 class Tried:
-    """A tried setting: the number of its experiment, the choice, and the accuracy in percent, or None."""
+    """Settings that were tried: number of the experiment, values, and accuracy in percent or None."""
 
     number: int
     overrides: tuple[str, ...]
@@ -26,24 +26,24 @@ def search(
     seed: int,
     n_startup_trials: int,
 ) -> list[Tried]:
-    """Search the settings of the highest accuracy with Optuna's tree-structured Parzen estimator.
+    """Search for the settings with the highest accuracy, by Optuna's tree-structured Parzen estimator.
 
-    The first trials are the starts, so the best is at least as good as each of them. A repeated setting is
-    not run again, since it would give the same number. Returns every setting that was run, in the order of
-    trials, the starts first. Raises PlacecatError if a number is out of range, or no experiment gave an
-    accuracy by the time the sampler needs some.
+    The first trials are the starts, so the best is at least as good as each of them. Repeated settings are
+    not run again, since they give the same number. Returns all settings that were run, in the order of the
+    trials. Raises PlacecatError if a number is out of range, or if no experiment has an accuracy when the
+    sampler needs some.
 
     Parameters
     ----------
     run
-        Takes the overrides of some experiments and the number of the first; returns their accuracies in
+        Runs experiments; gets their overrides and the number of the first. Returns the accuracies in
         percent, NaN for none.
-    n_trials
-        Settings to try, including the starts and repeated ones.
-    batch_size
-        Settings chosen at a time, without each other's results.
-    n_startup_trials
-        Trials before the sampler uses results; until then it draws evenly.
+        n_trials
+        Number of settings to try, including starts and repetitions.
+        batch_size
+        Number of settings chosen together, without knowing each other's results.
+        n_startup_trials
+        Number of trials drawn uniformly, before the sampler uses results.
     """
     for name, value, least in (("n_trials", n_trials, len(space.starts)), ("batch_size", batch_size, 1)):
         if value < least:
@@ -68,8 +68,8 @@ def search(
         done = asked + len(batch)
         if done >= min(n_startup_trials, n_trials) and all(one.accuracy is None for one in known.values()):
             raise PlacecatError(
-                f"none of the first {len(known)} experiments of the search gave an accuracy: see what their "
-                "result.json says"
+                f"none of the first {len(known)} experiments of the search gave an accuracy: see the "
+                "reasons in their result.json"
             )
         for trial, one in zip(batch, chosen, strict=True):
             found = known[one].accuracy
@@ -81,5 +81,5 @@ def search(
 
 
 def best(tried: Sequence[Tried]) -> Tried:
-    """The one with the highest accuracy; the first of equal ones, so a start unless another is better."""
+    """The settings with the highest accuracy; the first of equal ones, so starts come before others."""
     return max(tried, key=lambda one: -math.inf if one.accuracy is None else one.accuracy)

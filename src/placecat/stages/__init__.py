@@ -1,4 +1,4 @@
-"""DVC stages, one module each, of the same name: files in, files out, no mathematics."""
+"""The DVC stages, one module each, with the same name: they read and write files, other packages compute."""
 
 import argparse
 import inspect
@@ -20,10 +20,10 @@ _STARTED = time.perf_counter()
 
 
 def _use_common_kernels() -> None:
-    """Make OpenBLAS use its AVX2 kernels, which all current x86-64 processors have.
+    """Make OpenBLAS use its AVX2 kernels, which all current x86-64 processors support.
 
-    By default it uses those of the processor, whose sums differ in the last bits. This must happen before
-    NumPy is imported, hence on the import of this package. OPENBLAS_CORETYPE overrides it.
+    By default the kernels depend on the processor, and their sums differ in the last bits. This must happen
+    before NumPy is imported, so it happens when this package is imported. OPENBLAS_CORETYPE overrides it.
     """
     if os.environ.get("OPENBLAS_CORETYPE") or platform.machine() not in ("x86_64", "AMD64"):
         return
@@ -36,7 +36,7 @@ _use_common_kernels()
 
 
 def _end(kind: type[BaseException], error: BaseException, traceback: TracebackType | None) -> None:
-    """Print an error's traceback, but none for a user's mistake or Ctrl-C during a stage's imports."""
+    """Print the traceback of an error in a stage's imports, except for a user's mistake or Ctrl-C."""
     if issubclass(kind, PlacecatError):
         print(f"placecat: {error}", file=sys.stderr)
     elif not issubclass(kind, KeyboardInterrupt):
@@ -44,17 +44,17 @@ def _end(kind: type[BaseException], error: BaseException, traceback: TracebackTy
 
 
 sys.excepthook = _end
-# The user need not know that it builds its font cache once.
+# Hide the message that matplotlib builds its font cache.
 logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)
 shadowed.check()
 
-# Before the import of the stage's code, which may change a moment later. Not in its workers.
+# Before the stage's code is imported, since it may change a moment later. Not in workers.
 if f"{__name__}.{os.environ.get('DVC_STAGE')}" in sys.orig_argv:
     unchanged.start(os.environ["DVC_STAGE"])
 
 
 def _check_settings() -> None:
-    """Refuse impossible settings here too, since `dvc exp run` and editors also write params.yaml."""
+    """Refuse impossible settings again, since `dvc exp run` and editors also write params.yaml."""
     from placecat import paths, settings
     from placecat.check import check
 
@@ -65,9 +65,10 @@ def _check_settings() -> None:
 def run(stage: Callable[[], None]) -> None:
     """Run a stage from the command line: ``python -m placecat.stages.NAME``.
 
-    Its loops run where the settings say (:mod:`placecat.compute`). A user's mistake, or a change of the
-    stage's dependencies (:mod:`placecat.runs.unchanged`), ends it with a message and status 1, without a
-    traceback. After success, its time in seconds goes to data/times (:mod:`placecat.times`).
+    Its loops run on this machine or a cluster, by the settings (:mod:`placecat.compute`). After a user's
+    mistake, or if its dependencies change meanwhile (:mod:`placecat.runs.unchanged`), it ends with a message
+    and status 1, without a traceback. After success, its time is written to data/times
+    (:mod:`placecat.times`).
     """
     argparse.ArgumentParser(description=(stage.__doc__ or "").splitlines()[0]).parse_args()
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(message)s")

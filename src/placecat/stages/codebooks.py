@@ -1,4 +1,4 @@
-"""Stage `codebooks`: one tree per training set and seed serves every cluster number and classifier."""
+"""Stage `codebooks`: one tree per training set and seed, for all numbers of clusters and all classifiers."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,7 +12,7 @@ from placecat.training.cue import Cue, cluster, read_frames
 
 
 def main() -> None:
-    """Cluster the descriptors of every codebook for every training set of its schemes, once for each seed."""
+    """Cluster the descriptors of every codebook for every training set of its schemes and every seed."""
     params = settings.load()
     homes = list(settings.get(params, "dataset.homes"))
     shared = [settings.get(params, name) for name in ("dataset.name", "dataset.homes")]
@@ -30,7 +30,7 @@ def main() -> None:
 
 
 def plan(name: str, params: Mapping[str, Any]) -> items.Work:
-    """Plan a tree of one kind of descriptor for every training set of its schemes and every seed."""
+    """Plan the trees of one codebook, one for every training set of its schemes and every seed."""
     codebook = settings_of(params, name)
     cue = Cue(codebook["descriptor"], {}, codebook)
     tested = settings.get(params, "protocol.test_homes")

@@ -1,4 +1,4 @@
-"""Stage `cues`: train each cue for every fold and seed and apply it to the frames that later stages need."""
+"""Stage `cues`: train each cue for every fold and seed, and apply it to the frames that later stages need."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -37,13 +37,13 @@ def _paths(cue: Mapping[str, Any], homes: Sequence[str], params: Mapping[str, An
 
 
 def _extra_homes(params: Mapping[str, Any]) -> list[str]:
-    """Sequences of another data set that the integration may also train on (thesis 4.5)."""
+    """Sequences of another data set, on which the integration may also train (thesis 4.5)."""
     extra = settings.get(params, "protocol.extra")
     return [f"{extra['split']}/{sequence}" for sequence in extra["sequences"]]
 
 
 def plan(name: str, params: Mapping[str, Any]) -> items.Work:
-    """Plan the training of one cue in every fold of each of its schemes, and the files of the results."""
+    """Plan the training of one cue in every fold of each of its schemes, and name the files of results."""
     own, cue = settings.get(params, f"cues.{name}"), Cue.of(params, name)
     tested = settings.get(params, "protocol.test_homes")
     seeds = settings.get(params, "protocol.seeds") if cue.codebook is not None else [None]
@@ -68,9 +68,9 @@ def plan(name: str, params: Mapping[str, Any]) -> items.Work:
 
 
 def apply(plan: plans.Plan, cue: Cue, clusters: Path | None, cross_validate: bool) -> dict[str, Any]:
-    """Train one cue by a plan; return its distributions for the frames of later stages.
+    """Train one cue by a plan; return its distributions for the frames that later stages need.
 
-    `clusters` is the file of its codebook.
+    `clusters` is the file of the cue's codebook.
     """
     codebook = None if clusters is None else cues.Codebook.from_arrays(files.read_arrays(clusters))
     frames = read_frames(plan.cues, cue.descriptor)

@@ -1,4 +1,4 @@
-"""Stage `features`: one pass over the frames of a home computes every descriptor."""
+"""Stage `features`: compute every descriptor in one pass over the frames of a home."""
 
 from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
@@ -35,7 +35,7 @@ def inputs(home: str, read: Any) -> items.Inputs:
 def feature_options(params: Mapping[str, Any], descriptors: Mapping[str, Any]) -> dict[str, Any]:
     """Gather the settings of :func:`placecat.vision.frame.describe_frame` from all settings.
 
-    `descriptors` has ``local`` and ``holistic``: the descriptors to compute, with their settings.
+    `descriptors` maps ``local`` and ``holistic`` to the descriptors to compute, with their settings.
     """
     sections = ("attention", "regions", "information")
     options = {name: settings.get(params, name) for name in sections} | dict(descriptors)
@@ -46,7 +46,7 @@ def feature_options(params: Mapping[str, Any], descriptors: Mapping[str, Any]) -
 def plan(
     home: str, root: Path, options: Mapping[str, Any], variants: Mapping[str, Any] | None = None
 ) -> items.Work:
-    """Plan the descriptors of all frames of a home: tasks are those of :func:`describe`.
+    """Plan the descriptors of all frames of a home as tasks for :func:`describe`.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def plan(
     options
         From :func:`feature_options`.
     variants
-        As conf/region_variants: variants of the salient regions, and their frames.
+        Variants of the salient regions and their frames, as in conf/region_variants.
     """
     frames = listing.read_frames(home)
     also, rows = {}, np.arange(0)
@@ -68,7 +68,7 @@ def plan(
         }
         check({**options, "variants": also})
         rows = np.arange(variants["frames"]["offset"], len(frames), variants["frames"]["step"])
-    # To reach the first frame of a part of a video, frames before it are decoded: so the parts are few.
+    # A part of a video is reached by decoding the frames before it, so use few parts.
     is_video = bool((frames["position"] >= 0).any())
     chunk = max(32, -(-len(frames) // (4 * parallel.workers()))) if is_video else 32
     size, varied = listing.frame_size(home), set(rows.tolist())
@@ -111,9 +111,9 @@ def describe(
     variants: Mapping[str, Any],
     rows: Collection[int],
 ) -> dict[str, np.ndarray]:
-    """Describe some frames of a home; those in `rows` with the variants of their regions.
+    """Describe some frames of a home; frames in `rows` also get the variants of their regions.
 
-    Each array's first axis is the frame, for a variant that of `rows`.
+    The first axis of each array is the frame; arrays of variants have only the frames of `rows`.
     """
     keep_freed_memory()
     more = {**options, "variants": variants}
@@ -123,7 +123,7 @@ def describe(
 
 
 def _names(described: Sequence[Mapping[str, np.ndarray]]) -> list[str]:
-    """Names of arrays in order; some parts have no variants."""
+    """Names of the arrays in order; some parts have no variants."""
     return list(dict.fromkeys(name for one in described for name in one))
 
 

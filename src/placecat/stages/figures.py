@@ -1,4 +1,4 @@
-"""Stage `figures`: all figures, those of the thesis and added ones, as far as the data allow."""
+"""Stage `figures`: draw the figures of the thesis and added ones, as far as the data allow."""
 
 import logging
 
@@ -26,7 +26,7 @@ def main() -> None:
             except SettingError:
                 raise
             except PlacecatError as error:
-                # A figure that the data cannot give is left out.
+                # Leave out a figure that these data do not allow.
                 logging.warning("%s is left out: %s", name, error)
                 entries.append(entry | {"file": None, "reason": str(error)})
         files.write_json(folder / "figures.json", entries)

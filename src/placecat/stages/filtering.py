@@ -1,4 +1,4 @@
-"""Stage `filtering`: decisions after the information filter (thesis 4.6)."""
+"""Stage `filtering`: apply the information filter to decisions (thesis 4.6)."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -14,12 +14,12 @@ from placecat.results.measured import DROPPED_COLUMNS
 from placecat.stages import run
 from placecat.training import protocol
 
-# Arrays that smoothing needs besides the frames of the test home; they are not filtered.
+# Arrays for smoothing, besides the frames of the test home; these are not filtered.
 STATISTICS = ("cross_validated", "cross_validated_truth")
 
 
 def main() -> None:
-    """Apply every filter to its cues and systems, in every test home, once for each seed."""
+    """Apply every filter to its cues and systems, for every test home and seed."""
     params = settings.load()
     filters = settings.get(params, "filters")
     names = list(settings.get(params, "dataset.homes"))
@@ -50,7 +50,7 @@ def main() -> None:
 
 
 def _threshold(options: Mapping[str, Any], training: Sequence[str]) -> float:
-    """The threshold of a filter; a share is converted by the labelled frames of the training homes."""
+    """The threshold of a filter; a share is converted with the labelled frames of the training homes."""
     if options.get("threshold") is not None:
         return float(options["threshold"])
     seen = [_information(home)[listing.read_labels(home) >= 0] for home in training]

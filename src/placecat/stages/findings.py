@@ -1,4 +1,4 @@
-"""Stage `findings`: the thesis's claims, judged on the measurements."""
+"""Stage `findings`: judge the thesis's claims by the measurements."""
 
 from placecat import files, paths, settings
 from placecat.results.collect import read_results
@@ -19,7 +19,7 @@ def main() -> None:
 
 
 def read_published() -> Published:
-    """Read the numbers of the thesis's tables and of its text."""
+    """Read the numbers of the thesis's tables and text."""
     return Published(
         files.read_table(paths.PUBLISHED, ["group", "row", "column"]),
         files.read_table(paths.PUBLISHED_TEXT, ["name", "section", "quantity", "home", "quote"]),

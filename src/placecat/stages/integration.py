@@ -32,7 +32,7 @@ def main() -> None:
 
 
 def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
-    """Train and apply one system's integration in every fold of its scheme, once for each seed."""
+    """Train and apply one system's integration in every fold of its scheme, for every seed."""
     system = settings.get(params, f"systems.{name}")
     tested = settings.get(params, "protocol.test_homes")
     random = [cue for cue in system["cues"] if settings.get(params, f"cues.{cue}.codebook") is not None]
@@ -46,7 +46,7 @@ def make(name: str, folder: Path, params: Mapping[str, Any]) -> None:
 
 
 def apply(system: Mapping[str, Any], plan: plans.Plan, seed: int | None) -> dict[str, Any]:
-    """Integrate one fold: distributions for the test home, and cross-validated ones for training."""
+    """Integrate one fold: compute distributions for the test home, and cross-validated ones for training."""
     read = CueResults(system, plan.test, seed)
     method = system["integrator"]["method"]
     parts = fused_parts(plan, method=method, extra=system["extra"])

@@ -1,4 +1,4 @@
-"""Stage `model`: a system trained on every home, for `placecat predict`."""
+"""Stage `model`: train a system on all homes, for `placecat predict`."""
 
 from placecat import paths, settings
 from placecat.categorizer import held_out, model_file
@@ -7,7 +7,7 @@ from placecat.stages import run
 
 
 def main() -> None:
-    """Train the system of conf/model on every home; write data/model.placecat."""
+    """Train the system of conf/model on all homes; write data/model.placecat."""
     params = settings.load()
     name, seed = (settings.get(params, f"model.{setting}") for setting in ("system", "seed"))
     trained = measured(train(params, name), params, held_out.of_stages(params, name, seed))

@@ -1,4 +1,4 @@
-"""Stage `report`: one page with all results."""
+"""Stage `report`: write one page with all results."""
 
 from pathlib import Path
 from typing import Any
@@ -21,7 +21,7 @@ from placecat.stages import run
 from placecat.thesis import in_text, notes
 from placecat.thesis.tables import dataset_of, folder_of, tables_of
 
-# Columns of text, even if it looks like numbers, e.g. the section 4.10.
+# Columns of text, even where it looks like numbers, e.g. section 4.10.
 _TEXT = ("group", "row", "column", "name", "section", "quantity", "home", "note")
 
 
@@ -47,7 +47,7 @@ def main() -> None:
     versions = {stage: data_version(stage) for stage in listing_stages}
     explained = explanations(cells, params, versions)
     files.write_text(paths.EXPLANATIONS, lines.to_text(explained))
-    # Not the later stages, which dvc.lock may not have yet.
+    # Without later stages, which dvc.lock may not have yet.
     named = sorted({stage for cell in cells for stage in cell.stages})
     recorded = lines.stage_texts(settings.read_yaml(LOCK))
     report = Report(
@@ -96,7 +96,7 @@ def _figure(entry: dict[str, Any], params: dict[str, Any]) -> Figure:
 
 
 def _times() -> dict[str, Any] | None:
-    """The kept record of times; None if missing or empty."""
+    """The times in git; None if missing or empty."""
     if not (paths.KEPT_TIMES.is_file() and paths.KEPT_TIMES_FACTS.is_file()):
         return None
     by_stage, facts = files.read_csv(paths.KEPT_TIMES), files.read_json(paths.KEPT_TIMES_FACTS)
@@ -106,7 +106,7 @@ def _times() -> dict[str, Any] | None:
 
 
 def _speed() -> dict[str, Any] | None:
-    """The kept benchmarks; None if missing."""
+    """The benchmarks in git; None if missing."""
     facts = paths.BENCHMARKS.with_suffix(".json")
     if not (paths.BENCHMARKS.is_file() and facts.is_file()):
         return None
@@ -115,7 +115,7 @@ def _speed() -> dict[str, Any] | None:
 
 
 def _scale() -> dict[str, Any] | None:
-    """The kept run at the scale of the real home database; None if missing."""
+    """The run in git at the scale of the real home database; None if missing."""
     kept = (paths.SCALE_STAGES, paths.SCALE_GROWTH, paths.SCALE_FACTS)
     if not all(path.is_file() for path in kept):
         return None

@@ -1,4 +1,4 @@
-"""Stage `scores`: counts of decisions by true place, and the quality of probabilities."""
+"""Stage `scores`: count decisions by true place, and measure the quality of probabilities."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -21,8 +21,8 @@ from placecat.training import protocol
 def main() -> None:
     """Write scores.csv and missing.csv of the main pipeline, the splits, the trials and the toy problem.
 
-    Also stays.csv, the scores of the splits by stay; dropped.csv, the frames that each information filter
-    drops; and probabilities.csv, of the main pipeline and the splits.
+    Also write stays.csv, the scores of the splits by stay; dropped.csv, the frames that each information
+    filter drops; and probabilities.csv, the quality of probabilities in the main pipeline and the splits.
     """
     params = settings.load()
     rows, by_stay, untested, qualities = ([] for _ in range(4))
@@ -68,7 +68,7 @@ def measure(source: Source, options: Mapping[str, Any]) -> tuple[Measured, Quali
 
 
 def measure_stays(source: Source) -> Measured:
-    """Count the decisions of one result in each stay of its test homes."""
+    """Count the decisions of one result in each stay in its test homes."""
     names, by_seed = [], []
     stays = {}
     for home in source.homes:

@@ -1,4 +1,4 @@
-"""Stage `sequences`: read and check the data set's layout and label files."""
+"""Stage `sequences`: read and check the frames and label files of the data set."""
 
 import contextlib
 import sys
@@ -21,16 +21,16 @@ def main() -> None:
 
 
 def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
-    """List and check the homes of a data set into folders of `target`; messages call it `setting`."""
+    """Check a data set's homes and list their frames in `target`; messages call the data set `setting`."""
     root = Path(dataset["root"])
     if not root.is_dir():
         raise PlacecatError(
-            f"{setting}.root is {root}, but there is no such folder: put the homes there, or choose other "
+            f"{setting}.root is {root}, but this folder does not exist: put the homes there, or choose other "
             f"data with `make repro SET='dataset=my_homes {setting}.root=PATH'`"
         )
     if not dataset["homes"]:
         raise PlacecatError(f"{setting}.homes is empty: name the homes to use")
-    # A video is decoded to find its readable frames.
+    # Readable frames are found by decoding the video.
     tasks = [(Path.cwd(), dataset, name) for name in dataset["homes"]]
     with files.replacing(target) as folder:
         homes = parallel.stream(_open, tasks, "sequences", unit="homes", locally=True)
@@ -41,7 +41,7 @@ def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
 
 
 def _open(folder: Path, dataset: Mapping[str, Any], name: str) -> Home:
-    # A worker keeps the folder in which it was started, and messages name paths as they are given.
+    # A worker stays in the folder in which it was started, and messages name paths as the user wrote them.
     with contextlib.chdir(folder):
         return open_home_of(dataset, name)
 
@@ -54,14 +54,14 @@ def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:
     if dataset["require_all_classes"]:
         require_classes(labels, classes, home.name)
     elif not (labels >= 0).any():
-        raise PlacecatError(f"{home.name} has no frame of any class: take it out of dataset.homes")
+        raise PlacecatError(f"{home.name} has no frame of any class: remove it from dataset.homes")
     folder.mkdir(parents=True)
     files.write_csv(folder / "frames.csv", home.frames.drop(columns="label"))
     table = pd.DataFrame({"label": home.frames["label"], "class": labels.astype(np.int64)})
     files.write_csv(folder / "labels.csv", table)
     files.write_csv(folder / "sources.csv", _checksums(home))
     facts = {"fps": home.fps, "camera": home.camera, "width": home.width, "height": home.height}
-    # Empty for undamaged footage of one rate.
+    # Empty for undamaged footage with a constant frame rate.
     odd = {"lost_frames": list(home.lost), "damaged_frames": list(home.damaged)}
     facts |= {name: value for name, value in odd.items() if value}
     if not home.is_even:
@@ -70,7 +70,7 @@ def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:
 
 
 def _checksums(home: Home) -> pd.DataFrame:
-    """SHA-256 of every source file of a home, in the order of frames; a bag may be a folder of files."""
+    """SHA-256 of every source file of a home, in the order of frames; a bag may be a folder."""
     sources = [home.root / source for source in dict.fromkeys(home.frames["source"])]
     listed = [file for path in sources for file in (sorted(path.iterdir()) if path.is_dir() else [path])]
     rows = [(path.relative_to(home.root).as_posix(), files.checksum(path)) for path in listed]

@@ -6,7 +6,7 @@ from placecat.stages.sequences import list_homes
 
 
 def main() -> None:
-    """Write frames.csv, labels.csv and home.json of every sequence of every split's data set."""
+    """Write frames.csv, labels.csv and home.json of every sequence in the data sets of the splits."""
     with files.replacing(paths.SITE_SEQUENCES) as folder:
         for split, own in settings.get(settings.load(), "splits").items():
             list_homes(own["dataset"], folder / split, f"splits.{split}.dataset")

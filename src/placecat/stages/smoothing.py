@@ -1,4 +1,4 @@
-"""Stage `smoothing`: the delayed hidden Markov model over the integrated decisions and over single cues."""
+"""Stage `smoothing`: apply the delayed hidden Markov model to integrated decisions and to single cues."""
 
 from placecat import files, fold_file, parallel, paths, settings
 from placecat.stages import run

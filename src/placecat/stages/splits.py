@@ -1,4 +1,4 @@
-"""Stage `splits`: everything from cues to smoothing on a fixed split of further data (thesis 4.9, 4.10)."""
+"""Stage `splits`: train and test all, from cues to smoothing, on fixed splits (thesis 4.9 and 4.10)."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -35,12 +35,12 @@ def main() -> None:
 
 
 def _cues(split: Mapping[str, Any]) -> list[str]:
-    """Names of the cues of a split's systems."""
+    """Names of the cues in a split's systems."""
     return list(dict.fromkeys(cue for system in split["systems"].values() for cue in system))
 
 
 def make(split: str, folder: Path, params: Mapping[str, Any]) -> None:
-    """Train on the split's training parts, test on its test sequences, once for each seed."""
+    """Train on the split's training parts and test on its test sequences, for every seed."""
     own, plan = settings.get(params, f"splits.{split}"), plans.of_split(params, split)
     used = {name: Cue.of(params, name) for name in _cues(own)}
     seeds = list(settings.get(params, "protocol.seeds"))
@@ -72,7 +72,7 @@ def make(split: str, folder: Path, params: Mapping[str, Any]) -> None:
 
 
 def apply_cue(plan: plans.Plan, cue: Cue, seed: int | None) -> tuple[Probabilities, Probabilities]:
-    """Train one cue; return its distributions for the integration's frames and for every tested frame."""
+    """Train one cue; return its distributions for the integration's training frames and all tested frames."""
     numbers = [cue.classifier["clusters"]] if cue.codebook is not None else None
     trained = train(plan, cue, seed, numbers=numbers)
     return trained.predict_chosen(plan.integration), {
@@ -86,7 +86,7 @@ def apply_system(
     integrator: Mapping[str, Any],
     smoothing: Mapping[str, Any],
 ) -> dict[str, Probabilities]:
-    """Integrate some cues' outputs and smooth the decisions, for every tested sequence."""
+    """Integrate the outputs of cues and smooth the decisions, for every tested sequence."""
     fused = fuse(plan.integration, [train for train, _ in outputs], plan.classes, integrator)
     assert fused.cross_validated is not None
     result = {}

@@ -1,4 +1,4 @@
-"""Stage `tables`: accuracies of everything, and the numbers of the thesis beside those of this run."""
+"""Stage `tables`: write all accuracies, and compare the numbers of the thesis with those of this run."""
 
 import pandas as pd
 

@@ -1,4 +1,4 @@
-"""Stage `toy`: the parallel against the sequential scheme on the toy problem of thesis 4.8."""
+"""Stage `toy`: compare the parallel and the sequential scheme on the toy problem of thesis 4.8."""
 
 import copy
 from collections.abc import Mapping
@@ -16,7 +16,7 @@ from placecat.stages import run
 
 
 class Task(NamedTuple):
-    """One problem: names and schemes to compare, and the points."""
+    """One problem: the points, and the named schemes to compare."""
 
     schemes: dict[str, Any]
     points: dict[str, float]
@@ -26,7 +26,7 @@ class Task(NamedTuple):
 
 
 def main() -> None:
-    """Train the schemes on each seed's points and test them on others, also for other radii and decisions.
+    """Train the schemes on each seed's points and test them on others, also with other radii and decisions.
 
     Results are ``toy/parallel`` and ``toy/sequential``; ``toy/last/...``, the same for the points of the last
     class in the sequential scheme's list; and ``toy/RADIUS/parallel`` and ``toy/RADIUS/sequential/DECISION``.
@@ -55,7 +55,7 @@ def main() -> None:
 
 
 def _deciding(schemes: Mapping[str, Any], decisions: list[str], radius: float) -> dict[str, Any]:
-    """Schemes with the radius in their names: the parallel one, and the sequential one by each decision."""
+    """Schemes with the radius in their names: the parallel one, and the sequential one for each decision."""
     found = {f"{radius:g}/parallel": schemes["parallel"]}
     for decision in decisions:
         found[name := f"{radius:g}/sequential/{decision}"] = copy.deepcopy(schemes["sequential"])
@@ -66,7 +66,7 @@ def _deciding(schemes: Mapping[str, Any], decisions: list[str], radius: float) -
 def compare(
     schemes: Mapping[str, Any], points: Mapping[str, float], training: int, testing: int, seed: int
 ) -> tuple[dict[str, np.ndarray], int]:
-    """Confusion matrix of each scheme on the test points of one seed, and the last class of the last list."""
+    """Confusion matrix of each scheme on one seed's test points, and the last class of the last scheme."""
     X, y = toy_circles(training, seeds.derive("toy", "training", seed), **points)
     X_test, y_test = toy_circles(testing, seeds.derive("toy", "testing", seed), **points)
     found, last = {}, -1

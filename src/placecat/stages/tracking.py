@@ -1,4 +1,4 @@
-"""Stage `tracking`: each table as a run in MLflow, its rows as nested runs, the figures and the findings."""
+"""Stage `tracking`: log each table to MLflow as a run with a nested run per row, and figures and findings."""
 
 import json
 from collections.abc import Mapping
@@ -61,7 +61,7 @@ def main() -> None:
 
 
 def _settings(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, Any]:
-    """The settings of the numbers in a table; a change elsewhere does not supersede it."""
+    """The settings behind a table's numbers; changes of other settings do not supersede the table."""
     shown: dict[str, Any] = {"protocol": params["protocol"]}
     if "trial" in table:
         return shown | {

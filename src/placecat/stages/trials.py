@@ -1,4 +1,4 @@
-"""Stage `trials`: the cues of each study's tables, each in its test homes (thesis 4.2 and 4.4)."""
+"""Stage `trials`: train and test the cues in the tables of each study (thesis 4.2 and 4.4)."""
 
 import json
 import logging
@@ -27,7 +27,7 @@ FACT_COLUMNS = ["trial", "home", "seed", "nu_lowest", "nu_highest", "flat_sigmoi
 
 
 def main() -> None:
-    """Train and test every trial of every study; write the counts of decisions."""
+    """Train and test all trials of all studies; write the counts of decisions."""
     params = settings.load()
     homes = list(settings.get(params, "dataset.homes"))
     shared = [settings.get(params, f"dataset.{name}") for name in ("name", "homes", "classes")]
@@ -60,7 +60,7 @@ def main() -> None:
     flat = sum(int(files.read_csv(path)["flat_sigmoids"].sum()) for path in facts)
     if flat:
         logger.warning(
-            "%d sigmoids are flat: held-out decision values are uninformative about their class or reversed "
+            "%d sigmoids are flat: held-out decision values say nothing about their class or are reversed "
             "(flat_sigmoids in %s)",
             flat,
             paths.TRIALS / "*" / "facts.csv",
@@ -70,8 +70,8 @@ def main() -> None:
 class Outcomes:
     """The outcomes of the trials of some studies.
 
-    Trials on the same clusters, or of the same kind of classifier on the same descriptors, are one task,
-    whichever studies ask for them: they share what they compute.
+    Trials with the same clusters, or with the same kind of classifier and the same descriptors, share
+    computations and form one task, even across studies.
     """
 
     def __init__(self, params: Mapping[str, Any]) -> None:
@@ -82,7 +82,7 @@ class Outcomes:
         self._waiting: Iterator[tuple[list[_Cell], list[Outcome]]] = iter(())
 
     def plan(self, studies: Sequence[Sequence[Trial]]) -> None:
-        """Start the trials of all studies in one pool, those of the first study first."""
+        """Start the trials of all studies in one pool, in the order of the studies."""
         groups = list(self._group([trial for trials in studies for trial in trials]).values())
         tasks = [
             (self._plans[home], [of_settings(json.loads(key)) for key, _, _ in cells], seed)
@@ -93,7 +93,7 @@ class Outcomes:
         self._waiting = zip(groups, results, strict=True)
 
     def of(self, trial: Trial) -> dict[_Cell, Outcome]:
-        """Outcomes of a trial in its homes, for each seed; a home that is not tested has none."""
+        """Outcomes of a trial in its homes, for each seed; untested homes are left out."""
         cells = [cell for cell in self._cells(trial) if cell[1] in self._plans]
         while not self._computed.keys() >= set(cells):
             group, results = next(self._waiting)
@@ -109,7 +109,7 @@ class Outcomes:
         return [(trial.key(), home, seed) for home in trial.homes for seed in seeds]
 
     def _group(self, trials: Sequence[Trial]) -> dict[tuple[str, str, int | None], list[_Cell]]:
-        """Group the trials that share what they compute, in the order of the tables."""
+        """Group the trials that share computations, in the order of the tables."""
         groups: dict[tuple[str, str, int | None], dict[_Cell, None]] = {}
         for trial in trials:
             shared = _shared(trial.settings)
@@ -120,7 +120,7 @@ class Outcomes:
 
 
 def _shared(trial: Mapping[str, Any]) -> str:
-    """Name a group of trials by its clusters, or by all settings but those of base classifier and scheme."""
+    """Name a group of trials by its clusters, or by all settings except base classifier and scheme."""
     codebook, classifier = trial.get("codebook"), trial["classifier"]
     if codebook is None:
         codebook = {name: value for name, value in classifier.items() if name != "scheme"}
@@ -144,7 +144,7 @@ def _collect(
     seeds: Sequence[int],
     classes: Sequence[str],
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
-    """Rows of counts, and of reasons, of every trial; a home counts if every seed gave a number."""
+    """Rows of counts and of reasons of every trial; a home counts if every seed has a number."""
     scores, missing = [], []
     for trial in trials:
         own_seeds = list(seeds) if trial.settings.get("codebook") is not None else [None]
@@ -166,7 +166,7 @@ def _collect(
 
 
 def _facts(trials: Sequence[Trial], outcomes: Mapping[_Cell, Outcome]) -> pd.DataFrame:
-    """The nu in force and the flat sigmoids of every trial with two-class classifiers."""
+    """The nu used and the number of flat sigmoids in every trial with two-class classifiers."""
     rows = []
     for trial in trials:
         for (key, home, seed), (_, facts) in outcomes.items():

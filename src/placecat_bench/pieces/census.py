@@ -1,9 +1,9 @@
-"""Census histograms beside local binary patterns of scikit-image and mahotas, in the cells of a grid.
+"""Census histograms against local binary patterns of scikit-image and mahotas, in the cells of a grid.
 
-`local_binary_pattern` with 8 points at radius 1 sets a bit where a neighbour is at least the centre, the
-census transform where the centre is at least a neighbour: they agree on the inverted image. It interpolates
-the four diagonal neighbours at distance 1, between pixels, so the histograms are compared over the four
-straight ones. It also gives codes to pixels on the border, which are cut off.
+`local_binary_pattern` with 8 points at radius 1 sets a bit if a neighbour is at least the centre, the census
+transform if the centre is at least a neighbour; so they agree on the inverted image. The former interpolates
+the diagonal neighbours at distance 1, between pixels, so only the codes of the four straight neighbours are
+compared. It also computes codes of border pixels, which are cut off.
 """
 
 from collections.abc import Iterator, Sequence
@@ -19,7 +19,7 @@ from placecat_bench.frames import Image, decoded, jpegs, size
 PIECE = "Census histograms"
 PEER = Peer("scikit-image: local_binary_pattern and NumPy's histogram", "scikit-image")
 MAHOTAS = Peer("mahotas: lbp", "mahotas")
-# The bits of the neighbours right, above, left and below.
+# The bits of the right, upper, left and lower neighbour.
 OUR_STRAIGHT = (8, 64, 16, 2)
 THEIR_STRAIGHT = (1, 4, 16, 64)
 
@@ -32,7 +32,7 @@ def entries(
     cells: int = 4,
     repeats: int = 15,
 ) -> Iterator[Comparison | Limit]:
-    """Yield the time beside the peer's, and the difference from its histograms, in `cells` along each axis.
+    """Yield the times of both, and the difference of their histograms in `cells` along each axis.
 
     `images` are (h, w) uint8 of one size; by default a frame of each rendered home, reduced to `width` and
     `height`. A repeat is a pair of calls with all images.
@@ -102,7 +102,7 @@ def theirs(image: Image, cells: int) -> NDArray[np.float64]:
 
 
 def by_mahotas(image: Image, cells: int) -> NDArray[np.float64]:
-    """Histograms of mahotas' patterns in the same cells, (cells**2, 36): turned patterns count as one."""
+    """Histograms of mahotas' patterns in the same cells, (cells**2, 36); rotated patterns count as one."""
     from mahotas.features import lbp
 
     height, width = image.shape
@@ -130,7 +130,7 @@ def largest_difference(image: Image, cells: int) -> float:
 
 
 def of_straight(histograms: NDArray[np.floating], bits: tuple[int, ...]) -> NDArray[np.float64]:
-    """Add up the bins that have the same four bits, (n, 256) to (n, 16)."""
+    """Add up the bins with the same four bits, (n, 256) to (n, 16)."""
     codes = np.arange(CODES)
     straight = sum(((codes & bit) > 0).astype(np.intp) << place for place, bit in enumerate(bits))
     return np.stack([np.bincount(straight, row, 16) for row in histograms])

@@ -1,14 +1,14 @@
-"""Dependency tree beside three peers': the tree of one class and its conditional probabilities.
+"""Dependency tree against three peers: the tree of one class and its conditional probabilities.
 
-pgmpy takes two steps. ``TreeSearch`` computes the mutual information of all pairs (by scikit-learn's
-``mutual_info_score``) and the maximum spanning tree from the same root (by NetworkX); then
-``DiscreteBayesianEstimator`` with the prior K2, which adds 1 to every count as we do, estimates the
-probabilities. Both have one process. Ours also checks the codes and splits them by class; pgmpy gets a table
-that is ready. The log-likelihoods of all samples show that both learn the same.
+pgmpy needs two steps. ``TreeSearch`` computes the mutual information of all pairs (by scikit-learn's
+``mutual_info_score``) and the maximum spanning tree from the same root (by NetworkX). Then
+``DiscreteBayesianEstimator`` estimates the probabilities with the prior K2, which adds 1 to every count as we
+do. Both run in one process. Ours also checks the codes and splits them by class; pgmpy gets a finished table.
+The log-likelihoods of all samples show that both learn the same.
 
-deeprob-kit learns binary trees only, in float32, with all tables from one matrix product. pyAgrum's Chow-Liu
-classifier takes the first variable as the class, which is the root of the same tree; it also looks for the
-types of the columns.
+deeprob-kit learns only binary trees, in float32, with all tables from one matrix product. pyAgrum's Chow-Liu
+classifier uses the first variable as the class, which is the root of the same tree; it also detects the types
+of the columns.
 """
 
 import warnings
@@ -33,10 +33,10 @@ PYAGRUM = Peer("pyAgrum: BNClassifier, Chow-Liu", "pyagrum")
 def entries(
     *, samples: int = 8000, grid: int = 16, clusters: int = 196, few: int = 124, many: int = 496
 ) -> Iterator[Entry]:
-    """Yield the tree of the codewords of a grid of cells, and the trees of few and of many activations.
+    """Yield the tree of codewords in a grid of cells, and the trees of few and of many activations.
 
-    `samples` are those of the class, `clusters` the values of a cell's codeword. An activation has two
-    values; pgmpy takes too long with many of them.
+    `samples` is the number of samples of the class, `clusters` the number of codewords. An activation has
+    two values; pgmpy would need too long for many of them.
     """
     codes = chained_codes(samples, grid, clusters)
     text = f"{grid} variables x {clusters} values x {samples}"
@@ -100,7 +100,7 @@ def _comparison(
         lambda: call(table, n_values),
         faster=faster,
         repeats=repeats,
-        # Half a minute of pgmpy's.
+        # pgmpy needs half a minute.
         warm_up=n_values > 2,
         parts={
             **({"product": lambda: both_ones(codes)} if n_values == 2 else {}),
@@ -113,7 +113,7 @@ def _comparison(
 def chained_codes(samples: int, variables: int, n_values: int, seed: int = 0) -> NDArray[np.int32]:
     """Draw codes, (samples, variables) int32 in [0, n_values), from a tree.
 
-    Half the samples of a variable repeat the value of an earlier one.
+    Half the samples of each variable repeat the value of an earlier variable.
     """
     rng = np.random.default_rng(seed)
     codes = rng.integers(n_values, size=(samples, variables), dtype=np.int32)
@@ -129,9 +129,9 @@ def ours(codes: NDArray[np.int32], n_values: int) -> DependencyTree:
 
 
 def theirs(table: pd.DataFrame, n_values: int) -> Any:
-    """Learn the same by pgmpy: a ``pgmpy.models.DiscreteBayesianNetwork``."""
+    """Learn the same with pgmpy, as a ``pgmpy.models.DiscreteBayesianNetwork``."""
     with warnings.catch_warnings():
-        # It warns of its own deprecated parts on import.
+        # On import it warns of its deprecated parts.
         warnings.simplefilter("ignore")
         from pgmpy.estimators import TreeSearch
         from pgmpy.models import DiscreteBayesianNetwork
@@ -144,18 +144,18 @@ def theirs(table: pd.DataFrame, n_values: int) -> Any:
 
 
 def largest_difference(codes: NDArray[np.int32], n_values: int) -> float:
-    """Learn by both, and compare the log-likelihoods of the samples."""
+    """Learn with both, and compare the log-likelihoods of the samples."""
     found = ours(codes, n_values).predict_joint_log_likelihood(codes)[:, 0]
     expected = np.zeros(len(codes))
     for cpd in theirs(pd.DataFrame(codes), n_values).get_cpds():
-        # One row a value; one column a value of the parent, one in all for the root.
+        # One row per value, one column per value of the parent; a single column for the root.
         columns = codes[:, cpd.variables[1]] if len(cpd.variables) > 1 else 0
         expected += np.log(cpd.get_values()[codes[:, cpd.variables[0]], columns])
     return float(np.abs(found - expected).max())
 
 
 def by_deeprob(table: pd.DataFrame, n_values: int = 2) -> Any:
-    """Learn a binary tree by deeprob-kit: a ``BinaryCLT``, with 1 added to every cell as in ours."""
+    """Learn a binary tree with deeprob-kit, as a ``BinaryCLT``; 1 is added to every cell as in ours."""
     from deeprob.spn.structure.cltree import BinaryCLT
 
     variables = table.shape[1]
@@ -171,12 +171,12 @@ def deeprob_difference(codes: NDArray[np.int32]) -> float:
 
 
 def by_pyagrum(table: pd.DataFrame, n_values: int) -> Any:
-    """Learn by pyAgrum, the first variable as the class: a ``BNClassifier``."""
+    """Learn with pyAgrum, as a ``BNClassifier`` whose class is the first variable."""
     from pyagrum.lib.discreteTypeProcessor import DiscreteTypeProcessor
     from pyagrum.skbn import BNClassifier
 
     codes = table.to_numpy()
-    # Columns with more values would be cut into ten intervals.
+    # Columns with more values would be split into ten intervals.
     types = DiscreteTypeProcessor(discretizationThreshold=n_values + 1)
     model = BNClassifier(type_processor=types, learningMethod="Chow-Liu", prior="Smoothing", priorWeight=1)
     model.fit(codes[:, 1:], codes[:, 0])
@@ -184,7 +184,7 @@ def by_pyagrum(table: pd.DataFrame, n_values: int) -> Any:
 
 
 def pyagrum_edges(codes: NDArray[np.int32]) -> set[tuple[int, int]]:
-    """Edges of pyAgrum's tree by the variables' places: parent and child."""
+    """Edges of pyAgrum's tree by the indices of variables: parent and child."""
     network = by_pyagrum(pd.DataFrame(codes), int(codes.max()) + 1).bn_
     places = {"y": 0} | {f"x{number}": number + 1 for number in range(codes.shape[1] - 1)}
     return {tuple(places[network.variable(end).name()] for end in arc) for arc in network.arcs()}  # type: ignore[misc]

@@ -1,9 +1,9 @@
-"""Gentle AdaBoost beside three peers': one place against the rest, 50 stumps.
+"""Gentle AdaBoost against three peers: one place against the rest, 50 stumps.
 
-The same boosting with the same trimming of light samples. OpenCV cuts a feature between any two of its
-values, ours at 255 quantiles. With more values the stumps differ but are as good: the shares of training
-frames that they decide right are compared too. LightGBM and XGBoost boost another loss, with as many trees of
-depth 1 on as many bins, all samples in every round and full steps.
+OpenCV does the same boosting with the same trimming of light samples. It splits a feature between any two of
+its values, ours at 255 quantiles. With more values the stumps differ but are as good, so the shares of
+training frames decided right are compared too. LightGBM and XGBoost boost another loss, with as many trees of
+depth 1 and as many bins, all samples in every round and full steps.
 """
 
 from collections.abc import Iterator
@@ -31,7 +31,7 @@ _SUM = 256
 
 
 def entries(*, frames: int = 8000, features: int = 256, rounds: int = 50) -> Iterator[Entry]:
-    """Yield time, and how well both know their training frames after so many stumps."""
+    """Yield the times, and how well both decide the training frames after all stumps."""
     drawn = draw_frames(frames, features, HOMES)
     X, positive = drawn.descriptors, drawn.place == 0
     text = f"{frames} x {features}, {rounds} rounds"
@@ -67,7 +67,7 @@ def _beside(
 
 
 def by(name: str, X: NDArray[np.float32], positive: NDArray[np.bool_], rounds: int) -> Any:
-    """Boost by LightGBM or XGBoost, stumps on 255 bins with full steps, on one thread."""
+    """Boost with LightGBM or XGBoost: stumps on 255 bins with full steps, on one thread."""
     own: dict[str, Any] = {"n_estimators": rounds, "max_depth": 1, "learning_rate": 1.0, "n_jobs": 1}
     if name == "lightgbm":
         from lightgbm import LGBMClassifier
@@ -79,12 +79,12 @@ def by(name: str, X: NDArray[np.float32], positive: NDArray[np.bool_], rounds: i
 
 
 def ours(X: NDArray[np.float32], positive: NDArray[np.bool_], rounds: int) -> GentleAdaBoost:
-    """Boost by ours."""
+    """Boost with ours."""
     return GentleAdaBoost(rounds).fit(X, positive)
 
 
 def theirs(X: NDArray[np.float32], positive: NDArray[np.bool_], rounds: int) -> Any:
-    """Boost by OpenCV's: a ``cv2.ml.Boost``."""
+    """Boost with OpenCV's ``cv2.ml.Boost``."""
     boost = cv2.ml.Boost.create()
     boost.setBoostType(cv2.ml.BOOST_GENTLE)
     boost.setWeakCount(rounds)

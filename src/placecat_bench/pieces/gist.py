@@ -1,8 +1,8 @@
-"""Gist beside torchgist's: a frame's descriptor, ours with the maps that it reads.
+"""Gist against torchgist: the descriptor of a frame, including the maps that ours reads.
 
-Ours averages the maps of the visual attention in the cells of a grid (thesis section 3.2); torchgist filters
-a grey square of 256x256 pixels with 32 Gabor filters (Oliva and Torralba 2001). The numbers differ, the
-purpose does not.
+Ours averages the maps of visual attention in the cells of a grid (thesis section 3.2); torchgist filters a
+grey square of 256x256 pixels with 32 Gabor filters (Oliva and Torralba 2001). The numbers differ, but the
+purpose is the same.
 """
 
 from collections.abc import Iterator, Sequence
@@ -23,7 +23,7 @@ _SIDE = 256
 
 
 def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iterator[Comparison]:
-    """Yield the time beside the peer's; by default of one frame of each rendered home."""
+    """Yield the times of both, by default for one frame of each rendered home."""
     keep_freed_memory()
     pictures = [decoded(file) for file in jpegs()] if frames is None else frames
     attention = options()["attention"]
@@ -50,7 +50,7 @@ def ours(frame: Image, attention: dict[str, Any]) -> NDArray[np.float32]:
 
 
 def theirs(squares: Sequence[NDArray[np.uint8]]) -> list[NDArray[np.float32]]:
-    """torchgist's of pictures (256, 256, 3), on one thread; each (512,)."""
+    """torchgist's descriptors, each (512,), of pictures (256, 256, 3), on one thread."""
     import torch
     from torchgist.models.models import GIST
 

@@ -1,13 +1,13 @@
-"""Hierarchical k-means beside three peers': the centres of a codebook of SIFT descriptors.
+"""Hierarchical k-means against three peers: the centres of a codebook of SIFT descriptors.
 
-Both split into 16 clusters from k-means++ seeds, with at most 11 of Lloyd's iterations, and cut the tree
-where the variance falls most. FLANN grows the tree down to cells of less than 16 points before it cuts; ours
-grows as far as the cut needs, which gives the same as cutting a whole tree. The draws of the seeds differ, so
-the inertia is compared too: the sum of squared distances of all points to the nearest centre.
+FLANN and ours split into 16 clusters from k-means++ seeds, with at most 11 Lloyd iterations, and cut the tree
+where the variance falls most. FLANN grows the tree down to cells of less than 16 points before it cuts. Ours
+grows only as far as the cut needs, with the same result. The seeds are drawn differently, so the inertia is
+compared too: the sum of squared distances of all points to the nearest centre.
 
-Two more peers give as many centres without our tree: superkmeans' hierarchical mode with its own iterations
-(3 coarse, 5 fine), and flat k-means of faiss with our iterations on all points. Their times compare where the
-inertia is equal.
+Two more peers find as many centres without our tree: superkmeans' hierarchical mode with its default
+iterations (3 coarse, 5 fine), and faiss's flat k-means with our iterations on all points. Their times are
+comparable if the inertia is equal.
 
 The points are the project's SIFT descriptors of random places and scales in frames of a rendered home.
 """
@@ -37,7 +37,7 @@ BRANCHING = 16
 ITERATIONS = 11
 _FRAME_STEP = 13
 _REGIONS = 4096
-# Points whose differences are in memory at once.
+# Number of points whose differences are in memory at once.
 _BLOCK = 1 << 14
 
 
@@ -46,7 +46,7 @@ def entries(
 ) -> Iterator[Comparison | Limit]:
     """Yield time and inertia of two cuts; `homes` is a folder of videos.
 
-    The first number of clusters should be 2.5 times faster than FLANN's, the second twice.
+    Ours should be 2.5 times as fast as FLANN for the first number of clusters, and twice for the second.
     """
     descriptors = draw_descriptors(points, homes)
     for number, faster in zip(clusters, (2.5, 2.0), strict=True):
@@ -75,7 +75,7 @@ def _cut(
         lambda: centers.call("ours"),
         lambda: centers.call("theirs"),
         faster=faster,
-        # Half a minute of FLANN's.
+        # FLANN needs half a minute.
         warm_up=False,
         parts={"first split": lambda: ours(points, BRANCHING)},
     )
@@ -84,7 +84,7 @@ def _cut(
 
 
 def draw_descriptors(points: int, homes: Path = HOMES, seed: int = 0) -> NDArray[np.float32]:
-    """Describe random places and scales in every 13th frame of as many videos as necessary.
+    """Describe random positions and scales in every 13th frame of as many videos as necessary.
 
     Returns (points, 128) float32, whole numbers from 0 to 255. Raises PlacecatError if the videos have too
     few frames.
@@ -99,7 +99,7 @@ def draw_descriptors(points: int, homes: Path = HOMES, seed: int = 0) -> NDArray
         parts.append(sift.describe(maps, regions))
     if len(parts) * _REGIONS < points:
         raise PlacecatError(
-            f"{homes}: the videos are too short, they give {len(parts) * _REGIONS} descriptors"
+            f"{homes}: the videos are too short for more than {len(parts) * _REGIONS} descriptors"
         )
     return np.concatenate(parts)[:points]
 
@@ -112,13 +112,13 @@ def _frames(homes: Path) -> Iterator[NDArray[np.uint8]]:
 
 
 def ours(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
-    """Grow our tree and give the centres of its cut."""
+    """Grow our tree and return the centres of its cut."""
     tree = HierarchicalKMeans(branching=BRANCHING, max_clusters=n_clusters, max_iter=ITERATIONS)
     return tree.fit(points).centers(n_clusters)
 
 
 def theirs(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
-    """Give the centres of FLANN's cut, of shape (n_clusters, D), float32."""
+    """Return the centres of FLANN's cut, (n_clusters, D) float32."""
     from pyflann_ibeis import FLANN
 
     splits = (n_clusters - 1) // (BRANCHING - 1)
@@ -129,7 +129,7 @@ def theirs(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
 
 
 def by_superkmeans(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
-    """Give superkmeans' centres, of shape (n_clusters, D), float32."""
+    """Return superkmeans' centres, (n_clusters, D) float32."""
     from superkmeans import SuperKMeans
 
     model = SuperKMeans(n_clusters, points.shape[1], hierarchical=True, n_threads=1)
@@ -137,11 +137,11 @@ def by_superkmeans(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.f
 
 
 def by_faiss(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
-    """Give faiss's centres, of shape (n_clusters, D), float32."""
+    """Return faiss's centres, (n_clusters, D) float32."""
     import faiss
 
     faiss.omp_set_num_threads(1)
-    # By default it takes at most 256 points a centre.
+    # By default it uses at most 256 points per centre.
     own = {"niter": ITERATIONS, "max_points_per_centroid": len(points)}
     model = faiss.Kmeans(points.shape[1], n_clusters, seed=0, **own)
     model.train(points)

@@ -1,6 +1,6 @@
-"""HOG of salient regions beside OpenCV's, called for one region after the other.
+"""HOG of salient regions against OpenCV's, which is called for each region.
 
-Both get the maps of frames and their regions; for the peer the patches are cut by our function, then resized
+Both get the maps and regions of frames. For the peer, our function cuts the patches, which are then resized
 and described one at a time. The descriptors are identical.
 """
 
@@ -27,7 +27,7 @@ DLIB = Absent(
 def entries(
     *, frames: Sequence[Image] | None = None, count: int = REGIONS, repeats: int = 15
 ) -> Iterator[Entry]:
-    """Yield the time beside the peer's, and the difference from its descriptors, for `count` regions a frame.
+    """Yield the times of both, and the difference of their descriptors, for `count` regions per frame.
 
     `frames` have one size, by default one of each rendered home; a repeat is a pair of calls with all frames.
     """
@@ -47,7 +47,7 @@ def entries(
         parts={
             "cutting": lambda: [patches_of(*one) for one in given],
             "resizing": lambda: [[resized(patch) for patch in some] for some in patches],
-            # The rest is OpenCV's, of all regions at once.
+            # The rest is OpenCV's code, for all regions at once.
         },
     )
     yield Limit(

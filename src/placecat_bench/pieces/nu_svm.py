@@ -1,20 +1,19 @@
-"""nu-SVM beside three of scikit-learn's kind: each of five classes against the rest, with probabilities.
+"""nu-SVM against three variants of scikit-learn's: each of five classes against the rest, with probabilities.
 
-Both fit for each class one nu-SVM on all frames, and one per home on the frames of the other homes; a sigmoid
-is fitted to their decisions for the frames of the homes left out. ``CalibratedClassifierCV`` does so with
-``ensemble=False`` and our folds. (By default it would skip the first and predict by the mean over folds:
-fewer fits, but five times the work to predict, and other probabilities, which would not compare.)
-``OneVsRestClassifier`` divides the probabilities of a frame by their sum, as our combination ``certainty``
-does; the thesis's, ``parallel``, takes one small matrix product more. gamma, nu, the tolerance, the scaling
-and libsvm's cache, which holds the whole kernel matrix, are the same. Theirs gets float64, to which it would
-convert for every fit.
+For each class both fit one nu-SVM on all frames, and one per home on the frames of the other homes; a sigmoid
+is fitted to the decisions for the homes left out. ``CalibratedClassifierCV`` does so with ``ensemble=False``
+and our folds. (By default it would skip the first nu-SVM and average the predictions over folds: fewer fits,
+but five times the work to predict, and different probabilities.) ``OneVsRestClassifier`` divides the
+probabilities of a frame by their sum, like our combination ``certainty``; the thesis's, ``parallel``, needs
+one more small matrix product. gamma, nu, the tolerance, the scaling and libsvm's cache, which holds the full
+kernel matrix, are the same. scikit-learn gets float64, since it would convert to it for every fit.
 
-The ratios depend on how many frames are support vectors, and how many of these serve several classes, which
-costs us one kernel value and scikit-learn one per class. The frames are as hard as Gist's
+The ratios depend on the number of support vectors and on how many of them several classes share: these need
+one kernel value in ours and one per class in scikit-learn. The frames are as hard as Gist's
 (:mod:`placecat_bench.gist_like`).
 
-The same scheme is measured on a Gram matrix that is computed once (``kernel="precomputed"``), and with the
-``NuSVC`` of scikit-learn-intelex, which gets float32.
+The same scheme is also measured with a Gram matrix that is computed once (``kernel="precomputed"``), and with
+the ``NuSVC`` of scikit-learn-intelex, which gets float32.
 """
 
 from collections.abc import Callable, Iterator
@@ -50,9 +49,9 @@ Predict = Callable[[NDArray[np.float32]], NDArray[np.floating]]
 
 
 def entries(*, frames: int = 8000, features: int = 1024, homes: int = 5, new: int = 2000) -> Iterator[Entry]:
-    """Yield the times of fit and prediction, and how far the probabilities are apart.
+    """Yield the times of fit and prediction, and the difference of the probabilities.
 
-    `new` frames of one more home are predicted.
+    `new` is the number of frames of another home to predict.
     """
     train, test = draw_frames(frames, features, range(homes)), draw_frames(new, features, [homes])
     scaling = KernelScaling("standard").fit(train.descriptors)
@@ -169,7 +168,7 @@ def theirs(X: NDArray[np.float64], frames: Frames) -> Any:
 
 
 def on_gram(X: NDArray[np.float32], frames: Frames) -> Predict:
-    """Fit scikit-learn's on a Gram matrix; gives the function from descriptors to probabilities."""
+    """Fit scikit-learn's on a Gram matrix; return the function from descriptors to probabilities."""
     from sklearn.metrics.pairwise import rbf_kernel
     from sklearn.svm import NuSVC
 
@@ -181,7 +180,7 @@ def on_gram(X: NDArray[np.float32], frames: Frames) -> Predict:
 
 
 def by_onedal(X: NDArray[np.float32], frames: Frames) -> Predict:
-    """Fit the same with scikit-learn-intelex's ``NuSVC``; gives its ``predict_proba``."""
+    """Fit the same with scikit-learn-intelex's ``NuSVC``; return its ``predict_proba``."""
     from sklearnex.svm import NuSVC
 
     predict: Predict = _one_against_all(NuSVC, X, frames).predict_proba

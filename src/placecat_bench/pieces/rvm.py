@@ -1,13 +1,13 @@
-"""Relevance vector machine beside fastrvm's and sklearn-rvm's: one place against the rest.
+"""Relevance vector machine against fastrvm and sklearn-rvm: one place against the rest.
 
-Both maximise the evidence by adding, re-estimating and deleting basis functions (Tipping and Faul 2003), with
-the same kernel and a bias, and compute the Gram matrix themselves. fastrvm renews its statistics after each
-such change, ours after many. fastrvm takes thousands of changes, for two of the five places more than 3000:
-the place is the one with the fewest. The evidences do not compare, since fastrvm leaves the bias without a
-prior; the shares of training frames that each decides right do. The time on 8000 frames is ours alone.
+fastrvm and ours maximise the evidence by adding, re-estimating and deleting basis functions (Tipping and Faul
+2003), with the same kernel and a bias, and compute the Gram matrix. fastrvm updates its statistics after
+every change, ours after many. fastrvm needs thousands of changes, more than 3000 for two of the five places;
+the place with the fewest is used. The evidences cannot be compared, since fastrvm has no prior for the bias,
+but the shares of training frames decided right can. Only ours is timed on 8000 frames.
 
-sklearn-rvm begins with all basis functions and prunes them (Tipping 2001): time grows with the third power of
-the frames, so it gets fewer.
+sklearn-rvm starts with all basis functions and prunes them (Tipping 2001). Its time grows with the third
+power of the number of frames, so it gets fewer frames.
 """
 
 from collections.abc import Callable, Iterator
@@ -35,9 +35,9 @@ PLACE = 1
 def entries(
     *, fewest: int = 400, few: int = 1600, many: int = 8000, features: int = 1024
 ) -> Iterator[Comparison | Limit]:
-    """Yield time and accuracy on few frames, and the time of the slowest of five classes on many.
+    """Yield times and accuracies on few frames, and the time of the slowest of five classes on many.
 
-    A frame is described by so many features.
+    `features` is the length of a descriptor.
     """
     yield from _beside(PRUNING, by_pruning, fewest, features, faster=10)
     yield from _beside(PEER, theirs, few, features, faster=1)
@@ -62,7 +62,7 @@ def _beside(
         return 100.0 * float(right["theirs"] - right["ours"])
 
     parts = {"Gram matrix": lambda: rbf_gram(X, GAMMA)}
-    # A minute of theirs.
+    # The peer needs a minute.
     calls = partial(models.call, "ours"), partial(models.call, "theirs")
     yield Comparison(PIECE, text, peer, *calls, faster=faster, warm_up=False, parts=parts)
     quantity = f"points of training accuracy behind {peer.package}'s"
@@ -86,7 +86,7 @@ def _alone(many: int, features: int) -> Limit:
 
 
 def scaled_frames(n: int, features: int) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
-    """Draw frames and standardise them; gives descriptors (n, features) and places (n,)."""
+    """Draw frames and standardise them; return descriptors (n, features) and places (n,)."""
     drawn = draw_frames(n, features, HOMES)
     return KernelScaling("standard").fit_transform(drawn.descriptors), drawn.place
 

@@ -1,8 +1,8 @@
-"""The saliency map of a frame beside the decoding of its JPEG, and beside OpenCV's two saliency maps.
+"""The saliency map of a frame against the decoding of its JPEG, and against OpenCV's two saliency maps.
 
-OpenCV's come from its contributed modules, another build of the same package: a process of its own computes
-them. Both have one channel, intensity, the spectral residual's of 64x64 pixels. Ours fuses intensity, two
-opponent colours and four orientations at several scales, and a residual.
+OpenCV's maps are in its contributed modules, another build of the same package, so a separate process
+computes them. Both have one channel, intensity; the spectral residual has 64x64 pixels. Ours fuses intensity,
+two opponent colours and four orientations at several scales, and a residual.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -25,12 +25,12 @@ CONTRIBUTED = {
     "StaticSaliencySpectralResidual": Peer("OpenCV contributed: spectral residual", PACKAGE, FOLDER),
 }
 VOCUS2 = Absent(PIECE, "", "VOCUS2", "it has no package and no release to build")
-# The maps that are fused; the colours themselves are descriptors' only.
+# The maps that are fused; only descriptors use the colours themselves.
 READ = tuple(name for name in FIELDS if name != "color")
 
 
 def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iterator[Entry]:
-    """Yield the time beside that of decoding, and beside OpenCV's saliency.
+    """Yield the times against decoding, and against OpenCV's saliency.
 
     `frames` have one size, by default one of each rendered home; a repeat is a pair of calls with all frames.
     """
@@ -69,7 +69,7 @@ def saliency_of(frame: Image, own: Mapping[str, Any]) -> Saliency:
 
 
 def parts(frames: Sequence[Image], own: Mapping[str, Any]) -> dict[str, Callable[[], Any]]:
-    """Give a call for each part: the pyramids, what each kind of maps adds to them, the fusion."""
+    """Make a function for each part: the pyramids, each kind of maps with them, and the fusion."""
     maps = [compute_maps(frame, READ, **own["attention"]) for frame in frames]
 
     def only(*fields: str) -> Callable[[], Any]:
@@ -81,7 +81,7 @@ def parts(frames: Sequence[Image], own: Mapping[str, Any]) -> dict[str, Callable
         "grey and colour pyramids and colour": only("color_contrast"),
         "grey pyramid and orientation": only("orientation"),
         "grey pyramid and residual": only("residual"),
-        # A copy does not remember what an earlier call computed.
+        # A copy has no cached results of earlier calls.
         "fusion": lambda: [saliency(replace(one), **_fusion(own)) for one in maps],
     }
 

@@ -1,10 +1,11 @@
-"""SIFT of salient regions beside OpenCV's on the whole level, and kornia's of patches.
+"""SIFT of salient regions against OpenCV's on full levels, and kornia's on patches.
 
-The regions of a frame lie on several levels of its pyramid. The peer gets each of these as an 8-bit image
-with a keypoint for each region, whose cells have the same size as ours: one call of `SIFT.compute` a level,
-which blurs the whole level several times before it describes a point. Images and keypoints are made before.
+The regions of a frame lie on several levels of its pyramid. OpenCV gets each level as an 8-bit image with a
+keypoint for each region, whose cells have the same size as ours. It needs one call of `SIFT.compute` per
+level, which blurs the full level several times before it describes a point. Images and keypoints are prepared
+untimed.
 
-kornia describes patches: it gets those that we cut, at the size of ours.
+kornia describes patches; it gets our patches, at the same size.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -32,16 +33,16 @@ Points = tuple[Image, list[cv2.KeyPoint]]
 def entries(
     *, frames: Sequence[Image] | None = None, count: int = REGIONS, repeats: int = 15
 ) -> Iterator[Comparison | Limit]:
-    """Yield the time beside the peer's.
+    """Yield the times of ours and the peers.
 
     Parameters
     ----------
     frames
         Frames of one size; one of each rendered home by default.
     count
-        Regions of a frame.
+        Number of regions per frame.
     repeats
-        Pairs, each of all frames.
+    Number of pairs, each with all frames.
     """
     keep_freed_memory()
     pictures = [decoded(file) for file in jpegs()] if frames is None else frames
@@ -98,7 +99,7 @@ def by_kornia(patches: Sequence[NDArray[np.floating]]) -> list[NDArray[np.float3
 
 def keypoints(maps: FrameMaps, regions: NDArray[np.float32]) -> list[Points]:
     """Make the 8-bit levels of regions, and upright keypoints whose 4x4 cells cover the regions."""
-    # A cell of OpenCV's has 1.5 times the size of the keypoint.
+    # OpenCV's cells have 1.5 times the size of the keypoint.
     across = region_side(maps.width) / 6
     found = []
     for scale, level in maps.grey.items():
@@ -109,7 +110,7 @@ def keypoints(maps: FrameMaps, regions: NDArray[np.float32]) -> list[Points]:
 
 
 def parts(given: Sequence[Described]) -> dict[str, Callable[[], Any]]:
-    """Give a call for each part of ours."""
+    """Make a function for each part of ours."""
     cell = region_side(given[0][0].width) / sift.CELLS
     radius = int(np.ceil((sift.CELLS + 1) / 2 * cell)) - 1
     upright = np.zeros(1)

@@ -8,25 +8,25 @@ from placecat.errors import exiting
 
 
 def main() -> None:
-    """Build, run, measure and report; a mistake of the user's ends with its message and status 1."""
+    """Build, run, measure and report; exit with a message and status 1 after a user's mistake."""
     from placecat import paths
 
     parser = argparse.ArgumentParser(
         prog="python -m placecat_bench.scale",
         description="Run the stages on features of the size of the thesis's home database, drawn from those "
-        "that `make repro` left, and write how long they take, how much memory, and how both grow.",
+        "that `make repro` left, and write their time, their memory, and how both grow.",
     )
     parser.add_argument(
-        "--sizes", nargs="+", type=float, metavar="PART", help="instead of those of conf/scale.yaml"
+        "--sizes", nargs="+", type=float, metavar="PART", help="instead of the sizes in conf/scale.yaml"
     )
-    parser.add_argument("--stages", nargs="+", metavar="STAGE", help="instead of those of conf/scale.yaml")
+    parser.add_argument("--stages", nargs="+", metavar="STAGE", help="default: conf/scale.yaml")
     parser.add_argument(
-        "--folder", type=Path, default=paths.SCALE, help=f"to work in, {paths.SCALE} by default"
+        "--folder", type=Path, default=paths.SCALE, help=f"working folder, {paths.SCALE} by default"
     )
     parser.add_argument(
-        "--add", action="store_true", help="keep what scale.csv has of other sizes, for the exponents"
+        "--add", action="store_true", help="keep the rows of other sizes in scale.csv, for the exponents"
     )
-    parser.add_argument("--keep", action="store_true", help="leave the folders of all sizes there")
+    parser.add_argument("--keep", action="store_true", help="keep the folders of all sizes")
     parser.add_argument("--output", type=Path, default=paths.REPORTS, help=f"{paths.REPORTS} by default")
     options = parser.parse_args()
     with exiting():

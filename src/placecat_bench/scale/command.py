@@ -17,7 +17,7 @@ _NAMES = ["sizes", "test_homes", "stages", "regions", "jitter", "most_gib", "hom
 
 
 def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
-    """Read conf/scale.yaml; raises as :func:`placecat.conf_file.read`."""
+    """Read conf/scale.yaml; errors as in :func:`placecat.conf_file.read`."""
     return conf_file.read(path, _NAMES)
 
 
@@ -32,10 +32,10 @@ def run(
 ) -> None:
     """Measure one size after the other, and write scale.csv, scale_growth.csv and scale.json to `output`.
 
-    They are written after each size, so that a stopped run leaves something. `sizes` and `stages` replace
-    those of conf/scale.yaml. `folder` gets one folder per size, which stay if `keep`. `add` keeps other sizes
-    of the scale.csv in `output`, which should be from the same machine and code. Raises PlacecatError for
-    wrong settings, missing features, and a stage that fails.
+    The files are written after each size, so a stopped run leaves results. `sizes` and `stages` override
+    conf/scale.yaml. `folder` gets one folder per size; `keep` keeps these. `add` keeps the other sizes in
+    `output`/scale.csv, which should come from the same machine and code. Raises PlacecatError for wrong
+    settings, missing features, or a stage that fails.
     """
     options = read_settings()
     homes = read_homes(options["homes"])

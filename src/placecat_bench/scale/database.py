@@ -1,4 +1,4 @@
-"""Frames of each label in a home database, and its labels in the order of a possible walk."""
+"""Frames of each label in a home database, and a possible order of its labels in a walk."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ TRANSITION = "transition"
 
 @dataclass(frozen=True)
 class Stretch:
-    """At least one frame of one label without a break, on a floor (from 1), which is filmed without a cut."""
+    """One or more consecutive frames of one label, on a floor (from 1) that is filmed without a cut."""
 
     floor: int
     label: str
@@ -23,7 +23,7 @@ class Stretch:
 
 @dataclass(frozen=True)
 class Home:
-    """Counts from the label file of a home: floors, and frames and stretches by label; all at least 1."""
+    """Counts in the label file of a home: floors, and frames and stretches by label; all at least 1."""
 
     name: str
     floors: int
@@ -35,7 +35,7 @@ class Home:
         return sum(frames for frames, _ in self.labels.values())
 
     def scaled(self, size: float) -> "Home":
-        """The same home with `size` times the frames of each label, at least one, in as many stretches."""
+        """The same home with `size` times the frames of each label (at least 1), in stretches as before."""
         fewer = {label: max(1, round(frames * size)) for label, (frames, _) in self.labels.items()}
         stretches = {label: count for label, (_, count) in self.labels.items()}
         return Home(
@@ -45,7 +45,7 @@ class Home:
         )
 
     def walk(self) -> list[Stretch]:
-        """Put stretches of random lengths in random order, transitions between them; fixed for each home."""
+        """Put stretches of random lengths in random order, with transitions between; fixed for each home."""
         rng = np.random.default_rng(seeds.derive("scale", "walk", self.name))
         places: list[tuple[str, int]] = []
         transitions: list[tuple[str, int]] = []
@@ -82,8 +82,8 @@ def read_homes(content: Mapping[str, Any]) -> list[Home]:
             ) from None
         if floors < 1 or not labels or any(not 1 <= count <= frames for frames, count in labels.values()):
             raise PlacecatError(
-                f"conf/scale.yaml: homes.{name} needs a floor or more, and labels of at least as many frames "
-                "as stretches, and a stretch or more"
+                f"conf/scale.yaml: homes.{name} needs one floor or more, and labels with one stretch or more "
+                "and at least as many frames as stretches"
             )
         homes.append(Home(str(name), floors, labels))
     return homes

@@ -1,4 +1,4 @@
-"""More features from few: frames of the same place of the same home, each with its own jitter."""
+"""Draw more features from few: repeat frames of the same place and home, each with new jitter."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 from placecat import files, paths, seeds
 from placecat_bench.scale.database import Stretch
 
-# Arrays with an axis of regions after that of frames.
+# Arrays whose second axis is regions, after frames.
 REGIONS = "regions"
 LOCAL = "local_"
 COUNT = "count"
-# Values at a time.
+# Number of values processed at a time.
 CHUNK = 8_000_000
 
 
@@ -26,11 +26,11 @@ def draw_frames(
 ) -> NDArray[np.int64]:
     """Choose a source frame for every frame of a home: (frames,) indices.
 
-    A stretch continues through the frames of its label from one of them, each taken several times in a row,
-    as a video of a higher frame rate would; round and round if they are too few. `labels` and `classes` are
-    (sources,) label and class index of each source frame, -1 for no class; `own` is the class index of each
-    stretch. Without a source frame of the label, one of the class is taken; without any of the class, any
-    frame. The choice derives from the name of the home.
+    A stretch starts at a random frame of its label and runs through the following ones, starting over at the
+    end. Each frame is repeated, like in a video with a higher frame rate. `labels` and `classes` are
+    (sources,) label and class index of each source frame, -1 for no class. `own` is the class index of each
+    stretch. If no source frame has the label, frames of the class are used; if there are none, any frame. The
+    choice derives from the name of the home.
     """
     rng = np.random.default_rng(seeds.derive("scale", "frames", home))
     names = np.asarray(labels, dtype=str)
@@ -50,11 +50,11 @@ def draw_frames(
 def draw_regions(
     chosen: NDArray[np.int64], counts: NDArray[np.int64], classes: NDArray[np.int64], wanted: int, home: str
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Choose the source regions of every frame: its own, then others of its class until there are enough.
+    """Choose source regions for every frame: first those of its source frame, then others of its class.
 
-    `chosen` are (frames,) from :func:`draw_frames`; `counts` and `classes` the (sources,) number of regions
-    and class index of each source frame. Returns source frame and place in it of each region, both (frames,
-    wanted).
+    `chosen` are (frames,) from :func:`draw_frames`. `counts` and `classes` are (sources,) number of regions
+    and class index of each source frame. Returns source frame and index in this frame of each region, both
+    (frames, wanted).
     """
     rng = np.random.default_rng(seeds.derive("scale", "regions", home))
     frame = np.repeat(chosen[:, None], wanted, axis=1)
@@ -79,11 +79,11 @@ def write_jittered(
     jitter: float,
     home: str,
 ) -> None:
-    """Write an array of drawn rows, each value multiplied by its own number around 1.
+    """Write an array of drawn rows; multiply each value by a random factor around 1.
 
-    Zeros stay zeros, values stay within those of the source, and so does the dtype; both files are ``.npy``.
-    `frame` and `place` are indices of rows of the source: (frames,) and None, or both (frames, regions).
-    `jitter` is the standard deviation of the factor, which derives from the name of the home.
+    Zeros stay zeros, values stay in the source's range, and the dtype does not change; both files are
+    ``.npy``. `frame` and `place` are indices of source rows: (frames,) and None, or both (frames, regions).
+    `jitter` is the standard deviation of the factors, which derive from the name of the home.
     """
     array = files.read_array(source, memory_map=False)
     low, high = array.min(), array.max()
@@ -105,7 +105,7 @@ def write_jittered(
 
 
 def arrays_in(folder: Path) -> list[str]:
-    """Names of the arrays of features or tracks in a folder, without the count of regions and the frames."""
+    """Names of the arrays of features or tracks in a folder, except the counts of regions and the frames."""
     others = (f"{COUNT}.npy", paths.VARIANT_FRAMES)
     return sorted(path.stem for path in folder.glob("*.npy") if path.name not in others)
 

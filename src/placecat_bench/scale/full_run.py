@@ -1,4 +1,4 @@
-"""Estimate of the time of a complete run on so many frames, with every home tested."""
+"""Estimate the time of a complete run on many frames that tests every home."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -11,20 +11,20 @@ from placecat.evaluation.trials import expand
 from placecat.thesis import definitions
 from placecat.training import protocol
 
-# Their work is the same for every home that is tested on.
+# Stages with the same work for every tested home.
 PER_TEST_HOME = ("codebooks", "cues", "integration", "filtering", "smoothing")
-# Their work is the same for every frame.
+# Stages with the same work for every frame.
 PER_FRAME = ("sequences", "features", "tracks")
 
 
 def estimate(measured: pd.DataFrame, params: Mapping[str, Any]) -> dict[str, Any]:
-    """Add up the times of the largest size, as often as a full run has them, and of the stages not measured.
+    """Add up the times of the largest size, as often as in a full run, and of the stages not measured.
 
-    Stages that work on frames (features, tracks) take as long a frame as in the kept run of the project
-    (reports/times.csv) on its own frames. Stages that do not depend on the homes' size (further data sets,
-    toy problem, figures, page) take as long as there. `measured` has columns
-    `placecat_bench.scale.measurements.COLUMNS`, `params` its settings. Returns ``hours``, and ``seconds`` by
-    stage.
+    Stages that work on frames (features, tracks) are assumed to take as long per frame as in the project's
+    last full run (reports/times.csv). Stages that do not depend on the homes' size (further data sets, toy
+    problem, figures, page) are assumed to take as long as there. `measured` has the columns
+    `placecat_bench.scale.measurements.COLUMNS`; `params` are its settings. Returns ``hours``, and ``seconds``
+    by stage.
     """
     frames = int(measured["frames"].max())
     most = measured[measured["frames"] == frames]
@@ -41,7 +41,7 @@ def estimate(measured: pd.DataFrame, params: Mapping[str, Any]) -> dict[str, Any
 
 
 def times_as_often(stage: str, params: Mapping[str, Any]) -> float:
-    """How many times the measured work of a stage, e.g. ``trials``, a run has that tests on every home."""
+    """How many times a run that tests every home does the measured work of a stage, e.g. ``trials``."""
     homes = list(settings.get(params, "dataset.homes"))
     tested = protocol.tested_homes(homes, settings.get(params, "protocol.test_homes"))
     if stage in PER_TEST_HOME:

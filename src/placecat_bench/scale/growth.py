@@ -10,9 +10,9 @@ import numpy as np
 class Growth:
     """A power law fitted to measurements.
 
-    The exponent is 1 for growth in proportion to the frames; `r2`, up to 1, is the share of the variance of
-    the logarithms that it explains; `last` is the exponent between the two largest sizes alone, where a
-    constant part, such as imports, has faded.
+    The exponent is 1 if growth is proportional to the frames. `r2`, up to 1, is the explained share of the
+    variance of the logarithms. `last` is the exponent between the two largest sizes, where constant parts,
+    e.g. imports, matter little.
     """
 
     exponent: float
@@ -31,7 +31,7 @@ def fit(frames: Sequence[float], values: Sequence[float]) -> Growth:
     order = np.argsort(frames)
     x, y = np.log(np.asarray(frames, float)[order]), np.log(np.asarray(values, float)[order])
     if len(x) < 2 or x[0] == x[-1]:
-        raise ValueError("an exponent takes two different numbers of frames or more")
+        raise ValueError("an exponent needs two different numbers of frames or more")
     exponent, constant = np.polyfit(x, y, 1)
     rest = y - (exponent * x + constant)
     total = float(((y - y.mean()) ** 2).sum())

@@ -1,4 +1,4 @@
-"""Running the stages in a folder, one after the other, with their time and memory."""
+"""Run the stages in a folder, one after the other, and measure their time and memory."""
 
 import sys
 from collections.abc import Mapping, Sequence
@@ -11,13 +11,13 @@ from placecat.lockfile import DEFINITION, defined_stages
 from placecat_bench.scale import growth
 from placecat_bench.scale.watching import watch
 
-# `item` is "": stages once ran for each home or cue, and the files in git have its column.
+# `item` is always ""; it remains a column of the files in git, since stages once ran per home or cue.
 COLUMNS = ["size", "frames", "stage", "item", "seconds", "cpu_seconds", "peak_gib"]
 GROWTH_COLUMNS = ["stage", "item", "exponent", "r2", "last_exponent", "seconds", "peak_gib"]
 
 
 def commands(stages: Sequence[str], definition: Path = DEFINITION) -> dict[str, list[str]]:
-    """Give the command of each stage as in dvc.yaml; a stage that is not there raises PlacecatError."""
+    """Return the command of each stage in dvc.yaml; PlacecatError if a stage is missing there."""
     defined = defined_stages(definition)
     for stage in stages:
         if stage not in defined:
@@ -26,7 +26,7 @@ def commands(stages: Sequence[str], definition: Path = DEFINITION) -> dict[str, 
 
 
 def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frames: int) -> pd.DataFrame:
-    """Run and watch stages in a folder: columns `COLUMNS`, a row each; raises PlacecatError if one fails."""
+    """Run and watch stages in a folder; return a row of `COLUMNS` each; PlacecatError if one fails."""
     rows = []
     for stage, command in steps.items():
         watched = watch(command, folder, folder / "logs" / f"{stage}.log")
@@ -40,8 +40,8 @@ def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frame
 def growths(measured: pd.DataFrame) -> pd.DataFrame:
     """Fit how the time of every stage, and of all together, grows with the frames.
 
-    `measured` has columns `COLUMNS` and at least two numbers of frames. Returns columns `GROWTH_COLUMNS`: the
-    exponents are those of the CPU seconds; ``seconds`` (wall time) and ``peak_gib`` are those of the most
+    `measured` has the columns `COLUMNS` and at least two numbers of frames. Returns columns `GROWTH_COLUMNS`:
+    the exponents are for CPU seconds; ``seconds`` (wall time) and ``peak_gib`` are for the largest number of
     frames.
     """
     parts = [*measured.groupby("stage", sort=False), ("all", measured)]

@@ -1,4 +1,4 @@
-"""A project's folder of a chosen size: params.yaml, data/sequences, data/features and data/tracks."""
+"""Build a project's folder of a chosen size: params.yaml, data/sequences, data/features and data/tracks."""
 
 import os
 import shutil
@@ -15,7 +15,7 @@ from placecat.errors import PlacecatError
 from placecat_bench.scale import drawing
 from placecat_bench.scale.database import Home, Stretch, classes_of
 
-# Further inputs of the stages, as the project has them.
+# Other inputs of the stages, copied from the project.
 LINKED = (
     paths.CONF,
     paths.SITE_SEQUENCES,
@@ -29,11 +29,11 @@ LINKED = (
 def build(
     folder: Path, homes: Sequence[Home], *, test_homes: Sequence[str], regions: int, jitter: float
 ) -> dict[str, Any]:
-    """Build the folder again, at the size of the homes; return its settings.
+    """Replace the folder by one with the given homes; return its settings.
 
-    The old folder is removed. `test_homes` are names of homes, `regions` their number in every frame;
-    `jitter` is as for :func:`placecat_bench.scale.drawing.write_jittered`. Raises PlacecatError if this
-    project has not run, or a home has a label that the data set does not know.
+    `test_homes` are names of homes, `regions` is the number of regions in every frame, and `jitter` is as for
+    :func:`placecat_bench.scale.drawing.write_jittered`. Raises PlacecatError if this project has not run, or
+    if a home has a label that the data set does not know.
     """
     params = settings.load()
     sources = list(settings.get(params, "dataset.homes"))
@@ -61,11 +61,11 @@ def _check_sources(sources: Sequence[str]) -> None:
     wanted = [*LINKED, *(folder / home for home in sources for folder in (paths.FEATURES, paths.TRACKS))]
     for path in wanted:
         if not path.exists():
-            raise PlacecatError(f"{path} is missing: run `make repro` first, whose features are drawn from")
+            raise PlacecatError(f"{path} is missing: run `make repro` first, to make the source features")
 
 
 def _write_params(folder: Path, homes: Sequence[Home], test_homes: Sequence[str]) -> dict[str, Any]:
-    """The project's settings with other homes; numbers on them compare with no others."""
+    """The project's settings with other homes; numbers on these cannot be compared with others."""
     overrides = [
         f"dataset.homes=[{','.join(home.name for home in homes)}]",
         "dataset.name=scale",
@@ -87,7 +87,7 @@ def _plan(
     regions: int,
     jitter: float,
 ) -> list[tuple[Any, ...]]:
-    """Write all of a home but its big arrays; give the tasks that write those."""
+    """Write the small files of a home; return tasks that write the large arrays."""
     dataset, frames = params["dataset"], params["region_variants"]["frames"]
     index = classes_of(walk, dataset["classes"], dataset["ignored"])
     _write_sequences(folder / paths.SEQUENCES / home, walk, index, paths.SEQUENCES / source)
@@ -102,7 +102,7 @@ def _plan(
         there = files.read_array(variant / paths.VARIANT_FRAMES, memory_map=False)
         rows = np.arange(frames["offset"], len(chosen), frames["step"])
         files.write_array(target / paths.VARIANT_FRAMES, rows)
-        # The last frame of the source, up to the one drawn, that has the variant.
+        # The last source frame with the variant, not after the drawn one.
         own = np.maximum(np.searchsorted(there, chosen[rows], side="right") - 1, 0)
         most = files.read_array(variant / f"{drawing.REGIONS}.npy").shape[1]
         tasks += _plan_arrays(variant, target, own, classes[there], most, jitter, home)
@@ -118,7 +118,7 @@ def _plan_arrays(
     jitter: float,
     home: str,
 ) -> list[tuple[Any, ...]]:
-    """The tasks for the arrays of one folder, whose rows of `classes` are `chosen` from."""
+    """The tasks for the arrays of one folder; `chosen` are indices of source rows with these `classes`."""
     counts = files.read_array(source / f"{drawing.COUNT}.npy", memory_map=False)
     frame, place = drawing.draw_regions(chosen, counts.astype(np.int64), classes, regions, home)
     files.write_array(target / f"{drawing.COUNT}.npy", np.full(len(chosen), regions, counts.dtype))

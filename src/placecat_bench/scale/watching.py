@@ -1,4 +1,4 @@
-"""Running a command and watching the time and the memory of all its processes."""
+"""Run a command and watch the time and memory of all its processes."""
 
 import os
 import subprocess
@@ -12,7 +12,7 @@ import psutil
 from placecat.errors import PlacecatError
 
 GIB = 2**30
-# Seconds between two looks.
+# Seconds between two samples.
 INTERVAL = 0.25
 
 
@@ -20,8 +20,8 @@ INTERVAL = 0.25
 class Watched:
     """Wall seconds of a command, and CPU seconds and peak memory of all its processes together, in GiB.
 
-    The load of the machine matters less to CPU seconds. Memory shared by several processes counts once (the
-    proportional set size, where the system has it).
+    CPU seconds depend less on the load of the machine. Memory that processes share counts once (proportional
+    set size, if the system has it).
     """
 
     seconds: float
@@ -30,12 +30,12 @@ class Watched:
 
 
 def watch(command: Sequence[str], folder: Path, log: Path) -> Watched:
-    """Run a command in a folder, its output into a file; if it fails, the PlacecatError has its last line."""
+    """Run a command in a folder with output to a file; if it fails, PlacecatError shows the last line."""
     log.parent.mkdir(parents=True, exist_ok=True)
     start, peak = time.perf_counter(), 0
     cpu: dict[int, float] = {}
     with log.open("wb") as output:
-        # Unbuffered, so that the last line is its last output.
+        # Unbuffered, so the last line in the file is the last output.
         environment = os.environ | {"PYTHONUNBUFFERED": "1"}
         process = subprocess.Popen(
             command, cwd=folder, env=environment, stdout=output, stderr=subprocess.STDOUT
@@ -61,7 +61,7 @@ def watch(command: Sequence[str], folder: Path, log: Path) -> Watched:
 
 
 def _look(pid: int, cpu: dict[int, float]) -> int:
-    """Bytes that a process and its descendants have now; their CPU seconds go to `cpu`."""
+    """Memory in bytes of a process and its descendants; write their CPU seconds to `cpu`."""
     try:
         parent = psutil.Process(pid)
         family = [parent, *parent.children(recursive=True)]
@@ -73,14 +73,14 @@ def _look(pid: int, cpu: dict[int, float]) -> int:
             times = one.cpu_times()
             cpu[one.pid] = times.user + times.system
             total += memory(one)
-        # It ended meanwhile.
+        # The process has ended.
         except (psutil.NoSuchProcess, psutil.AccessDenied):
             continue
     return total
 
 
 def memory(process: psutil.Process) -> int:
-    """Bytes of a process, with its part of shared ones; all resident ones where no part is known."""
+    """Memory in bytes of a process with its share of shared memory, or else its resident memory."""
     if psutil.LINUX:
         return int(process.memory_full_info().pss)
     return int(process.memory_info().rss)

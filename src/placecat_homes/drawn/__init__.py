@@ -1,1 +1,1 @@
-"""Homes whose floor plans, light and walks the program draws from a seed."""
+"""Homes with random floor plans, light and walks, drawn from a seed."""

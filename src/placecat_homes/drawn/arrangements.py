@@ -1,4 +1,4 @@
-"""Arrangements of rooms: where each is, and which are connected. Plans are mirrored and turned later."""
+"""Arrangements of rooms: their positions and connections. Plans are mirrored and turned later."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -22,9 +22,9 @@ class Sketch:
     Attributes
     ----------
     rooms
-        Name to x0, y0, x1, y1 in metres.
+        Maps names to x0, y0, x1, y1 in metres.
     joined
-        Two rooms, and whether the way between them is a "door" or "open"; a leaf swings into the second.
+    Pairs of rooms, joined by a "door" or "open"; a door leaf swings into the second room.
     entrance
         Corridor with the door of the home.
     """
@@ -133,12 +133,12 @@ def _corridor(
 
 
 def _shared(a: Rect, b: Rect) -> float:
-    """Metres along x that two rooms have in common."""
+    """Overlap of two rooms along x, in metres."""
     return min(a[2], b[2]) - max(a[0], b[0])
 
 
 def _social(rng: np.random.Generator, sketch: Sketch) -> None:
-    """Join dining room, living room and kitchen where they are neighbours, and take away some other doors."""
+    """Join neighbouring dining rooms, living rooms and kitchens, and remove some other doors."""
     dining = "dining_room_1"
     for other in ("living_room_1", "kitchen_1"):
         if not _adjacent(sketch.rooms[dining], sketch.rooms[other]):
@@ -156,13 +156,13 @@ def _to(way: tuple[str, str, str], room: str) -> bool:
 
 
 def _adjacent(a: Rect, b: Rect) -> bool:
-    """Tell whether two rooms stand side by side in a row."""
+    """Tell whether two rooms are side by side in a row."""
     beside = min(abs(a[0] - b[2]), abs(b[0] - a[2])) < WALL + 0.01
     return beside and min(a[3], b[3]) - max(a[1], b[1]) > _DOOR
 
 
 def _own_bathroom(rng: np.random.Generator, sketch: Sketch, row: list[str]) -> None:
-    """Let the second bathroom perhaps open from the bedroom beside it instead of from the corridor."""
+    """Perhaps join the second bathroom to the bedroom beside it instead of the corridor."""
     if "bathroom_2" not in row or rng.random() < 0.4:
         return
     place = row.index("bathroom_2")

@@ -1,4 +1,4 @@
-"""Faults of a drawn home: why its plan, furniture or walk would not do."""
+"""Faults in the plan, furniture or walk of a drawn home."""
 
 from collections.abc import Iterator
 
@@ -13,13 +13,13 @@ from placecat_homes.plan_parts import RoomPlan
 from placecat_homes.walking.walk import Walk
 
 LARGEST = {"bedroom": 1.2, "living_room": 0.9, "dining_room": 0.6, "kitchen": 0.3, "bathroom": 0.3}
-"""Square metres of floor that the largest thing of a room covers at least: a bed, a sofa, a table."""
+"""Least floor area of a room's largest thing (a bed, a sofa, a table), in square metres."""
 STANDING = {"bedroom": 2, "living_room": 3, "dining_room": 1, "kitchen": 3, "bathroom": 3}
-"""Things on the floor of a room, at least."""
+"""Least number of things on the floor of a room."""
 COVERED = 0.08
-"""Share of the floor that furniture covers at least."""
+"""Least share of the floor that furniture covers."""
 LEAST_FRAMES = 5
-"""Frames in which the camera is in a room and looks at one of its two largest things, at least."""
+"""Least number of frames in which the camera is in a room and looks at one of its two largest things."""
 
 _BEYOND = 0.06
 _AIM = np.radians(30)
@@ -32,9 +32,9 @@ def faults(building: Building, walk: Walk) -> Iterator[str]:
     Parameters
     ----------
     building
-        Furnished.
-    walk
-        Through all of its rooms.
+        The furnished home.
+        walk
+        A walk through all of its rooms.
 
     Yields
     ------

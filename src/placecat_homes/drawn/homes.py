@@ -35,9 +35,9 @@ class Video:
     width, height
         Pixels, even, 160 to 4096.
     frames
-        Of each home, 200 to 20,000.
+        Number of frames per home, 200 to 20,000.
     fps
-        Frames a second, 1 to 60.
+        Frames per second, 1 to 60.
     """
 
     width: int
@@ -62,12 +62,12 @@ class Video:
 
 @dataclass(frozen=True)
 class Source:
-    """All that homes are drawn from.
+    """The settings that homes are drawn from.
 
     Attributes
     ----------
     plan, light
-        Ranges.
+        Ranges of plans and light.
     walk, carriage, camera
         Names of files in conf/.
     video
@@ -83,7 +83,7 @@ class Source:
 
     @classmethod
     def read(cls, path: Path = SETTINGS / "drawn.yaml", **video: int) -> "Source":
-        """Read the settings; `video` changes those of the video. A wrong one raises SettingError."""
+        """Read the settings; `video` overrides those of the video. Wrong ones raise SettingError."""
         content = settings.read_yaml(path)
         settings.check(cls, content, str(path))
         where = f"{path} video"
@@ -107,9 +107,9 @@ class Home:
     content
         `plan` as in conf/plan, and `shot`: the other settings of a video as in conf/videos.yaml.
     building
-        Furnished.
-    walk
-        Through it.
+        The furnished home.
+        walk
+        The walk through it.
     """
 
     content: dict[str, Any]
@@ -143,21 +143,21 @@ def draw(number: int, seed: int, source: Source) -> Home:
     Parameters
     ----------
     number
-        Of the home, from 1.
-    seed
-        Of the set of homes.
-    source
-        What to draw from.
+        Number of the home, from 1.
+        seed
+        Seed of the set of homes.
+        source
+        Settings to draw from.
 
     Returns
     -------
     Home
-        The first of its draws that has no fault. It depends on its name and the source, and on no other home.
+        The first draw without faults. It depends only on its name and the source, not on other homes.
 
     Raises
     ------
     PlacecatError
-        If every draw has a fault, e.g. since so few frames cannot show every room.
+        If every draw has a fault, e.g. since there are too few frames to show every room.
     """
     name = name_of(number, seed)
     reason = ""
@@ -179,11 +179,11 @@ def draw(number: int, seed: int, source: Source) -> Home:
                     return Home({"shot": shot, "plan": plan}, building, way)
         except PlacecatError as error:
             reason = str(error)
-    raise PlacecatError(f"{name}: none of {_DRAWS} plans will do; the last: {reason}")
+    raise PlacecatError(f"{name}: all {_DRAWS} plans have faults; the last one: {reason}")
 
 
 def _walk(name: str, building: Building, rooms: list[str], source: Source) -> Walk:
-    """Walk through a building as `placecat_homes.film.Film` does for a video of that name."""
+    """Walk through a building like `placecat_homes.film.Film` for a video of that name."""
     return walk(
         building.ground(),
         np.random.default_rng(derive("walk", name)),
@@ -213,6 +213,6 @@ def _light(name: str, ranges: Mapping[str, LightRanges]) -> dict[str, Any]:
 
 
 def _stays(name: str, attempt: int, rooms: Mapping[str, Mapping[str, Any]]) -> list[str]:
-    """List the rooms in which the walk stays: all, of the corridors some."""
+    """List the rooms in which the walk stays: all rooms, but only some corridors."""
     rng = np.random.default_rng(derive("stays", name, attempt))
     return [room for room, of_one in rooms.items() if of_one["kind"] in KINDS or rng.random() < _CORRIDOR]

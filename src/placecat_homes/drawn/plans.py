@@ -16,7 +16,7 @@ from placecat_homes.plan_parts import SIDES, Rect
 _TALL = 2.65
 _PLACES = ((0.08, 0.25), (0.75, 0.92), (0.35, 0.65))
 _TRIES = 30
-# Share of the floor that corridors have at most: that of the long corridor in conf/plan/home_2.yaml.
+# Largest share of the floor for corridors: the share of the long corridor in conf/plan/home_2.yaml.
 _CORRIDORS = 0.22
 
 
@@ -26,21 +26,21 @@ def draw(name: str, number: int, ranges: PlanRanges) -> dict[str, Any]:
     Parameters
     ----------
     name
-        Of the home, e.g. "home 7 of seed 1". Name and number alone decide what is drawn.
+        Name of the home, e.g. "home 7 of seed 1". Only name and number decide what is drawn.
     number
-        Of the plan: another one gives another plan, from 1.
+    Number of the plan, from 1; each number gives another plan.
     ranges
-        Of sizes and odds.
+    Ranges of sizes, and odds.
 
     Returns
     -------
     dict
-        As a file of conf/plan.
+        The content of a file of conf/plan.
 
     Raises
     ------
     PlacecatError
-        If the ranges leave no place for the rooms or doors.
+        If rooms or doors do not fit the ranges.
     """
     arrangement = chosen(np.random.default_rng(derive("arrangement", name, number)), ranges.arrangements)
     for attempt in range(_TRIES):
@@ -96,7 +96,7 @@ def _attempt(
 
 
 def _fits(kind: str, rect: Rect, ranges: PlanRanges) -> bool:
-    """Tell whether a room has the size that its kind may have."""
+    """Tell whether the size of a room is allowed for its kind."""
     if kind not in KINDS:
         return True
     x0, y0, x1, y1 = rect
@@ -106,13 +106,13 @@ def _fits(kind: str, rect: Rect, ranges: PlanRanges) -> bool:
 
 
 def _corridors(rooms: Mapping[str, Rect]) -> float:
-    """Give the share of the floor that corridors have."""
+    """Return the corridors' share of the floor."""
     areas = {name: (x1 - x0) * (y1 - y0) for name, (x0, y0, x1, y1) in rooms.items()}
     return sum(area for name, area in areas.items() if name.startswith("corridor")) / sum(areas.values())
 
 
 def _possible(content: Mapping[str, Any]) -> bool:
-    """Tell whether a plan is in order, its entrance is outside, and all rooms but corridors have windows."""
+    """Tell whether a plan is valid, its entrance leads outside, and all rooms but corridors have windows."""
     try:
         plan = read(content)
     except PlacecatError:
@@ -161,7 +161,7 @@ def _door(
     kind: str,
     height: float,
 ) -> dict[str, Any] | None:
-    """Draw width and place of a door; None if the rooms share too little wall."""
+    """Draw width and position of a door; None if the rooms share too little wall."""
     a, b = sketch.rooms[first], sketch.rooms[second]
     shared = max(min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1]))
     room = shared - 0.2

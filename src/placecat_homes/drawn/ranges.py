@@ -23,15 +23,15 @@ class PlanRanges:
     Attributes
     ----------
     arrangements
-        Name of a function of :mod:`placecat_homes.drawn.arrangements` to how often it is used.
+        Maps names of functions of :mod:`placecat_homes.drawn.arrangements` to odds.
     bedrooms, bathrooms
-        Number of rooms to how often it occurs; 1 to 3 bedrooms, 1 or 2 bathrooms.
+    Maps numbers of rooms to odds; 1 to 3 bedrooms, 1 or 2 bathrooms.
     height
-        Of ceilings, 2.3 to 4 m.
+    Height of ceilings, 2.3 to 4 m.
     glazing
         See `FloorPlan`, 0.1 to 0.9.
     depth
-        Of a row of rooms, 2.8 to 8 m.
+        Depth of a row of rooms, 2.8 to 8 m.
     corridor
         Width of corridors, 1.1 to 3 m.
     areas, sides
@@ -54,7 +54,7 @@ class PlanRanges:
 
     @classmethod
     def of(cls, values: Mapping[str, Any], where: str) -> "PlanRanges":
-        """Make them of settings; a missing, unknown or impossible one raises SettingError."""
+        """Make the ranges from settings; a missing, unknown or impossible one raises SettingError."""
         from placecat_homes.drawn import arrangements
 
         pairs: dict[str, Any] = {
@@ -91,9 +91,9 @@ class LightRanges:
     Attributes
     ----------
     odds
-        How often the weather occurs.
+        Odds of the weather.
     azimuth, elevation
-        Of the sun, degrees.
+    Position of the sun, in degrees.
     lamps
         Share of rooms whose lamps are switched on, 0 to 1.
     """
@@ -105,7 +105,7 @@ class LightRanges:
 
     @classmethod
     def of(cls, values: Mapping[str, Any], where: str) -> dict[str, "LightRanges"]:
-        """Make those of all weathers; a missing, unknown or impossible setting raises SettingError."""
+        """Make the ranges of all weathers; a missing, unknown or impossible setting raises SettingError."""
         settings.refuse_unknown(values, list(WEATHERS), where)
         _check_odds({name: one.get("odds", -1) for name, one in values.items()}, WEATHERS, f"{where} odds")
         made = {}

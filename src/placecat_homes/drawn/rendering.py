@@ -1,4 +1,4 @@
-"""Homes of a seed rendered into a folder, home by home, so that a killed run continues where it was."""
+"""Render the homes of a seed into a folder, one by one, so a killed run continues where it stopped."""
 
 import hashlib
 import shutil
@@ -22,9 +22,9 @@ from placecat_homes.drawn.homes import Source
 from placecat_homes.drawn.ranges import KINDS
 
 RECORD = "homes.yaml"
-"""File in the folder that says what its homes were made with."""
+"""File in the folder that records how its homes were made."""
 PACKAGES = ("numpy", "scipy", "opencv-python-headless", "numba", "embreex", "av")
-"""Their versions decide the bytes of a video."""
+"""Libraries whose versions decide the bytes of a video."""
 
 _LIMIT = 1000
 
@@ -32,16 +32,16 @@ _LIMIT = 1000
 def render_homes(
     count: int, seed: int, folder: Path, *, only_plans: bool = False, **video: int
 ) -> list[Path]:
-    """Draw homes and render them; what the folder has already stays.
+    """Draw homes and render them, except those that the folder already has.
 
     Parameters
     ----------
     count
-        Homes, 1 to 1000. Home 7 is the same whether 7 or 24 are made.
+        Number of homes, 1 to 1000. Home 7 is the same whether 7 or 24 are made.
     seed
-        Of the set of homes, 0 to 2**32 - 1.
+    Seed of the set of homes, 0 to 2**32 - 1.
     folder
-        Gets `home_7.mp4`, `home_7.csv`, `plans/home_7.yaml` and a view from above, `plans/home_7.png`.
+    Receives `home_7.mp4`, `home_7.csv`, `plans/home_7.yaml` and a view from above, `plans/home_7.png`.
     only_plans
         Render nothing.
     **video
@@ -55,7 +55,7 @@ def render_homes(
     Raises
     ------
     PlacecatError
-        A number out of its range, a folder of other homes, another run in it, or a missing extra.
+        If a number is out of range, the folder has other homes, another run uses it, or an extra is missing.
     """
     if not 1 <= count <= _LIMIT:
         raise PlacecatError(f"--homes must be from 1 to {_LIMIT}, not {count}")
@@ -100,14 +100,14 @@ def film(path: Path, source: Source, **changes: Any) -> "render.Film":
     path
         `plans/home_7.yaml` of the folder.
     source
-        Camera, walk and size.
-    **changes
-        To the settings in conf/finish.yaml.
+        Settings of camera, walk and size.
+        **changes
+        Changes to the settings in conf/finish.yaml.
 
     Returns
     -------
     Film
-        Lit, not yet rendered.
+        The film with light, not yet rendered.
     """
     content = settings.read_yaml(path, "remove the folder and run again")
     settings.refuse_unknown(content, ["shot", "plan"], str(path))
@@ -157,7 +157,7 @@ def _draw_contact_sheet(folder: Path, count: int) -> None:
 
 @contextmanager
 def _alone(folder: Path) -> Iterator[None]:
-    """Keep other runs out of a folder during a block, and remove what a killed one left."""
+    """Keep other runs out of a folder during a block, and remove the leftovers of a killed run."""
     from filelock import FileLock, Timeout
 
     folder.mkdir(parents=True, exist_ok=True)
@@ -175,7 +175,7 @@ def _alone(folder: Path) -> Iterator[None]:
 
 
 def _claim(folder: Path, seed: int, source: Source) -> None:
-    """Write what the homes of a folder are made with, or compare it with what is written there."""
+    """Record how the homes of a folder are made, or compare with the existing record."""
     record = {
         "seed": seed,
         "video": vars(source.video),

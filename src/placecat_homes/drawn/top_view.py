@@ -1,4 +1,4 @@
-"""A picture of a furnished home from above, with the way of the camera."""
+"""Draw a furnished home from above, with the path of the camera."""
 
 from collections.abc import Sequence
 
@@ -24,16 +24,16 @@ _OTHER = (228, 228, 228)
 
 
 def top_view(building: Building, walk: Walk | None = None, *, scale: float = 60.0) -> NDArray[np.uint8]:
-    """Draw rooms, doors, windows, furniture and the way of the camera.
+    """Draw rooms, doors, windows, furniture and the path of the camera.
 
     Parameters
     ----------
     building
-        Furnished.
+        The furnished home.
     walk
-        The way, drawn in red; None for none.
+        The path, drawn in red; None draws none.
     scale
-        Pixels a metre.
+    Pixels per metre.
 
     Returns
     -------

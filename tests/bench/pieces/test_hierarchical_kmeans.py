@@ -59,7 +59,7 @@ def test_descriptors_are_drawn_from_the_frames(tmp_path):
     assert found.dtype == np.float32
     first = hierarchical_kmeans.draw_descriptors(3000, SMALL["homes"])
     np.testing.assert_array_equal(found[:3000], first)
-    with pytest.raises(PlacecatError, match="too short, they give 0 descriptors"):
+    with pytest.raises(PlacecatError, match="too short for more than 0 descriptors"):
         hierarchical_kmeans.draw_descriptors(1, tmp_path)
 
 

@@ -85,5 +85,5 @@ def test_the_view_from_above_shows_rooms_and_the_way(home):
 
 def test_too_few_frames_are_refused_with_the_reason(monkeypatch):
     monkeypatch.setattr(homes, "_DRAWS", 1)
-    with pytest.raises(PlacecatError, match="home 3 of seed 1: none of 1 plans will do; the last: "):
+    with pytest.raises(PlacecatError, match="home 3 of seed 1: all 1 plans have faults; the last one: "):
         homes.draw(3, 1, Source.read(frames=200, fps=20))

@@ -54,5 +54,5 @@ def test_what_has_no_number_has_a_reason_and_what_does_not_exist_is_refused():
     lost = replace(RESULTS, quality={}, missing={("cues/new", "home_1"): "too few frames"})
     first = probabilities(rows("cues/new"), lost)["g", "cues/new", "Log loss"]
     assert np.isnan(first.measured) and first.notes == ("too few frames",)
-    with pytest.raises(PlacecatError, match="there is no result 'cues/gits/5-5-1': did you mean"):
+    with pytest.raises(PlacecatError, match="result 'cues/gits/5-5-1' does not exist: did you mean"):
         probabilities(rows("cues/gits/5-5-1"), RESULTS)
