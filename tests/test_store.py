@@ -104,7 +104,7 @@ def test_a_variant_has_its_own_regions_of_its_frames(folder):
 @pytest.mark.usefixtures("variant")
 @pytest.mark.parametrize("rows", [None, np.array([3, 4])])
 def test_frames_that_a_variant_lacks_are_refused(rows):
-    with pytest.raises(PlacecatError, match="a variant of the regions is for trials"):
+    with pytest.raises(PlacecatError, match="use variants of regions in trials only"):
         store.read_descriptors("H1", VARIANT, rows)
 
 
