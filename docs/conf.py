@@ -23,7 +23,8 @@ html_copy_source = False
 # The sidebar, which a forge does not have.
 PAGES = (
     "docs/method docs/usage docs/experiments docs/own-data docs/robots docs/cluster docs/benchmarks "
-    "docs/adding docs/embedding docs/results docs/replication docs/security data/README CONTRIBUTING CHANGELOG"
+    "docs/adding docs/embedding docs/results docs/replication docs/security data/README CONTRIBUTING "
+    "CHANGELOG"
 )
 
 

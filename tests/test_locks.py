@@ -31,13 +31,13 @@ def test_each_lock_has_its_extras_and_no_others():
     extras = {name: names(packages) for name, packages in project["optional-dependencies"].items()}
     run, test, bench = (names(pinned(lock)) for lock in LOCKS)
     assert names(project["dependencies"]) | extras["build"] <= run
-    others = ("bench", "build", "deep")
+    others = ("bench", "bench-torch", "build", "deep")
     tested = set().union(*(packages for name, packages in extras.items() if name not in others))
     assert tested <= test
     assert not tested & run
     assert extras["bench"] <= bench
     assert extras["bench"] & test == extras["bench"] & tested
-    assert not extras["deep"] & bench
+    assert not (extras["deep"] | extras["bench-torch"]) & bench
 
 
 def test_peers_bring_no_deep_learning_framework():

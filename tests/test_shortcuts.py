@@ -6,7 +6,7 @@ import pytest
 
 from placecat import settings
 from placecat.errors import PlacecatError
-from placecat_homes import __main__ as command
+from placecat_homes import shortcuts
 from placecat_homes.drawn.rendering import dataset
 from placecat_homes.mp4 import frame_sizes
 from placecat_homes.shortcuts import LIMIT, measure, report
@@ -112,7 +112,7 @@ def test_the_command_judges_the_homes_in_a_folder(tmp_path, capsys):
     for old in sorted(tmp_path.iterdir()):
         old.rename(old.with_name(f"home_{'abcd'.index(old.stem) + 1}{old.suffix}"))
     with pytest.raises(SystemExit) as ended:
-        command.main(["--shortcuts", str(tmp_path)])
+        shortcuts.main([str(tmp_path)])
     assert "above 35 %" in str(ended.value)
     assert capsys.readouterr().out.strip() == report(measure(dataset(tmp_path))).strip()
 

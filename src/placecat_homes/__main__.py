@@ -2,7 +2,6 @@
 
 import argparse
 import re
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -13,7 +12,6 @@ _EXAMPLES = """examples:
   placecat-homes homes/home_1                    one video of data/
   placecat-homes --homes 24 --seed 1             24 new homes into homes_of_seed_1/
   placecat-homes --homes 24 --seed 1 --plans     only their floor plans, to look at
-  placecat-homes --shortcuts homes_of_seed_1     whether colour, brightness or file size tell their rooms
 
 Home 7 of seed 1 is always the same home, however many are made. A killed run continues where it was.
 PLACECAT_WORKERS sets the number of processes; no result depends on it."""
@@ -32,10 +30,6 @@ def _run(options: argparse.Namespace) -> None:
         for name in ("seed", "to", "size", "frames", "fps", "plans")
         if (value := getattr(options, name)) not in (None, False)
     }
-    if options.shortcuts is not None:
-        if options.videos or options.homes is not None or of_homes:
-            raise PlacecatError("--shortcuts takes a folder and no other option")
-        return _judge(options.shortcuts)
     if options.homes is None:
         if of_homes:
             raise PlacecatError(f"--{next(iter(of_homes))} needs --homes: give a number of homes to draw")
@@ -48,23 +42,13 @@ def _run(options: argparse.Namespace) -> None:
         raise PlacecatError("--homes needs --seed: any whole number, e.g. --seed 1")
     from placecat_homes.drawn.rendering import render_homes
 
-    video = {name: of_homes[name] for name in ("frames", "fps") if name in of_homes}
+    video: dict[str, int] = {name: of_homes[name] for name in ("frames", "fps") if name in of_homes}
     if options.size is not None:
         video["width"], video["height"] = _size(options.size)
     folder = options.to or Path(f"homes_of_seed_{options.seed}")
     made = render_homes(options.homes, options.seed, folder, only_plans=options.plans, **video)
     print(f"{len(made)} {'floor plans' if options.plans else 'homes'} are in {made[0].parent}")
     return None
-
-
-def _judge(folder: Path) -> None:
-    from placecat_homes import shortcuts
-    from placecat_homes.drawn.rendering import dataset
-
-    table = shortcuts.measure(dataset(folder))
-    print(shortcuts.report(table))
-    if table["average"].max() > shortcuts.LIMIT:
-        sys.exit(f"placecat: a shortcut is above {shortcuts.LIMIT} % in {folder}")
 
 
 def _size(text: str) -> tuple[int, int]:
@@ -92,12 +76,6 @@ def _parser() -> argparse.ArgumentParser:
     drawn.add_argument("--frames", type=int, metavar="N", help="of each home, by default 640")
     drawn.add_argument("--fps", type=int, metavar="N", help="frames a second, by default 5")
     drawn.add_argument("--plans", action="store_true", help="draw the floor plans and stop")
-    drawn.add_argument(
-        "--shortcuts",
-        type=Path,
-        metavar="FOLDER",
-        help="judge homes: print how far colour, brightness and file size alone tell their rooms",
-    )
     return parser
 
 

@@ -1,10 +1,12 @@
 """How far colour, brightness or file size alone tell the rooms of homes that training never saw.
 
-A room should be known by what is in it. ``placecat-homes --shortcuts FOLDER``
+A room should be known by what is in it. ``python -m placecat_homes.shortcuts FOLDER``
 prints the table for the homes in a folder.
 """
 
-from collections.abc import Callable, Mapping
+import argparse
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import cv2
@@ -18,9 +20,10 @@ from sklearn.pipeline import make_pipeline
 from sklearn.preprocessing import StandardScaler
 from sklearn.svm import SVC
 
-from placecat.errors import PlacecatError
+from placecat.errors import PlacecatError, exiting
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.sequences import open_home, place_labels, read_frames
+from placecat_homes.drawn.rendering import dataset
 from placecat_homes.mp4 import frame_sizes
 
 LIMIT = 35
@@ -95,7 +98,7 @@ def _see(dataset: Mapping[str, Any], name: str, every: int) -> tuple[NDArray[np.
     around = pd.Series(bits).rolling(AROUND, center=True, min_periods=1).mean().to_numpy()
     sizes = {"video size of the frame": bits[used], "video size of 5 s": around[used]}
     shortcuts = {name: np.stack(list(column)) for name, column in seen.items()} | sizes
-    return truth[used], {name: values.reshape(len(used), -1) for name, values in shortcuts.items()}
+    return truth[used], {str(name): values.reshape(len(used), -1) for name, values in shortcuts.items()}
 
 
 def _look(frame: NDArray[np.uint8]) -> dict[str, Any]:
@@ -131,7 +134,7 @@ def report(table: pd.DataFrame) -> str:
     ]
     for names, row in zip(table.index, table.to_numpy(), strict=True):
         lines.append("| " + " | ".join([*names, *(f"{value:.1f}" for value in row)]) + " |")
-    best = table["average"].idxmax()
+    best: Any = table["average"].idxmax()
     return "\n".join(
         [
             *lines,
@@ -139,3 +142,22 @@ def report(table: pd.DataFrame) -> str:
             f"Best: {best[1]} on {best[0]}, {table['average'].max():.1f} % (limit {LIMIT} %, chance 20 %).",
         ]
     )
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    """Judge the homes in a folder; the status is 1 if a shortcut is above `LIMIT`."""
+    parser = argparse.ArgumentParser(
+        prog="python -m placecat_homes.shortcuts",
+        description="Print how far colour, brightness and file size alone tell the rooms of homes.",
+    )
+    parser.add_argument("folder", type=Path, help="of videos with their labels, as data/homes")
+    folder = parser.parse_args(arguments).folder
+    with exiting():
+        table = measure(dataset(folder))
+        print(report(table))
+        if table["average"].max() > LIMIT:
+            raise PlacecatError(f"a shortcut is above {LIMIT} % in {folder}")
+
+
+if __name__ == "__main__":
+    main()

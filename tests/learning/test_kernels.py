@@ -79,9 +79,12 @@ def test_blas_limit_is_restored_after_nested_use():
         return {info["num_threads"] for info in threadpool_info() if info["user_api"] == "blas"}
 
     with threadpool_limits(limits=2, user_api="blas"):
+        # Some libraries never have more than one.
+        before = threads()
+        assert 2 in before
         with single_blas_thread(), single_blas_thread():
             assert threads() == {1}
-        assert threads() == {2}
+        assert threads() == before
 
 
 @pytest.mark.parametrize(

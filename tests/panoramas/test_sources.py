@@ -54,7 +54,7 @@ def test_a_table_names_home_floor_room_and_label(table, tmp_path):
         ("2,b/c.jpg", "b/c.jpg", "rooms.csv line 3: 3 columns; write home,floor,file,room"),
         ("2,b/c.jpg", "2,", "rooms.csv line 3: file is empty"),
         ("flat,2", "flat,up/..", "rooms.csv line 3: 'up/..' is not a floor"),
-        ("flat,2", "../flat,2", "rooms.csv line 3: home=../flat: it is the name of a file or folder"),
+        ("flat,2", "../flat,2", "rooms.csv line 3: home=../flat: it names a file or folder"),
         ("flat,2", "FLAT,2", "line 3: the homes 'flat' and 'FLAT' differ only in capital letters"),
         (
             "bedroom 2",

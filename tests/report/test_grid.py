@@ -3,7 +3,7 @@ import pandas as pd
 import pytest
 
 from made_report import CLASSES, HOMES, addition, cells
-from placecat.report.grid import homes_sentence, make_cell, make_grid, number_text, seeds_sentence
+from placecat.report.grid import NUMBERS, homes_sentence, make_cell, make_grid, number_text, seeds_sentence
 from placecat.thesis.notes import Kind, Note
 
 COLUMNS = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "notes"]
@@ -85,12 +85,16 @@ def test_an_addition_has_nothing_published():
     assert make_grid(cells(5)).has_published
 
 
+def made_cell(*numbers):
+    return make_cell(dict(zip(NUMBERS, numbers, strict=True)))
+
+
 def test_numbers_have_two_decimals_or_are_none():
     assert number_text(3) == "3.00"
     assert number_text(float("nan")) == number_text(None) == ""
-    assert make_cell(np.nan, 3.0, np.nan, 0).difference is None
-    assert make_cell(2.5, 3.0, float("nan"), 0).difference == -0.5
-    assert make_cell(2.5, np.nan, 1.25, 2).spread == 1.25
+    assert made_cell(np.nan, 3.0, np.nan, 0).difference is None
+    assert made_cell(2.5, 3.0, float("nan"), 0).difference == -0.5
+    assert made_cell(2.5, np.nan, 1.25, 2).spread == 1.25
 
 
 def test_the_sentence_on_seeds_names_the_widest_cell():

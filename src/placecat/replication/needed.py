@@ -2,6 +2,7 @@
 
 import re
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -22,6 +23,16 @@ _MOST = 240
 _WANTED = 0.8
 
 
+class _Comparison(NamedTuple):
+    """Share of the homes, spread between them, claimed range, published and measured difference."""
+
+    share: float
+    deviation: float
+    claimed: Range
+    published: float
+    measured: float
+
+
 def power_table(comparisons: pd.DataFrame, homes: int = 24) -> pd.DataFrame:
     """Compute the power of each finding.
 
@@ -30,7 +41,7 @@ def power_table(comparisons: pd.DataFrame, homes: int = 24) -> pd.DataFrame:
     comparisons
         The table reports/findings_comparisons.csv, from one run on six homes.
     homes
-    Number of homes in the replication, in groups of six.
+        Number of homes in the replication, in groups of six.
 
     Returns
     -------
@@ -46,18 +57,18 @@ def power_table(comparisons: pd.DataFrame, homes: int = 24) -> pd.DataFrame:
         row = {"number": number, "comparisons": len(known), "units": 0, "spread": np.nan}
         complete = [one for one in known if one is not None]
         if len(complete) == len(known):
-            row["units"] = min(round(share * homes) for share, *_ in complete)
-            row["spread"] = round(max(deviation for _, deviation, *_ in complete), 1)
-        for truth, effects in (("published", 3), ("measured", 4)):
-            usable = len(complete) == len(known) and not any(np.isnan(one[effects]) for one in complete)
+            row["units"] = min(round(one.share * homes) for one in complete)
+            row["spread"] = round(max(one.deviation for one in complete), 1)
+        for truth in ("published", "measured"):
+            effects = [getattr(one, truth) for one in complete]
+            usable = len(complete) == len(known) and not np.isnan(effects).any()
             row[f"power_{truth}"] = round(_power(complete, effects, homes), 2) if usable else np.nan
             row[f"needed_{truth}"] = _needed(complete, effects) if usable else np.nan
         rows.append(row)
     return pd.DataFrame(rows)
 
 
-def _known(row: dict) -> tuple[float, float, Range, float, float] | None:
-    """Share of the homes, spread, claimed range, and published and measured difference of a comparison."""
+def _known(row: dict) -> _Comparison | None:
     claimed = _claimed(str(row["range"]))
     units = re.fullmatch(r"(\d+) homes?(?: x (\d+) seeds?)?", str(row["units"]))
     if claimed is None or units is None or int(units[1]) < 2:
@@ -66,7 +77,7 @@ def _known(row: dict) -> tuple[float, float, Range, float, float] | None:
     low, high = float(row["low"]), float(row["high"])
     deviation = spread(low, high, homes * seeds, RUN_LEVEL)
     published = pd.to_numeric(row["published"], errors="coerce")
-    return homes / GROUP, deviation, claimed, float(published), float(row["measured"])
+    return _Comparison(homes / GROUP, deviation, claimed, float(published), float(row["measured"]))
 
 
 def _claimed(text: str) -> Range | None:
@@ -82,20 +93,19 @@ def _claimed(text: str) -> Range | None:
     raise PlacecatError(f"{COMPARISONS}: unknown range {text!r}; make it again with `placecat repro`")
 
 
-def _power(known: list[tuple[float, float, Range, float, float]], effects: int, homes: int) -> float:
+def _power(known: list[_Comparison], effects: list[float], homes: int) -> float:
     """Probability of the likelier verdict, if comparisons are independent."""
     wide = corrected_level(LEVEL, len(known))
     holds, no_failure = 1.0, 1.0
-    for one in known:
-        share, deviation, claimed = one[:3]
-        units = max(2, round(share * homes))
-        one_holds, one_fails = power(one[effects], deviation, units, claimed, level=LEVEL, wide=wide)
+    for one, effect in zip(known, effects, strict=True):
+        units = max(2, round(one.share * homes))
+        one_holds, one_fails = power(effect, one.deviation, units, one.claimed, level=LEVEL, wide=wide)
         holds *= one_holds
         no_failure *= 1.0 - one_fails
     return max(holds, 1.0 - no_failure)
 
 
-def _needed(known: list[tuple[float, float, Range, float, float]], effects: int) -> float:
+def _needed(known: list[_Comparison], effects: list[float]) -> float:
     for homes in range(2 * GROUP, _MOST + 1, GROUP):
         if _power(known, effects, homes) >= _WANTED:
             return homes

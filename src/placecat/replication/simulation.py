@@ -23,9 +23,9 @@ def spread(low: float, high: float, homes: int, level: float = 0.95) -> float:
     low, high
         Ends of the interval.
     homes
-    Number of homes, each one unit; at least 2.
+        Number of homes, each one unit; at least 2.
     level
-    Level of the interval.
+            Level of the interval.
 
     Returns
     -------
@@ -47,9 +47,9 @@ def power(
         Mean and standard deviation of the difference between homes, in points.
     homes
         Number of homes, at least 2.
-        claimed
+    claimed
         Range that the claim allows.
-        level, wide
+    level, wide
         Levels of the interval that must be inside, and of the one that must be outside
         (`placecat.evaluation.verdict.corrected_level`).
 
@@ -88,7 +88,7 @@ def homes_needed(
     group
         Number of homes in a group.
     most
-    Largest number of homes to try.
+        Largest number of homes to try.
 
     Returns
     -------
@@ -127,15 +127,15 @@ def error_rate(
     claimed
         Range of the claim. `holds` is wrong if the truth is outside, `does not hold` if it is inside.
     homes
-    Number of homes, a multiple of `group`.
+        Number of homes, a multiple of `group`.
     shape
         One of `SHAPES`; a minus sign before it, "-exponential", turns the tail to the other side.
     group, shared
-    Size of a group, and the share of variance that its homes have in common since they train each other.
+        Size of a group, and the share of variance that its homes have in common since they train each other.
     level
-    Level of the interval.
+            Level of the interval.
     simulations, resamples, seed
-    Numbers of simulations and resamples, and the seed of the homes.
+        Numbers of simulations and resamples, and the seed of the homes.
 
     Returns
     -------

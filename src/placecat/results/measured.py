@@ -119,16 +119,16 @@ class Results:
     measured
         Maps the name of a result, e.g. ``cues/gist/5-5-1``, to its measurement.
     missing
-    Maps (result, home) to the reason why these data do not allow it.
+        Maps (result, home) to the reason why these data do not allow it.
     stays
-    The results of further data sets by stay. Each stay (a visit to a place) counts as a "home" with frames
-    of a single place.
+        The results of further data sets by stay. Each stay (a visit to a place) counts as a "home" with
+        frames of a single place.
     dropped
-    Maps the name of an information filter to the frames that it drops
-    (:func:`placecat.fusion.information_filter.dropped`): columns home, threshold, frames, dropped,
-    labelled, dropped_labelled.
+        Maps the name of an information filter to the frames that it drops
+        (:func:`placecat.fusion.information_filter.dropped`): columns home, threshold, frames, dropped,
+        labelled, dropped_labelled.
     quality
-    Maps the name of a result, except trials, to the quality of its distributions.
+        Maps the name of a result, except trials, to the quality of its distributions.
     """
 
     homes: tuple[str, ...]

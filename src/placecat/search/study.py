@@ -38,11 +38,11 @@ def search(
     run
         Runs experiments; gets their overrides and the number of the first. Returns the accuracies in
         percent, NaN for none.
-        n_trials
+    n_trials
         Number of settings to try, including starts and repetitions.
-        batch_size
+    batch_size
         Number of settings chosen together, without knowing each other's results.
-        n_startup_trials
+    n_startup_trials
         Number of trials drawn uniformly, before the sampler uses results.
     """
     for name, value, least in (("n_trials", n_trials, len(space.starts)), ("batch_size", batch_size, 1)):

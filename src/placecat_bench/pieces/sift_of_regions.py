@@ -42,7 +42,7 @@ def entries(
     count
         Number of regions per frame.
     repeats
-    Number of pairs, each with all frames.
+        Number of pairs, each with all frames.
     """
     keep_freed_memory()
     pictures = [decoded(file) for file in jpegs()] if frames is None else frames

@@ -24,7 +24,7 @@ class Sketch:
     rooms
         Maps names to x0, y0, x1, y1 in metres.
     joined
-    Pairs of rooms, joined by a "door" or "open"; a door leaf swings into the second room.
+        Pairs of rooms, joined by a "door" or "open"; a door leaf swings into the second room.
     entrance
         Corridor with the door of the home.
     """
@@ -121,7 +121,7 @@ def _corridor(
         cut = reach * rng.uniform(0.4, 0.6)
         sketch.rooms[parts[0]] = (0.0, low, cut, high)
         parts.append(sketch.add("corridor", cut + WALL, low, reach, high))
-        sketch.join(*parts, "open")
+        sketch.join(parts[0], parts[1], "open")
     for name in others:
         part = max(parts, key=lambda part: _shared(sketch.rooms[part], sketch.rooms[name]))
         if name.startswith("corridor"):

@@ -33,7 +33,7 @@ def faults(building: Building, walk: Walk) -> Iterator[str]:
     ----------
     building
         The furnished home.
-        walk
+    walk
         A walk through all of its rooms.
 
     Yields

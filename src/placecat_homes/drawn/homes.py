@@ -82,7 +82,7 @@ class Source:
     video: Video
 
     @classmethod
-    def read(cls, path: Path = SETTINGS / "drawn.yaml", **video: int) -> "Source":
+    def read(cls, path: Path = SETTINGS / "drawn.yaml", /, **video: int) -> "Source":
         """Read the settings; `video` overrides those of the video. Wrong ones raise SettingError."""
         content = settings.read_yaml(path)
         settings.check(cls, content, str(path))
@@ -108,7 +108,7 @@ class Home:
         `plan` as in conf/plan, and `shot`: the other settings of a video as in conf/videos.yaml.
     building
         The furnished home.
-        walk
+    walk
         The walk through it.
     """
 
@@ -144,9 +144,9 @@ def draw(number: int, seed: int, source: Source) -> Home:
     ----------
     number
         Number of the home, from 1.
-        seed
+    seed
         Seed of the set of homes.
-        source
+    source
         Settings to draw from.
 
     Returns

@@ -28,9 +28,9 @@ def draw(name: str, number: int, ranges: PlanRanges) -> dict[str, Any]:
     name
         Name of the home, e.g. "home 7 of seed 1". Only name and number decide what is drawn.
     number
-    Number of the plan, from 1; each number gives another plan.
+        Number of the plan, from 1; each number gives another plan.
     ranges
-    Ranges of sizes, and odds.
+        Ranges of sizes, and odds.
 
     Returns
     -------

@@ -25,9 +25,9 @@ class PlanRanges:
     arrangements
         Maps names of functions of :mod:`placecat_homes.drawn.arrangements` to odds.
     bedrooms, bathrooms
-    Maps numbers of rooms to odds; 1 to 3 bedrooms, 1 or 2 bathrooms.
+        Maps numbers of rooms to odds; 1 to 3 bedrooms, 1 or 2 bathrooms.
     height
-    Height of ceilings, 2.3 to 4 m.
+        Height of ceilings, 2.3 to 4 m.
     glazing
         See `FloorPlan`, 0.1 to 0.9.
     depth
@@ -93,7 +93,7 @@ class LightRanges:
     odds
         Odds of the weather.
     azimuth, elevation
-    Position of the sun, in degrees.
+        Position of the sun, in degrees.
     lamps
         Share of rooms whose lamps are switched on, 0 to 1.
     """
@@ -120,7 +120,7 @@ class LightRanges:
 
 
 def _range(values: Mapping[Any, Any], name: str, where: str, least: float, most: float) -> Range:
-    given = values.get(name)
+    given: Any = values.get(name)
     try:
         low, high = (float(value) for value in given)
     except (TypeError, ValueError):

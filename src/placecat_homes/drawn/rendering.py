@@ -39,9 +39,9 @@ def render_homes(
     count
         Number of homes, 1 to 1000. Home 7 is the same whether 7 or 24 are made.
     seed
-    Seed of the set of homes, 0 to 2**32 - 1.
+        Seed of the set of homes, 0 to 2**32 - 1.
     folder
-    Receives `home_7.mp4`, `home_7.csv`, `plans/home_7.yaml` and a view from above, `plans/home_7.png`.
+        Receives `home_7.mp4`, `home_7.csv`, `plans/home_7.yaml` and a view from above, `plans/home_7.png`.
     only_plans
         Render nothing.
     **video

@@ -33,7 +33,7 @@ def top_view(building: Building, walk: Walk | None = None, *, scale: float = 60.
     walk
         The path, drawn in red; None draws none.
     scale
-    Pixels per metre.
+        Pixels per metre.
 
     Returns
     -------

@@ -3,17 +3,15 @@
 from itertools import combinations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from placecat.errors import SettingError
 from placecat.settings import read_yaml
-from placecat_homes.building import build
 from placecat_homes.drawn import arrangements, plans
 from placecat_homes.drawn.homes import SETTINGS, Source, Video, name_of
 from placecat_homes.drawn.ranges import KINDS, LightRanges, PlanRanges
-from placecat_homes.floorplan import FloorPlan
-from placecat_homes.plan_parts import RoomPlan, apart
+from placecat_homes.plan_parts import apart
 
 CONTENT = read_yaml(SETTINGS / "drawn.yaml")
 RANGES = PlanRanges.of(CONTENT["plan"], "plan")
@@ -68,16 +66,6 @@ def test_every_room_has_a_window_but_corridors_need_none(name, number, seed):
     plan = plans.read(plans.draw(name, number, RANGES)).windowed(seed)
     lit = {window.room for window in plan.windows}
     assert {room.name for room in plan.rooms if room.kind in KINDS} <= lit
-
-
-@settings(max_examples=8, deadline=None)
-@given(name=HOMES, number=NUMBERS)
-def test_walls_doors_and_their_leaves_leave_a_way_to_every_room(name, number):
-    plan = plans.read(plans.draw(name, number, RANGES))
-    empty = tuple(RoomPlan(room.name, "empty", room.rect, room.label) for room in plan.rooms)
-    ground = build(FloorPlan(plan.name, plan.height, empty, plan.doors), number, unfurnished=True).ground()
-    for k, room in enumerate(plan.rooms):
-        assert (ground.free & (ground.room == k)).any(), room
 
 
 @given(name=HOMES, number=NUMBERS)

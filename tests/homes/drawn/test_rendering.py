@@ -146,7 +146,6 @@ def test_another_run_in_the_folder_is_refused(tmp_path, small):
         (["--seed", "1"], "--seed needs --homes"),
         (["--plans"], "--plans needs --homes"),
         (["homes/home_1", "--homes", "2", "--seed", "1"], "give either videos of data/ or --homes"),
-        (["--shortcuts", "here", "--homes", "2"], "--shortcuts takes a folder and no other option"),
     ],
 )
 def test_the_command_refuses_what_makes_no_sense(tmp_path, monkeypatch, options, message):
