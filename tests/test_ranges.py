@@ -148,7 +148,7 @@ def values():
             {name: PARAMS["codebooks"]["hog_y"]},
             r"'.*' is not a valid name: .* letters",
         )
-    yield "filters.tenth.threshold", 0.1, "either a threshold or a share"
+    yield "filters.tenth.threshold", 0.1, "a threshold or a share, not both"
 
 
 @pytest.mark.parametrize(("name", "value", "message"), list(values()))

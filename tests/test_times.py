@@ -72,7 +72,7 @@ def test_a_partial_run_does_not_replace_a_complete_one(folder, monkeypatch):
 
 
 def test_without_a_complete_run_nothing_is_kept(folder):
-    with pytest.raises(PlacecatError, match="`placecat repro --force` is one"):
+    with pytest.raises(PlacecatError, match="run `placecat repro --force`"):
         times.keep()
     assert not paths.KEPT_TIMES.exists()
 

@@ -174,7 +174,7 @@ MODEL = ("cues", 0, "model", "state")
         (lambda file: rewrite(file, "system.json", lambda _: b"[" * 10**5), "damaged"),
         (
             lambda file: rewrite(file, "system.json", change_json(smoothing={"$": "float", "text": "1"})),
-            "kinds",
+            "wrong types",
         ),
         (lambda file: rewrite(file, "system.json", change_json(arrays=10**9)), "arrays"),
         (
@@ -211,7 +211,7 @@ MODEL = ("cues", 0, "model", "state")
             ),
             "it says 80000000000 bytes, and has 8",
         ),
-        (lambda file: rewrite(file, "arrays/0000.npy", header("(" * 100)), "0000.npy has no header"),
+        (lambda file: rewrite(file, "arrays/0000.npy", header("(" * 100)), "0000.npy has no array header"),
         (lambda file: reseal(file, compression=zipfile.ZIP_DEFLATED), "compressed"),
         (lambda file: reseal(file, twice=["arrays/0003.npy"]), "two of its members"),
         (lambda file: larger(file, "arrays/0003.npy", 2**31), "more bytes than the file has"),

@@ -16,7 +16,7 @@ WRONG = (PlacecatError, HydraException)
     [
         ("descriptor=hgo", r"(?s)descriptor/hgo.*centrist.*hog"),
         ("descriptor=sift", "sift of salient regions was not computed .* use one of color_mv, hog"),
-        ("descriptor=hog", "max_regions=25, but 4 regions"),
+        ("descriptor=hog", "max_regions=25, but at most 4 regions"),
         ("descriptor.kind=x", "kind"),
         ("descriptor.color=hog", "color=hog appends the descriptor to itself"),
         ("descriptor.y_pos=often", "y_pos=often"),

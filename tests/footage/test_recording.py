@@ -229,7 +229,7 @@ def test_a_file_that_is_cut_off_is_told(ending, share, tmp_path):
     path.write_bytes(content[: position + size // 2])
     recording = Recording(path)
     assert 0.5 * 60 < len(shown(recording)) < 60
-    assert "may be cut off" in recording.note() or "is damaged, so that more" in recording.note()
+    assert "may be cut off" in recording.note() or "is damaged: more" in recording.note()
 
 
 @pytest.mark.parametrize(

@@ -240,7 +240,7 @@ def _damage(folder):
         ("walk.avi --every 1000000000000000000000", "--every is 1000000000000000000000"),
         ("walk.avi --ignore kitchen", "--ignore is for labels"),
         ("pipe.mp4", "pipe.mp4 is not an ordinary file"),
-        ("walk.avi --output notes.txt/x", "cannot write notes.txt/x: File exists; a file stands where"),
+        ("walk.avi --output notes.txt/x", "cannot write notes.txt/x: File exists; a file is where"),
         ("walk.avi --output other", "other holds something other than a prediction"),
         ("walk.avi --labels none.csv", "none.csv: no such label file"),
         ("walk.avi --labels short.csv", "label frames 11 to 30"),

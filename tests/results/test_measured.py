@@ -82,5 +82,5 @@ def test_results_of_other_data_sets_have_their_own_places():
 
 
 def test_an_unknown_result_names_the_nearest():
-    with pytest.raises(PlacecatError, match="no result 'cues/gits': did you mean cues/gist"):
+    with pytest.raises(PlacecatError, match="result 'cues/gits' does not exist: did you mean cues/gist"):
         Results(("A",), CLASSES, {"cues/gist": FIXED}, {}).of("cues/gits")

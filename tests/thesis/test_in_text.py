@@ -269,7 +269,7 @@ def test_an_average_is_over_the_homes_with_both_sides():
         ),
         ({"wu_sift": {"homes": []}}, "in_text.wu_sift has no setting 'homes'"),
         ({"flat_kmeans": {"variant": {"quantity": "x", "result": "trials/x/"}}}, "no result below trials/x/"),
-        ({"extra_das_data": {"variant": {"quantity": "x", "result": "x"}}}, "no result 'x'"),
+        ({"extra_das_data": {"variant": {"quantity": "x", "result": "x"}}}, "result 'x' does not exist"),
         ({"nu_in_force": {"record": "mu"}}, "no record 'mu'"),
         (
             {"nu_in_force": {"values": [{"quantity": "x", "column": "nu"}]}},

@@ -46,7 +46,7 @@ def test_a_home_without_a_number_has_a_reason_and_the_average_leaves_it_out():
 
 
 def test_an_unknown_result_is_an_error_unless_there_is_a_reason():
-    with pytest.raises(PlacecatError, match="no result 'two'"):
+    with pytest.raises(PlacecatError, match="result 'two' does not exist"):
         in_home(results(), "two", 1)
     known = Results(("A",), ("x",), {}, {("two", "A"): "why; and so"})
     assert in_home(known, "two", 1).notes == ("why; and so",)

@@ -251,7 +251,7 @@ def test_every_cell_has_a_number_or_a_reason_whatever_could_not_be_computed(data
 def test_a_result_that_is_neither_measured_nor_explained_is_an_error():
     results = without(RESULTS, set())
     del results.measured["integration/das_551_best"]
-    with pytest.raises(PlacecatError, match="no result 'integration/das_551_best'"):
+    with pytest.raises(PlacecatError, match="result 'integration/das_551_best' does not exist"):
         fill("table_26", results)
 
 

@@ -142,7 +142,7 @@ def test_figures_show_home_3_or_the_last_where_there_are_fewer(homes, expected):
     assert home_of(run, 3) == expected
     assert figures.draw("figure_16", run).axes[4].get_xlabel() == f"frame of {expected}"
     assert figures.draw("figure_15", run).axes[0].get_ylabel() == f"true place of {expected}"
-    with pytest.raises(PlacecatError, match="there is no home 0"):
+    with pytest.raises(PlacecatError, match="home 0 does not exist"):
         home_of(run, 0)
 
 
