@@ -82,9 +82,10 @@ class Archive:
             raise self.damaged("two of its members share a name")
 
     def damaged(self, why: object) -> PlacecatError:
-        """Return the error for a damaged file, with the reason `why`."""
-        said = " ".join(str(why).split())
-        return PlacecatError(f"{self._path} is damaged, or is not a placecat model: {said[:300]}")
+        """Return the error for a damaged file, with the reason `why`, which may be such an error."""
+        start = f"{self._path} is damaged, or is not a placecat model: "
+        said = " ".join(str(why).split()).removeprefix(start)
+        return PlacecatError(start + said[:300])
 
     def content(self, name: str) -> bytes:
         """Read a member. Raises PlacecatError if it is missing or its checksum is wrong."""
