@@ -295,7 +295,7 @@ def test_times_of_a_complete_run_are_shown_and_kept(committed):
 def test_force_runs_everything_but_what_is_frozen(committed):
     shutil.rmtree(committed / "data/times")
     (committed / "data/times.json").unlink()
-    refused(placecat(committed, "times", "--keep"), "`placecat repro --force` is one")
+    refused(placecat(committed, "times", "--keep"), "run `placecat repro --force`")
     result = placecat(committed, "repro", "--force")
     assert result.returncode == 0, result.stderr
     assert "\n  2 stages " in result.stdout
