@@ -24,7 +24,7 @@ CONTRIBUTED = {
     "StaticSaliencyFineGrained": Peer("OpenCV contributed: fine-grained saliency", PACKAGE, FOLDER),
     "StaticSaliencySpectralResidual": Peer("OpenCV contributed: spectral residual", PACKAGE, FOLDER),
 }
-VOCUS2 = Absent(PIECE, "", "VOCUS2", "it has no package and no release to build")
+VOCUS2 = Absent(PIECE, "", "VOCUS2", "no package: C++ sources, whose build was not tried")
 # The maps that are fused; only descriptors use the colours themselves.
 READ = tuple(name for name in FIELDS if name != "color")
 
