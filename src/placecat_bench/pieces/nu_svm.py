@@ -56,49 +56,8 @@ def entries(*, frames: int = 8000, features: int = 1024, homes: int = 5, new: in
     train, test = draw_frames(frames, features, range(homes)), draw_frames(new, features, [homes])
     scaling = KernelScaling("standard").fit(train.descriptors)
     known, unknown = scaling.transform(train.descriptors), scaling.transform(test.descriptors)
-    known_by_them, unknown_by_them = known.astype(np.float64), unknown.astype(np.float64)
-    models = Latest(ours=lambda: ours(known, train), theirs=lambda: theirs(known_by_them, train))
-
-    @cache
-    def gram() -> NDArray[Any]:
-        return rbf_gram(known, BASE.gamma, BASE.gram_dtype)
-
-    yield Comparison(
-        PIECE,
-        f"fit {frames} x {features}, {homes} homes",
-        PEER,
-        lambda: models.call("ours"),
-        lambda: models.call("theirs"),
-        faster=16,
-        warm_up=False,
-        parts={
-            "Gram matrix": lambda: rbf_gram(known, BASE.gamma, BASE.gram_dtype),
-            "fits on it": lambda: ours(known, train, gram()),
-        },
-    )
-    gram.cache_clear()
-    text = f"predict {new} x {features} from {frames}"
-    yield Comparison(
-        PIECE,
-        text,
-        PEER,
-        lambda: models.result("ours").predict_proba(unknown),
-        lambda: models.result("theirs").predict_proba(unknown_by_them),
-        faster=25,
-        parts={
-            "kernel values": lambda: rbf_cross(
-                unknown, models.result("ours").scorer_.support_vectors, models.result("ours").scorer_.gamma
-            )
-        },
-    )
-
-    def largest_difference() -> float:
-        proba = models.result("ours").predict_proba(unknown)
-        return float(np.abs(proba - models.result("theirs").predict_proba(unknown_by_them)).max())
-
-    quantity = "largest difference of a probability"
-    yield Limit(PIECE, text, quantity, largest_difference, at_most=1e-3, peer=PEER)
-    texts = f"fit {frames} x {features}, {homes} homes", text
+    texts = f"fit {frames} x {features}, {homes} homes", f"predict {new} x {features} from {frames}"
+    yield from _beside(PEER, theirs, train, known, unknown, texts, faster=(16, 25), at_most=1e-3)
     yield from _beside(PRECOMPUTED, on_gram, train, known, unknown, texts)
     yield from _beside(ONEDAL, by_onedal, train, known, unknown, texts)
     yield THUNDERSVM
@@ -111,6 +70,9 @@ def _beside(
     known: NDArray[np.float32],
     unknown: NDArray[np.float32],
     texts: tuple[str, str],
+    *,
+    faster: tuple[float, float] = (3, 5),
+    at_most: float = 5e-3,
 ) -> Iterator[Entry]:
     models = Latest(ours=lambda: ours(known, train), theirs=lambda: fit(known, train))
 
@@ -124,7 +86,7 @@ def _beside(
         peer,
         lambda: models.call("ours"),
         lambda: models.call("theirs"),
-        faster=3,
+        faster=faster[0],
         warm_up=False,
         parts={
             "Gram matrix": lambda: rbf_gram(known, BASE.gamma, BASE.gram_dtype),
@@ -142,7 +104,7 @@ def _beside(
         peer,
         lambda: models.result("ours").predict_proba(unknown),
         lambda: models.result("theirs")(unknown),
-        faster=5,
+        faster=faster[1],
         parts={"kernel values": lambda: rbf_cross(unknown, machine().support_vectors, machine().gamma)},
     )
 
@@ -151,7 +113,7 @@ def _beside(
         return float(np.abs(found - expected).max())
 
     quantity = "largest difference of a probability"
-    yield Limit(PIECE, texts[1], quantity, largest_difference, at_most=5e-3, peer=peer)
+    yield Limit(PIECE, texts[1], quantity, largest_difference, at_most=at_most, peer=peer)
 
 
 def ours(X: NDArray[np.float32], frames: Frames, gram: NDArray[Any] | None = None) -> OneAgainstAll:
@@ -160,11 +122,12 @@ def ours(X: NDArray[np.float32], frames: Frames, gram: NDArray[Any] | None = Non
     return model.fit(X, frames.place, gram=gram)
 
 
-def theirs(X: NDArray[np.float64], frames: Frames) -> Any:
-    """Fit scikit-learn's ``OneVsRestClassifier``, with the same folds."""
+def theirs(X: NDArray[np.float32], frames: Frames) -> Predict:
+    """Fit scikit-learn's ``OneVsRestClassifier`` on the same folds; return the function to probabilities."""
     from sklearn.svm import NuSVC
 
-    return _one_against_all(NuSVC, X, frames)
+    model = _one_against_all(NuSVC, X.astype(np.float64), frames)
+    return lambda new: np.asarray(model.predict_proba(new.astype(np.float64)))
 
 
 def on_gram(X: NDArray[np.float32], frames: Frames) -> Predict:
