@@ -24,7 +24,7 @@ ifneq ($(shell $(PYTHON) install.py --moved),)
 .PHONY: $(READY) $(READY_TEST) $(READY_BENCH)
 endif
 
-.PHONY: help demo repro test test-quick campaign choose bench bench-scale docs lint ui lock clean
+.PHONY: help demo repro replicate test test-quick campaign choose bench bench-scale docs lint ui lock clean
 .DEFAULT_GOAL := help
 
 help: ## list the targets
@@ -35,6 +35,13 @@ demo: $(READY) ## a first result in a minute: train on five homes, walk through 
 
 repro: $(READY) ## regenerate every table, figure and number; SET="dataset=..." chooses other data or settings
 	$(BIN)/placecat repro $(SET)
+
+# Homes that are rendered already are not rendered again.
+replicate: $(READY_TEST) ## render 24 homes, run them in groups of six, judge the findings on all; SET="dataset=..." takes others
+ifeq ($(SET),)
+	$(BIN)/placecat-homes --homes 24 --seed 1 --to data/homes_of_seed_1
+endif
+	$(BIN)/placecat replicate $(or $(SET),dataset=homes_of_seed_1)
 
 test: $(READY_TEST) lint ## run every test
 	$(BIN)/python -m pytest $(WORKERS) tests

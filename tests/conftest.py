@@ -21,6 +21,7 @@ for _folder in (
     "experiment",
     "footage",
     "homes",
+    "replication",
     "runs",
     "sequences",
     "stages",

@@ -83,6 +83,18 @@ def _add_pipeline(commands: Commands) -> None:
     override = "Hydra override of conf/, e.g. dataset=my_homes dataset.root=PATH"
     for command in (params, repro):
         command.add_argument("overrides", nargs="*", metavar="OVERRIDE", help=override)
+    replicate = add_command(
+        commands,
+        "replicate",
+        _replicate,
+        "run the pipeline on many homes, group by group, and judge the findings on all",
+        "Split the homes of a data set into groups of six, run the pipeline on each group, and judge the "
+        f"findings on all homes, into {paths.REPLICATION}. Needs the outputs of `placecat repro`. A killed run "
+        "continues where it stopped.",
+    )
+    replicate.add_argument("overrides", nargs="*", metavar="OVERRIDE", help=override)
+    chosen = "run only these groups, e.g. 1 2; other results are taken from the folder"
+    replicate.add_argument("--groups", nargs="+", type=int, default=(), metavar="K", help=chosen)
     add_command(
         commands,
         "mend",
@@ -153,6 +165,13 @@ def _hydra(command: str, arguments: list[str]) -> None:
 def _params(options: argparse.Namespace) -> int:
     write_params(options.overrides)
     print(f"{paths.PARAMS} is written.")
+    return 0
+
+
+def _replicate(options: argparse.Namespace) -> int:
+    from placecat.replication import command
+
+    print(command.run(options.overrides, options.groups))
     return 0
 
 

@@ -37,6 +37,7 @@ TIMES = Path("data/times")
 LAST_TIMES = Path("data/times.csv")
 COMPLETE_TIMES = Path("data/times.json")
 SCALE = Path("data/scale")
+REPLICATION_DATA = Path("data/replication")
 COMPUTE = Path("data/compute")
 REPORTS = Path("reports")
 TABLES = Path("reports/tables")
@@ -60,6 +61,7 @@ SCALE_FACTS = Path("reports/scale.json")
 PAGE = Path("reports/index.html")
 RESULTS = Path("reports/results.parquet")
 EXPLANATIONS = Path("reports/explanations.json")
+REPLICATION = Path("reports/replication")
 
 # Seed name of results that are not random.
 NO_SEED = "no-seed"

@@ -1,15 +1,17 @@
 """Power and errors of the rule of the ledger, against what is known exactly."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from placecat.evaluation.bootstrap import paired_bootstrap
 from placecat.evaluation.verdict import Range
-from placecat.replication.needed import LEVEL
+from placecat.replication import options
 from placecat.replication.simulation import error_rate, homes_needed, power, spread
 
+LEVEL = options.read(Path(__file__).resolve().parents[2] / options.SETTINGS).level
 BETTER, LITTLE = Range(0.0, math.inf), Range(-2.0, 2.0)
 
 

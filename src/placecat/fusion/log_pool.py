@@ -77,7 +77,8 @@ def fit_weights(
     found = minimize(loss, start, jac=True, method="L-BFGS-B", bounds=bounds, options=options)
     if not np.isfinite(found.x).all():
         raise PlacecatError("no finite integration weights were found: raise integrator.shrinkage")
-    weights: Float = found.x
+    # Further decimals depend on the processor, since the search ends within about a millionth.
+    weights: Float = found.x.round(6)
     return weights
 
 

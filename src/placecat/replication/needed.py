@@ -12,15 +12,20 @@ from placecat.evaluation.verdict import Range, corrected_level
 from placecat.replication.simulation import power, spread
 
 COMPARISONS = Path("reports/findings_comparisons.csv")
-LEVEL = 0.98
-"""Level of the intervals of the replication; see docs/replication.md."""
-GROUP = 6
-"""Homes in a group, and in the run that the spread comes from."""
-RUN_LEVEL = 0.95
-"""Level of the intervals in that run."""
 
 _MOST = 240
 _WANTED = 0.8
+
+
+class Run(NamedTuple):
+    """Number of homes in the run that the spread comes from, and the level of its intervals."""
+
+    homes: int
+    level: float
+
+
+SIX = Run(6, 0.95)
+"""The run of the data set that comes with the project."""
 
 
 class _Comparison(NamedTuple):
@@ -33,15 +38,19 @@ class _Comparison(NamedTuple):
     measured: float
 
 
-def power_table(comparisons: pd.DataFrame, homes: int = 24) -> pd.DataFrame:
+def power_table(
+    comparisons: pd.DataFrame, homes: int = 24, *, group: int = 6, level: float = 0.98, run: Run = SIX
+) -> pd.DataFrame:
     """Compute the power of each finding.
 
     Parameters
     ----------
     comparisons
-        The table reports/findings_comparisons.csv, from one run on six homes.
-    homes
-        Number of homes in the replication, in groups of six.
+        The comparisons of the ledger of one run.
+    homes, group, level
+        Number of homes in the replication, a multiple of those in a group, and the level of its intervals.
+    run
+        The run that the comparisons are from.
 
     Returns
     -------
@@ -53,7 +62,7 @@ def power_table(comparisons: pd.DataFrame, homes: int = 24) -> pd.DataFrame:
     """
     rows = []
     for number, of_finding in comparisons[comparisons["reading"].fillna("") == ""].groupby("finding"):
-        known = [_known(row) for row in of_finding.to_dict("records")]
+        known = [_known(row, run) for row in of_finding.to_dict("records")]
         row = {"number": number, "comparisons": len(known), "units": 0, "spread": np.nan}
         complete = [one for one in known if one is not None]
         if len(complete) == len(known):
@@ -62,22 +71,22 @@ def power_table(comparisons: pd.DataFrame, homes: int = 24) -> pd.DataFrame:
         for truth in ("published", "measured"):
             effects = [getattr(one, truth) for one in complete]
             usable = len(complete) == len(known) and not np.isnan(effects).any()
-            row[f"power_{truth}"] = round(_power(complete, effects, homes), 2) if usable else np.nan
-            row[f"needed_{truth}"] = _needed(complete, effects) if usable else np.nan
+            row[f"power_{truth}"] = round(_power(complete, effects, homes, level), 2) if usable else np.nan
+            row[f"needed_{truth}"] = _needed(complete, effects, group, level) if usable else np.nan
         rows.append(row)
     return pd.DataFrame(rows)
 
 
-def _known(row: dict) -> _Comparison | None:
+def _known(row: dict, run: Run) -> _Comparison | None:
     claimed = _claimed(str(row["range"]))
     units = re.fullmatch(r"(\d+) homes?(?: x (\d+) seeds?)?", str(row["units"]))
     if claimed is None or units is None or int(units[1]) < 2:
         return None
     homes, seeds = int(units[1]), int(units[2] or 1)
     low, high = float(row["low"]), float(row["high"])
-    deviation = spread(low, high, homes * seeds, RUN_LEVEL)
+    deviation = spread(low, high, homes * seeds, run.level)
     published = pd.to_numeric(row["published"], errors="coerce")
-    return _Comparison(homes / GROUP, deviation, claimed, float(published), float(row["measured"]))
+    return _Comparison(homes / run.homes, deviation, claimed, float(published), float(row["measured"]))
 
 
 def _claimed(text: str) -> Range | None:
@@ -93,21 +102,21 @@ def _claimed(text: str) -> Range | None:
     raise PlacecatError(f"{COMPARISONS}: unknown range {text!r}; make it again with `placecat repro`")
 
 
-def _power(known: list[_Comparison], effects: list[float], homes: int) -> float:
+def _power(known: list[_Comparison], effects: list[float], homes: int, level: float) -> float:
     """Probability of the likelier verdict, if comparisons are independent."""
-    wide = corrected_level(LEVEL, len(known))
+    wide = corrected_level(level, len(known))
     holds, no_failure = 1.0, 1.0
     for one, effect in zip(known, effects, strict=True):
         units = max(2, round(one.share * homes))
-        one_holds, one_fails = power(effect, one.deviation, units, one.claimed, level=LEVEL, wide=wide)
+        one_holds, one_fails = power(effect, one.deviation, units, one.claimed, level=level, wide=wide)
         holds *= one_holds
         no_failure *= 1.0 - one_fails
     return max(holds, 1.0 - no_failure)
 
 
-def _needed(known: list[_Comparison], effects: list[float]) -> float:
-    for homes in range(2 * GROUP, _MOST + 1, GROUP):
-        if _power(known, effects, homes) >= _WANTED:
+def _needed(known: list[_Comparison], effects: list[float], group: int, level: float) -> float:
+    for homes in range(2 * group, _MOST + 1, group):
+        if _power(known, effects, homes, level) >= _WANTED:
             return homes
     return np.inf
 

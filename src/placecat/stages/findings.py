@@ -5,7 +5,7 @@ from placecat.results.collect import read_results
 from placecat.stages import run
 from placecat.thesis import definitions
 from placecat.thesis.findings import ledger
-from placecat.thesis.published import Published
+from placecat.thesis.published import read_published
 
 
 def main() -> None:
@@ -16,14 +16,6 @@ def main() -> None:
     )
     files.write_csv(paths.FINDINGS, findings)
     files.write_csv(paths.COMPARISONS, comparisons)
-
-
-def read_published() -> Published:
-    """Read the numbers of the thesis's tables and text."""
-    return Published(
-        files.read_table(paths.PUBLISHED, ["group", "row", "column"]),
-        files.read_table(paths.PUBLISHED_TEXT, ["name", "section", "quantity", "home", "quote"]),
-    )
 
 
 if __name__ == "__main__":

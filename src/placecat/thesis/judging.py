@@ -199,6 +199,17 @@ def measure(
     )
 
 
+def in_each_home(comparison: Comparison, paired: Paired) -> NDArray[np.float64]:
+    """(homes,) difference (or ratio) of the sides in each home, mean over seeds.
+
+    Raises NotComputable for a ratio to 0.
+    """
+    sides = [
+        _combine(side, values.mean(axis=2)) for side, values in zip(paired.sides, paired.values, strict=True)
+    ]
+    return _compare(comparison, sides)
+
+
 def _reason(verdict: str, measured: Measurement, claimed: Range, level: float) -> str:
     wide = measured.corrected != measured.interval
     if verdict == FAILS and wide:

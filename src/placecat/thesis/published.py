@@ -8,7 +8,7 @@ from typing import Any
 
 import pandas as pd
 
-from placecat import settings
+from placecat import files, paths, settings
 from placecat.errors import PlacecatError
 from placecat.thesis.number import AVERAGE
 
@@ -94,3 +94,11 @@ class Published:
         if len(found) != 1:
             raise PlacecatError(f"the thesis has {len(found) or 'no'} numbers for {asked}, one is needed")
         return found[0]
+
+
+def read_published() -> Published:
+    """Read all numbers of the thesis from data/thesis; raises PlacecatError if a file is damaged."""
+    return Published(
+        files.read_table(paths.PUBLISHED, ["group", "row", "column"]),
+        files.read_table(paths.PUBLISHED_TEXT, ["name", "section", "quantity", "home", "quote"]),
+    )

@@ -9,6 +9,7 @@ import pandas as pd
 
 from placecat import conf_file, files, paths
 from placecat.errors import PlacecatError
+from placecat.runs import linked_folder
 from placecat_bench.scale import full_run, measurements, project, summary
 from placecat_bench.scale.database import read_homes
 
@@ -52,7 +53,7 @@ def run(
         place = folder / str(frames)
         drawn = {name: options[name] for name in ("test_homes", "regions", "jitter")}
         params = project.build(place, scaled, **drawn)
-        steps = measurements.commands(stages or options["stages"])
+        steps = linked_folder.commands(stages or options["stages"])
         parts.append(measurements.measure(place, steps, size, frames))
         if not keep:
             shutil.rmtree(place)

@@ -1,28 +1,16 @@
 """Run the stages in a folder, one after the other, and measure their time and memory."""
 
-import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pandas as pd
 
-from placecat.errors import PlacecatError
-from placecat.lockfile import DEFINITION, defined_stages
 from placecat_bench.scale import growth
 from placecat_bench.scale.watching import watch
 
 # `item` is always ""; it remains a column of the files in git, since stages once ran per home or cue.
 COLUMNS = ["size", "frames", "stage", "item", "seconds", "cpu_seconds", "peak_gib"]
 GROWTH_COLUMNS = ["stage", "item", "exponent", "r2", "last_exponent", "seconds", "peak_gib"]
-
-
-def commands(stages: Sequence[str], definition: Path = DEFINITION) -> dict[str, list[str]]:
-    """Return the command of each stage in dvc.yaml; PlacecatError if a stage is missing there."""
-    defined = defined_stages(definition)
-    for stage in stages:
-        if stage not in defined:
-            raise PlacecatError(f"dvc.yaml has no stage {stage!r}: it has {', '.join(defined)}")
-    return {stage: [sys.executable, *defined[stage]["cmd"].split()[1:]] for stage in stages}
 
 
 def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frames: int) -> pd.DataFrame:

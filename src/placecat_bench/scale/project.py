@@ -1,6 +1,5 @@
 """Build a project's folder of a chosen size: params.yaml, data/sequences, data/features and data/tracks."""
 
-import os
 import shutil
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -12,10 +11,11 @@ from numpy.typing import NDArray
 
 from placecat import compose, files, listing, parallel, paths, settings
 from placecat.errors import PlacecatError
+from placecat.runs import linked_folder
 from placecat_bench.scale import drawing
 from placecat_bench.scale.database import Home, Stretch, classes_of
 
-# Other inputs of the stages, copied from the project.
+# Other inputs of the stages.
 LINKED = (
     paths.CONF,
     paths.SITE_SEQUENCES,
@@ -42,8 +42,7 @@ def build(
         shutil.rmtree(folder)
     (folder / paths.DATA).mkdir(parents=True)
     own = _write_params(folder, homes, test_homes)
-    for path in LINKED:
-        (folder / path).symlink_to(os.path.relpath(path, (folder / path).parent))
+    linked_folder.link(folder, LINKED)
     tasks = []
     for number, home in enumerate(homes):
         source, walk = sources[number % len(sources)], home.walk()

@@ -1,0 +1,109 @@
+"""The command `placecat replicate`."""
+
+import shutil
+from collections.abc import Sequence
+from pathlib import Path
+
+import pandas as pd
+import yaml
+
+from placecat import compose, files, paths, settings
+from placecat.errors import PlacecatError
+from placecat.replication import group_results, groups, needed, options, pooling
+from placecat.results.collect import read_results
+from placecat.thesis import definitions
+from placecat.thesis.published import read_published
+
+ACCURACIES, POWER, FACTS = "accuracies.csv", "power.csv", "facts.json"
+
+
+def run(overrides: Sequence[str], numbers: Sequence[int] = ()) -> str:
+    """Run the groups of a data set, and judge the findings on the homes of all; return what to print.
+
+    Parameters
+    ----------
+    overrides
+        Hydra overrides of conf/ that choose the data set.
+    numbers
+        Numbers of the groups to run, by default all; the results of the others are taken from
+        reports/replication, where those of `numbers` are written.
+
+    Raises
+    ------
+    PlacecatError
+        For wrong settings, too few homes or an unknown group; if `make repro` has not run or a stage fails.
+    """
+    chosen = options.read()
+    params = yaml.load(compose.compose(overrides), Loader=settings.Loader)
+    planned, rest = groups.split(params, chosen.group)
+    unknown = [number for number in numbers if not 1 <= number <= len(planned)]
+    if unknown:
+        raise PlacecatError(f"--groups: group {unknown[0]} does not exist; there are 1 to {len(planned)}")
+    if rest:
+        print(f"Not used, since too few for another group of {chosen.group}: {', '.join(rest)}", flush=True)
+    for group in planned:
+        if not numbers or group.number in numbers:
+            state = "done" if groups.run(group) else "nothing to do"
+            print(
+                f"Group {group.number} of {len(planned)} ({group.homes[0]} to {group.homes[-1]}): {state}",
+                flush=True,
+            )
+    missing = [group.number for group in planned if not group_results.folder_of(group.number).is_dir()]
+    if missing:
+        named = " ".join(map(str, missing))
+        return f"The findings are judged when all groups are there; still to run: --groups {named}"
+    return judge(params, planned, chosen)
+
+
+def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options) -> str:
+    """Judge the findings on the results in reports/replication, write the ledger there; return a summary."""
+    of_groups = [(group.number, group.homes) for group in planned]
+    results = group_results.pooled(of_groups, params, read_results(settings.load()))
+    homes = [homes for _, homes in of_groups]
+    rows, details = pooling.judge(
+        definitions.findings(), settings.get(params, "verdict"), chosen, results, read_published(), homes
+    )
+    total = sum(map(len, homes))
+    run = needed.Run(total, chosen.level)
+    power = needed.power_table(details, homes=total, group=chosen.group, level=chosen.level, run=run)
+    rows, details = (
+        _with_others(rows, paths.FINDINGS, "number"),
+        _with_others(details, paths.COMPARISONS, "finding"),
+    )
+    counts = {
+        str(verdict): int(count) for verdict, count in rows["verdict"].value_counts().sort_index().items()
+    }
+    facts = {
+        "title": str(params["dataset"]["title"]),
+        "homes": total,
+        "groups": len(planned),
+        "level": chosen.level,
+        "verdicts": counts,
+    }
+    for name, table in (
+        (paths.FINDINGS.name, rows),
+        (paths.COMPARISONS.name, details),
+        (ACCURACIES, pooling.accuracies(results)),
+        (POWER, power),
+    ):
+        files.write_csv(paths.REPLICATION / name, table)
+    files.write_json(paths.REPLICATION / FACTS, facts)
+    _remove_other_groups(len(planned))
+    said = ", ".join(f"{verdict} {count}" for verdict, count in counts.items())
+    return f"{len(rows)} findings on {total} homes: {said} ({paths.REPLICATION / paths.FINDINGS.name})"
+
+
+def _with_others(table: pd.DataFrame, path: Path, key: str) -> pd.DataFrame:
+    """Add the rows of the project's ledger on other data than homes: these do not depend on the homes."""
+    text = table.select_dtypes(exclude="number").columns
+    others = files.read_table(path, text)
+    others = others[~others[key].isin(table[key])]
+    return pd.concat([table, others], ignore_index=True).sort_values(key, kind="stable", ignore_index=True)
+
+
+def _remove_other_groups(count: int) -> None:
+    """Remove the results of groups of an earlier data set with more homes."""
+    expected = {group_results.folder_of(number) for number in range(1, count + 1)}
+    for folder in paths.REPLICATION.glob("group_*"):
+        if folder not in expected:
+            shutil.rmtree(folder)

@@ -1,0 +1,159 @@
+"""Groups of homes, each run through the thesis's protocol in a folder of its own."""
+
+import hashlib
+import json
+import os
+import subprocess
+from collections.abc import Mapping, Sequence
+from contextlib import chdir
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import yaml
+from filelock import FileLock, Timeout
+
+from placecat import files, items, paths, settings
+from placecat.errors import PlacecatError
+from placecat.replication import group_results
+from placecat.runs import lifeline, linked_folder, unchanged
+
+STAGES = (
+    "sequences",
+    "features",
+    "tracks",
+    "codebooks",
+    "cues",
+    "integration",
+    "filtering",
+    "smoothing",
+    "trials",
+    "scores",
+    "tables",
+)
+"""Stages that depend on the homes and lead to the tables, in order."""
+LINKED = (
+    Path("dvc.yaml"),
+    Path("src"),
+    paths.CONF,
+    paths.PUBLISHED.parent,
+    paths.SITE_SEQUENCES,
+    paths.SITE_FEATURES,
+    paths.SPLITS,
+    paths.TOY,
+    paths.BENCHMARKS,
+    paths.SCALE_STAGES,
+)
+"""What these stages need besides, from the project."""
+
+_DONE = "done.json"
+
+
+@dataclass(frozen=True)
+class Group:
+    """Some homes of a data set.
+
+    Attributes
+    ----------
+    number
+        Number of the group, from 1.
+    homes
+        Their names, in order.
+    params
+        All settings of a run on these homes only.
+    """
+
+    number: int
+    homes: tuple[str, ...]
+    params: Mapping[str, Any]
+
+    @property
+    def folder(self) -> Path:
+        """Working folder, not in git."""
+        return paths.REPLICATION_DATA / f"group_{self.number}"
+
+
+def split(params: Mapping[str, Any], size: int) -> tuple[list[Group], tuple[str, ...]]:
+    """Split the homes of a data set into groups, in the order of ``dataset.homes``.
+
+    Returns the groups, and the homes at the end that are too few for another group. Raises PlacecatError if
+    there are fewer than two groups.
+    """
+    homes = [str(home) for home in settings.get(params, "dataset.homes")]
+    count = len(homes) // size
+    if count < 2:
+        raise PlacecatError(
+            f"the data set has {len(homes)} homes, but a replication needs two groups of {size}: choose "
+            "another data set (dataset=... dataset.homes=...)"
+        )
+    groups = []
+    for number in range(1, count + 1):
+        of_group = tuple(homes[(number - 1) * size : number * size])
+        groups.append(Group(number, of_group, _restricted(params, of_group, homes)))
+    return groups, tuple(homes[count * size :])
+
+
+def _restricted(params: Mapping[str, Any], of_group: Sequence[str], homes: Sequence[str]) -> dict[str, Any]:
+    """The settings for some homes; a setting with a value for each home keeps those of its homes."""
+    dataset = dict(params["dataset"])
+    for name, value in dataset.items():
+        if isinstance(value, Mapping) and value and set(value) <= set(homes):
+            dataset[name] = {home: one for home, one in value.items() if home in of_group}
+    # Stages run in another folder.
+    root = str(Path(dataset["root"]).resolve())
+    return {**params, "dataset": {**dataset, "homes": list(of_group), "root": root}}
+
+
+def run(group: Group) -> bool:
+    """Run the stages of a group and write its results to reports/replication, unless nothing has changed.
+
+    A killed run continues where it stopped. Returns whether anything ran. Raises PlacecatError if a stage
+    fails, `make repro` has not run, or another process runs this group.
+    """
+    folder = group.folder
+    folder.mkdir(parents=True, exist_ok=True)
+    lock = FileLock(folder / ".lock")
+    try:
+        lock.acquire(timeout=1)
+    except Timeout:
+        raise PlacecatError(f"another process runs in {folder}: wait until it ends, or stop it") from None
+    with lock:
+        linked_folder.link(folder, LINKED)
+        text = yaml.safe_dump(dict(group.params), sort_keys=False, allow_unicode=True)
+        if not (folder / paths.PARAMS).exists() or (folder / paths.PARAMS).read_text("utf-8") != text:
+            files.write_text(folder / paths.PARAMS, text)
+        target = group_results.folder_of(group.number)
+        if _is_done(folder, target):
+            return False
+        for stage, command in linked_folder.commands(STAGES).items():
+            print(f"Group {group.number}, stage {stage}", flush=True)
+            _run_stage(folder, stage, command)
+        group_results.write(target, folder, group.homes, group.params)
+        files.write_json(folder / _DONE, {"inputs": _inputs(folder), "results": items.checksum(target)})
+    return True
+
+
+def _run_stage(folder: Path, stage: str, command: Sequence[str]) -> None:
+    # The stage ends if this process is killed.
+    environment = os.environ | {"DVC_STAGE": stage, lifeline.DVC: str(os.getpid())}
+    status = subprocess.run(command, cwd=folder, env=environment, check=False).returncode
+    if status != 0:
+        raise PlacecatError(
+            f"the stage {stage} failed in {folder}: see above; then run this again to continue"
+        )
+
+
+def _is_done(folder: Path, target: Path) -> bool:
+    try:
+        done = files.read_json(folder / _DONE)
+    except (FileNotFoundError, ValueError):
+        return False
+    expected = {"inputs": _inputs(folder), "results": items.checksum(target) if target.is_dir() else ""}
+    return bool(done == expected)
+
+
+def _inputs(folder: Path) -> str:
+    """Checksum of the state of settings, code and data (:func:`placecat.runs.unchanged.state`)."""
+    with chdir(folder):
+        state = {path: of_path for stage in STAGES for path, of_path in unchanged.state(stage).items()}
+    return hashlib.sha256(json.dumps(state, sort_keys=True).encode()).hexdigest()

@@ -1,0 +1,113 @@
+"""The findings judged on the homes of all groups."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from placecat.errors import NotComputable
+from placecat.replication.group_results import is_of_homes
+from placecat.replication.options import Options
+from placecat.replication.shared import shared_variance
+from placecat.results.measured import Results
+from placecat.thesis.claims import Comparison, Finding, read_finding
+from placecat.thesis.findings import ledger
+from placecat.thesis.judging import in_each_home
+from placecat.thesis.pairing import pair
+from placecat.thesis.published import Published
+
+_DECIMALS = 2
+
+
+def judge(
+    findings: Mapping[str, Any],
+    verdict: Mapping[str, Any],
+    options: Options,
+    results: Results,
+    published: Published,
+    groups: Sequence[Sequence[str]],
+) -> tuple[pd.DataFrame, pd.DataFrame]:
+    """Judge every finding about homes, on the homes of all groups.
+
+    Parameters
+    ----------
+    findings, verdict, published
+        As for :func:`placecat.thesis.findings.ledger`; the level of `options` replaces that of `verdict`.
+    options
+        Settings of the replication.
+    results
+        Results of all groups.
+    groups
+        Names of the homes of each group.
+
+    Returns
+    -------
+    findings, comparisons
+        The tables of the ledger without the findings about other data, each with a further column ``shared``:
+        the share of the variance between homes that groups have in common
+        (:func:`placecat.replication.shared.shared_variance`), NaN if unknown, and for a finding the largest
+        of its comparisons. The reason of a verdict says so if it is above the setting.
+    """
+    of_homes = {name: one for name, one in findings.items() if _is_about_homes(read_finding(name, one))}
+    rules = {**verdict, "level": options.level}
+    rows, details = ledger(of_homes, rules, results, published)
+    group_of = {home: number for number, homes in enumerate(groups) for home in homes}
+    few = int(verdict["few_homes"])
+    details["shared"] = [
+        _shared(comparison, results, group_of, few)
+        for _, finding in sorted((read_finding(name, one).number, name) for name, one in of_homes.items())
+        for reading in _readings(read_finding(finding, of_homes[finding]))
+        for comparison in reading.comparisons
+    ]
+    main = details[details["reading"] == ""].groupby("finding")["shared"].max()
+    rows["shared"] = rows["number"].map(main)
+    rows["reason"] = [
+        f"{reason}; homes of a group share {100 * shared:.0f} % of the variance, so it may err more often"
+        if shared > options.shared
+        else reason
+        for reason, shared in zip(rows["reason"], rows["shared"], strict=True)
+    ]
+    return rows, details
+
+
+def _readings(finding: Finding) -> list[Finding]:
+    """The finding and its other readings, in the order of the ledger."""
+    return [finding, *(finding.read_as(reading) for reading in finding.readings)]
+
+
+def _is_about_homes(finding: Finding) -> bool:
+    sides = (side for comparison in finding.comparisons for side in comparison.sides)
+    return any(is_of_homes(result) for side in sides for result in side.results)
+
+
+def _shared(comparison: Comparison, results: Results, group_of: Mapping[str, int], few_homes: int) -> float:
+    if comparison.pooled:
+        return float("nan")
+    try:
+        paired = pair(results, comparison.sides, few_homes)
+        values = in_each_home(comparison, paired)
+    except NotComputable:
+        return float("nan")
+    return round(shared_variance(values, [group_of[home] for home in paired.homes]), _DECIMALS)
+
+
+def accuracies(results: Results) -> pd.DataFrame:
+    """Summarize the accuracy of every result over homes.
+
+    Returns the columns result, homes (their number), accuracy, deviation (standard deviation between homes),
+    smallest and largest, in percent and points, mean over seeds, 2 decimals. Results in other data are left
+    out.
+    """
+    rows = []
+    for name, one in results.measured.items():
+        if not is_of_homes(name):
+            continue
+        of_homes = one.by_home().mean(axis=0)
+        of_homes = of_homes[np.isfinite(of_homes)]
+        deviation = of_homes.std(ddof=1) if len(of_homes) > 1 else np.nan
+        numbers = (
+            (of_homes.mean(), deviation, of_homes.min(), of_homes.max()) if len(of_homes) else (np.nan,) * 4
+        )
+        rows.append((name, len(of_homes), *(round(float(number), _DECIMALS) for number in numbers)))
+    return pd.DataFrame(rows, columns=["result", "homes", "accuracy", "deviation", "smallest", "largest"])

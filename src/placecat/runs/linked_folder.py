@@ -1,0 +1,33 @@
+"""A folder where stages run on other data: with settings of its own, and links to other inputs."""
+
+import os
+import sys
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from placecat.errors import PlacecatError
+from placecat.lockfile import DEFINITION, defined_stages
+
+
+def link(folder: Path, paths: Iterable[Path]) -> None:
+    """Link paths of the project into a folder, at the same relative places; existing links are replaced.
+
+    `paths` are relative to the project's folder, which is the current one. Raises PlacecatError if one does
+    not exist.
+    """
+    for path in paths:
+        if not path.exists():
+            raise PlacecatError(f"{path} is missing: run `make repro` first")
+        there = folder / path
+        there.parent.mkdir(parents=True, exist_ok=True)
+        there.unlink(missing_ok=True)
+        there.symlink_to(os.path.relpath(path, there.parent))
+
+
+def commands(stages: Sequence[str], definition: Path = DEFINITION) -> dict[str, list[str]]:
+    """Return the command of each stage in dvc.yaml; PlacecatError if a stage is missing there."""
+    defined = defined_stages(definition)
+    for stage in stages:
+        if stage not in defined:
+            raise PlacecatError(f"dvc.yaml has no stage {stage!r}: it has {', '.join(defined)}")
+    return {stage: [sys.executable, *defined[stage]["cmd"].split()[1:]] for stage in stages}
