@@ -89,8 +89,8 @@ def _add_pipeline(commands: Commands) -> None:
         _replicate,
         "run the pipeline on many homes, group by group, and judge the findings on all",
         "Split the homes of a data set into groups of six, run the pipeline on each group, and judge the "
-        f"findings on all homes, into {paths.REPLICATION}. Needs the outputs of `placecat repro`. A killed run "
-        "continues where it stopped.",
+        f"findings on all homes, into {paths.REPLICATION}. Needs the outputs of `placecat repro`. Continues "
+        "a killed run.",
     )
     replicate.add_argument("overrides", nargs="*", metavar="OVERRIDE", help=override)
     chosen = "run only these groups, e.g. 1 2; other results are taken from the folder"

@@ -62,6 +62,8 @@ PAGE = Path("reports/index.html")
 RESULTS = Path("reports/results.parquet")
 EXPLANATIONS = Path("reports/explanations.json")
 REPLICATION = Path("reports/replication")
+REPLICATION_FACTS = Path("reports/replication/facts.json")
+REPLICATED_FINDINGS = Path("reports/replication/findings.csv")
 
 # Seed name of results that are not random.
 NO_SEED = "no-seed"

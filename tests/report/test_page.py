@@ -515,6 +515,27 @@ def test_rows_are_filtered_and_a_link_to_a_hidden_one_shows_it(page, tmp_path):
     assert found == [["finding-12"], "1 of 34", 34, False]
 
 
+def test_findings_on_more_homes_stand_below_each_finding():
+    report = made_report.report()
+    more = report.findings[["number", "difference", "low", "high", "units", "verdict"]].assign(
+        units="24 homes", verdict="holds"
+    )
+    replication = {
+        "title": "24 homes <drawn>",
+        "homes": 24,
+        "groups": 4,
+        "level": 0.98,
+        "verdicts": {"holds": 34, "does not hold": 0, "undecided": 0},
+        "findings": more,
+    }
+    shown = text_of(page_html(replace(report, replication=replication)))
+    assert "On 24 homes (24 homes &lt;drawn&gt;) 34 hold, 0 do not, and 0 are undecided." in shown
+    difference, low, high = (f"{more[name][0]:.2f}" for name in ("difference", "low", "high"))
+    assert f"On 24 homes: holds {difference} ({low} to {high}, 24 homes)" in shown
+    assert shown.count("On 24 homes: holds") == 34
+    assert "On 24 homes" not in text_of(page_html(report))
+
+
 @needs_chromium
 def test_search_finds_tables_figures_findings_and_settings(page, tmp_path):
     found, console = evaluate(

@@ -9,12 +9,13 @@ import yaml
 
 from placecat import compose, files, paths, settings
 from placecat.errors import PlacecatError
+from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED
 from placecat.replication import group_results, groups, needed, options, pooling
 from placecat.results.collect import read_results
 from placecat.thesis import definitions
 from placecat.thesis.published import read_published
 
-ACCURACIES, POWER, FACTS = "accuracies.csv", "power.csv", "facts.json"
+ACCURACIES, POWER = "accuracies.csv", "power.csv"
 
 
 def run(overrides: Sequence[str], numbers: Sequence[int] = ()) -> str:
@@ -66,13 +67,9 @@ def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options
     total = sum(map(len, homes))
     run = needed.Run(total, chosen.level)
     power = needed.power_table(details, homes=total, group=chosen.group, level=chosen.level, run=run)
-    rows, details = (
-        _with_others(rows, paths.FINDINGS, "number"),
-        _with_others(details, paths.COMPARISONS, "finding"),
-    )
-    counts = {
-        str(verdict): int(count) for verdict, count in rows["verdict"].value_counts().sort_index().items()
-    }
+    rows = _with_others(rows, paths.FINDINGS, "number")
+    details = _with_others(details, paths.COMPARISONS, "finding")
+    counts = {verdict: int((rows["verdict"] == verdict).sum()) for verdict in (HOLDS, FAILS, UNDECIDED)}
     facts = {
         "title": str(params["dataset"]["title"]),
         "homes": total,
@@ -87,10 +84,10 @@ def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options
         (POWER, power),
     ):
         files.write_csv(paths.REPLICATION / name, table)
-    files.write_json(paths.REPLICATION / FACTS, facts)
+    files.write_json(paths.REPLICATION_FACTS, facts)
     _remove_other_groups(len(planned))
     said = ", ".join(f"{verdict} {count}" for verdict, count in counts.items())
-    return f"{len(rows)} findings on {total} homes: {said} ({paths.REPLICATION / paths.FINDINGS.name})"
+    return f"{len(rows)} findings on {total} homes: {said} ({paths.REPLICATED_FINDINGS})"
 
 
 def _with_others(table: pd.DataFrame, path: Path, key: str) -> pd.DataFrame:

@@ -70,6 +70,10 @@ class Report:
         From the same function; shown without the names of the results.
     settings
         Content of params.yaml.
+    replication
+        The findings on many homes, or None: ``title`` of these homes, ``homes``, ``groups``, ``level``,
+        ``verdicts`` (how many findings have each), and ``findings``, a table of number, difference, low,
+        high, units and verdict.
     times
         A stored record of a run's times, or None: ``stages``, a table of stage, runs (of a stage with several
         items, such as homes) and seconds; ``data``, the title of its data; ``cores`` of the machine; and
@@ -91,6 +95,7 @@ class Report:
     findings: pd.DataFrame
     comparisons: pd.DataFrame
     settings: str
+    replication: Mapping[str, Any] | None = None
     times: Mapping[str, Any] | None = None
     speed: Mapping[str, Any] | None = None
     scale: Mapping[str, Any] | None = None
@@ -118,6 +123,8 @@ def page_html(report: Report) -> str:
             verdicts=count_verdicts(report.findings),
             findings=_records(report.findings),
             readings=readings_of(report.findings),
+            replication=report.replication,
+            replicated={} if report.replication is None else _by_number(report.replication["findings"]),
             interval_limit=_interval_limit(report.findings),
             comparisons=_plain(comparisons),
             sections=sections,
@@ -233,6 +240,10 @@ def _records(table: pd.DataFrame) -> list[dict[str, Any]]:
         {str(name): None if pd.isna(value) else value for name, value in record.items()}
         for record in table.to_dict("records")
     ]
+
+
+def _by_number(findings: pd.DataFrame) -> dict[int, dict[str, Any]]:
+    return {int(record["number"]): record for record in _records(findings)}
 
 
 def _plain(table: pd.DataFrame) -> dict[str, Any]:

@@ -60,6 +60,7 @@ def main() -> None:
         findings=files.read_table(paths.FINDINGS, _TEXT),
         comparisons=comparisons,
         settings=paths.PARAMS.read_text(encoding="utf-8"),
+        replication=_replication(),
         times=_times(),
         speed=_speed(),
         scale=_scale(),
@@ -93,6 +94,14 @@ def _figure(entry: dict[str, Any], params: dict[str, Any]) -> Figure:
         pdf=file.with_suffix(".pdf").relative_to(paths.PAGE.parent).as_posix(),
         settings=", ".join(f"{name}={value}" for name, value in own.items()),
     )
+
+
+def _replication() -> dict[str, Any] | None:
+    """The findings on many homes in git; None if missing."""
+    if not (paths.REPLICATION_FACTS.is_file() and paths.REPLICATED_FINDINGS.is_file()):
+        return None
+    findings = files.read_table(paths.REPLICATED_FINDINGS, _TEXT)
+    return files.read_json(paths.REPLICATION_FACTS) | {"findings": findings}
 
 
 def _times() -> dict[str, Any] | None:
