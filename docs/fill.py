@@ -25,6 +25,7 @@ PAGES = (
     *(f"docs/{path.name}" for path in sorted((ROOT / "docs").glob("*.md"))),
 )
 REAL = "docs/real_homes"
+MORE = "reports/replication"
 ALL = "5-5-1, all cues"
 BEST = "5-5-1, HOG+SIFT+Centrist+Gist+holistic Centrist"
 
@@ -120,22 +121,46 @@ def table_26(folder: str) -> str:
 
 def findings() -> str:
     """How many findings hold, and which."""
-    both = [_read(f"{folder}/findings.csv") for folder in ("reports", REAL)]
+    data = [_read(f"{folder}/findings.csv") for folder in ("reports", MORE, REAL)]
 
-    def cell(data: pd.DataFrame, verdict: str) -> str:
-        numbers = data.loc[data["verdict"] == verdict, "number"]
+    def cell(ledger: pd.DataFrame, verdict: str) -> str:
+        numbers = ledger.loc[ledger["verdict"] == verdict, "number"]
         return f"{len(numbers)}" + (": " + ", ".join(map(str, numbers)) if len(numbers) < 10 else "")
 
     rows = (
-        [verdict, *(cell(data, verdict) for data in both)]
-        for verdict in ("holds", "does not hold", "undecided")
+        [verdict, *(cell(one, verdict) for one in data)] for verdict in ("holds", "does not hold", "undecided")
     )
-    return _markdown(["verdict", "rendered homes", "six real homes"], rows, 3)
+    return _markdown(["verdict", "six rendered homes", "24 rendered homes", "six real homes"], rows, 4)
 
 
 def power() -> str:
     """How many homes decide each finding."""
     return needed.markdown(needed.power_table(_read(str(needed.COMPARISONS))))
+
+
+def replicated() -> str:
+    """Verdicts on six and on 24 homes, and how many homes the others need."""
+    few, more = (_read(f"{folder}/findings.csv").set_index("number") for folder in ("reports", MORE))
+    power = _read(f"{MORE}/power.csv").set_index("number")
+
+    def interval(one: pd.Series) -> str:
+        return "" if np.isnan(one["low"]) else f"{one['difference']:.2f} ({one['low']:.2f} to {one['high']:.2f})"
+
+    def homes(number: int) -> str:
+        needed_homes = power["needed_measured"].get(number, np.nan)
+        if np.isnan(needed_homes) or more.at[number, "verdict"] != "undecided":
+            return ""
+        return f"over {needed.MOST}" if np.isinf(needed_homes) else f"{needed_homes:.0f}"
+
+    def shared(one: pd.Series) -> str:
+        return "" if np.isnan(one["shared"]) else f"{100 * one['shared']:.0f} %"
+
+    rows = (
+        [str(number), few.at[number, "verdict"], one["verdict"], interval(one), str(one["units"]), shared(one), homes(number)]
+        for number, one in more.iterrows()
+    )
+    head = ["finding", "on 6 homes", "on 24 homes", "difference (98 % interval)", "units", "shared", "homes needed"]
+    return _markdown(head, rows, len(head))
 
 
 def averages(name: str) -> str:

@@ -13,7 +13,9 @@ from placecat.replication.simulation import power, spread
 
 COMPARISONS = Path("reports/findings_comparisons.csv")
 
-_MOST = 240
+MOST = 240
+"""Largest number of homes to try."""
+
 _WANTED = 0.8
 
 
@@ -115,7 +117,7 @@ def _power(known: list[_Comparison], effects: list[float], homes: int, level: fl
 
 
 def _needed(known: list[_Comparison], effects: list[float], group: int, level: float) -> float:
-    for homes in range(2 * group, _MOST + 1, group):
+    for homes in range(2 * group, MOST + 1, group):
         if _power(known, effects, homes, level) >= _WANTED:
             return homes
     return np.inf
@@ -132,7 +134,7 @@ def markdown(table: pd.DataFrame) -> str:
         cells += ["", ""] if np.isnan(row["spread"]) else [str(row["units"]), f"{row['spread']:.1f}"]
         for truth in ("published", "measured"):
             share, homes = row[f"power_{truth}"], row[f"needed_{truth}"]
-            count = f"over {_MOST}" if np.isinf(homes) else f"{homes:.0f}"
+            count = f"over {MOST}" if np.isinf(homes) else f"{homes:.0f}"
             cells.append("" if np.isnan(share) else f"{100 * share:.0f} %, {count}")
         lines.append("| " + " | ".join(cells) + " |")
     return "\n".join(lines)
