@@ -47,7 +47,8 @@ def write(target: Path, run: Path, homes: Sequence[str], params: Mapping[str, An
         scores.to_parquet(folder / SCORES, index=False, compression="zstd")
         for name in (MISSING, DROPPED):
             files.write_csv(folder / name, files.read_csv(run / paths.SCORES / name))
-        files.write_csv(folder / TABLES, pd.concat(tables, ignore_index=True))
+        # Notes are those of reports/tables.
+        files.write_csv(folder / TABLES, pd.concat(tables, ignore_index=True).drop(columns="note"))
         files.write_json(folder / FACTS, {"homes": list(homes), "settings": _comparable(params)})
 
 
