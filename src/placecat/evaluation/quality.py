@@ -10,6 +10,13 @@ from placecat.evaluation.probabilities import calibration_error, log_loss, relia
 from placecat.evaluation.stays import stay_accuracy, stays_by_class
 
 
+class ProbabilityQuality(NamedTuple):
+    """Log-loss and calibration error, as in :class:`HomeQuality`."""
+
+    log_loss: float
+    calibration_error: float
+
+
 class HomeQuality(NamedTuple):
     """Quality measures of one home; all places weigh the same. NaN if no frame is labelled.
 
@@ -26,6 +33,16 @@ class HomeQuality(NamedTuple):
     stay_accuracy: float
 
 
+def probability_quality(
+    truth: ArrayLike, proba: NDArray[np.float64], *, bins: int, smallest: float
+) -> ProbabilityQuality:
+    """Measure the distributions of frames in any order; parameters as for :func:`home_quality`."""
+    return ProbabilityQuality(
+        log_loss(truth, proba, smallest=smallest),
+        100.0 * calibration_error(reliability(truth, proba, bins=bins)),
+    )
+
+
 def home_quality(
     truth: ArrayLike, proba: NDArray[np.float64], sequences: Sequence[slice], *, bins: int, smallest: float
 ) -> HomeQuality:
@@ -38,8 +55,7 @@ def home_quality(
     counts = stays_by_class(truth, proba.argmax(axis=1), sequences, proba.shape[1])
     stays, right = (int(count) for count in counts.sum(axis=0))
     return HomeQuality(
-        log_loss(truth, proba, smallest=smallest),
-        100.0 * calibration_error(reliability(truth, proba, bins=bins)),
+        *probability_quality(truth, proba, bins=bins, smallest=smallest),
         stays,
         right,
         stay_accuracy(counts),

@@ -13,8 +13,8 @@ from placecat.results.measured import DECIMALS, Quality
 QUALITY_COLUMNS = ["result", "home", "seed", *HomeQuality._fields]
 TEXT_COLUMNS = QUALITY_COLUMNS[:3]
 _COUNTS = ("stays", "stays_right")
-# Decimals in the file; the last bits of a logarithm depend on the processor.
-_DECIMALS = 6
+# Decimals in files; the last bits of a logarithm depend on the processor.
+FILE_DECIMALS = 6
 STAY_SHARE = "stay_share"
 _SHOWN = DECIMALS | {STAY_SHARE: 2}
 
@@ -33,7 +33,7 @@ def quality_rows(name: str, one: Quality) -> list[tuple[str | float, ...]]:
     for s, seed in enumerate(one.seeds):
         for h, home in enumerate(one.homes):
             values = {field: float(one.values[field][s, h]) for field in HomeQuality._fields}
-            written = (int(v) if field in _COUNTS else round(v, _DECIMALS) for field, v in values.items())
+            written = (int(v) if field in _COUNTS else round(v, FILE_DECIMALS) for field, v in values.items())
             rows.append((name, home, seed, *written))
     return rows
 

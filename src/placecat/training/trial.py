@@ -16,6 +16,8 @@ from placecat.training.plan import Plan
 
 # Counts of decisions (rows are true places) or the reason they are missing, and facts about the model.
 Outcome = tuple[NDArray[np.int64] | str, Mapping[str, Any]]
+# (frames, classes) distributions or the reason they are missing, and facts about the model.
+Prediction = tuple[NDArray[np.float64] | str, Mapping[str, Any]]
 
 
 def of_settings(settings: Mapping[str, Any]) -> Cue:
@@ -25,6 +27,20 @@ def of_settings(settings: Mapping[str, Any]) -> Cue:
 
 def judge(plan: Plan, cues: Sequence[Cue], seed: int | None) -> list[Outcome]:
     """Train cues that share a descriptor and clusters; count their decisions on the tested sequence.
+
+    Parameters as for :func:`predict`.
+    """
+    truth, predictions = predict(plan, cues, seed)
+    return [
+        (found if isinstance(found, str) else _count(truth, found, len(plan.classes)), facts)
+        for found, facts in predictions
+    ]
+
+
+def predict(plan: Plan, cues: Sequence[Cue], seed: int | None) -> tuple[NDArray[np.int16], list[Prediction]]:
+    """Train cues that share a descriptor and clusters; predict the tested sequence.
+
+    Returns the true classes of the scored frames, and each cue's distributions on them.
 
     Parameters
     ----------
@@ -45,20 +61,22 @@ def judge(plan: Plan, cues: Sequence[Cue], seed: int | None) -> list[Outcome]:
         numbers = [cue.classifier["clusters"] for cue in cues]
         codebook = cluster(frames, plan, cues[0], seed, numbers=numbers)
     with remembering():
-        return [_judge(cue, frames, codebook, test, truth, plan.classes) for cue in cues]
+        return truth, [_predict(cue, frames, codebook, test, plan.classes) for cue in cues]
 
 
-def _judge(
+def _predict(
     cue: Cue,
     frames: TrainingFrames,
     codebook: Codebook | None,
     test: Descriptors,
-    truth: NDArray[np.int16],
     classes: Sequence[str],
-) -> Outcome:
+) -> Prediction:
     try:
         model = fit(frames, cue, classes, codebook).model
-        decision = model.predict_proba(test).argmax(axis=1)
+        return model.predict_proba(test), model.facts
     except NotComputable as error:
         return str(error), {}
-    return confusion_matrix(truth, decision, len(classes)), model.facts
+
+
+def _count(truth: NDArray[np.int16], proba: NDArray[np.float64], n_classes: int) -> NDArray[np.int64]:
+    return confusion_matrix(truth, proba.argmax(axis=1), n_classes)
