@@ -50,7 +50,8 @@ def test_a_failed_experiment_does_not_lose_the_others(sweep):
     assert "test_home" in result.stdout
     table = pd.read_csv(folder / "swept/summary.csv")
     assert table["test_home"].tolist() == ["H1", "H2", "H1", "H2"]
-    assert table["accuracy"].notna().tolist() == [True, True, False, False]
+    for measure in ("accuracy", "log_loss", "calibration_error"):
+        assert table[measure].notna().tolist() == [True, True, False, False]
     assert table["note"].str.contains("n_neighbors=1000").tolist() == [False, False, True, True]
     for line in result.stdout.splitlines():
         if line.startswith("classifier.base.n_neighbors=1000"):
@@ -88,7 +89,8 @@ def test_a_sweep_is_one_run_of_mlflow_with_a_run_below_for_each_experiment(sweep
     assert sorted(one.info.status for one in trials) == ["FAILED", "FAILED", "FINISHED", "FINISHED"]
     for one in done:
         own = json.loads((folder / f"swept/{0 if 'H1' in one.info.run_name else 1}/result.json").read_text())
-        assert one.data.metrics["accuracy"] == own["accuracy"]
+        for measure in ("accuracy", "log_loss", "calibration_error"):
+            assert one.data.metrics[measure] == own[measure]
         assert one.data.params["clusters"] == "13"
         assert {path.path for path in client.list_artifacts(one.info.run_id)} == {
             "confusion.png",
@@ -137,6 +139,8 @@ def test_a_single_experiment_is_told_by_home_and_place(sweep, monkeypatch, capsy
     assert own["accuracy"] == pytest.approx(np.mean([home["accuracy"] for home in own["homes"].values()]))
     assert f"average: {own['accuracy']:.2f} %" in printed
     assert f"H2: {own['homes']['H2']['accuracy']:.2f} % (seed-0 " in printed
+    quality = f"Log-loss {own['log_loss']:.3f} nats, calibration error {own['calibration_error']:.2f} %"
+    assert quality in printed.splitlines()
     assert "in percent of the true place's frames" in printed
 
 

@@ -1,24 +1,44 @@
 """An experiment gives the numbers of the tables and learns nothing from its test home."""
 
 import json
+import math
 import shutil
+from dataclasses import replace
 
 import numpy as np
 import pandas as pd
 import pytest
 from made_experiments import SMALL, make_project, resolved
-from made_features import CLASSES, HOMES
+from made_features import CLASSES, HOMES, PARAMS
 
-from placecat import fold_file, paths
+from placecat import fold_file, paths, settings
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
+from placecat.experiment.made_from import made_from
 from placecat.experiment.running import compute
 from placecat.results.measured import from_scores
+from placecat.results.sources import sources
 
+PROBABILITIES = PARAMS["probabilities"]
+QUALITIES = ("log_loss", "calibration_error")
 GIST = ("descriptor=gist", "classifier=knn", "codebook.tree.branching=4")
 
 
 def confusion(result, home, seed, fold=None):
     return np.array(result["homes"][home]["folds"][fold or home][seed]["confusion"])
+
+
+def by_hand(labels, proba):
+    """Log-loss and calibration error of the labelled frames of one home, place by place and bin by bin."""
+    losses, of_bin = [], {}
+    places = sorted(set(labels) - {-1})
+    for place in places:
+        own = proba[labels == place]
+        losses.append(np.mean([-math.log(max(row[place], PROBABILITIES["smallest"])) for row in own]))
+        for row in own:
+            number = math.ceil(max(row) * PROBABILITIES["bins"])
+            is_right = row.argmax() == place
+            of_bin.setdefault(number, []).append((is_right - max(row)) / len(own))
+    return np.mean(losses), 100 * sum(abs(sum(gaps)) for gaps in of_bin.values()) / len(places)
 
 
 def test_an_experiment_is_the_cell_of_a_table(tmp_path, monkeypatch):
@@ -37,7 +57,7 @@ def test_an_experiment_is_the_cell_of_a_table(tmp_path, monkeypatch):
                 np.testing.assert_array_equal(confusion(found, home, seed), counts[number])
         assert found["accuracy"] == pytest.approx(cell.by_home().mean(), abs=1e-12)
     too_many = compute(resolved(*GIST, "classifier.clusters=400", "test_home=h1"))
-    assert too_many["accuracy"] is None
+    assert [too_many[name] for name in ("accuracy", *QUALITIES)] == [None] * 3
     assert too_many["reason"] == missing.set_index("home").loc["H1", "reason"]
     svm = compute(
         resolved("descriptor=gist", "classifier=nu_svm", "classifier.reduction={cells: 4, components: 3}")
@@ -48,17 +68,36 @@ def test_an_experiment_is_the_cell_of_a_table(tmp_path, monkeypatch):
 
 
 def test_an_experiment_on_a_split_is_the_cue_of_that_split(tmp_path, monkeypatch):
-    from placecat.stages import splits
+    """In decisions, in log-loss and in calibration error."""
+    from placecat.stages import scores, splits
 
     monkeypatch.chdir(make_project(tmp_path / "project"))
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
     splits.main()
     found = compute(resolved(*SMALL, "descriptor=hog", "descriptor.color=color_mv", data="site"))
-    labels = pd.read_csv("data/site_sequences/site/robot/labels.csv")["class"]
-    for seed in ("seed-0", "seed-1"):
+    labels = pd.read_csv("data/site_sequences/site/robot/labels.csv")["class"].to_numpy()
+    assert -1 in labels
+    source = sources(settings.load())["splits/site/cues/hog_y"]
+    _, of_stage = scores.measure(source, PROBABILITIES)
+    of_seeds = []
+    for number, seed in enumerate(("seed-0", "seed-1")):
         proba = fold_file.read(paths.SPLITS / f"site/cues/hog_y/robot.{seed}.npz", "test")
         expected = confusion_matrix(labels, proba.argmax(axis=1), 4)
         np.testing.assert_array_equal(confusion(found, "robot", seed), expected)
+        own = found["homes"]["robot"]["folds"]["robot"][seed]
+        of_seeds.append([own["log_loss"], own["calibration_error"]])
+        assert of_seeds[-1] == pytest.approx(by_hand(labels, proba), abs=1e-6)
+        assert of_seeds[-1] == [round(of_stage.values[name][number, 0], 6) for name in QUALITIES]
+    assert of_seeds[0] != of_seeds[1]
+    for part in (found, found["homes"]["robot"]):
+        assert [part[name] for name in QUALITIES] == pytest.approx(np.mean(of_seeds, axis=0))
+    assert (
+        of_stage.averages().items()
+        >= {
+            "log_loss": round(found["log_loss"], 3),
+            "calibration_error": round(found["calibration_error"], 2),
+        }.items()
+    )
 
 
 def test_training_homes_are_judged_without_the_test_home(tmp_path, monkeypatch):
@@ -86,6 +125,23 @@ def test_training_homes_are_judged_without_the_test_home(tmp_path, monkeypatch):
         for seed in ("seed-0", "seed-1")
     ]
     assert found["plain"]["accuracy"] == pytest.approx(np.mean(accuracies))
+    folds = [own for fold in found["plain"]["homes"]["H3"]["folds"].values() for own in fold.values()]
+    for name in QUALITIES:
+        assert found["plain"][name] == pytest.approx(np.mean([own[name] for own in folds]))
+
+
+def test_settings_of_probabilities_are_part_of_the_result(project):
+    """A sweep that resumes after a change of them computes again."""
+    one = resolved(*SMALL)
+    other = replace(one, probabilities={"bins": 2, "smallest": 0.2})
+    assert made_from(one) != made_from(other)
+    found, changed = (compute(experiment) for experiment in (one, other))
+    assert found["accuracy"] == changed["accuracy"]
+    for name in QUALITIES:
+        homes = [home[name] for home in found["homes"].values()]
+        assert len(homes) == len(HOMES)
+        assert found[name] == pytest.approx(np.mean(homes))
+        assert found[name] != changed[name]
 
 
 def test_a_number_written_otherwise_is_the_same_experiment(project):

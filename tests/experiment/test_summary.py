@@ -1,6 +1,7 @@
 """The summary of a sweep."""
 
 import pandas as pd
+import pytest
 
 from placecat import files
 from placecat.experiment import output, summary
@@ -8,7 +9,7 @@ from placecat.experiment import output, summary
 SWEPT = ("descriptor", "classifier.clusters", "test_home")
 
 
-def result(home, *accuracies):
+def result(home, *accuracies, **measures):
     folds = {home: {f"seed-{n}": {"accuracy": one, "confusion": [[1]]} for n, one in enumerate(accuracies)}}
     mean = sum(accuracies) / len(accuracies)
     return {
@@ -16,6 +17,7 @@ def result(home, *accuracies):
         "accuracy": mean,
         "reason": None,
         "homes": {home: {"accuracy": mean, "reason": None, "folds": folds}},
+        **measures,
     }
 
 
@@ -74,3 +76,62 @@ def test_homes_alone_are_averaged_below(tmp_path):
     ran = summary.read(tmp_path, [{"test_home": "H0"}, {"test_home": "H1"}])
     assert summary.grid(ran)["accuracy"].to_dict() == {"H0": "40.00", "H1": "60.00", "average": "50.00"}
     assert summary.highest(ran) == ({}, 50.0)
+
+
+def of_values(tmp_path, *results):
+    """A sweep over ``value``: accuracy, log-loss, calibration error; older results have the accuracy only."""
+    for number, (accuracy, *others) in enumerate(results):
+        measures = dict(zip(("log_loss", "calibration_error"), others, strict=False))
+        files.write_json(tmp_path / str(number) / output.RESULT, result("H1", accuracy, **measures))
+    return summary.read(tmp_path, [{"value": f"v{number}"} for number in range(len(results))])
+
+
+def test_log_loss_and_calibration_error_stand_beside_the_accuracy(tmp_path):
+    ran = of_values(tmp_path, (40.0, 1.23456, 12.345678), (60.0,))
+    files.write_csv(tmp_path / output.SUMMARY, summary.as_frame(ran))
+    assert (tmp_path / output.SUMMARY).read_text().splitlines() == [
+        "number,value,accuracy,spread,log_loss,calibration_error,note",
+        "0,v0,40.0,0.0,1.235,12.35,",
+        "1,v1,60.0,0.0,,,",
+    ]
+    lines = [line.split() for line in summary.text(ran).splitlines()]
+    assert " ".join(lines[0]) == "Accuracy in percent, log-loss in nats, calibration error in percent"
+    assert lines[2:6] == [
+        ["accuracy", "log_loss", "calibration_error"],
+        ["value"],
+        ["v0", "40.00", "1.235", "12.35"],
+        ["v1", "60.00", "-", "-"],
+    ]
+    assert output.shown(ran[0].result) == "40.00 %, log-loss 1.235 nats, calibration error 12.35 %"
+
+
+def test_older_results_alone_have_empty_cells_and_a_table_of_accuracies(tmp_path):
+    ran = of_values(tmp_path, (40.0,), (60.0,))
+    assert summary.as_frame(ran)[["log_loss", "calibration_error"]].isna().all(axis=None)
+    assert summary.text(ran).startswith("Accuracy in percent\n\n")
+    assert "og-loss" not in summary.text(ran)
+    assert output.shown(ran[0].result) == "40.00 %"
+
+
+@pytest.mark.parametrize("count", [2, 6, 12])
+def test_the_printed_tables_are_at_most_100_columns_wide(tmp_path, count):
+    """Side by side if there is room, else one below the other."""
+    combinations = [
+        {"descriptor": descriptor, "classifier.clusters": str(196 + clusters), "test_home": home}
+        for descriptor in ("holistic_spatial_pact", "hog")
+        for clusters in range(count)
+        for home in ("home_1", "home_6")
+    ]
+    for number in range(len(combinations)):
+        content = result("H1", 40.0 + number, log_loss=1.0 + number, calibration_error=10.0 + number)
+        files.write_json(tmp_path / str(number) / output.RESULT, content)
+    text = summary.text(summary.read(tmp_path, combinations))
+    *table, highest = text.splitlines()
+    assert highest.startswith("Highest: descriptor=hog")
+    assert max(map(len, table)) <= 100
+    # The last experiment, and the average of the last setting.
+    for number in (len(combinations) - 1, len(combinations) - 1.5):
+        for value in (f"{40 + number:.2f}", f"{1 + number:.3f}", f"{10 + number:.2f}"):
+            assert value in text.split()
+    is_beside = text.count("holistic_spatial_pact") == 1
+    assert is_beside == (count == 2)

@@ -11,6 +11,7 @@ import pytest
 import made_results
 from placecat import files
 from placecat.errors import PlacecatError
+from placecat.experiment import output
 from placecat.explain.made import made, trials_of
 from placecat.mlflow_log import store, tables
 from placecat.mlflow_log.content import figures_run, table_run
@@ -243,6 +244,7 @@ def test_a_row_has_its_numbers_by_home_and_its_confusion_matrix(results, tmp_pat
     shown = {f"accuracy/home_{number}": own[f"Home {number}"] for number in range(1, 7)}
     assert row.metrics == shown | {"accuracy": own["Average"]} | good
     assert good.keys() == {"log_loss", "calibration_error", "stay_accuracy"}
+    assert row.metrics.keys() >= set(output.MEASURES)
     for measure, value in good.items():
         assert run.metrics[f"{measure}/5-5-1 all cues/Gist"] == value
     assert run.metrics["accuracy/5-5-1 all cues/Gist"] == own["Average"]

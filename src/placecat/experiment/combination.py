@@ -9,6 +9,7 @@ import numpy as np
 from placecat import cues, files, lookup, schema, settings, store
 from placecat.cues import estimators
 from placecat.errors import NotComputable, PlacecatError
+from placecat.evaluation.quality import probability_quality
 from placecat.experiment import data as data_sets
 from placecat.experiment.data import Data
 from placecat.experiment.options import TEST_HOME, classifiers
@@ -27,7 +28,8 @@ class Experiment:
     `judge` is ``test_home`` or ``training_homes``, see :meth:`~placecat.experiment.data.Data.plans`.
     `settings` are ``descriptor``, ``classifier`` and, for classifiers on clusters, ``codebook``, as in a
     table's trial. `frames` are ``offset`` and ``step`` of the training frames. `seeds` are the seeds of the
-    clusters, or a single None if nothing is random.
+    clusters, or a single None if nothing is random. `probabilities` are params.yaml's settings of that name,
+    as for :func:`placecat.evaluation.quality.probability_quality`.
     """
 
     data: Data
@@ -36,6 +38,7 @@ class Experiment:
     settings: dict[str, Any]
     frames: dict[str, int]
     seeds: tuple[int | None, ...]
+    probabilities: dict[str, Any]
 
     def plans(self) -> dict[str, list[Plan]]:
         """The plans of each test home; their mean accuracy is the home's accuracy."""
@@ -52,6 +55,7 @@ class Experiment:
             "test_home": list(self.homes),
             "frames": self.frames,
             "seeds": list(self.seeds),
+            "probabilities": self.probabilities,
             **self.settings,
         }
 
@@ -76,8 +80,11 @@ def resolve(config: Mapping[str, Any], params: Mapping[str, Any]) -> Experiment:
         raise PlacecatError(
             f"codebook.cells is for classifiers on clusters, not for {_name(classifier)}: leave it out"
         )
-    seeds = _seeds(config["seeds"], settings.get(params, "protocol.seeds"))
-    experiment = Experiment(data, homes, config["judge"], own, frames, seeds if needs_codebook else (None,))
+    seeds: tuple[int | None, ...] = _seeds(config["seeds"], settings.get(params, "protocol.seeds"))
+    if not needs_codebook:
+        seeds = (None,)
+    probabilities = _probabilities(settings.get(params, "probabilities"))
+    experiment = Experiment(data, homes, config["judge"], own, frames, seeds, probabilities)
     _check_data(experiment, config["limits"]["kernel_rows"])
     return experiment
 
@@ -98,6 +105,12 @@ def _seeds(wanted: int | Sequence[int] | None, default: Sequence[int]) -> tuple[
     if not seeds or min(seeds) < 0 or len(set(seeds)) != len(seeds):
         raise PlacecatError(f"seeds={wanted} must be different whole numbers of 0 or more: e.g. seeds=[0,1]")
     return tuple(seeds)
+
+
+def _probabilities(own: Mapping[str, Any]) -> dict[str, Any]:
+    """Refuse wrong settings before anything runs."""
+    settings.call(probability_quality, [0], np.ones((1, 1)), settings=own, where="probabilities")
+    return dict(own)
 
 
 def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:

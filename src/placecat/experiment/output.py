@@ -11,6 +11,8 @@ SECONDS = "seconds.json"
 TRACEBACK = "traceback.txt"
 SUMMARY = "summary.csv"
 FAILED = "failed"
+# Of every result, by the names in the tables' runs; results of older versions have the first one only.
+MEASURES = ("accuracy", "log_loss", "calibration_error")
 # The preliminary result of a job.
 KILLED = "its process was killed, perhaps because memory ran out"
 
@@ -38,4 +40,12 @@ def shown(result: dict[str, Any]) -> str:
         return f"failed: {result[FAILED]}"
     if result["accuracy"] is None:
         return f"no number: {result['reason']}"
-    return f"{result['accuracy']:.2f} %"
+    return f"{result['accuracy']:.2f} %" + quality(result)
+
+
+def quality(result: dict[str, Any]) -> str:
+    """Log-loss and calibration error as the end of a line; "" if the result has none."""
+    log_loss, error = (result.get(measure) for measure in MEASURES[1:])
+    if log_loss is None or error is None:
+        return ""
+    return f", log-loss {log_loss:.3f} nats, calibration error {error:.2f} %"

@@ -1,47 +1,67 @@
 """Compute one experiment with the functions behind the tables."""
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
-from placecat import parallel, paths
+from placecat import parallel, paths, settings
 from placecat.compute import cluster
-from placecat.evaluation.accuracy import home_accuracy
+from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
+from placecat.evaluation.quality import probability_quality
 from placecat.experiment.combination import Experiment
+from placecat.experiment.output import MEASURES
+from placecat.results.quality import FILE_DECIMALS
 from placecat.training import trial
+from placecat.training.cue import Cue
+from placecat.training.plan import Plan
 
-Outcome = np.ndarray | str
+# Measures and confusion of one tested home and seed, or the reason why they are missing.
+Outcome = dict[str, Any] | str
 
 
 def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
     """Train and test for every test home, fold and seed; no result depends on the number of `workers`.
 
-    Returns JSON types only: ``settings``; ``accuracy`` in percent, the mean over test homes, or None; and
-    ``homes``. Each test home has its ``accuracy``, the mean over seeds and folds, or the ``reason`` why it
-    has none, and ``folds``: ``accuracy`` and ``confusion`` (counts, true places as rows) of each tested home
-    and seed.
+    Returns JSON types only: ``settings``; ``accuracy`` in percent, ``log_loss`` in nats and
+    ``calibration_error`` in percent, means over test homes or None; and ``homes``. Each test home has the
+    same measures, means over seeds and folds, or the ``reason`` why it has none, and ``folds``: the measures
+    and ``confusion`` (counts, true places as rows) of each tested home and seed.
     """
     plans = experiment.plans()
     keys = [
         (home, plan, seed) for home, of_home in plans.items() for plan in of_home for seed in experiment.seeds
     ]
     cue = trial.of_settings(experiment.settings)
-    tasks = [(plan, [cue], seed) for _, plan, seed in keys]
+    tasks = [(plan, cue, seed, experiment.probabilities) for _, plan, seed in keys]
     if workers > 1 or cluster() is not None:
-        outcomes = parallel.in_parallel(trial.judge, tasks, "experiment", n_jobs=workers)
+        outcomes = parallel.in_parallel(_measure, tasks, "experiment", n_jobs=workers)
     else:
-        outcomes = [parallel.single_threaded(trial.judge, task) for task in tasks]
+        outcomes = [parallel.single_threaded(_measure, task) for task in tasks]
     by_home: dict[str, list[tuple[str, int | None, Outcome]]] = {home: [] for home in plans}
-    for (home, plan, seed), [(found, _)] in zip(keys, outcomes, strict=True):
+    for (home, plan, seed), found in zip(keys, outcomes, strict=True):
         by_home[home].append((plan.tested[0].sequence, seed, found))
     homes = {home: _of_home(own) for home, own in by_home.items()}
-    accuracies = [own["accuracy"] for own in homes.values() if own["accuracy"] is not None]
     return {
         "settings": experiment.described(),
         "classes": list(experiment.data.classes),
-        "accuracy": float(np.mean(accuracies)) if accuracies else None,
+        **_means([own for own in homes.values() if own["reason"] is None]),
         "reason": next((own["reason"] for own in homes.values() if own["reason"]), None),
         "homes": homes,
+    }
+
+
+def _measure(plan: Plan, cue: Cue, seed: int | None, probabilities: Mapping[str, Any]) -> Outcome:
+    """Train on one fold, and measure the distributions of its tested home."""
+    truth, [(proba, _)] = trial.predict(plan, [cue], seed)
+    if isinstance(proba, str):
+        return proba
+    confusion = confusion_matrix(truth, proba.argmax(axis=1), len(plan.classes))
+    quality = settings.call(probability_quality, truth, proba, settings=probabilities, where="probabilities")
+    return {
+        "accuracy": home_accuracy(confusion),
+        "confusion": confusion.tolist(),
+        **{measure: round(value, FILE_DECIMALS) for measure, value in quality._asdict().items()},
     }
 
 
@@ -51,11 +71,17 @@ def _of_home(outcomes: list[tuple[str, int | None, Outcome]]) -> dict[str, Any]:
     folds: dict[str, dict[str, Any]] = {}
     for test, seed, found in outcomes:
         if not isinstance(found, str):
-            own = {"accuracy": home_accuracy(found), "confusion": found.tolist()}
-            folds.setdefault(test, {})[paths.seed_name(seed)] = own
-    accuracies = [own["accuracy"] for of_fold in folds.values() for own in of_fold.values()]
+            folds.setdefault(test, {})[paths.seed_name(seed)] = found
+    measured = [own for of_fold in folds.values() for own in of_fold.values()]
     return {
-        "accuracy": None if reasons else float(np.mean(accuracies)),
+        **_means([] if reasons else measured),
         "reason": reasons[0] if reasons else None,
         "folds": folds,
+    }
+
+
+def _means(measured: list[dict[str, Any]]) -> dict[str, float | None]:
+    return {
+        measure: float(np.mean([one[measure] for one in measured])) if measured else None
+        for measure in MEASURES
     }

@@ -14,10 +14,19 @@ from placecat.experiment import output
 from placecat.experiment.options import TEST_HOME
 from placecat.paths import seed_name
 from placecat.report import formats
+from placecat.results.measured import DECIMALS
 
 HOME = "test_home"
 AVERAGE = "average"
 _MOST_COLUMNS = 12
+# Characters in a line of a printed table.
+_WIDTH = 100
+_UNITS = {
+    "accuracy": "Accuracy in percent",
+    "log_loss": "Log-loss in nats",
+    "calibration_error": "Calibration error in percent",
+}
+_DECIMALS = {"accuracy": 2} | DECIMALS
 
 
 @dataclass(frozen=True)
@@ -67,39 +76,51 @@ def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
 
 
 def as_frame(ran: Sequence[Ran]) -> pd.DataFrame:
-    """One row per experiment: number, swept keys, accuracy and spread in percent, and problems."""
-    rows = [
-        {
-            "number": one.number,
-            **one.values,
-            "accuracy": np.nan if one.result["accuracy"] is None else round(one.result["accuracy"], 2),
-            "spread": round(one.spread, 2),
-            "note": one.result.get(output.FAILED) or one.result["reason"] or "",
-        }
-        for one in ran
-    ]
+    """One row per experiment: number, swept keys, measures with the accuracy's spread, and problems.
+
+    ``log_loss`` is in nats, the other measures and ``spread`` are in percent; NaN for missing ones.
+    """
+    rows = []
+    for one in ran:
+        accuracy, *others = (round(_value(one, measure), _DECIMALS[measure]) for measure in output.MEASURES)
+        rows.append(
+            {
+                "number": one.number,
+                **one.values,
+                "accuracy": accuracy,
+                "spread": round(one.spread, 2),
+                **dict(zip(output.MEASURES[1:], others, strict=True)),
+                "note": one.result.get(output.FAILED) or one.result["reason"] or "",
+            }
+        )
     return pd.DataFrame(rows)
 
 
-def _accuracies(ran: Sequence[Ran]) -> pd.DataFrame:
-    """Swept keys and unrounded accuracy; NaN for experiments without one."""
-    frame = pd.DataFrame([{**one.values, "accuracy": one.result["accuracy"]} for one in ran])
+def _value(one: Ran, measure: str) -> float:
+    """One of the measures, unrounded; NaN for experiments without it."""
+    value = one.result.get(measure)
+    return float("nan") if value is None else float(value)
+
+
+def _values(ran: Sequence[Ran], measure: str) -> pd.DataFrame:
+    """Swept keys and unrounded values of a measure; NaN for experiments without it."""
+    frame = pd.DataFrame([{**one.values, measure: _value(one, measure)} for one in ran])
     # A sweep may contain a home in two spellings.
-    return frame.astype({"accuracy": float}).drop_duplicates(list(ran[0].values) or None)
+    return frame.drop_duplicates(list(ran[0].values) or None)
 
 
-def grid(ran: Sequence[Ran]) -> pd.DataFrame:
-    """The accuracies as a table of text over the swept keys.
+def grid(ran: Sequence[Ran], measure: str = "accuracy") -> pd.DataFrame:
+    """The values of a measure as a table of text over the swept keys.
 
     The columns are the values of the first numeric key, or else of the last key except the test home. If
     test homes were swept, their average is below them.
     """
-    swept, frame = list(ran[0].values), _accuracies(ran)
+    swept, frame = list(ran[0].values), _values(ran, measure)
     others = [key for key in swept if key != HOME]
     if HOME in swept and frame[HOME].nunique() > 1:
         groups = frame.groupby(others, sort=False) if others else frame.groupby(lambda _: 0)
-        means = groups["accuracy"].mean().reset_index()
-        frame = pd.concat([frame, means.assign(**{HOME: AVERAGE})])[[*swept, "accuracy"]]
+        means = groups[measure].mean().reset_index()
+        frame = pd.concat([frame, means.assign(**{HOME: AVERAGE})])[[*swept, measure]]
     numbers = [key for key in others if pd.to_numeric(frame[key], errors="coerce").notna().all()]
     across = (numbers[:1] or others[-1:]) if len(swept) > 1 else []
     across = [key for key in across if frame[key].nunique() <= _MOST_COLUMNS]
@@ -109,14 +130,14 @@ def grid(ran: Sequence[Ran]) -> pd.DataFrame:
         # Keep the order of the sweep.
         frame[key] = pd.Categorical(frame[key], frame[key].unique())
     table = frame.set_index([*down, *across]) if swept else frame
-    table = table["accuracy"].unstack(across) if across else table.sort_index()
+    table = table[measure].unstack(across) if across else table.sort_index()
     table.columns = pd.Index(list(table.columns), name=across[0] if across else None)
-    return table.map(lambda value: "-" if np.isnan(value) else f"{value:.2f}")
+    return table.map(lambda value: "-" if np.isnan(value) else f"{value:.{_DECIMALS[measure]}f}")
 
 
 def highest(ran: Sequence[Ran]) -> tuple[dict[str, str], float] | None:
     """The settings with the highest accuracy, averaged over swept test homes."""
-    frame = _accuracies(ran)
+    frame = _values(ran, "accuracy")
     others = [key for key in ran[0].values if key != HOME]
     # Settings without a number for one of the homes cannot be compared.
     means = [
@@ -132,7 +153,7 @@ def highest(ran: Sequence[Ran]) -> tuple[dict[str, str], float] | None:
 
 def text(ran: Sequence[Ran]) -> str:
     """The summary of a sweep, to print."""
-    lines = ["Accuracy in percent", "", grid(ran).to_string(), ""]
+    lines = [_tables(ran), ""]
     top = highest(ran)
     if top is not None and len(ran) > 1:
         homes = len({one.values.get(HOME) for one in ran})
@@ -142,6 +163,25 @@ def text(ran: Sequence[Ran]) -> str:
         f"{label(one.values)}: {output.shown(one.result)}" for one in ran if one.result["accuracy"] is None
     ]
     return "\n".join(lines)
+
+
+def _tables(ran: Sequence[Ran]) -> str:
+    """The measures that there are: side by side, or one below the other if that is too wide."""
+    found = {
+        measure: grid(ran, measure)
+        for measure in output.MEASURES
+        if measure == "accuracy" or not all(np.isnan(_value(one, measure)) for one in ran)
+    }
+    if len(found) > 1:
+        is_grid = next(iter(found.values())).columns.name is not None
+        beside = pd.concat(list(found.values()), axis=1, keys=list(found) if is_grid else None)
+        lines = beside.to_string()
+        if max(map(len, lines.splitlines())) <= _WIDTH:
+            units = ", ".join(_UNITS[measure] for measure in found)
+            return f"{units.capitalize()}\n\n{lines}"
+    return "\n\n".join(
+        f"{_UNITS[measure]}\n\n{table.to_string(line_width=_WIDTH)}" for measure, table in found.items()
+    )
 
 
 def markdown(ran: Sequence[Ran]) -> str:
@@ -155,7 +195,7 @@ def markdown(ran: Sequence[Ran]) -> str:
 
 
 def text_of_one(result: dict[str, Any]) -> str:
-    """The result of a single experiment: accuracy by home and seed, and confusions."""
+    """The result of a single experiment: accuracy by home and seed, means of other measures, confusions."""
     if result["accuracy"] is None:
         return output.shown(result)
     own = result["settings"]
@@ -172,6 +212,8 @@ def text_of_one(result: dict[str, Any]) -> str:
         lines.append(f"{home}: {of_home['accuracy']:.2f} % ({', '.join(parts)})")
     if len(lines) > 1:
         lines.append(f"{AVERAGE}: {result['accuracy']:.2f} %")
+    if quality := output.quality(result):
+        lines.append(quality.removeprefix(", ").capitalize())
     table = confusion(result)
     shares = 100 * table / np.maximum(table.sum(axis=1, keepdims=True), 1)
     frame = pd.DataFrame(shares, index=result["classes"], columns=result["classes"])
