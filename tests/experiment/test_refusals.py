@@ -86,6 +86,16 @@ def test_an_interval_is_for_a_search(project):
         swept("descriptor=gist", "classifier=nu_svm", "classifier.base.nu=interval(0.1,0.2)")
 
 
+@pytest.mark.parametrize(("last", "used"), [("4", [4]), ("13,4", [13, 4])])
+def test_the_last_values_of_a_key_are_used(project, last, used):
+    """The table does not name values that were not computed."""
+    words = ("descriptor=gist", "classifier=knn", SMALL[1], "classifier.clusters=13,16")
+    experiments, combinations = swept(*words, "test_home=h1", f"classifier.clusters={last}")
+    assert [one.settings["classifier"]["clusters"] for one in experiments] == used
+    swept_values = [{"classifier.clusters": str(one)} for one in used]
+    assert combinations == (swept_values if len(used) > 1 else [{}])
+
+
 def test_combinations_are_in_the_order_that_hydra_numbers_them_in(project):
     experiments, combinations = swept(
         "descriptor=gist", "classifier=knn,naive_bayes", "classifier.clusters=16,46", "track=false"

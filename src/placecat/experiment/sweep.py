@@ -31,8 +31,12 @@ def grid(arguments: Sequence[str], loader: ConfigLoader) -> tuple[list[list[str]
     which only a search allows, raises PlacecatError.
     """
     overrides = OverridesParser.create(config_loader=loader).parse_overrides(list(arguments))
+    last = {one.get_key_element(): one for one in overrides}
     choices: list[list[tuple[str, dict[str, str]]]] = []
     for one in overrides:
+        if one.is_sweep_override() and one is not last[one.get_key_element()]:
+            # Hydra uses the last value of a key.
+            continue
         if not one.is_sweep_override():
             choices.append([(str(one.input_line), {})])
         elif one.is_discrete_sweep():
