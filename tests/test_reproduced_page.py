@@ -65,7 +65,7 @@ def test_the_page_fits_its_window(reproduced, tmp_path, width):
 def test_the_page_says_that_the_data_differ(reproduced):
     folder, _, _ = reproduced
     text = (folder / "reports/index.html").read_text()
-    assert text.count("other data, so the shading shows a difference of the data as well") == 31
+    assert text.count("other data, so the shading also shows a difference of the data") == 31
 
 
 def test_the_page_needs_no_server(reproduced):

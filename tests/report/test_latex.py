@@ -109,6 +109,6 @@ def test_empty_cells_have_a_footnote_with_the_reason():
 
 def test_it_says_what_the_published_numbers_are_from():
     other = table_latex(settings(5), cells(5), DATASET)
-    assert "on the VPC-2009 home database: other data, which do not compare." in other
+    assert "on the VPC-2009 home database, so they are not comparable." in other
     same = table_latex(settings(5), cells(5), DATASET | {"thesis_data": "VPC-2009 home database"})
-    assert "In italics the published numbers, on the same data." in same
+    assert "Published numbers are in italics, on the same data." in same

@@ -20,7 +20,7 @@ def test_a_table_has_the_measured_numbers_first_and_the_published_below():
         expected = [f"{value:.2f}" for value in table[column]]
         assert [one for one in numbers if "." in one] == expected
         assert "**HOG + y-Pos**" in part
-    assert "other data, so the two tables do not compare" in published
+    assert "They are not comparable, since the data differ." in published
 
 
 def test_rows_are_as_wide_as_the_head():
