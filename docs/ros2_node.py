@@ -26,7 +26,7 @@ class PlaceNode(Node):
         self.create_subscription(Image, "image", self.see, newest)
 
     def see(self, message: Image) -> None:
-        """Categorize a frame, unless it came late. A clock that goes back by more than 1 s resets the categorizer."""
+        """Categorize a frame, unless it came late. A clock that goes back by more than 1 s causes a reset."""
         now = message.header.stamp.sec + message.header.stamp.nanosec / 1e9
         if self.last - 1 <= now <= self.last:
             return

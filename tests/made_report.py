@@ -20,7 +20,7 @@ THESIS_DATA = "VPC-2009 home database"
 MEASURED = (Note(Kind.DATA, "measured on made-up homes"),)
 ON_OTHER_DATA = (
     *MEASURED,
-    Note(Kind.NOT_COMPARABLE, f"the published number is from the {THESIS_DATA} and does not compare"),
+    Note(Kind.NOT_COMPARABLE, f"the published number is from the {THESIS_DATA} and is not comparable"),
 )
 QUOTE = Note(Kind.PUBLISHED, 'the thesis says "over 3% lower"')
 VERDICTS = ["holds", "does not hold", "undecided"]

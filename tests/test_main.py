@@ -235,7 +235,7 @@ def test_a_second_run_is_equal_and_counts_no_stage(committed):
     result = placecat(committed, "repro")
     assert result.returncode == 0, result.stderr
     assert "Times: no stage had to run; " in result.stdout
-    assert result.stdout.endswith("Tables: 2 of 2 cells equal to the kept ones (git HEAD).\n")
+    assert result.stdout.endswith("Tables: 2 of 2 cells equal the old ones (git HEAD).\n")
     assert (committed / "data/times.json").read_bytes() == before
 
 
@@ -269,7 +269,7 @@ def test_other_settings_are_no_failure(committed):
     result = placecat(committed, "repro", "probabilities.bins=17")
     assert result.returncode == 0, result.stderr
     assert "1 of 2 cells equal" in result.stdout
-    assert "Settings differ from the kept ones: probabilities.bins. Expect differences." in result.stdout
+    assert "Settings differ: probabilities.bins. Expect differences." in result.stdout
 
 
 def test_a_failed_run_shows_neither_times_nor_tables(committed):

@@ -207,7 +207,7 @@ def test_frames_of_other_sizes_are_scaled_if_asked():
     ]
     for frame, other in zip(seen, (large[0], seen[1], large[2]), strict=True):
         np.testing.assert_array_equal(plain.update(frame).proba, scaling.update(other).proba)
-    with pytest.raises(PlacecatError, match=r"only 32% of it would be left; film .*, or train a model"):
+    with pytest.raises(PlacecatError, match=r"only 32% of it would remain; film .*, or train a model"):
         scaling.update(np.zeros((320, 180, 3), np.uint8))
 
 

@@ -33,7 +33,7 @@ def test_the_size_that_keeps_most_is_chosen():
 
 
 def test_another_shape_is_refused_where_little_is_left():
-    with pytest.raises(PlacecatError, match=r"720x1280 pixels: cut to the shape of 640x480.* only 42% of it"):
+    with pytest.raises(PlacecatError, match=r"720x1280 pixels: cropped to .*, 640x480, only 42% of it"):
         fit((720, 1280), [(640, 480)], resize=True)
 
 

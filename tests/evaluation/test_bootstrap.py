@@ -78,7 +78,7 @@ def test_a_maximum_is_taken_again_in_every_resample():
 
 
 def test_one_unit_has_no_interval():
-    with pytest.raises(ValueError, match="1 units have no interval"):
+    with pytest.raises(ValueError, match="at least 2 units, not 1"):
         mean_of(np.array([1.0]))
 
 

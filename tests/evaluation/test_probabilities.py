@@ -171,7 +171,7 @@ def test_nothing_labelled_has_no_numbers():
 
 @pytest.mark.parametrize("bins", [0, -1, 2.5, True, "10"])
 def test_impossible_bins_are_refused(bins):
-    with pytest.raises(PlacecatError, match=r"probabilities\.bins must be a whole number from 1 on, but is"):
+    with pytest.raises(PlacecatError, match=r"probabilities\.bins must be a whole number of at least 1, not"):
         reliability([0], np.array([[1.0]]), bins=bins)
 
 

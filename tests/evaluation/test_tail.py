@@ -64,5 +64,5 @@ def test_coverage_of_six_homes_with_five_results(between):
 
 
 def test_one_unit_has_no_interval():
-    with pytest.raises(ValueError, match="1 units have no interval"):
+    with pytest.raises(ValueError, match="at least 2 units, not 1"):
         of_one_case([1.0], 0.0)

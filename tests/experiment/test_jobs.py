@@ -168,7 +168,7 @@ def test_a_second_sweep_of_the_same_command_waits_and_finds_all_finished(tmp_pat
         if not process:
             one.run()
             os._exit(0)
-        while "this one waits for it" not in capfd.readouterr().err:
+        while "waiting for it" not in capfd.readouterr().err:
             time.sleep(0.1)
         assert not ran.read_text()
         assert not (one.folder / "0").exists()

@@ -101,7 +101,7 @@ def test_sizes_that_an_encoding_cannot_have():
 
 
 def test_other_encodings_are_named():
-    with pytest.raises(PlacecatError, match="encoding '16UC1' are not read; give another topic") as caught:
+    with pytest.raises(PlacecatError, match="encoding '16UC1' is not supported; choose") as caught:
         decode(bytes(96), "16UC1", 16)
     assert not isinstance(caught.value, Damaged)
 

@@ -90,7 +90,7 @@ def test_numbers_in_names_are_numbers(ordered, tmp_path):
         ),
         (["0001.jpg", "0002.jpg", "0001_depth.png", "0002_depth.png"], "the same frame"),
         (["frame-1.color.png", "frame-2.color.png", "frame-1.depth.png"], "the same frame"),
-        (["1.jpg", "2.webp"], r"2\.webp: pictures of this kind are not read \(1 here\)"),
+        (["1.jpg", "2.webp"], r"2\.webp: this kind of picture is not supported \(1 here\)"),
         *(
             (["1.jpg", f"2.{kind}", f"3.{kind}"], r"\(2 here\)")
             for kind in ("bmp", "tif", "TIFF", "heic", "gif")

@@ -121,7 +121,7 @@ def test_a_camera_stops_after_the_seconds_and_never_overwrites(
         main(["predict", "camera", "--seconds", "0.3", "--video"])
     assert sorted(path.name for path in (tmp_path / "predictions").iterdir()) == ["camera_0", "camera_0_2"]
     shown = capsys.readouterr().out
-    assert "frames came meanwhile and were dropped" in shown
+    assert "frames arrived in between and were dropped" in shown
     table = pd.read_csv(tmp_path / "predictions/camera_0/frames.csv")
     assert table["seconds"].between(0, 0.3, inclusive="left").all()
     # The film runs as time did, though drawing left out frames.

@@ -81,7 +81,7 @@ def test_the_tables_have_what_the_system_said_to_the_bit(folder, source, capsys)
     [
         ("frame3.jpg", "the same frame as frame3"),
         ("depth3.png", "the same frame as"),
-        ("frame99.webp", "pictures of this kind are not read"),
+        ("frame99.webp", "this kind of picture is not supported"),
         ("frame99.jpg", "not a readable image"),
     ],
 )
@@ -194,7 +194,7 @@ def test_frames_that_come_slowly_are_noted(folder, monkeypatch, capsys, argument
     monkeypatch.setattr(FakeCategorizer, "threshold", threshold)
     predict("walk.avi", *arguments)
     rate = "12.5" if "--every" in arguments else "20"
-    note = f"{rate} frames/s are taken, and the confidence for `unknown` was chosen at 25"
+    note = f"{rate} frames/s are used, but the confidence for `unknown` was chosen at 25"
     assert (note in capsys.readouterr().err) == is_noted
     assert ("notes" in json.loads((folder / "predictions/walk/summary.json").read_text())) == is_noted
 

@@ -285,7 +285,7 @@ def test_every_table_says_what_its_numbers_are_from(page):
     html = page.read_text(encoding="utf-8")
     for number in range(1, 32):
         said = text_of(part_of(html, f"table-{number}"))
-        assert "Here: made-up homes. Thesis: VPC-2009 home database, other data, so the shading also shows" in said
+        assert "Here: made-up homes. Thesis: VPC-2009 home database, other data, so the shading also" in said
     same = Table(settings(5), made_report.cells(5), DATASET | {"thesis_data": "VPC-2009 home database"})
     said = text_of(part_of(page_html(replace(made_report.report(), tables=[same])), "table-5"))
     assert "Thesis: VPC-2009 home database." in said

@@ -119,7 +119,7 @@ def test_mistakes_in_the_settings(root, settings, message):
 def test_mistakes_on_disk(root, tmp_path):
     walk(root / "Home2/1.bag", count=3)
     walk(root / "Home2/2.bag", count=3, size=(32, 24))
-    with pytest.raises(PlacecatError, match=r"2\.bag: frames are 32x24, those of 1\.bag 64x48"):
+    with pytest.raises(PlacecatError, match=r"2\.bag: frames are 32x24, but in 1\.bag 64x48"):
         open_home("bags", root, "Home2")
     walk(root / "Home3/1.bag", count=3)
     walk(root / "Home3/1.mcap", count=3)

@@ -117,7 +117,7 @@ class TestReadFrames:
         # NumPy turns counter-clockwise.
         back = [np.rot90(image, turn // 90) for image, turn in zip(images, mixed["turn"], strict=True)]
         assert [decoded(np.ascontiguousarray(image)) for image in back] == [5, 77, 6]
-        with pytest.raises(PlacecatError, match=r"a\.avi frame 6: the frame is 64x48, the others .* 48x64"):
+        with pytest.raises(PlacecatError, match=r"a\.avi frame 6: the frame is 64x48, but .* 48x64"):
             list(read_frames(tmp_path, mixed.assign(turn=0), size=(HEIGHT, WIDTH)))
         with pytest.raises(PlacecatError, match="cannot be turned by 45 degrees; choose 0, 90, 180 or 270"):
             list(read_frames(tmp_path, mixed.assign(turn=45)))

@@ -145,7 +145,7 @@ def test_a_phone_turned_while_filming_is_refused(tmp_path: Path) -> None:
     turned_on_the_way(tmp_path / "flat.webm")
     (tmp_path / "wide.webm").unlink()
     with pytest.raises(
-        PlacecatError, match=r"flat\.webm: frame 6 is 48x64, earlier ones 64x48 .* cut the video"
+        PlacecatError, match=r"flat\.webm: frame 6 is 48x64, but earlier ones are 64x48 .* cut the video"
     ):
         video.read_home(tmp_path, "flat")
 

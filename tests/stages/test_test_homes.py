@@ -77,7 +77,7 @@ def test_scores_of_tested_homes_are_the_same_and_others_have_a_reason(folders):
             elif (name, home) in some.missing:
                 assert in_home(some, name, number).notes == (NOT_TESTED,)
     average = over_homes(some, "smoothing/das", range(1, 5))
-    assert average.notes == ("mean over Home 2, Home 4 only",)
+    assert average.notes == ("mean over only Home 2, Home 4",)
 
 
 def test_a_trial_of_no_tested_home_has_reasons_alone(folders):

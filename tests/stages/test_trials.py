@@ -38,7 +38,7 @@ def test_what_the_data_cannot_give_has_a_reason(folder):
     _, missing = tables(folder)
     assert missing["result"].unique().tolist() == [f"{TREE}400"]
     assert missing["home"].tolist() == ["H1", "H3"]
-    assert missing["reason"].str.startswith("400 clusters cannot be had").all()
+    assert missing["reason"].str.startswith("400 clusters are impossible").all()
 
 
 def test_a_trial_and_a_cue_of_the_same_settings_agree(folder):

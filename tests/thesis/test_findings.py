@@ -124,7 +124,7 @@ def test_the_published_number_beside_a_measured_one_is_of_the_same_cell():
     row = comparisons.iloc[1]
     assert row["right_results"] == "trials/table_04/Naive Bayes||196"
     assert row["published_right"] == PUBLISHED.of_trial(row["right_results"])
-    assert "most clusters without 496, 991, which this data cannot give" in row["reason"]
+    assert "most clusters without 496, 991, which this data does not allow" in row["reason"]
 
 
 def test_the_university_is_pooled_as_in_its_table(judged):
@@ -197,8 +197,8 @@ def test_a_finding_shows_the_comparison_that_decides_it():
     assert both["measured"] == "close 41.50, base 38.83"
     assert both["difference"] == 2.67
     assert re.match(
-        r"of 2 comparisons: holds 2, allowing for 2 comparisons \(Bonferroni: 97.5 % intervals\); "
-        "shown is close against base; the whole",
+        r"2 comparisons: holds 2, allowing for 2 comparisons \(Bonferroni: 97.5 % intervals\); "
+        "shown: close against base; the whole",
         both["reason"],
     )
     assert row("clear", "open")[["verdict", "measured"]].tolist() == [UNDECIDED, "open 39.33, base 38.83"]

@@ -113,9 +113,9 @@ def test_no_error_gives_no_ratio():
 
 def test_on_other_data_numbers_do_not_compare():
     note = filled().loc[("gist_without_color", "without colour", "Home 6"), "note"]
-    assert "the published number is from the VPC-2009 home database and does not compare" in note
+    assert "the published number is from the VPC-2009 home database and is not comparable" in note
     same = fill(dataset={"title": "d", "thesis_data": "VPC-2009 home database"})
-    other = same[same["note"].str.contains("does not compare")]
+    other = same[same["note"].str.contains("is not comparable")]
     names = {
         "university_beside_homes",
         "university_integration",
@@ -250,7 +250,7 @@ def test_an_average_is_over_the_homes_with_both_sides():
     difference = (one.by_home() - other)[:, :5].mean()
     assert lines.loc[("difference", "Average"), "measured"] == pytest.approx(difference, abs=0.005)
     assert (
-        "mean over Home 1, Home 2, Home 3, Home 4, Home 5 only"
+        "mean over only Home 1, Home 2, Home 3, Home 4, Home 5"
         in lines.loc[("difference", "Average"), "note"]
     )
     assert lines.loc[("with colour", "Average"), "measured"] == pytest.approx(other[:, :5].mean(), abs=0.005)

@@ -63,7 +63,7 @@ def test_swapped_sides_turn_holds_into_does_not_hold():
 def test_what_differs_between_homes_is_undecided():
     judged = compare(measured(shifted([9, -8, 7, -6, 5, -2])), measured(HOMES))
     assert judged.verdict == UNDECIDED
-    assert judged.reason == "only a part of the interval is above 0"
+    assert judged.reason == "only part of the interval is above 0"
 
 
 def test_two_homes_are_judged_by_their_seeds():
@@ -140,7 +140,7 @@ def test_both_signs_takes_a_share_of_the_cases_each(gains, counts, verdict):
     assert (judged.measurement.worse, judged.measurement.better) == counts
     assert judged.verdict == verdict
     assert judged.reason.startswith(
-        f"worse in {counts[0]}, better in {counts[1]} of 6 cases; by at least 1 points"
+        f"worse in {counts[0]}, better in {counts[1]} of 6 cases; worse by at least 1 points"
     )
 
 
@@ -180,7 +180,7 @@ def test_what_fails_by_itself_need_not_fail_among_many():
     assert alone.measurement.corrected == alone.measurement.interval
     among = compare(left, right, comparisons=14)
     assert among.verdict == UNDECIDED
-    assert among.reason == "none of the interval is above 0, but a part of the 99.64 % one"
+    assert among.reason == "none of the interval is above 0, but part of the 99.64 % interval is"
     assert among.measurement.interval == alone.measurement.interval
     assert among.measurement.corrected.low < among.measurement.interval.low
     clear = compare(measured(HOMES - 4), right, comparisons=14)

@@ -39,7 +39,7 @@ def test_a_home_without_a_number_has_a_reason_and_the_average_leaves_it_out():
     assert found["Home 4"].notes == ("the data set has only 3 homes",)
     assert np.isnan(found["Home 3"].measured)
     assert found["Average"].values.tolist() == [87.5, 62.5]
-    assert found["Average"].notes == ("mean over Home 1 only",)
+    assert found["Average"].notes == ("mean over only Home 1",)
     nowhere = over_homes(results(C="no frames"), "one", [3, 4])
     assert nowhere.notes == ("no frames", "the data set has only 3 homes")
     assert (nowhere.seeds, len(nowhere.values)) == (0, 0)

@@ -60,7 +60,7 @@ def test_last_is_that_of_those_measured():
     last = side("a", "b", "c", combine="last")
     paired = pair(results(a=FIXED, b=RANDOM), [last], few_homes=2)
     assert paired.sides[0].results == ("b",)
-    assert paired.note == "side without c, which this data cannot give"
+    assert paired.note == "side without c, which this data does not allow"
     with pytest.raises(NotComputable, match="this run has no result c"):
         pair(results(), [last], few_homes=2)
 
@@ -69,7 +69,7 @@ def test_the_best_is_of_those_that_could_be_computed_and_the_rest_is_noted():
     found = results({("b", "home_1"): "too few frames"}, a=FIXED, c=RANDOM)
     paired = pair(found, [side("a", "b", combine="best"), side("c")], few_homes=2)
     assert paired.sides[0].results == ("a",)
-    assert paired.note == "side without b, which this data cannot give"
+    assert paired.note == "side without b, which this data does not allow"
     with pytest.raises(NotComputable, match="this run has no result d"):
         pair(found, [side("a", "d", combine="best")], few_homes=2)
     with pytest.raises(NotComputable, match=r"^b: too few frames$"):
@@ -81,7 +81,7 @@ def test_means_keep_what_both_sides_could_give():
     paired = pair(found, [side("a", "b"), side("c", "d")], few_homes=2)
     assert [one.results for one in paired.sides] == [("a",), ("c",)]
     assert paired.note == (
-        "side without b, which this data cannot give; side without d, which this data cannot give"
+        "side without b, which this data does not allow; side without d, which this data does not allow"
     )
 
 

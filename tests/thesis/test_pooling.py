@@ -66,7 +66,7 @@ def test_stays_are_the_units():
 def test_a_place_with_a_single_stay_is_too_few():
     stays = ((0, 10), (0, 10), (0, 10), (1, 5))
     pooled = pool(results(a=by_stay((5, 5, 5, 5), stays=stays)), [Side("left", ("a",))])
-    assert pooled.too_few(4) == "one stay only shows kitchen: too few for a verdict"
+    assert pooled.too_few(4) == "only one stay shows kitchen: too few for a verdict"
     assert pooled.too_few(5) == "4 stays are too few for a verdict"
     assert pool(results(a=A), [Side("left", ("a",))]).too_few(4) == ""
     single = pool(results(a=by_stay((5, 5), stays=((0, 10), (1, 5)))), [Side("left", ("a",))])

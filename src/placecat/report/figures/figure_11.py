@@ -75,7 +75,7 @@ def figure(
 ) -> Figure:
     """Draw panels: title to (frames, classes) distributions; (frames,) true classes are -1 if unlabelled.
 
-    The frames are those of a home, beginning with `start`.
+    `start` is the first frame, counted in its home.
     """
     colors = list(palette.place_colors(classes).values())
     decided = [proba.argmax(axis=1) for proba in outputs.values()]
