@@ -25,5 +25,5 @@ def test_a_home_is_told_from_one_whose_name_begins_alike(tmp_path):
     assert fold_file.seeds_in(tmp_path, "flat") == ["seed-0", "seed-1"]
     assert fold_file.seeds_in(tmp_path, "flat.2") == ["no-seed"]
     assert fold_file.seeded(tmp_path, "flat", 1).name == "flat.seed-1.npz"
-    # Nothing random has a part in it.
+    # Nothing in it is random.
     assert fold_file.seeded(tmp_path, "flat.2", 1).name == "flat.2.no-seed.npz"

@@ -1,4 +1,4 @@
-"""Items of a stage: what is made again, and what is not."""
+"""Items of a stage: which ones are remade, and which are not."""
 
 import json
 import shutil
@@ -15,7 +15,7 @@ FOLDER = Path("data/cues")
 
 @pytest.fixture
 def made(tmp_path, monkeypatch):
-    """Refresh two items made of one file each; gives the names of those that were made."""
+    """Refresh two items with one file each; return the names of the remade ones."""
     monkeypatch.chdir(tmp_path)
     Path("src").mkdir()
     Path("src/code.py").write_text("1")

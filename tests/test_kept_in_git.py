@@ -53,7 +53,7 @@ def commit(folder):
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """A project below the root of a repository, with two tables and what belongs to them in HEAD."""
+    """A project below the root of a repository; HEAD has two tables and their files."""
     project = tmp_path / "project"
     project.mkdir()
     monkeypatch.chdir(project)
@@ -169,7 +169,7 @@ def test_without_git_it_says_so(folder, monkeypatch):
 
 
 def test_an_optional_table_is_compared_by_runs_that_make_it_only(folder):
-    """A run without it leaves the kept one, of whatever data, and says nothing of it."""
+    """A run without it leaves the table in git unchanged, whatever its data, and does not mention it."""
     for number, needs in ((1, ""), (2, "needs: cues.embedding\n")):
         definition = paths.TABLE_DEFINITIONS / f"table_{number:02d}.yaml"
         files.write_text(definition, f"number: {number}\n{needs}")

@@ -28,7 +28,7 @@ def test_params_writes_the_composed_settings(folder):
 def test_params_without_overrides_are_the_committed_ones(folder):
     shutil.rmtree(folder / "conf")
     shutil.copytree(ROOT / "conf", folder / "conf")
-    # What is listed is written anew.
+    # The list is written again.
     (folder / "conf/found.yaml").unlink()
     main(["params"])
     assert (folder / "conf/found.yaml").read_text() == (ROOT / "conf/found.yaml").read_text()
@@ -86,7 +86,7 @@ def test_without_a_model_predict_says_how_to_make_one(folder):
     refused(result, "there is no model data/model.placecat: `make repro` or `placecat train` makes one")
 
 
-# A pipeline of the test's that takes no time: a stage that loops over homes, and one that writes two tables.
+# A quick pipeline: a stage that loops over homes, and one that writes two tables.
 CONF = """
 dataset:
   name: made
@@ -171,7 +171,7 @@ run(main)
 
 @pytest.fixture(scope="module")
 def ran(tmp_path_factory):
-    """A small project of which `placecat repro` has run everything, before anything was committed."""
+    """A small project after a complete `placecat repro`, before the first commit."""
     folder = tmp_path_factory.mktemp("ran")
     (folder / "conf").mkdir()
     for name, text in {

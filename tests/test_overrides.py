@@ -1,4 +1,4 @@
-"""What Hydra's grammar cannot read is refused with the setting's name and the quotes that it needs."""
+"""Overrides that Hydra cannot read are refused, with the setting's name and the necessary quotes."""
 
 import re
 import shlex
@@ -39,7 +39,7 @@ def refused(*given):
 
 
 def shown(message):
-    """How the message says that the override is written: for a shell, for make."""
+    """The spellings of the override in the message: for a shell, for make."""
     return re.search(r"write (.*), and with make (SET=.*)$", message).groups()
 
 

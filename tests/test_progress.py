@@ -21,7 +21,7 @@ print("done", flush=True)
 
 
 def in_terminal(program, columns):
-    """What a program writes to a terminal of some width."""
+    """Output of a program to a terminal of a given width."""
     import fcntl
     import struct
     import termios
@@ -34,7 +34,7 @@ def in_terminal(program, columns):
     try:
         while part := os.read(ours, 4096):
             written += part
-    # A terminal whose programs have ended.
+    # A terminal after its programs have ended.
     except OSError:
         pass
     os.close(ours)
@@ -54,7 +54,7 @@ def test_in_a_terminal_it_stays_one_line_and_is_gone_at_the_end(columns):
     assert re.search(r"frames of a home with a long name: +\d+ % .*", states[-1])
     if columns > 100:
         assert re.search(r"\d+ of 40 tasks, 0\d:\d\d left", states[-1])
-    # The last state is written over.
+    # The last state is overwritten.
     assert before.endswith("\r") and not before.split("\r")[-2].strip()
 
 

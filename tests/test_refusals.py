@@ -1,4 +1,4 @@
-"""Disk full, no permission: one message that names the file, nothing half written."""
+"""Disk full or no permission: one message that names the file, and no incomplete file."""
 
 import errno
 import os
@@ -28,7 +28,7 @@ WRITERS = {
 
 @pytest.fixture
 def small_files():
-    """No file may become larger than 100 kB, which fails as a full disk does."""
+    """No file may grow above 100 kB, which fails like a full disk."""
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     handler = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
     resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, before[1]))

@@ -1,4 +1,4 @@
-"""The node of docs/, with modules in place of those of ROS."""
+"""The node of docs/, with stand-ins for the modules of ROS."""
 
 import array
 import runpy
@@ -70,7 +70,7 @@ def test_the_node_says_what_the_categorizer_says(node):
     topic, see = node.subscribed
     assert topic == "image"
     see(message(images[0], 100.0))
-    # Late, and of an encoding that is not read.
+    # Late, and in an unsupported encoding.
     see(message(images[1], 99.5))
     see(message(images[1], 100.2, "mono16"))
     see(message(images[1], 100.5))

@@ -83,7 +83,7 @@ VARIANT = HOG | {"variant": "other"}
 
 @pytest.fixture
 def variant(folder):
-    """Regions of a variant in every third frame: those of the frame after it."""
+    """Regions of a variant in every third frame: the regions of the next frame."""
     rows = np.arange(0, 90, 3)
     for name in ("count", "regions", "local_hog"):
         files.write_array(folder / f"variant_other/{name}.npy", np.load(folder / f"{name}.npy")[rows + 1])

@@ -12,13 +12,13 @@ PEER = Peer("NumPy: sort", "numpy")
 
 
 class Clock:
-    """A clock that a call moves on by the seconds that the call takes."""
+    """A clock that each call advances by its duration."""
 
     def __init__(self, monkeypatch):
         self.now = 0.0
         self.calls = []
         monkeypatch.setattr("placecat_bench.timing.time.perf_counter", lambda: self.now)
-        # Quick, since the tests before may have left much.
+        # Quick, since earlier tests may have left much garbage.
         monkeypatch.setattr("placecat_bench.timing.gc.collect", lambda: None)
 
     def call(self, name, *durations):

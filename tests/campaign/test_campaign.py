@@ -1,4 +1,4 @@
-"""A short campaign: no damaged input ends in a traceback, and a campaign goes on where it stopped."""
+"""A short campaign: no damaged input ends in a traceback, and a stopped campaign resumes."""
 
 import collections
 
@@ -10,7 +10,7 @@ import pytest
 import campaign
 
 FEW = 25
-# What damage nobody can tell: formats without checksums hold other pictures that are as good.
+# Undetectable damage: in formats without checksums it can produce other valid pictures.
 UNSEEN = {"pictures", "videos"}
 
 

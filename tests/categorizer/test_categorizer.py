@@ -1,4 +1,4 @@
-"""The streaming object by itself; tests/test_pipeline.py compares it with the batch pipeline."""
+"""The streaming object alone; tests/test_pipeline.py compares it with the batch pipeline."""
 
 from dataclasses import replace
 
@@ -34,7 +34,7 @@ def test_a_decision_is_a_distribution_and_its_parts(categorizer):
 
 
 def test_it_is_causal(categorizer):
-    """What comes later does not change what was decided."""
+    """Later frames do not change earlier decisions."""
     seen = frames(6)
     short = [categorizer.update(frame).proba for frame in seen[:3]]
     categorizer.reset()
@@ -201,7 +201,7 @@ def test_frames_of_other_sizes_are_scaled_if_asked():
     system = make_system()
     plain, scaling = Categorizer(system), Categorizer(system, resize=True)
     seen = frames(3)
-    # Twice the size in twice the shape's height: the middle is left, and each pixel is there four times.
+    # Twice the size and twice the relative height: the middle remains, with each pixel four times.
     large = [
         np.pad(np.kron(frame, np.ones((2, 2, 1), np.uint8)), ((100, 100), (0, 0), (0, 0))) for frame in seen
     ]

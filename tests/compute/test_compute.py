@@ -1,4 +1,4 @@
-"""The settings `compute`: what they choose, and what is refused before anything runs."""
+"""The settings `compute`: what they choose, and wrong ones, which are refused before anything runs."""
 
 import sys
 
@@ -37,7 +37,7 @@ def test_settings_are_not_read_without_being_asked(params):
     params(compute={"kind": "dask", "scheduler": NOWHERE})
     assert squares() == [0, 1, 4]
     with compute.as_set():
-        # Nor where a task has to write files.
+        # Nor if a task has to write files.
         assert parallel.in_parallel(abs, [(-1,)], "", locally=True) == [1]
 
 

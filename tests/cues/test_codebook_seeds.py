@@ -1,4 +1,4 @@
-"""The seeds of every codebook, pinned: a name that changes in conf/ changes no clustering."""
+"""The pinned seeds of every codebook: a name that changes in conf/ changes no clustering."""
 
 import pytest
 
@@ -21,7 +21,7 @@ CODEBOOKS = {
     "sift_tracked": 965721177,
     "sift_y": 2510385973,
 }
-# By the first trial that clusters it.
+# Keyed by the first trial that clusters it.
 TRIALS = {
     "trials/addition_attention/|As used|": 3720955045,
     "trials/addition_attention/|Without spectral residual|": 360805453,

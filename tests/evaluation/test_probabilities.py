@@ -71,7 +71,7 @@ def test_unlabelled_frames_and_the_order_of_frames_do_not_count(seed, bins):
 
 @given(st.integers(0, 1000))
 def test_frames_said_twice_change_nothing(seed):
-    """Places weigh the same, so that the frames of one may be counted twice."""
+    """Places weigh the same, so counting the frames of one twice changes nothing."""
     truth, proba = drawn(seed)
     own = np.concatenate([np.arange(len(truth)), np.flatnonzero(truth == 0)])
     assert log_loss(truth[own], proba[own], smallest=SMALLEST) == pytest.approx(
@@ -96,7 +96,7 @@ def test_the_error_of_a_few_frames_by_hand():
     diagram = reliability(truth, proba, bins=5)
     np.testing.assert_allclose(diagram.weight, [0, 0, 0, 3 / 8, 5 / 8])
     np.testing.assert_allclose(diagram.confidence[3:], [0.7, 0.9])
-    # Of the first bin two of three are right; of the second 1/8 of 5/8.
+    # In the first bin two of three are right; in the second 1/8 of 5/8.
     np.testing.assert_allclose(diagram.accuracy[3:], [2 / 3, 1 / 5])
     assert np.isnan(diagram.confidence[:3]).all() and np.isnan(diagram.accuracy[:3]).all()
     assert calibration_error(diagram) == pytest.approx(3 / 8 * (0.7 - 2 / 3) + 5 / 8 * (0.9 - 0.2))
@@ -148,7 +148,7 @@ def test_homes_weigh_the_same_in_a_pooled_diagram():
     np.testing.assert_allclose(both.weight, [0, 1])
     np.testing.assert_allclose([both.confidence[1], both.accuracy[1]], [0.8, 0.75])
     assert np.isnan(both.confidence[0])
-    # Too sure in one and not sure enough in the other: the error of both is less than their mean.
+    # Overconfident in one home and underconfident in the other: the joint error is less than their mean.
     errors = [calibration_error(diagram) for diagram in (one, other)]
     assert errors == pytest.approx([0.1, 0.2])
     assert calibration_error(both) == pytest.approx(0.05)

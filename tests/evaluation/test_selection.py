@@ -9,7 +9,7 @@ from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.evaluation.selection import choose_threshold, decided, select, select_unseen
 
 CLASSES = 3
-# Few different confidences, so that many are equal.
+# Few different confidences, so many are equal.
 frames = st.lists(
     st.tuples(st.integers(-1, CLASSES - 1), st.integers(0, CLASSES - 1), st.integers(4, 9)), min_size=1
 ).filter(lambda home: any(truth >= 0 for truth, _, _ in home))
@@ -26,7 +26,7 @@ def made(home):
 
 
 def by_hand(home, threshold):
-    """Weights of the decisions that are left and of those that are wrong, one frame at a time."""
+    """Weights of the remaining decisions and of the wrong ones, one frame at a time."""
     scored = [one for one in home if one[0] >= 0]
     counts = {place: sum(truth == place for truth, _, _ in scored) for place, _, _ in scored}
     left = wrong = 0.0

@@ -84,7 +84,7 @@ def test_a_home_in_numbers():
     proba = np.array([[0.8, 0.2]] * 3 + [[0.4, 0.6]] * 2)
     found = home_quality([0, 0, 1, 1, -1], proba, [slice(0, 5)], bins=10, smallest=1e-15)
     assert found.log_loss == pytest.approx(-(np.log(0.8) + (np.log(0.2) + np.log(0.6)) / 2) / 2)
-    # (0.7, 0.8] has 3 frames of 4, of which 2 are right; (0.5, 0.6] one, which is right.
+    # (0.7, 0.8] has 3 frames of 4, and 2 of them are right; (0.5, 0.6] has one, which is right.
     assert found.calibration_error == pytest.approx(100 * (0.75 * (0.8 - 2 / 3) + 0.25 * 0.4))
     # The second stay is a tie.
     assert (found.stays, found.stays_right, found.stay_accuracy) == (2, 1, 50.0)

@@ -1,4 +1,4 @@
-"""A sweep goes on where it was killed, with the table of an undisturbed one. Its jobs are trivial."""
+"""A killed sweep resumes, with the table of an undisturbed one. Its jobs are trivial."""
 
 import os
 import random
@@ -16,7 +16,7 @@ from placecat import files
 from placecat.errors import PlacecatError
 from placecat.experiment import combination, job, jobs, made_from, output, running, summary, sweep
 
-# What fails, and whose process is killed each time.
+# Jobs that fail, and jobs whose process is killed each time.
 FAILS, IS_KILLED = 3, 5
 WORKERS = 2
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
@@ -37,7 +37,7 @@ class Sweep:
             return sweep.tell(folder, self.combinations, log=None)
 
     def launch(self, lines):
-        """As joblib: two workers, and when one is killed the other is, too."""
+        """Like joblib: two workers, and if one is killed, the other is too."""
         workers = []
         for first in range(WORKERS):
             process = os.fork()
@@ -99,7 +99,7 @@ def ran(tmp_path, monkeypatch):
 
 
 def start(one):
-    """A process of its own group; its output goes nowhere."""
+    """A process in a separate group, without output."""
     process = os.fork()
     if not process:
         os.setsid()
@@ -110,14 +110,14 @@ def start(one):
             one.run()
         finally:
             os._exit(1)
-    # Before that its group cannot be killed, as it is not there.
+    # Its group cannot be killed before it exists.
     while os.getpgid(process) != process:
         time.sleep(0.001)
     return process
 
 
 def wait_for_workers(group):
-    """Workers may finish a job until they see that the sweep is gone."""
+    """Workers may finish a job before they notice that the sweep is gone."""
 
     def is_of_group(process):
         try:

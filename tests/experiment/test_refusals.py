@@ -1,4 +1,4 @@
-"""Wrong combinations are refused before anything is computed, with the right ones named."""
+"""Wrong combinations are refused before anything is computed; messages name valid ones."""
 
 import pytest
 from hydra.errors import HydraException

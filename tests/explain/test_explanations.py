@@ -1,4 +1,4 @@
-"""Explanations of the kept results: every cell, by its number and by its labels."""
+"""Explanations of the results in git: every cell, by its number and by its labels."""
 
 import json
 import subprocess
@@ -181,6 +181,6 @@ def test_results_are_loaded_from_a_project(tmp_path):
 
 
 def test_the_command_imports_no_numpy():
-    """So that an explanation takes less than a second."""
+    """This makes an explanation take less than a second."""
     code = "import placecat.explain.command, sys; sys.exit({'numpy', 'pandas'} & set(sys.modules) or 0)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

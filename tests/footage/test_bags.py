@@ -79,7 +79,7 @@ def test_frames_that_come_late_or_twice_are_left_out(tmp_path):
     assert shown(recording) == [(1, 0), (2, 1), (3, 2), (4, 5), (5, 6)]
     assert np.allclose(recording.timing.seconds, [0, 0.1, 0.3, 0.4, 0.5])
     assert recording.note() == (f"{path}: 2 of 7 frames are not later than one before them and are left out.")
-    # By a given rate all count.
+    # With a given rate, all count.
     assert shown(BagRecording(path, fps=10)) == [(number + 1, number) for number in range(7)]
 
 
@@ -194,7 +194,7 @@ def test_the_rest_of_a_bag_is_refused(tmp_path):
 
 
 def test_a_definition_in_a_bag_is_not_run(tmp_path, monkeypatch):
-    """Of what a bag says its types are, rosbags would make Python code."""
+    """rosbags would turn the type definitions in a bag into Python code."""
     from rosbags.typesys.store import Typestore
 
     path = walk(tmp_path / "walk.mcap", count=3)

@@ -53,7 +53,7 @@ def test_frames_of_one_damaged_picture_are_the_same_every_time(tmp_path):
     [
         ("libx264", "mp4", {"g": "12", "bf": "3"}, True),
         ("libx264", "mkv", {"g": "12", "bf": "3"}, True),
-        # Frames after a later key frame may refer to frames before it, or parameters stand in any packet.
+        # Frames after a later key frame may refer to frames before it, or any packet may have parameters.
         ("libx264", "mp4", {"g": "12", "bf": "3", "x264-params": "open-gop=1:scenecut=0"}, False),
         ("libx264", "mp4", {"g": "12", "x264-params": "intra-refresh=1:scenecut=0"}, False),
         ("libx264", "ts", {"g": "12"}, False),

@@ -42,7 +42,7 @@ def test_is_causal():
 
 
 def test_frame_by_frame_is_the_whole_sequence():
-    """Bit for bit, and as equation (16) is written."""
+    """Bit for bit, and as in equation (16)."""
     target = distributions(50)
     whole, follower, state = delay(target, seconds=2.0, frame_rate=5.0), Delay(2.0), target[0]
     h = 1 - np.exp(-0.2 / 2.0)

@@ -81,7 +81,7 @@ def test_a_share_of_the_frames_lies_below_its_threshold(information, share):
     threshold = threshold_of(share, information)
     low = (information < np.float32(threshold)).mean()
     assert low <= share
-    # As many as there can be: with one more frame, or its equals, it would be more.
+    # The maximum: one more frame, or its equals, would exceed the share.
     assert (information <= np.float32(threshold)).mean() > share - 1 / len(information)
 
 

@@ -12,7 +12,7 @@ CLASSES = ["bath", "hall", "kitchen"]
 
 
 def drawn(weights, n=6000, seed=0):
-    """Cues whose pool by some weights the labels are drawn from."""
+    """Cues; the labels are drawn from their pool with some weights."""
     rng = np.random.default_rng(seed)
     proba = rng.dirichlet(np.ones(3), (n, len(weights)))
     scores = np.tensordot(np.log(proba), weights, axes=(1, 0))
@@ -21,7 +21,7 @@ def drawn(weights, n=6000, seed=0):
 
 
 def weighed(truth, homes):
-    """(n,) weights by hand: homes the same, and classes in each."""
+    """(n,) weights by hand: homes weigh the same, and so do the classes in each."""
     weights = np.zeros(len(truth))
     for home in set(homes):
         classes = set(truth[homes == home])

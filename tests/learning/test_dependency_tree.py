@@ -16,7 +16,7 @@ from placecat.learning.naive_bayes import NaiveBayes
 
 
 def linked_codes(n_samples: int, n_variables: int, n_values: int, seed: int) -> np.ndarray:
-    """Codes where each variable half depends on an earlier one."""
+    """Codes; half of each variable depends on an earlier one."""
     rng = np.random.default_rng(seed)
     codes = rng.integers(0, n_values, (n_samples, n_variables))
     for variable in range(1, n_variables):
@@ -82,7 +82,7 @@ def test_each_class_has_the_maximum_spanning_tree(n_values, n_samples):
             itertools.combinations(range(7), 2),
             key=lambda pair: -mutual_info_score(part[:, pair[0]], part[:, pair[1]]),
         )
-        # Kruskal: the oracle's algorithm is not ours.
+        # Kruskal: the oracle uses another algorithm than ours.
         group, tree = list(range(7)), []
         for a, b in pairs:
             if group[a] != group[b]:

@@ -63,7 +63,7 @@ def test_splits_match_scikit_learn():
     X = np.random.default_rng(3).gamma(1.0, size=(500, 6)).astype(np.float32)
     tree = grown(X, branching=8, max_clusters=8, max_iter=200, seed=4)
     labels = tree.labels(8)
-    # A converged k-means is a fixed point of anybody's k-means.
+    # A converged k-means is a fixed point of any k-means.
     means = np.array([X[labels == label].mean(axis=0) for label in range(8)])
     other = KMeans(8, init=means, n_init=1, max_iter=1, tol=0).fit(X)
     np.testing.assert_array_equal(other.labels_, labels)
@@ -90,7 +90,7 @@ def test_lazy_growth_equals_the_definition(kind):
     }[kind].astype(np.float32)
     tree = grown(X, branching=3, max_clusters=41, seed=7)
 
-    # Split everything, then search all open nodes for the greatest gain, as the definition says.
+    # Split everything, then search all open nodes for the greatest gain, as defined.
     def split_all(node: kmeans_split.Node) -> None:
         seeds = np.random.SeedSequence(7, spawn_key=node.path)
         node.children = kmeans_split.split_node(node, 3, 11, np.random.default_rng(seeds))
@@ -204,7 +204,7 @@ def test_duplicates_and_small_data(n_distinct, copies, branching, seed):
     assert tree.max_clusters_ > 1 or n_distinct < branching
     labels = tree.labels(tree.max_clusters_)
     assert set(labels) == set(range(tree.max_clusters_))
-    # Duplicates are never parted.
+    # Duplicates are never separated.
     assert len(set(zip(X[:, 0].tolist(), labels.tolist(), strict=True))) == n_distinct
 
 

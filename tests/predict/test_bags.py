@@ -15,7 +15,7 @@ from made_bags import CAMERA, START, STORES, picture, rosbag2, walk
 from placecat.predict import command, mcap_file, rerun_file
 
 COUNT = 30
-# From frame 11 on the confidence is below the threshold.
+# The confidence is below the threshold from frame 11.
 NAMES = [(0, CLASSES[0]), (STAY, CLASSES[1]), (11, "unknown")]
 STAMPS = [START + number * 4 * 10**7 for number in range(COUNT)]
 
@@ -140,7 +140,7 @@ def test_an_mcap_file_has_pictures_probabilities_and_places(system, tmp_path, ki
 
 
 def test_an_mcap_file_opens_without_ros(system, tmp_path):
-    """Foxglove wants definitions, CDR, a summary and indices of chunks."""
+    """Foxglove needs definitions, CDR, a summary and indices of chunks."""
     mcap = pytest.importorskip("mcap.reader", reason="mcap is not installed: pip install mcap")
     walk(tmp_path / "walk.bag")
     predict("walk.bag", "--mcap", "said.mcap")
@@ -202,7 +202,7 @@ def test_without_a_package_the_extra_is_named(system, tmp_path, monkeypatch, opt
 
 
 def recorded(path, entity, field):
-    """Frame to the value of a field of an entity, by the reader that this version of Rerun has."""
+    """Frame to the value of a field of an entity, with the reader of this version of Rerun."""
     import rerun
 
     if hasattr(rerun, "dataframe"):

@@ -173,7 +173,7 @@ def test_the_system_is_told_the_time_between_frames(folder, monkeypatch, capsys,
     every = int(arguments.partition("--every ")[2] or 1)
     assert np.allclose(system.times, period, rtol=1e-9)
     assert len(system.times) == -(-COUNT // every)
-    # Any rate will do; slower ones than the model's are noted.
+    # Any rate is accepted; a note reports rates below the model's.
     err = capsys.readouterr().err
     assert err.count("note: ") == err.count("\n") == (1 / period < 6)
 
@@ -310,7 +310,7 @@ def test_what_was_edited_or_added_is_kept_even_with_force(folder, capsys):
         capsys.readouterr().err
     )
     assert segments.read_text() == written
-    # The copy is the user's as well, and an untouched table is not kept.
+    # The copy also belongs to the user, and an untouched table is not copied.
     assert "was added or edited" in refused("images", "--output", "out")
     segments.write_text("second")
     predict("walk.avi", "--output", "out", "--force")
@@ -335,7 +335,7 @@ def test_ctrl_c_on_a_file_writes_nothing(folder, monkeypatch):
 
 
 def test_numbers_of_an_image_survive_the_coding_of_the_video(folder):
-    # What the other tests rest on.
+    # The assumption of the other tests.
     assert np.array_equal(frames_of(folder / "walk.avi")[0][5] > 127, coded(5) > 127)
 
 

@@ -1,4 +1,4 @@
-"""Power and errors of the rule of the ledger, against what is known exactly."""
+"""Power and errors of the rule of the ledger, against exactly known values."""
 
 import math
 
@@ -61,7 +61,7 @@ def test_homes_of_a_group_may_share_a_tenth_of_their_variance():
 
 
 def test_homes_that_are_one_decide_wrongly_too_often():
-    """The simulation sees an error that is there: homes of a group that are all alike count six times."""
+    """The simulation detects a real error: identical homes of a group count six times."""
     assert error_rate(0.0, BETTER, homes=24, shared=1.0) > 0.15
 
 

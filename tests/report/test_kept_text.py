@@ -1,4 +1,4 @@
-"""What is said of a comparison, and what to do."""
+"""The text about a comparison, with remedies."""
 
 import pytest
 

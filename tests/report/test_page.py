@@ -186,7 +186,7 @@ def test_without_a_clipboard_the_table_is_selected(page, tmp_path):
 
 @needs_chromium
 def test_shades_are_seen_and_told_apart(page, tmp_path):
-    """Every step has a background of its own, and text on it is readable, in the light and in the dark."""
+    """Every step has a different background with readable text, in the light and the dark theme."""
     script = """
     const value = (one) => getComputedStyle(one).backgroundColor.match(/[0-9]+/g).slice(0, 3).map(Number);
     const ink = (one) => getComputedStyle(one).color.match(/[0-9]+/g).slice(0, 3).map(Number);
@@ -229,7 +229,7 @@ def test_the_page_needs_nothing_else_and_changes_only_with_its_content(page):
 
 def test_it_works_without_scripts(page):
     html = re.sub(r"<script>.*?</script>", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
-    # What scripts do is hidden without them: copying, and the box with the search and the colours.
+    # Without scripts, their controls are hidden: copying, search and theme.
     assert html.count('<button class="copy" type="button" hidden>') == html.count("<button") - 1
     assert '<div class="tools" hidden>' in html
     assert "hidden" not in part_of(html, "table-5").replace(" hidden>Copy", "")

@@ -1,4 +1,4 @@
-"""The layout of bags: floors, labels, and frames that are read again by their place."""
+"""The layout of bags: floors, labels, and frames that are read again by their position."""
 
 import numpy as np
 import pandas as pd
@@ -66,7 +66,7 @@ def test_frames_are_read_again_in_any_order(root):
     frames = open_home("bags", root, "Home1", topic=CAMERA).frames
     rows = frames.iloc[[3, 39, 7, 45, 59, 0]]
     assert [decoded(image) for image in read_frames(root, rows)] == [3, 39, 7, 5, 19, 0]
-    # Between them are those of the other camera.
+    # The frames of the other camera are between them.
     assert frames["position"].iloc[39] > 39
     (root / "Home1/1.bag").unlink()
     walk(root / "Home1/1.bag", count=3)

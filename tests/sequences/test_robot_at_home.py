@@ -1,4 +1,4 @@
-"""Robot@Home2, on a small database of the same definitions."""
+"""Robot@Home2, on a small database with the same definitions."""
 
 import shutil
 from pathlib import Path
@@ -14,7 +14,7 @@ from placecat.footage.frames import read_frames
 from placecat.sequences import list_homes, open_home
 from placecat.sequences.robot_at_home import read_home
 
-# The top is white, so that a turn is seen; the columns below are the number.
+# The top is white, so a turn shows; the columns below are the number.
 WIDTH, HEIGHT, TOP = 48, 64, 16
 
 
@@ -30,7 +30,7 @@ def number_of(image: np.ndarray) -> int:
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[Seen]]:
-    """A data set whose path has characters that an address would read otherwise."""
+    """A data set whose path has characters with a special meaning in an address."""
     root = tmp_path_factory.mktemp("data") / "a home?#%41"
     return root, make(root, picture)
 
@@ -212,7 +212,7 @@ def test_links_that_lead_out(copied: Path, tmp_path: Path) -> None:
     (copied / ONE / "100002_intensity.png").symlink_to(secret)
     with pytest.raises(PlacecatError, match=r"100002_intensity\.png is a link that leads out of"):
         open_home("robot_at_home", copied, "alma")
-    # The folder of all pictures may lie on another disk.
+    # The folder of all pictures may be on another disk.
     (copied / ONE / "100002_intensity.png").unlink()
     shutil.copy(secret, copied / ONE / "100002_intensity.png")
     (copied / "files").rename(tmp_path / "disk")

@@ -134,7 +134,7 @@ def test_times_of_labels_are_those_of_the_file(tmp_path: Path) -> None:
     assert home.frames["label"].tolist() == ["kitchen"] * 45 + ["hall"] * 45
     np.testing.assert_allclose(home.frames["seconds"], UNEVEN, atol=1e-4)
     assert (home.note, home.is_even) == ("", False)
-    # A given rate is that of all frames.
+    # A given rate applies to all frames.
     (tmp_path / "flat.csv").write_text("start_seconds,end_seconds,label\n0,1.5,kitchen\n1.5,9,hall\n")
     home = video.read_home(tmp_path, "flat", fps=10.0)
     assert home.frames["label"].tolist() == ["kitchen"] * 15 + ["hall"] * 75

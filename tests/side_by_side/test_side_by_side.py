@@ -50,7 +50,7 @@ def figures(*seeds):
 
 @pytest.fixture
 def outside(tmp_path, monkeypatch):
-    """No project, so that no table has a title."""
+    """No project, so no table has a title."""
     monkeypatch.chdir(tmp_path)
     for name in (paths.TABLE_DEFINITIONS, paths.FINDING_DEFINITIONS):
         name.mkdir(parents=True)
@@ -68,7 +68,7 @@ def test_only_what_differs_is_shown_with_both_values(outside):
         '<td class="above-1 changed" data-value="50.00" title="+2.50 points"><del>47.50</del> <ins>50.00'
         in html
     )
-    assert html.count("<del>") == html.count("<ins>") == 2  # one of them in the sentence that explains
+    assert html.count("<del>") == html.count("<ins>") == 2  # one of them in the explanation
     assert re.findall(r'<section class="table" id="([^"]*)"', html)[-1] == "table-26"
     assert '<code>cues.gist.nu</code></th><td class="words"><code>0.1</code></td>' in html
     assert "compute.workers" not in html

@@ -1,4 +1,4 @@
-"""The stage `report`, on reports that were made up."""
+"""The stage `report`, on made-up reports."""
 
 import json
 import re
@@ -20,7 +20,7 @@ LOCK = "stages:\n  sequences:\n    outs:\n    - md5: 00ff.dir\n"
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """A folder with everything that the stage reads."""
+    """A folder with all inputs of the stage."""
     monkeypatch.chdir(tmp_path)
     paths.PARAMS.write_text((made_report.ROOT / "params.yaml").read_text())
     for name in ("conf", "data/thesis"):
@@ -67,7 +67,7 @@ def folder(tmp_path, monkeypatch):
 
 
 def measured(cells, key):
-    """What the stage `tables` keeps of cells: each is read off one cue, without seeds."""
+    """The origins of cells from the stage `tables`: each cell comes from one cue, without seeds."""
     return [
         {
             "cell": labels,
@@ -97,7 +97,7 @@ def test_it_reads_everything_and_writes_the_page(folder):
         in text
     )
     assert "<code>00ff.dir</code>" in text
-    # Text that looks like a number stays as it is.
+    # Text that looks like a number stays text.
     assert '<td class="f-section">4.10</td>' in text
     assert "<span>4.10 flat k means<" in text
     assert 'colspan="2">0.1</th>' in text

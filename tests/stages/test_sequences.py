@@ -70,7 +70,7 @@ def test_what_is_missing_of_a_video_is_told_and_kept(tmp_path, dataset, capsys):
     times = listing.uneven_times("one")
     assert times[20] == pytest.approx(21 / 30)
     assert listing.uneven_times("two") is None
-    # Transitions are counted on the frames that an even camera would have shown.
+    # Transitions are counted on the frames of a camera with a constant rate.
     (walk, other), rates = training_walks([Part("one", (0, 1, 2, 3, 4)), Part("two", (0, 1, 2, 3, 4))])
     assert (len(walk), len(other), rates) == (30, 30, [30.0, 30.0])
 

@@ -1,4 +1,4 @@
-"""The ledger on the findings that come with the project, found because their files are there."""
+"""The ledger on the findings of the project, which are read from their files."""
 
 import dataclasses
 import re
@@ -46,7 +46,7 @@ def test_a_finding_uses_results_that_a_run_has(name):
 
 @pytest.mark.parametrize("name", FINDINGS)
 def test_the_thesis_s_own_numbers_are_where_its_claim_puts_them(name):
-    """So sides are not swapped, and each comparison is of what the sentence is about."""
+    """So sides are not swapped, and each comparison fits its sentence."""
     for comparison in FINDINGS[name].comparisons:
         thesis = look_up(comparison, PUBLISHED)
         claimed = claimed_range(comparison.range, thesis.difference, Rules(**VERDICT))
@@ -115,7 +115,7 @@ def test_the_reason_says_how_many_frames_the_filter_drops(judged):
 
 
 def test_the_published_number_beside_a_measured_one_is_of_the_same_cell():
-    """Of 991 clusters there is no measurement: beside 196 stands the thesis's number of 196."""
+    """991 clusters were not measured: the measurement at 196 is compared with the thesis's number at 196."""
     names = [f"trials/table_04/Naive Bayes||{number}" for number in (496, 991)]
     there = {name: one for name, one in RESULTS.measured.items() if name not in names}
     reasons = {(name, home): "too few frames" for name in names for home in RESULTS.homes}

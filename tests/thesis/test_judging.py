@@ -47,7 +47,7 @@ def test_what_is_better_in_every_home_alike_holds():
 
 
 def test_pairing_cancels_what_homes_share():
-    """Homes differ by 24 points, the sides by 1 in each."""
+    """Homes differ by 24 points, the sides by 1 point in each."""
     judged = compare(measured(HOMES + 1), measured(HOMES))
     interval = judged.measurement.interval
     assert (interval.low, interval.estimate, interval.high) == (1.0, 1.0, 1.0)
@@ -126,12 +126,12 @@ def test_best_is_compared_with_the_best():
     [
         # As often hurt as helped.
         ([8, -7, 9, -8, 6, -6], (3, 3), HOLDS),
-        # It helps, alike in every home: that it hurts in one of twenty is out of the question.
+        # It helps equally in every home, so it cannot hurt in one of twenty.
         ([5, 5.5, 4.8, 5.2, 5.1, 4.9], (0, 6), FAILS),
         ([-5, -5.5, -4.8, -5.2, -5.1, -4.9], (6, 0), FAILS),
         # It changes nothing.
         ([0.1, -0.1, 0.2, 0, -0.2, 0.1], (0, 0), FAILS),
-        # It hurts in one home; in how many others is not known.
+        # It hurts in one home; the number of others is unknown.
         ([3, 2, 4, 1, 5, -2], (1, 5), UNDECIDED),
     ],
 )
@@ -173,7 +173,7 @@ def test_a_wider_margin_never_makes_a_verdict_worse(gains, margin, more, one_sid
 
 
 def test_what_fails_by_itself_need_not_fail_among_many():
-    """Its 95 % interval is below 0, the one that allows for 14 comparisons is not."""
+    """Its 95 % interval is below 0, but the interval that allows for 14 comparisons is not."""
     left, right = measured(shifted([-3, -4, -1, -2.5, -0.5, -3.5])), measured(HOMES)
     alone = compare(left, right)
     assert (alone.verdict, alone.reason) == (FAILS, "none of the interval is above 0")
@@ -185,12 +185,12 @@ def test_what_fails_by_itself_need_not_fail_among_many():
     assert among.measurement.corrected.low < among.measurement.interval.low
     clear = compare(measured(HOMES - 4), right, comparisons=14)
     assert (clear.verdict, clear.measurement.results) == (FAILS, (("left",), ("right",)))
-    # To hold takes no correction.
+    # A claim that holds needs no correction.
     assert compare(right, left, comparisons=14).verdict == HOLDS
 
 
 def test_the_published_number_is_of_the_cell_that_was_measured():
-    """The last is the last that was measured, the best the best of those; so are their published numbers."""
+    """The last is the last measured one, the best the best measured one; so are their published numbers."""
     cells = ({"text": "points"}, {"text": "best"}, {"text": "worst"})
     found = results({("c", "home_1"): "too few frames"}, a=measured(HOMES), b=measured(HOMES + 1))
     for combine, published, used in (("last", 40.0, "b"), ("best", 40.0, "b"), ("mean", 21.5, "a")):

@@ -60,7 +60,7 @@ def test_cells_without_a_number_are_left_out():
 
 @pytest.fixture
 def results():
-    # Two seeds, two homes; the second seed decides otherwise.
+    # Two seeds, two homes; the second seed decides differently.
     confusion = np.array(
         [[[[3, 1], [0, 4]], [[1, 1], [0, 0]]], [[[4, 0], [4, 0]], [[2, 0], [0, 0]]]],
     )
@@ -126,7 +126,7 @@ def test_a_few_averages_are_columns_for_dvc(results):
 
 
 def test_dvc_draws_the_chosen_panels():
-    """The plots in dvc.yaml are of the files and columns that the settings give."""
+    """The plots in dvc.yaml use the files and columns of the settings."""
     chosen = yaml.safe_load((ROOT / "data/thesis/plots.yaml").read_text())
     drawn = {}
     for plot in yaml.safe_load((ROOT / "dvc.yaml").read_text())["plots"]:

@@ -7,12 +7,12 @@ from placecat.thesis.claims import Side
 from placecat.thesis.pooling import pool
 
 CLASSES = ("corridor", "kitchen", "attic")
-# Of each stay the place and the number of its frames.
+# Place and number of frames of each stay.
 STAYS = ((0, 10), (1, 4), (0, 30), (0, 20), (1, 6))
 
 
 def by_stay(*right, stays=STAYS):
-    """A result with some frames of each stay named rightly, once for each seed."""
+    """A result with some correctly named frames in each stay, for each seed."""
     confusion = np.zeros((len(right), len(stays), 3, 3), int)
     for s, of_seed in enumerate(right):
         for n, ((place, frames), own) in enumerate(zip(stays, of_seed, strict=True)):
@@ -33,7 +33,7 @@ def test_accuracies_are_those_of_all_frames_counted_as_one():
     pooled = pool(results(a=A, b=B), [Side("left", ("a",)), Side("right", ("b",))])
     assert pooled.units == "5 stays"
     assert pooled.names == ("corridor", "kitchen")
-    # Of 60 frames of corridor 30, of 10 of kitchen 7; and so for each seed of b.
+    # 30 of 60 frames of corridor and 7 of 10 of kitchen; likewise for each seed of b.
     left, right = pooled.overall()
     assert left.tolist() == [[pytest.approx((50 + 70) / 2)]]
     assert right.tolist() == [[pytest.approx((46 / 60 + 0.8) * 50)]]
@@ -52,7 +52,7 @@ def test_measures(options, expected):
 
 
 def test_stays_are_the_units():
-    """What is the same in every stay of a place gives a point, whatever places differ by."""
+    """Equal values in all stays of a place give a point interval, whatever the differences between places."""
     same = by_stay([frames * (place + 1) // 2 for place, frames in STAYS])
     pooled = pool(results(a=same), [Side("left", ("a",))])
     interval = pooled.interval(lambda sides: sides[0][0], 0, 0.95, 300)

@@ -1,4 +1,4 @@
-"""The configurations of the tables: known settings only, and those that the thesis names."""
+"""The configurations of the tables: known settings only, as in the thesis."""
 
 import numpy as np
 import pytest

@@ -37,13 +37,13 @@ def fill(name, results=RESULTS, params=PARAMS, tables=TABLES, **dataset):
 
 @functools.cache
 def of_homes(count):
-    """What `fill` needs for another number of homes."""
+    """Arguments of `fill` for another number of homes."""
     params = with_homes(count)
     return {"results": made(params), "params": params, "tables": tables_of(params, ROOT)}
 
 
 def without(results, lost):
-    """The results without some homes of some of them, each with a reason."""
+    """The results, some of them without some homes, with reasons."""
     measured, quality = {}, {}
     for name, one in results.measured.items():
         kept = [number for number, home in enumerate(one.homes) if (name, home) not in lost]
@@ -175,14 +175,14 @@ def value_of(number, *labels):
 
 
 def is_real(number, group, row, column):
-    """Whether a published cell contradicts others of the thesis, in one of the ways that are known."""
+    """Whether a published cell contradicts others of the thesis, in one of the known ways."""
     if column == "Average":
         own = PUBLISHED[PUBLISHED["table"] == number].set_index(KEY)["value"]
         own = own.xs((group, row), level=("group", "row"))
         return abs(own.drop(column).mean() - own[column]) > 0.02
     if number == 25:
         return value_of(25, group, row, column) == value_of(24, group, row, column)
-    # Table 22 takes the best settings, which for this descriptor are those of Table 17.
+    # Table 22 uses the best settings; for this descriptor they are in Table 17.
     return (
         value_of(22, "", row, "25")
         == value_of(20, row, "Home 6", "196")
@@ -232,7 +232,7 @@ def test_a_place_that_the_data_set_lacks_has_a_reason():
 @settings(max_examples=examples(30), deadline=None)
 @given(data=st.data())
 def test_every_cell_has_a_number_or_a_reason_whatever_could_not_be_computed(data):
-    # Of the homes alone: what a split or the toy problem asks for is never left out.
+    # For the homes only: results of a split or the toy problem are never left out.
     of_homes = [name for name, table in TABLES.items() if not {"split", "data"} & set(table)]
     name = data.draw(st.sampled_from(of_homes))
     table = TABLES[name]

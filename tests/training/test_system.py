@@ -1,4 +1,4 @@
-"""A system trained by a plan is that of the stages, and docs/usage.md trains one."""
+"""A system trained by a plan equals the system of the stages, and docs/usage.md trains one."""
 
 import re
 import runpy

@@ -1,4 +1,4 @@
-"""Variants of the salient regions are what the attention finds with those settings by itself."""
+"""Variants of the salient regions equal the regions that attention finds with these settings."""
 
 import functools
 

@@ -114,8 +114,8 @@ def compare(
     Cells whose two numbers come from different data sets are not compared; if there are any, verdicts are not
     compared either. `now` and `kept` map names to new and old tables; numbers may be text, and empty if
     missing. Columns are measured (percent), spread (points, may be missing) and data, the data set ("" if
-    unknown); and columns that identify the cell of a row, e.g. group, row, column. Findings have one row each,
-    with the columns number and verdict; None if there are no findings.
+    unknown); and columns that identify the cell of a row, e.g. group, row, column. Findings have one row
+    each, with the columns number and verdict; None if there are no findings.
     """
     pairs = {
         name: _pairs(_cells(now.get(name)), _cells(kept.get(name)))

@@ -5,7 +5,7 @@ import pytest
 from placecat.errors import PlacecatError
 from placecat_bench.scale.watching import watch
 
-# A process that has 60 MiB, and one that it starts with 60 MiB more, together for a while.
+# A process with 60 MiB, and a child process with 60 MiB more, together for a while.
 FAMILY = """
 import subprocess, sys, time
 own = bytearray(60 * 2**20)

@@ -43,7 +43,7 @@ def test_figures_are_found_by_name():
     of_thesis = [name for name in names if re.fullmatch(r"figure_\d\d", name)]
     numbers = [figures.number(name) for name in of_thesis]
     assert numbers == sorted(numbers)
-    # Added ones have no number, and come last.
+    # Added figures have no number, and come last.
     assert names == [*of_thesis, "figure_reliability"]
     assert figures.number("figure_reliability") is None
     with pytest.raises(PlacecatError, match="there is no figure 'figure_99'"):
@@ -152,12 +152,12 @@ def test_the_shares_of_figure_9_give_its_product(run):
     *regions, everything, product = np.array(rows)
     own = np.prod(regions, axis=0) / everything
     np.testing.assert_allclose(product, own / own.sum(), rtol=1e-6)
-    # The same from the estimator, on the frame that the figure names.
+    # The same from the estimator, on the frame named in the figure.
     named = next(text for text in texts(figure) if text.startswith("flat 1, frame "))
     frame = int(re.search(r"frame (\d+)", named)[1]) - 1
     train = training_regions(run, "hog_y", "flat_1")
     tree = run.codebook("hog_y", "without-flat_1").trees[0]
-    # The figure shows equation (2) as it is printed.
+    # The figure shows equation (2) as printed.
     model = ModifiedKNN(n_clusters=CLUSTERS, codebook=tree, class_weighting="once")
     model.fit(train.x, train.labels)
     query = run.descriptors("flat_1", "hog_y", [frame]).x[:, :3]
@@ -216,7 +216,7 @@ def test_of_a_moment_one_is_shown(places, count, apart, random):
     assert taken[0] == order[0] and len(taken) <= count and len(set(taken)) == len(taken)
     assert not any(near(one, other) for i, one in enumerate(taken) for other in taken[:i])
     assert taken == [one for one in order if one in taken]
-    # None was passed over without a reason.
+    # None was skipped without a reason.
     if len(taken) < count:
         assert all(any(near(one, other) for other in taken) or one in taken for one in order)
 

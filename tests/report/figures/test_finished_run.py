@@ -1,4 +1,4 @@
-"""What the figures may ask of a run."""
+"""Data of a run for the figures."""
 
 import numpy as np
 import pytest

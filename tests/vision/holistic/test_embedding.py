@@ -16,7 +16,7 @@ RNG = np.random.default_rng(0)
 
 @pytest.fixture
 def network(monkeypatch):
-    """Stands for a network: what it gives, and the images that it was given."""
+    """Stands in for a network: its output, and the images that it got."""
 
     class Network:
         def __init__(self):

@@ -1,4 +1,4 @@
-"""What of an ONNX file is refused before it is run, and what its checksum covers."""
+"""Content of ONNX files that is refused before they run, and the scope of the checksum."""
 
 import hashlib
 import shutil
@@ -58,7 +58,7 @@ def test_random_and_endless_operators_are_refused(path, content, message):
 def test_usual_networks_are_taken(path):
     path.write_bytes(mean_color())
     onnx_content.check(path, None)
-    # As exporters leave it: for inference.
+    # As exporters write it: for inference.
     path.write_bytes(
         graph(node("Dropout", ["image", "ratio", ""], "same"), node("Dropout", ["image"], "also"))
     )

@@ -19,7 +19,7 @@ TAKES = ("tensor(float)", ["batch", 3, "height", "width"])
 
 
 def stand_in(monkeypatch, *, inputs=(TAKES,), outputs=("vector", "places"), run=None, broken=False):
-    """Put a module in the place of onnxruntime; gives the list of its sessions."""
+    """Replace onnxruntime by a module; returns the list of its sessions."""
     sessions = []
 
     class Session:
