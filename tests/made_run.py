@@ -35,7 +35,7 @@ def parameters():
 
 
 def draw(home, index):
-    """One frame: coloured boxes on a wall, the more the richer."""
+    """One frame: coloured boxes on a wall, more for a richer frame."""
     rng = np.random.default_rng([HOMES.index(home), index])
     image = np.full((HEIGHT, WIDTH, 3), 150, np.uint8)
     count = {RICHEST: 60, POOR: 3, BLANK: 0}.get((home, index), 25)

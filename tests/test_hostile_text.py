@@ -36,7 +36,7 @@ HOSTILE = {
 }
 
 
-# Fonts lack some of it.
+# Fonts lack some of these characters.
 pytestmark = pytest.mark.filterwarnings("ignore:.*(Glyph|constrained_layout):UserWarning")
 
 

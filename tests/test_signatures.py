@@ -1,4 +1,4 @@
-"""Names of missing code are refused at once, and so are settings that the code does not accept."""
+"""Names of missing code are refused at once, and so are unknown settings."""
 
 import copy
 import subprocess

@@ -80,7 +80,7 @@ def test_odd_times_topics_and_labels(system, tmp_path, capsys):
             "walk.mcap --mcap there.mcap",
             "--mcap is there.mcap, which already exists: give another name, or --force",
         ),
-        ("walk.mcap --mcap predictions/walk/a.mcap", "in predictions/walk, which is replaced"),
+        ("walk.mcap --mcap predictions/walk/a.mcap", "in predictions/walk, which the prediction replaces"),
         ("walk.mcap --mcap there.mcap/a.mcap", "cannot write there.mcap/a.mcap"),
     ],
 )

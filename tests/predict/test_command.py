@@ -116,7 +116,7 @@ def test_segments_are_labels(folder, capsys):
     labels.write_text(labels.read_text().replace("17,24,kitchen", "17,20,transition\n21,24,bedroom"))
     predict("walk.avi", "--labels", labels, "--output", "judged")
     shown = capsys.readouterr().out
-    # Of bedroom 14 frames of 18, of living_room all 8.
+    # 14 of 18 frames of bedroom and all 8 of living_room are correct.
     assert f"Accuracy (mean over the places labelled): {(100 * 14 / 18 + 100) / 2:.2f} %" in shown
     lines = [line.split() for line in shown.splitlines()]
     assert ["bedroom", "14", "0", "4", "77.8", "%"] in lines

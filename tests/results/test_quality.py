@@ -1,4 +1,4 @@
-"""How good distributions are, from homes to files and tables."""
+"""Quality of distributions, from homes to files and tables."""
 
 import numpy as np
 import pandas as pd

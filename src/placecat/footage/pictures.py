@@ -110,10 +110,10 @@ def in_order(names: Iterable[str]) -> list[str]:
 def read_image(path: Path) -> NDArray[np.uint8]:
     """Decode a JPEG or PNG file to (H, W, 3) uint8, BGR, turned according to its EXIF data.
 
-    Gray pictures get three equal channels.
+    Grey pictures get three equal channels.
 
     Raises PlacecatError if the file is missing, cannot be opened, is neither JPEG nor PNG, is damaged or cut
-    off, or is larger than `MOST_BYTES` or `MOST_PIXELS`. Depth pictures (gray, 16 bits) and transparent,
+    off, or is larger than `MOST_BYTES` or `MOST_PIXELS`. Depth pictures (grey, 16 bits) and transparent,
     animated and CMYK pictures are also refused.
     """
     try:
@@ -185,7 +185,7 @@ def _check_jpeg(path: Path | str, content: bytes) -> None:
         check_size(path, width, height)
         if colors in ("CMYK", "YCCK"):
             raise PlacecatError(f"{path}: its colours are {colors}, for printing; convert it to RGB.")
-        # This decodes the file in gray at an eighth of its width and height, in a fifth of the time.
+        # This decodes the file in grey at an eighth of its width and height, in a fifth of the time.
         simplejpeg.decode_jpeg(content, "GRAY", min_height=1, min_width=1, min_factor=8)
     except PlacecatError:
         raise
@@ -210,7 +210,7 @@ def _check_png(path: Path | str, content: bytes) -> None:
     check_size(path, width, height)
     if depth == 16 and color in (0, 4):
         raise PlacecatError(
-            f"{path}: gray with 16 bits, like a depth picture; remove it from the folder, or convert it."
+            f"{path}: grey with 16 bits, like a depth picture; remove it from the folder, or convert it."
         )
     if b"acTL" in kinds:
         raise PlacecatError(f"{path}: the picture is animated; remove it, or save its frames one by one.")

@@ -26,7 +26,7 @@ _INK, _PAPER = (0x22, 0x22, 0x22), (255, 255, 255)
 # Cells of at least this percentage are dark, so their numbers are white.
 _DARK = 55
 _CAPTION = "Rows are true places, columns decisions; numbers are percent of the true place."
-_SHEET = "Rows are true places, columns decisions; dark blue is all of the true place, white none."
+_SHEET = "Rows are true places, columns decisions; dark blue means all frames of the true place, white none."
 
 
 def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) -> None:
