@@ -124,7 +124,7 @@ def test_the_layout_is_read(project):
     assert set(home.frames["label"]) == set(project["dataset"]["classes"])
 
 
-def test_the_settings_are_the_defaults_of_the_module_and_those_of_the_files(project):
+def test_the_settings_come_from_the_module_and_the_files(project):
     assert project["descriptors"]["holistic"] == {"brightness": {"cells": 4}}
     classifier = project["cues"]["brightness"]["classifier"]
     assert classifier["base"] == {"name": "nearest_mean", "spread": 2.0}

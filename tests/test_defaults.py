@@ -95,7 +95,7 @@ def test_small_files_are_merged_as_hydra_merges_them(small, files):
         ({}, [("+kind", "one")]),
     ],
 )
-def test_what_is_rarer_or_wrong_is_left_to_hydra(small, files, choices):
+def test_rare_and_wrong_cases_are_left_to_hydra(small, files, choices):
     with pytest.raises(defaults.Unusual):
         defaults.merge(small(**files), choices)
 

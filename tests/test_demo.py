@@ -64,7 +64,7 @@ def test_a_first_walk(tmp_path, monkeypatch, capsys):
     )
 
 
-def test_it_replaces_its_own_files_only(tmp_path):
+def test_it_replaces_only_its_files(tmp_path):
     folder = tmp_path / "demo"
     command._check(folder)
     folder.mkdir()

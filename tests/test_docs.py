@@ -239,7 +239,7 @@ def told(text):
 
 
 @pytest.mark.parametrize("page", fill.PAGES)
-def test_numbers_are_those_of_the_result_files(page):
+def test_numbers_match_the_result_files(page):
     changed = subprocess.run(
         ["git", "status", "--porcelain", "reports"], cwd=ROOT, capture_output=True, text=True, check=False
     )

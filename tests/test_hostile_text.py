@@ -68,7 +68,7 @@ def test_a_picture_shows_it(text):
     assert 0 < drawn.shape[1] < 4000
 
 
-def test_a_terminal_obeys_nothing_of_it(text):
+def test_a_terminal_executes_none_of_it(text):
     for coding in ("utf-8", "ascii"):
         target = io.TextIOWrapper(io.BytesIO(), encoding=coding)
         terminal = Terminal(target)

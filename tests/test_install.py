@@ -65,7 +65,7 @@ def calls(folder):
     return (folder / "pip.txt").read_text().splitlines()
 
 
-def test_it_installs_into_the_environment_whatever_the_users_settings_say(folder):
+def test_it_installs_into_the_environment_despite_the_users_settings(folder):
     astray = {"PIP_USER": "1", "PIP_TARGET": "/elsewhere", "PYTHONPATH": "/elsewhere"}
     assert install(folder, **astray).wait(60) == 0
     for call in calls(folder):
@@ -73,7 +73,7 @@ def test_it_installs_into_the_environment_whatever_the_users_settings_say(folder
     assert (folder / ".venv/.installed").exists()
 
 
-def test_of_two_at_once_the_second_waits_and_has_nothing_to_do(folder):
+def test_a_second_call_waits_and_has_nothing_to_do(folder):
     first = install(folder)
     made_pipeline.wait_for((folder / ".venv").exists, 20)
     second = install(folder)
@@ -83,7 +83,7 @@ def test_of_two_at_once_the_second_waits_and_has_nothing_to_do(folder):
     assert len(calls(folder)) == LINES_OF_ONE
 
 
-def test_a_project_that_was_moved_is_installed_anew(folder):
+def test_a_moved_project_is_installed_again(folder):
     assert install(folder).wait(60) == 0
     assert run(folder, "make", "-q", ".venv/.installed", check=False).returncode == 0
     moved = folder.with_name("moved")
@@ -105,7 +105,7 @@ def test_the_linked_environment_of_another_folder_was_not_moved(folder):
     assert run(linked, sys.executable, "install.py", "--moved").stdout == "\n"
 
 
-def test_an_older_python_is_told(folder):
+def test_an_older_python_is_refused(folder):
     program = "import runpy, sys; sys.version_info = (3, 10, 0); sys.argv = ['install.py', 'a', 'b']; "
     program += "runpy.run_path('install.py', run_name='__main__')"
     result = run(folder, sys.executable, "-c", program, check=False)

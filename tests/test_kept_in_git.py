@@ -66,7 +66,7 @@ def folder(tmp_path, monkeypatch):
     return project
 
 
-def test_what_was_not_changed_is_equal(folder):
+def test_an_unchanged_run_is_equal(folder):
     assert kept_in_git.compare() == (
         [
             "Tables: 6 of 6 cells equal the old ones (git HEAD).",
@@ -113,7 +113,7 @@ def test_a_table_more_or_less_is_not_as_kept(folder):
     assert "; 2 lost a number." in lines[0]
 
 
-def test_an_older_revision_has_its_own_tables(folder):
+def test_an_older_revision_is_compared_by_its_tables(folder):
     write_tables(35.0, 40.0)
     commit(folder)
     assert kept_in_git.compare()[0][0] == "Tables: 6 of 6 cells equal the old ones (git HEAD)."
@@ -150,7 +150,7 @@ def test_a_repository_without_tables_says_so(folder):
         kept_in_git.read_revision()
 
 
-def test_a_folder_without_tables_says_what_to_run(folder):
+def test_a_folder_without_tables_has_a_remedy(folder):
     shutil.rmtree(paths.TABLES)
     with pytest.raises(PlacecatError, match="reports/tables has no tables: run `placecat repro`"):
         kept_in_git.compare()

@@ -33,7 +33,7 @@ stages:
 """
 
 
-def test_the_version_of_the_data_is_the_checksum_of_what_was_listed(tmp_path, monkeypatch):
+def test_the_version_of_the_data_is_the_checksum_of_the_lists(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "dvc.lock").write_text(LOCK)
     assert data_version() == "0123.dir"
@@ -70,7 +70,7 @@ def test_features_of_another_data_set_are_refused(tmp_path, monkeypatch):
         check_data({"dataset": dataset})
 
 
-def test_the_record_of_the_kept_run_has_what_is_checked():
+def test_the_record_in_git_has_the_data_set_and_its_checksum():
     """As DVC writes it; the settings of the data set may have changed since."""
     assert KEPT["sequences"]["params"]["params.yaml"]["dataset"]["name"] == "homes"
     (listed,) = KEPT["sequences"]["outs"]

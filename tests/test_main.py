@@ -239,7 +239,7 @@ def test_a_second_run_is_equal_and_counts_no_stage(committed):
     assert (committed / "data/times.json").read_bytes() == before
 
 
-def test_a_partial_run_times_what_ran_and_small_differences_are_as_kept(committed):
+def test_a_partial_run_times_its_stages_and_tolerates_small_differences(committed):
     (committed / "measured.txt").write_text("31.5\n")
     before = (committed / "data/times.json").read_bytes()
     result = placecat(committed, "repro")
@@ -292,7 +292,7 @@ def test_times_of_a_complete_run_are_shown_and_kept(committed):
     assert json.loads((committed / "reports/times.json").read_text())["stages"] == 2
 
 
-def test_force_runs_everything_but_what_is_frozen(committed):
+def test_force_runs_everything_except_frozen_stages(committed):
     shutil.rmtree(committed / "data/times")
     (committed / "data/times.json").unlink()
     refused(placecat(committed, "times", "--keep"), "run `placecat repro --force`")

@@ -130,7 +130,7 @@ def test_one_module_and_one_file_make_a_cue(after):
             assert len(np.unique(proba.round(6), axis=0)) > 1
 
 
-def test_nothing_else_changes_in_what_git_holds(after):
+def test_nothing_else_changes_in_git(after):
     folder, _, _ = after
     lines = run(folder, "git", "status", "--porcelain", "--untracked-files=all").stdout.splitlines()
     written = ["conf/found.yaml", "dvc.lock", "params.yaml"]

@@ -46,7 +46,7 @@ def shown(message):
 @pytest.mark.parametrize(
     "override", ["a=1", "a=my homes", "a=[x,y z]", "~a", "+a.b=c", "a='\u00e4'", "dataset=x", "a="]
 )
-def test_what_hydra_reads_passes(override):
+def test_readable_overrides_pass(override):
     overrides.check([override])
 
 
@@ -63,7 +63,7 @@ def test_a_value_is_shown_as_shell_and_make_need_it(value, tmp_path):
         assert done.stdout == f"{argument}\n"
 
 
-def test_of_a_list_only_what_needs_quotes_gets_them():
+def test_only_items_that_need_quotes_get_them():
     for_shell, _ = shown(refused("dataset.homes=[home_1,H\u00e4user, R&D]"))
     assert for_shell == "\"dataset.homes=[home_1,'H\u00e4user','R&D']\""
 

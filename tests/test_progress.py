@@ -67,7 +67,7 @@ def test_in_a_log_it_is_a_line_now_and_then():
         assert re.fullmatch(r"frames of a home with a long name: \d+ of 40 tasks, 0\d:\d\d left", line)
 
 
-def test_what_ends_soon_leaves_no_line_in_a_log():
+def test_a_short_loop_leaves_no_line_in_a_log():
     program = LOOP.replace("0.1", "60")
     result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     assert (result.stdout, result.stderr) == ("done\n", "")

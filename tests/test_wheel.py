@@ -50,7 +50,7 @@ def test_it_holds_every_file_of_the_source(installed):
 WITHOUT_SOURCE = {"PYTHONPATH": ""}
 
 
-def test_it_is_what_runs_and_predicts(installed, tmp_path):
+def test_the_installed_package_runs_and_predicts(installed, tmp_path):
     python, packages = installed
     where = run(tmp_path, python, "-c", "import placecat; print(placecat.__file__)", **WITHOUT_SOURCE).stdout
     assert Path(where.strip()).is_relative_to(packages)

@@ -102,7 +102,7 @@ def test_a_frame_that_comes_twice_says_no_more(categorizer):
     assert sum(visit.frames for visit in categorizer.visits()) == 2
 
 
-def test_what_is_no_frame_is_refused_and_left_out(categorizer):
+def test_invalid_frames_are_refused_and_skipped(categorizer):
     with pytest.raises(PlacecatError, match="a camera that fails gives None"):
         categorizer.update(None)
     assert categorizer.visits() == []

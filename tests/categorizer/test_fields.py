@@ -135,7 +135,7 @@ def tree(**changes):
         (lambda: Codebook([1.0], of_sets=True), "trees of a Codebook .*without assign"),
     ],
 )
-def test_what_does_not_fit_is_refused(wrong, message):
+def test_unfit_content_is_refused(wrong, message):
     written = plain(wrong())
     with pytest.raises(PlacecatError, match=message):
         from_plain(*written)

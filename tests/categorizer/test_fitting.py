@@ -38,7 +38,7 @@ def test_another_shape_is_refused_where_little_is_left():
 
 
 @given(st.tuples(SIDES, SIDES), st.tuples(SIDES, SIDES))
-def test_what_is_kept_lies_in_the_frame_and_has_the_shape_wanted(source, target):
+def test_the_crop_is_in_the_frame_and_has_the_wanted_shape(source, target):
     try:
         chosen = fit(source, [target], resize=True)
     except PlacecatError:

@@ -113,7 +113,7 @@ def test_a_risk_that_no_confidence_reaches():
     }
 
 
-def test_what_was_measured_stands_in_the_card_and_decides():
+def test_measurements_are_in_the_card_and_decide():
     params = small() | {"model": {"risk": 0.4, "risks_shown": [0.1]}}
     left = held_out.of_stages(params, SYSTEM, 0)
     system = measured(make_system(), params, left)

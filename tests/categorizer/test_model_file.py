@@ -54,7 +54,7 @@ def test_the_same_system_gives_the_same_bytes_and_nothing_is_pickled(system, fil
     assert len(list(tmp_path.iterdir())) == 2
 
 
-def test_the_card_says_what_a_person_should_know(file):
+def test_the_card_has_the_facts_for_a_reader(file):
     card = model_file.read(file).card
     assert card["classes"] == ["bedroom", "kitchen", "bathroom"]
     with zipfile.ZipFile(file) as archive:
@@ -217,7 +217,7 @@ MODEL = ("cues", 0, "model", "state")
         (lambda file: larger(file, "arrays/0003.npy", 2**31), "more bytes than the file has"),
     ],
 )
-def test_what_is_no_model_of_this_version_is_refused(file, damage, message):
+def test_other_files_and_versions_are_refused(file, damage, message):
     damage(file)
     with pytest.raises(PlacecatError, match=message) as refused:
         model_file.read(file)
@@ -293,7 +293,7 @@ def test_training_refuses_where_it_may_not_write_before_it_begins(tmp_path, monk
         train.train_command("das_551_best", [], None, tmp_path / "README.md/x")
 
 
-def test_what_train_writes_is_measured_without_the_same_homes(tmp_path, monkeypatch, capsys, system):
+def test_a_model_of_train_is_measured_without_the_same_homes(tmp_path, monkeypatch, capsys, system):
     calls = []
     params = yaml.safe_load((ROOT / "params.yaml").read_text())
     (tmp_path / "params.yaml").write_text(yaml.safe_dump(params))

@@ -53,7 +53,7 @@ def test_settings_are_not_read_without_being_asked(params):
         ({"kind": "dask", "scheduler": NOWHERE, "wait": 0.2}, r"no scheduler answers .*compute=local"),
     ],
 )
-def test_what_cannot_be_is_refused_in_one_line(params, own, message):
+def test_impossible_settings_are_refused_in_one_line(params, own, message):
     params(compute=own)
     with pytest.raises(PlacecatError, match=message) as caught, compute.as_set():
         squares()

@@ -70,7 +70,7 @@ def seed(descriptor, cells):
     return seed_of("homes", descriptor, cells, "without-home_1", 0)
 
 
-def test_seeds_of_the_codebooks_are_what_they_always_were():
+def test_seeds_of_the_codebooks_are_unchanged():
     assert {
         name: seed(own["descriptor"], own["cells"]) for name, own in PARAMS["codebooks"].items()
     } == CODEBOOKS
@@ -80,7 +80,7 @@ def test_seeds_of_the_codebooks_are_what_they_always_were():
     assert seed_of("homes", hog, 1, "without-home_1", 1) != CODEBOOKS["hog_y"]
 
 
-def test_seeds_of_the_trials_are_what_they_always_were():
+def test_seeds_of_the_trials_are_unchanged():
     first = {}
     for study in STUDIES.values():
         for name, table in study.items():

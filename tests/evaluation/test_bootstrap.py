@@ -32,7 +32,7 @@ def test_swapped_sides_mirror_the_interval(left, right, seed):
 
 
 @given(UNITS, st.floats(-50, 50))
-def test_what_both_sides_share_cancels_and_constant_differences_give_a_point(home, difference):
+def test_common_effects_cancel_and_constant_differences_give_a_point(home, difference):
     interval = mean_of((home + difference) - home).rounded()
     assert interval.low == interval.estimate == interval.high == pytest.approx(difference, abs=0.006)
 
@@ -52,7 +52,7 @@ def test_interval_widens_with_the_level_and_repeats():
     assert mean_of(units, seed=1, level=0.95) != wide
 
 
-def test_stretch_is_that_of_student_and_ends_at_1():
+def test_stretch_is_from_student_and_ends_at_1():
     assert stretch(6, 0.95) == pytest.approx(np.sqrt(6 / 5) * 2.5706 / 1.9600, abs=1e-4)
     assert stretch(100000, 0.95) == pytest.approx(1.0, abs=1e-4)
 

@@ -45,7 +45,7 @@ def test_guessing_has_the_logarithm_of_the_number_of_places(classes, truth):
     assert log_loss(truth, proba, smallest=SMALLEST) == pytest.approx(np.log(classes))
 
 
-def test_a_place_weighs_the_same_however_many_frames_it_has():
+def test_a_place_weighs_the_same_for_any_number_of_frames():
     proba = np.array([[0.5, 0.5]] * 9 + [[0.75, 0.25]])
     expected = (-np.log(0.5) - np.log(0.25)) / 2
     assert log_loss([0] * 9 + [1], proba, smallest=SMALLEST) == pytest.approx(expected)
@@ -119,7 +119,7 @@ def test_the_error_agrees_with_a_loop_over_bins(seed):
 
 
 @given(st.integers(0, 1000), st.integers(1, 30))
-def test_the_error_is_between_that_of_one_bin_and_one(seed, bins):
+def test_the_error_is_between_one_bin_and_one(seed, bins):
     truth, proba = drawn(seed)
     weights, right = balanced_weights(truth), proba.argmax(axis=1) == truth
     assert error(truth, proba, 1) == pytest.approx(abs(weights @ (right - proba.max(axis=1))))
@@ -127,7 +127,7 @@ def test_the_error_is_between_that_of_one_bin_and_one(seed, bins):
 
 
 @given(st.integers(0, 1000))
-def test_the_width_of_confidences_is_that_of_the_bins(seed):
+def test_confidences_are_in_their_bins(seed):
     """A confidence is within its bin, upper end included."""
     truth, proba = drawn(seed)
     diagram = reliability(truth, proba, bins=10)

@@ -38,7 +38,7 @@ def by_hand(truth, decision, cuts):
 
 
 @given(frames)
-def test_stays_and_their_names_are_those_of_a_loop_over_frames(rows):
+def test_stays_and_their_names_equal_a_loop_over_frames(rows):
     truth, decision, cuts = ([row[k] for row in rows] for k in range(3))
     stays, counts = by_hand(truth, decision, cuts)
     assert find_stays(truth, parts_of(cuts)) == stays

@@ -61,6 +61,6 @@ def test_without_axes_there_is_one_trial():
         ({"row": {"x": {"codebook.cells": 3}}}, "codebook.cells,"),
     ],
 )
-def test_what_a_trial_does_not_have_is_refused(axes, message):
+def test_unknown_settings_of_a_trial_are_refused(axes, message):
     with pytest.raises(PlacecatError, match=message):
         expand("table_12", TABLE | {"axes": axes}, HOMES)

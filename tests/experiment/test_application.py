@@ -126,7 +126,7 @@ def main_with(monkeypatch, *words):
     return 0
 
 
-def test_a_single_experiment_is_told_by_home_and_place(sweep, monkeypatch, capsys):
+def test_a_single_experiment_is_reported_by_home_and_place(sweep, monkeypatch, capsys):
     folder, _ = sweep
     monkeypatch.chdir(folder)
     monkeypatch.setenv("PLACECAT_WORKERS", "1")

@@ -130,7 +130,7 @@ def wait_for_workers(group):
 
 
 @pytest.mark.parametrize(("count", "kills"), [(12, 2), pytest.param(60, 8, marks=pytest.mark.slow)])
-def test_a_killed_sweep_goes_on_and_ends_as_if_it_had_not_been(tmp_path, ran, capsys, count, kills):
+def test_a_killed_sweep_resumes_with_the_undisturbed_result(tmp_path, ran, capsys, count, kills):
     whole, one = Sweep(tmp_path / "whole", count), Sweep(tmp_path / "one", count)
     assert not whole.run()
     chance = random.Random(count)
@@ -181,12 +181,12 @@ def test_a_second_sweep_of_the_same_command_waits_and_finds_all_finished(tmp_pat
 @pytest.mark.parametrize(
     "content", ['{"accuracy": 1.0, "settings": {"number": 2}}', '{"acc', '{"failed": "x", "settings": {}}']
 )
-def test_what_was_made_from_something_else_is_not_finished(tmp_path, content):
+def test_a_result_with_another_origin_is_not_finished(tmp_path, content):
     (tmp_path / output.RESULT).write_text(content)
     assert not made_from.is_finished(tmp_path, {"settings": {"number": 1}})
 
 
-def test_a_damaged_result_is_told(tmp_path):
+def test_a_damaged_result_is_reported(tmp_path):
     (tmp_path / "0").mkdir()
     (tmp_path / "0" / output.RESULT).write_text('{"acc')
     (ran,) = summary.read(tmp_path, [{}])

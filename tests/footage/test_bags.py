@@ -57,7 +57,7 @@ def test_compressed_bags(tmp_path, name, compression):
 
 
 @pytest.mark.parametrize("kind", ["walk.bag", "walk.mcap"])
-def test_times_are_the_stamps_and_else_those_of_reception(tmp_path, kind):
+def test_times_are_the_stamps_or_else_the_times_of_reception(tmp_path, kind):
     stamps = [START, START + 10**8, START + 3 * 10**8]
     recording = BagRecording(walk(tmp_path / "a" / kind, stamps=stamps, late=5 * 10**7))
     assert np.allclose(recording.timing.seconds, [0, 0.1, 0.3])
@@ -125,7 +125,7 @@ def test_topics(tmp_path):
     )
 
 
-def test_damaged_pictures_are_lost_and_told(tmp_path):
+def test_damaged_pictures_are_lost_and_reported(tmp_path):
     content = [coded(number) for number in range(4)]
     content[1] = b"\xff\xd8\xffrubbish"
     messages = [

@@ -59,7 +59,7 @@ def filled(encoding):
 
 @pytest.mark.parametrize("padding", [0, 5])
 @pytest.mark.parametrize("encoding", ENCODINGS)
-def test_pixels_are_those_of_the_camera(encoding, padding):
+def test_pixels_match_the_camera(encoding, padding):
     rows = np.pad(filled(encoding), ((0, 0), (0, padding)), constant_values=255)
     image = decode(rows, encoding, rows.shape[1])
     assert image.shape == (HEIGHT, WIDTH, 3) and image.dtype == np.uint8
@@ -114,7 +114,7 @@ def test_compressed_pictures(ending):
 
 
 @pytest.mark.parametrize("keep", [0, 60, -1])
-def test_damaged_pictures_are_told(keep):
+def test_damaged_pictures_are_reported(keep):
     pixels = np.random.default_rng(0).integers(0, 256, (64, 64, 3), np.uint8)
     content = cv2.imencode(".png", pixels)[1].ravel()[:keep]
     with pytest.raises(Damaged, match=r"a\.bag \(format 'png'\): not a readable image"):

@@ -97,7 +97,7 @@ def test_numbers_in_names_are_numbers(ordered, tmp_path):
         ),
     ],
 )
-def test_what_could_be_a_frame_is_never_left_out_silently(names, message, tmp_path):
+def test_possible_frames_are_never_skipped_silently(names, message, tmp_path):
     refused(message, list_frames, filled(tmp_path, *names))
 
 

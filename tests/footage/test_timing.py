@@ -15,7 +15,7 @@ def measured(times, tick=FINE, last=0.0, rates=()):
 
 @pytest.mark.parametrize("rate", [Fraction(5), Fraction(25), Fraction(30000, 1001), Fraction(240)])
 @pytest.mark.parametrize("tick", [MILLI, FINE])
-def test_rounded_times_of_one_rate_are_those_of_the_numbers_to_the_bit(rate, tick):
+def test_rounded_times_of_one_rate_equal_the_exact_times_to_the_bit(rate, tick):
     numbers = np.arange(500)
     found = measured(numbers / float(rate) + 0.007, tick, rates=[rate])
     assert np.array_equal(found.seconds, numbers / float(rate))

@@ -35,7 +35,7 @@ def made():
     }
 
 
-def test_each_sequence_starts_anew():
+def test_each_sequence_restarts_the_filter():
     proba, training = made()
     both = smooth(proba, [slice(0, 5), slice(5, 12)], frame_rate=7.0, **training, **SETTINGS)
     alone = smooth(proba[5:], [slice(0, 7)], frame_rate=7.0, **training, **SETTINGS)
@@ -201,7 +201,7 @@ def test_homes_of_different_rates_are_counted_at_the_highest(seed, times):
     assert (mixed > 0).all()
 
 
-def test_homes_of_one_rate_are_counted_as_they_are():
+def test_homes_of_one_rate_are_counted_unchanged():
     walks = [np.array([0, 0, 1, 1, 0], np.int16), np.array([1, 1, 0], np.int16)]
     for rates in ([5.0, 5.0], [1 / 3, 1 / 3], [29.97, 29.97]):
         np.testing.assert_array_equal(

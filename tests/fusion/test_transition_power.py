@@ -30,7 +30,7 @@ exponents = st.floats(0.0, 50.0)
 
 
 @given(matrices, exponents)
-def test_rows_stay_distributions_whatever_the_matrix(matrix, exponent):
+def test_rows_are_distributions_for_any_matrix(matrix, exponent):
     power = TransitionPower(matrix)(exponent)
     assert (power >= 0).all()
     np.testing.assert_allclose(power.sum(axis=1), 1.0, rtol=1e-12)

@@ -161,7 +161,7 @@ def test_assign_is_the_nearest_centre():
     assert tree.assign(np.empty((0, 8)), 46).shape == (0,)
 
 
-def test_a_seed_fixes_the_bytes_whatever_the_threads():
+def test_a_seed_fixes_the_bytes_for_any_number_of_threads():
     X = np.random.default_rng(12).normal(size=(3000, 40)).astype(np.float32)
     trees = []
     for threads in (1, 2):
@@ -208,7 +208,7 @@ def test_duplicates_and_small_data(n_distinct, copies, branching, seed):
     assert len(set(zip(X[:, 0].tolist(), labels.tolist(), strict=True))) == n_distinct
 
 
-def test_near_duplicates_far_from_the_mean_are_told_apart():
+def test_near_duplicates_far_from_the_mean_are_separated():
     X = np.float32(1000) + np.array([[0], [0], [2], [2], [-2000]], np.float32)
     tree = grown(X, branching=3, max_clusters=3)
     assert same_partition(tree.labels(3), np.array([0, 0, 1, 1, 2]))

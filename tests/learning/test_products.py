@@ -59,7 +59,7 @@ def test_kernels_that_look_at_a_rows_place_are_found_out(monkeypatch, lost):
         products._numbers_of_rows.cache_clear()
 
 
-def test_a_matrix_by_itself():
+def test_a_matrix_times_itself():
     """NumPy has a special routine for a matrix times its transpose."""
     square = np.random.default_rng(0).normal(size=(240, 50))
     assert np.array_equal(alone(RowProducts(square), square), row_products(square, square))

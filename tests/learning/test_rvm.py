@@ -59,7 +59,7 @@ def test_against_dense_evidence_maximisation():
     assert len(model.support_) <= 15
 
 
-def test_evidence_is_that_of_the_definition():
+def test_evidence_follows_the_definition():
     X, y = ring()
     gram = rbf_gram(X, 0.5).astype(float)
     model = RVM(gamma=0.5).fit(X, y)
@@ -70,7 +70,7 @@ def test_evidence_is_that_of_the_definition():
     assert mode.evidence == pytest.approx(slow_evidence(basis, y, alpha), abs=1e-3)
 
 
-def test_rank_one_steps_gain_what_they_say():
+def test_rank_one_steps_have_the_stated_gain():
     """In the Gaussian problem, the summed gains are the difference of two directly computed evidences."""
     X, y = ring(60)
     gram = rbf_gram(X, 0.5)

@@ -115,7 +115,7 @@ def test_complex_samples_and_labels_that_are_none_are_refused(estimator, samples
         clone(estimator).fit(samples, labels)
 
 
-def test_what_a_list_decides_is_what_it_gives_most_to():
+def test_a_list_decides_for_its_largest_output():
     """By default; with other settings `output` and `decision` may differ."""
     X = np.random.default_rng(0).normal(size=(300, 2))
     y = (X[:, 0] > 0).astype(int) + (X[:, 1] > 0)
@@ -123,7 +123,7 @@ def test_what_a_list_decides_is_what_it_gives_most_to():
     np.testing.assert_array_equal(scheme.predict(X), scheme.classes_[scheme.predict_proba(X).argmax(axis=1)])
 
 
-def test_two_classes_is_what_a_machine_says_that_it_takes():
+def test_a_machine_declares_that_it_takes_two_classes():
     for machine in (NuSVM(), RVM(), GentleAdaBoost()):
         assert not machine.__sklearn_tags__().classifier_tags.multi_class
         with pytest.raises(PlacecatError, match=r"Only binary classification is supported.* 3 classes"):

@@ -98,7 +98,7 @@ def test_sixteen_processes_start_at_once_on_a_fresh_database():
         ("http://me:secret@127.0.0.1:9", "127.0.0.1"),
     ],
 )
-def test_what_is_no_mlflow_is_told_in_one_line(folder, address, says):
+def test_other_servers_are_reported_in_one_line(folder, address, says):
     (folder / "broken.db").write_text("This is not a database, despite its name." * 9)
     with pytest.raises(PlacecatError, match=says) as caught:
         store.connect(address)
@@ -106,14 +106,14 @@ def test_what_is_no_mlflow_is_told_in_one_line(folder, address, says):
     assert "secret" not in str(caught.value)
 
 
-def test_a_deleted_experiment_is_told(folder):
+def test_a_deleted_experiment_is_reported(folder):
     client = store.connect(uri())
     client.delete_experiment(experiment(client))
     with pytest.raises(PlacecatError, match="mlflow experiments restore"):
         experiment(client)
 
 
-def test_the_server_is_that_of_the_environment(monkeypatch):
+def test_the_server_comes_from_the_environment(monkeypatch):
     monkeypatch.delenv("MLFLOW_TRACKING_URI", raising=False)
     assert store.tracking_uri() == "sqlite:///mlflow.db"
     monkeypatch.setenv("MLFLOW_TRACKING_URI", "http://127.0.0.1:5000")

@@ -358,7 +358,7 @@ def test_pictures_are_the_same_bytes_each_time(results, tmp_path):
     assert len(list((tmp_path / "1").rglob("*.png"))) == 3
 
 
-def test_rows_differ_in_what_was_chosen(results):
+def test_rows_differ_in_their_choices(results):
     """Two runs that MLflow compares: two cues, a cue and a system, a trial and its neighbour."""
     rows = {row.name: row.params for row in gathered("table_26", results)[0].rows}
     gist, hog, hmm = (rows[f"Table 26: 5-5-1, all cues, {name}"] for name in ("Gist", "HOG + y-Pos", "HMM"))
@@ -386,7 +386,7 @@ def test_a_place_without_frames_has_no_shares():
     np.testing.assert_array_equal(shares(np.array([[1, 3], [0, 0]])), [[25, 75], [np.nan, np.nan]])
 
 
-def test_another_form_of_the_runs_is_logged_anew(log, monkeypatch):
+def test_another_form_of_the_runs_is_logged_again(log, monkeypatch):
     first = log()
     monkeypatch.setattr(tables, "_FORM", "next")
     assert log() != first

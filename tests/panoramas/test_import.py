@@ -155,7 +155,7 @@ def test_results_do_not_depend_on_the_number_of_workers(folder, two_workers):
     assert contents(folder, "homes") != one
 
 
-def test_what_exists_is_never_replaced(folder):
+def test_existing_files_are_never_replaced(folder):
     (folder / "homes").mkdir()
     assert "homes exists: give the name of a new folder" in refused()
     assert names(folder / "homes") == []
@@ -212,7 +212,7 @@ def test_a_wrong_setting_is_refused(folder, change, message):
     assert names(folder) == ["conf", "source"]
 
 
-def test_a_home_without_a_class_and_too_few_homes_are_told(folder, capsys):
+def test_a_home_without_a_class_and_too_few_homes_are_reported(folder, capsys):
     table = (folder / "source/rooms.csv").read_text()
     (folder / "source/rooms.csv").write_text(
         "".join(
@@ -231,7 +231,7 @@ def test_a_home_without_a_class_and_too_few_homes_are_told(folder, capsys):
     assert said.rstrip().endswith('dataset.fps=0.5 dataset.require_all_classes=false"')
 
 
-def test_panoramas_in_no_frame_are_told(folder, capsys):
+def test_panoramas_in_no_frame_are_reported(folder, capsys):
     rooms = [("hall", 20), *[("kitchen", 36 + 16 * number) for number in range(8)]]
     table = "".join(f"Home1,Home1/{grey}.jpg,{room}\n" for room, grey in rooms)
     (folder / "source/rooms.csv").write_text(f"home,file,room\n{table}")

@@ -66,7 +66,7 @@ def test_a_floor_of_one_room_or_of_ways_alone_is_walked_as_well():
 
 @pytest.mark.parametrize("ways", range(5))
 @pytest.mark.parametrize("others", range(3))
-def test_every_way_is_seen_however_few_other_rooms_there_are(ways, others):
+def test_every_way_is_seen_even_with_few_other_rooms(ways, others):
     rooms = [Room("corridor", (one,)) for one in range(ways)]
     rooms += [Room("kitchen", (ways + one,)) for one in range(others)]
     for number in range(20 if rooms else 0):

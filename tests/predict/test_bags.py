@@ -166,7 +166,7 @@ def test_the_same_prediction_gives_the_same_bytes(system, tmp_path):
 
 
 @pytest.mark.parametrize("ending", ["mcap", "rrd"])
-def test_what_is_interrupted_leaves_nothing(system, tmp_path, monkeypatch, ending):
+def test_an_interrupted_export_leaves_nothing(system, tmp_path, monkeypatch, ending):
     if ending == "rrd":
         pytest.importorskip("rerun", reason="rerun is not installed: pip install -e '.[rerun]'")
     walk(tmp_path / "walk.bag")

@@ -131,7 +131,7 @@ def test_a_camera_stops_after_the_seconds_and_never_overwrites(
         main(["predict", "camera", "--seconds", "0.3", "--output", "predictions/camera_0"])
 
 
-def test_the_system_is_told_the_real_time_between_the_frames_of_a_camera(capture, tmp_path, monkeypatch):
+def test_the_system_gets_the_real_time_between_camera_frames(capture, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     made = FakeCategorizer(FPS)
     monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: made)
@@ -158,7 +158,7 @@ def capture_length(path):
     return count
 
 
-def test_ctrl_c_writes_what_was_seen(capture, system, tmp_path, monkeypatch, capsys):
+def test_ctrl_c_writes_the_results_so_far(capture, system, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     original, calls = FakeCategorizer.update, []
 

@@ -43,7 +43,7 @@ def probabilities(table, prefix):
 
 
 @pytest.mark.parametrize("source", ["walk.avi", "images"])
-def test_the_tables_have_what_the_system_said_to_the_bit(folder, source, capsys):
+def test_the_tables_have_the_outputs_of_the_system_to_the_bit(folder, source, capsys):
     predict(source)
     name = source.removesuffix(".avi")
     results = folder / "predictions" / name
@@ -166,7 +166,7 @@ def test_frames_of_another_size_are_scaled_if_asked(folder):
         ("images --fps 2 --every 3", 3 / 2),
     ],
 )
-def test_the_system_is_told_the_time_between_frames(folder, monkeypatch, capsys, arguments, period):
+def test_the_system_gets_the_time_between_frames(folder, monkeypatch, capsys, arguments, period):
     system = FakeCategorizer(frame_rate=6.0)
     monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: system)
     predict(*arguments.split())
@@ -261,7 +261,7 @@ def test_no_source_is_refused(folder):
     assert "SOURCE is empty" in refused("")
 
 
-def test_a_link_as_output_stays_and_what_it_leads_to_is_written(folder):
+def test_a_link_as_output_stays_and_its_target_is_written(folder):
     (folder / "far").mkdir()
     (folder / "near").symlink_to("far")
     predict("walk.avi", "--output", "near")
@@ -298,7 +298,7 @@ def test_only_an_untouched_prediction_of_the_same_source_is_replaced(folder):
     assert "notes.txt was added or edited" in refused("walk.avi", "--output", "out")
 
 
-def test_what_was_edited_or_added_is_kept_even_with_force(folder, capsys):
+def test_edited_or_added_files_are_kept_even_with_force(folder, capsys):
     predict("walk.avi", "--output", "out")
     segments = folder / "out/segments.csv"
     written, first = segments.read_text(), segments.read_text() + "31,32,kitchen\n"

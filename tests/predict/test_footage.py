@@ -34,7 +34,7 @@ def predicted(*arguments, name="walk"):
 
 
 @pytest.mark.parametrize("number", [41, 58])
-def test_lost_frames_keep_their_numbers_and_are_told(system, tmp_path, capsys, number):
+def test_lost_frames_keep_their_numbers_and_are_reported(system, tmp_path, capsys, number):
     zero(write_clip(tmp_path / "walk.mp4", steady(60), options=CHAIN), number)
     table, summary, folder = predicted("walk.mp4", "--video")
     assert table["frame"].tolist() == [one for one in range(1, 61) if one != number]
@@ -62,7 +62,7 @@ def test_whole_footage_has_no_note(system, tmp_path, capsys):
     assert capsys.readouterr().err == ""
 
 
-def test_times_are_those_of_the_file(system, tmp_path):
+def test_times_come_from_the_file(system, tmp_path):
     write_clip(tmp_path / "walk.mp4", UNEVEN)
     (tmp_path / "walk.csv").write_text("start_seconds,end_seconds,label\n0,1.5,kitchen\n1.5,16.2,bedroom\n")
     table, summary, folder = predicted("walk.mp4", "--labels", "walk.csv", "--video")
@@ -75,7 +75,7 @@ def test_times_are_those_of_the_file(system, tmp_path):
 
 
 @pytest.mark.parametrize(("seconds", "frames"), [(1.5, 45), (3.0, 50), (0.05, 2)])
-def test_seconds_are_those_of_the_file(system, tmp_path, seconds, frames):
+def test_seconds_come_from_the_file(system, tmp_path, seconds, frames):
     write_clip(tmp_path / "walk.mp4", UNEVEN)
     table, summary, _ = predicted("walk.mp4", "--seconds", seconds)
     assert len(table) == frames

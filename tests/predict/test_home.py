@@ -159,7 +159,7 @@ def test_another_data_set_is_chosen_as_repro_does(monkeypatch):
         data_set(["dataset.rooot=far"])
 
 
-def test_a_layout_has_its_own_settings(tmp_path):
+def test_a_layout_gets_its_settings(tmp_path):
     """Camera, turn and observations reach the layout, as they do in the stage `sequences`."""
     seen = make(tmp_path / "robot", lambda home, room, number: np.full((6, 8, 3), number % 256, np.uint8))
     dataset = yaml.safe_load((ROOT / "conf/dataset/robot_at_home.yaml").read_text())

@@ -13,13 +13,13 @@ from placecat.replication.simulation import error_rate, homes_needed, power, spr
 BETTER, LITTLE = Range(0.0, math.inf), Range(-2.0, 2.0)
 
 
-def test_the_spread_is_that_of_the_homes():
+def test_the_spread_is_between_homes():
     values = np.random.default_rng(1).normal(3.0, 5.0, 6)
     interval = paired_bootstrap(lambda weights: weights @ values, 6, 0, resamples=20000)
     assert spread(interval.low, interval.high, 6) == pytest.approx(values.std(ddof=1), rel=0.08)
 
 
-def test_power_is_that_of_the_t_test():
+def test_power_equals_the_t_test():
     """One-sided 2.5 %: an effect of a standard deviation needs 10 units for 80 % (Cohen 1988)."""
     assert power(1.0, 1.0, 10, BETTER)[0] == pytest.approx(0.803, abs=0.02)
     assert power(0.0, 1.0, 10, BETTER)[0] == pytest.approx(0.025, abs=0.008)

@@ -37,7 +37,7 @@ def test_every_cell_of_a_table_is_at_its_place():
     assert grid.footnotes == ()
 
 
-def test_what_only_this_run_has_stands_before_the_average():
+def test_additional_cells_precede_the_average():
     table = made(
         ("", "a", "Home 1", 1.0, 1.0, np.nan, 0, ()),
         ("", "a", "Average", 1.0, 1.0, np.nan, 0, ()),

@@ -122,7 +122,7 @@ def test_other_data_are_not_compared():
     assert found.grade(2.0) is Grade.NOT_COMPARED
 
 
-def test_what_is_of_the_same_data_is_compared_still():
+def test_cells_of_the_same_data_are_still_compared():
     """A user's data set does not change the tables of the others."""
     now = {"table_12": filled(1.0, data="my homes"), "table_30": filled(9.0, data="university")}
     kept = {"table_12": filled(2.0), "table_30": filled(9.5, data="university")}

@@ -27,7 +27,7 @@ def test_small_differences_are_named_with_their_place():
     ]
 
 
-def test_large_differences_say_what_to_do():
+def test_large_differences_have_a_remedy():
     lines = said(table(differing=1, largest=2.5, where="HOG"), table("table_13", differing=1, appeared=1))
     assert "beyond the tolerance of 2 points" in lines[0]
     assert "; 1 gained a number." in lines[0]

@@ -76,7 +76,7 @@ def test_three_sessions_are_sequences_of_one_home(made: tuple[Path, list[Seen]])
     assert frames.groupby("sequence").size().to_dict() == {f"sarmis-s{n}": 2 * 4 * 3 for n in (1, 2, 3)}
 
 
-def test_times_are_those_of_the_database(made: tuple[Path, list[Seen]]) -> None:
+def test_times_come_from_the_database(made: tuple[Path, list[Seen]]) -> None:
     root, seen = made
     ticks = [one.ticks for one in expected(seen, "rx2", "RGBD_2") if one.is_labelled]
     assert max(np.diff(ticks)) > PAUSE

@@ -127,7 +127,7 @@ def test_a_lost_frame_has_no_row_and_the_others_keep_their_numbers(tmp_path: Pat
         next(read_frames(tmp_path, frames))
 
 
-def test_times_of_labels_are_those_of_the_file(tmp_path: Path) -> None:
+def test_times_of_labels_refer_to_the_file(tmp_path: Path) -> None:
     write_clip(tmp_path / "flat.mp4", UNEVEN)
     (tmp_path / "flat.csv").write_text("start_seconds,end_seconds,label\n0,1.5,kitchen\n1.5,16.2,hall\n")
     home = video.read_home(tmp_path, "flat")

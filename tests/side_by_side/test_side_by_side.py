@@ -61,7 +61,7 @@ def text_of(html):
     return re.sub(r"\s+", " ", re.sub(r"<[^>]*>", "", html))
 
 
-def test_only_what_differs_is_shown_with_both_values(outside):
+def test_only_differences_show_both_values(outside):
     old, new = side(hmm="47.5", verdict="undecided", nu=0.1, workers=2), side()
     html = page_html(NAMES, (old, new), (figures(0, 1), figures(0, 2, 3)), ["Said first."])
     assert (

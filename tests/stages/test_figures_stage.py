@@ -28,7 +28,7 @@ def save(params):
     Path("params.yaml").write_text(yaml.safe_dump(params), encoding="utf-8")
 
 
-def test_what_the_data_lack_is_left_out_with_its_reason(project, tmp_path):
+def test_missing_data_leave_out_a_figure_with_a_reason(project, tmp_path):
     save(project)
     stage.main()
     entries = json.loads((tmp_path / "reports/figures/figures.json").read_text())

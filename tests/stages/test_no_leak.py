@@ -40,7 +40,7 @@ def fitted_files(folder, home):
     return found
 
 
-def test_what_is_fitted_for_the_marked_home_does_not_change(runs):
+def test_parts_fitted_for_the_marked_home_do_not_change(runs):
     plain, marked = fitted_files(runs["plain"], MARKED), fitted_files(runs["marked"], MARKED)
     assert len(plain) > 30
     assert plain.keys() == marked.keys()

@@ -131,7 +131,7 @@ def test_it_writes_the_same_bytes_again(folder):
 
 
 @pytest.mark.parametrize("path", [paths.FINDINGS, paths.IN_TEXT, paths.TABLES / "table_07.csv"])
-def test_what_is_missing_is_named(folder, path):
+def test_missing_inputs_are_named(folder, path):
     path.unlink()
     with pytest.raises(PlacecatError, match=f"{path} is missing: run `dvc repro`"):
         report.main()
@@ -146,14 +146,14 @@ def test_a_missing_figure_or_list_is_named(folder):
         report.main()
 
 
-def test_figures_are_those_of_the_list(folder):
+def test_figures_match_the_list(folder):
     entries = json.loads((paths.FIGURES / "figures.json").read_text())
     files.write_json(paths.FIGURES / "figures.json", entries[1:])
     report.main()
     assert 'figure-2"' not in page()
 
 
-def test_every_number_is_written_with_what_explains_it(folder):
+def test_every_number_has_an_explanation(folder):
     report.main()
     table = results.load()
     cells = sum(len(pd.read_csv(path)) for path in paths.TABLES.glob("*.csv"))

@@ -54,7 +54,7 @@ def test_a_home_without_a_camera_gives_a_message_and_leaves_nothing(tmp_path, da
     assert not (tmp_path / "data/sequences").exists()
 
 
-def test_what_is_missing_of_a_video_is_told_and_kept(tmp_path, dataset, capsys):
+def test_missing_frames_of_a_video_are_reported_and_recorded(tmp_path, dataset, capsys):
     path = write_clip(tmp_path / "films/one.mp4", steady(30), options={"g": "1000", "bf": "0"})
     write_clip(tmp_path / "films/two.mp4", steady(30))
     for name in ("one", "two"):

@@ -82,7 +82,7 @@ def test_no_cell_of_any_table_is_empty_without_a_reason(run):
         assert len(lost) == (3 if path.stem == "table_04" else 0)
 
 
-def test_numbers_that_are_no_accuracies_are_read_off_what_was_recorded(run):
+def test_other_numbers_than_accuracies_come_from_records(run):
     lines = pd.read_csv(run / paths.IN_TEXT).set_index(["name", "quantity"])["measured"]
     assert lines["nu_in_force"].to_dict() == {"lowest nu in force": 0.15625, "highest nu in force": 0.2}
     assert sorted(lines["uninformative_views"]) == [0.05, 0.09]

@@ -34,7 +34,7 @@ def test_trials_have_counts_for_their_homes_and_seeds(folder):
     assert not np.array_equal(clustered.confusion[0], clustered.confusion[1])
 
 
-def test_what_the_data_cannot_give_has_a_reason(folder):
+def test_impossible_trials_have_a_reason(folder):
     _, missing = tables(folder)
     assert missing["result"].unique().tolist() == [f"{TREE}400"]
     assert missing["home"].tolist() == ["H1", "H3"]
@@ -94,7 +94,7 @@ def test_no_split_learns_from_its_test_sequence(folder, tmp_path, monkeypatch):
     assert any(not np.array_equal(plain, marked) for plain, marked in pairs)
 
 
-def test_extra_data_changes_what_the_integration_trains_on(folder):
+def test_extra_data_change_the_training_of_the_integration(folder):
     system = PARAMS["systems"]["vote"]
     assert system["extra"]
     with_extra = fold_file.read(folder / "data/integration/vote/H1.seed-0.npz", "cross_validated_truth")

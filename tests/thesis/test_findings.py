@@ -45,7 +45,7 @@ def test_a_finding_uses_results_that_a_run_has(name):
 
 
 @pytest.mark.parametrize("name", FINDINGS)
-def test_the_thesis_s_own_numbers_are_where_its_claim_puts_them(name):
+def test_the_numbers_of_the_thesis_fit_its_claims(name):
     """So sides are not swapped, and each comparison fits its sentence."""
     for comparison in FINDINGS[name].comparisons:
         thesis = look_up(comparison, PUBLISHED)
@@ -135,7 +135,7 @@ def test_the_university_is_pooled_as_in_its_table(judged):
     assert row["measured_left"] == pytest.approx(RESULTS.stays[name].pooled().by_home().mean(), abs=0.005)
 
 
-def test_intervals_bracket_what_was_measured(judged):
+def test_intervals_contain_the_measurements(judged):
     for table, name in zip(judged, ("difference", "measured"), strict=True):
         known = table.dropna(subset=["low"])
         assert len(known) > len(table) / 2
@@ -157,7 +157,7 @@ def test_the_ledger_repeats_and_does_not_depend_on_order(judged):
 
 
 @pytest.mark.parametrize("missing", ["nothing measured", "one home", "reasons"])
-def test_what_is_missing_is_undecided_and_says_why(missing):
+def test_missing_measurements_are_undecided_with_a_reason(missing):
     if missing == "one home":
         measured = {
             name: dataclasses.replace(one, homes=one.homes[:1], confusion=one.confusion[:, :1])

@@ -47,7 +47,7 @@ def test_every_published_number_has_a_line():
         assert np.isfinite(line["measured"]) != (row.name in REFERENCES)
 
 
-def test_the_numbers_of_the_text_are_those_of_the_thesis():
+def test_the_numbers_of_the_text_match_the_thesis():
     value = PUBLISHED.set_index(KEY)["value"]
     assert value["gist_without_color", "without colour", "Home 6"] == 35.41
     assert value["gist_without_center_surround", "without centre-surround", "Home 6"] == 30.96
@@ -97,7 +97,7 @@ def test_the_error_on_the_last_class_is_compared_as_a_ratio():
     assert "compare" not in line["note"]
 
 
-def test_the_accuracy_on_the_toy_problem_is_that_of_all_points():
+def test_the_accuracy_on_the_toy_problem_is_over_all_points():
     line = fill().loc[("toy_problem", "parallel scheme", "")]
     assert line["measured"] == pytest.approx(RESULTS.of("toy/parallel").plain().mean(), abs=0.005)
 
@@ -125,7 +125,7 @@ def test_on_other_data_numbers_do_not_compare():
     assert set(other.index.get_level_values("name")) == names
 
 
-def test_what_wu_reports_is_for_reference():
+def test_the_numbers_of_wu_are_for_reference():
     lines = filled().loc[REFERENCES]
     assert len(lines) == 4
     assert lines["measured"].isna().all()
@@ -188,7 +188,7 @@ def test_sequences_of_a_split_are_counted_together_as_in_its_table():
     )
 
 
-def test_runtimes_are_those_that_git_keeps():
+def test_runtimes_come_from_git():
     kept = RECORDS["benchmarks"].set_index(["module", "input", "quantity"])["ours"]
     lines = filled()["measured"]
     rate = kept["frame_features", "1280x720 JPEG, for the cues", "frames/s on one core, with decoding"]
@@ -198,7 +198,7 @@ def test_runtimes_are_those_that_git_keeps():
     assert "measured on one core" in filled().loc[("processing_rate", "frames/s", ""), "note"]
 
 
-def test_what_was_not_recorded_has_a_reason():
+def test_missing_records_have_a_reason():
     empty = {name: pd.DataFrame() for name in RECORDS}
     line = fill(known=empty).loc[("nu_in_force", "lowest nu in force", "")]
     assert np.isnan(line["measured"])
@@ -228,7 +228,7 @@ def test_contradictions_of_the_text_are_real():
         assert abs(difference - noted.loc[quantity, "value"]) > 0.2
 
 
-def test_with_fewer_homes_what_lacks_has_a_reason():
+def test_with_fewer_homes_missing_numbers_have_a_reason():
     lines = fill(made(with_homes(4)))
     line = lines.loc[("gist_without_color", "difference", "Home 6")]
     assert np.isnan(line["measured"])

@@ -37,7 +37,7 @@ def compare(left, right=None, kind="better", number=None, rules=RULES, compariso
     return judge_comparison("finding_01", comparison, rules, results(**named), PUBLISHED, comparisons)
 
 
-def test_what_is_better_in_every_home_alike_holds():
+def test_an_equal_gain_in_every_home_holds():
     judged = compare(measured(shifted([3, 4, 5, 3, 4, 5])), measured(HOMES))
     assert judged.verdict == HOLDS
     assert judged.reason == "the whole interval is above 0"
@@ -46,7 +46,7 @@ def test_what_is_better_in_every_home_alike_holds():
     assert 2.5 < judged.measurement.interval.low < 4.0 < judged.measurement.interval.high < 5.5
 
 
-def test_pairing_cancels_what_homes_share():
+def test_pairing_cancels_effects_of_homes():
     """Homes differ by 24 points, the sides by 1 point in each."""
     judged = compare(measured(HOMES + 1), measured(HOMES))
     interval = judged.measurement.interval
@@ -60,7 +60,7 @@ def test_swapped_sides_turn_holds_into_does_not_hold():
     assert compare(right, left, "worse").verdict == HOLDS
 
 
-def test_what_differs_between_homes_is_undecided():
+def test_differences_between_homes_are_undecided():
     judged = compare(measured(shifted([9, -8, 7, -6, 5, -2])), measured(HOMES))
     assert judged.verdict == UNDECIDED
     assert judged.reason == "only part of the interval is above 0"
@@ -73,7 +73,7 @@ def test_two_homes_are_judged_by_their_seeds():
     assert judged.reason.endswith(", in these homes")
 
 
-def test_too_few_units_are_undecided_whatever_they_say():
+def test_too_few_units_are_always_undecided():
     judged = compare(measured([90, 90]), measured([10, 10]))
     assert (judged.verdict, judged.reason) == (UNDECIDED, "2 homes are too few for a verdict")
     judged = compare(measured([90]), measured([10]))
@@ -172,7 +172,7 @@ def test_a_wider_margin_never_makes_a_verdict_worse(gains, margin, more, one_sid
     assert order.index(verdicts[0]) <= order.index(verdicts[1])
 
 
-def test_what_fails_by_itself_need_not_fail_among_many():
+def test_a_comparison_that_fails_alone_need_not_fail_among_many():
     """Its 95 % interval is below 0, but the interval that allows for 14 comparisons is not."""
     left, right = measured(shifted([-3, -4, -1, -2.5, -0.5, -3.5])), measured(HOMES)
     alone = compare(left, right)

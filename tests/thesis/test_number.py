@@ -59,7 +59,7 @@ def test_the_number_lies_between_its_seeds(number):
 
 
 @given(st.one_of(seeded, fixed), st.one_of(seeded, fixed))
-def test_a_difference_is_that_of_each_seed(left, right):
+def test_a_difference_is_taken_seed_by_seed(left, right):
     difference = left.minus(right)
     assert difference.is_random == (left.is_random or right.is_random)
     assert difference.values.mean() == pytest.approx(left.values.mean() - right.values.mean())
@@ -69,7 +69,7 @@ def test_a_difference_is_that_of_each_seed(left, right):
 
 
 @given(st.lists(st.one_of(seeded, fixed, st.just(nothing("why"))), min_size=1))
-def test_a_mean_leaves_out_what_there_is_not(numbers):
+def test_a_mean_leaves_out_missing_numbers(numbers):
     there = [one.values.mean() for one in numbers if len(one.values)]
     found = mean(numbers)
     if there:

@@ -29,7 +29,7 @@ def results(**stays):
 A, B = by_stay((10, 4, 15, 5, 3)), by_stay((5, 2, 30, 10, 6), (7, 2, 30, 10, 6))
 
 
-def test_accuracies_are_those_of_all_frames_counted_as_one():
+def test_accuracies_are_over_the_pooled_frames():
     pooled = pool(results(a=A, b=B), [Side("left", ("a",)), Side("right", ("b",))])
     assert pooled.units == "5 stays"
     assert pooled.names == ("corridor", "kitchen")
@@ -73,7 +73,7 @@ def test_a_place_with_a_single_stay_is_too_few():
     assert single.n_units == 1
 
 
-def test_what_is_missing_says_why():
+def test_missing_stays_have_a_reason():
     with pytest.raises(NotComputable, match="this run has no result b"):
         pool(results(a=A), [Side("left", ("a",)), Side("right", ("b",))])
     without = Results(("one",), CLASSES, {"a": A.pooled()}, {})

@@ -131,7 +131,7 @@ def test_a_number_is_the_mean_of_the_seeds_with_their_spread():
     assert average["spread"] == pytest.approx(abs(means[0] - means[1]), abs=0.005)
 
 
-def test_what_is_not_random_has_no_spread():
+def test_results_without_chance_have_no_spread():
     filled = fill("table_03")
     assert filled["spread"].isna().all()
     assert (filled["seeds"] == 0).all()
@@ -231,7 +231,7 @@ def test_a_place_that_the_data_set_lacks_has_a_reason():
 
 @settings(max_examples=examples(30), deadline=None)
 @given(data=st.data())
-def test_every_cell_has_a_number_or_a_reason_whatever_could_not_be_computed(data):
+def test_every_cell_has_a_number_or_a_reason(data):
     # For the homes only: results of a split or the toy problem are never left out.
     of_homes = [name for name, table in TABLES.items() if not {"split", "data"} & set(table)]
     name = data.draw(st.sampled_from(of_homes))

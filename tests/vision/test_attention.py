@@ -129,7 +129,7 @@ def test_patches_on_a_wall_are_found():
         assert np.hypot(got[:6, 0] - x, got[:6, 1] - y).min() < 20
 
 
-def test_same_frame_same_bytes_whatever_the_threads():
+def test_same_frame_same_bytes_for_any_number_of_threads():
     image = reference.frame(9, 200, 300)
     before = cv2.getNumThreads()
     results, kept = set(), []

@@ -42,7 +42,7 @@ SPREAD_OUT = rows(*[(x, y) for y in (60, 180, 300) for x in (80, 240, 400, 560)]
 
 
 @pytest.mark.parametrize("shift", [(6, 0), (0, -8), (13, 7), (-40, 24)])
-def test_regions_move_with_what_they_show(shift):
+def test_regions_move_with_their_content(shift):
     dx, dy = shift
     tracker = RegionTracker()
     found = rows((200, 150), (330, 200), (420, 120))
@@ -90,7 +90,7 @@ def test_a_region_is_lost_where_nothing_like_it_is():
     assert len(tracker.step(scenery(1)[:HEIGHT, :WIDTH], NOTHING)) <= 2
 
 
-def test_following_back_is_what_finds_out():
+def test_tracking_back_detects_a_wrong_match():
     kept = {}
     for distance in (0.1, 1.0, 1000.0):
         tracker = RegionTracker(forward_backward=distance)
@@ -149,7 +149,7 @@ def test_of_two_that_come_too_close_the_younger_is_given_up():
     st.tuples(st.integers(-30, 30), st.integers(-20, 20)),
 )
 @settings(max_examples=examples(25), deadline=None)
-def test_whatever_is_found_the_regions_satisfy_the_inequality(found, most, shift):
+def test_the_regions_always_satisfy_the_inequality(found, most, shift):
     tracker = RegionTracker(max_regions=most, width=160)
     last = 0
     for frame, points in enumerate(found):
@@ -173,7 +173,7 @@ def test_whatever_is_found_the_regions_satisfy_the_inequality(found, most, shift
         last = len(got)
 
 
-def test_it_starts_anew_and_gives_the_same_bytes():
+def test_a_restart_gives_the_same_bytes():
     def follow():
         tracker = RegionTracker()
         views = [view(400 - 9 * t, 300 + 4 * t) for t in range(4)]
@@ -191,13 +191,13 @@ def test_it_starts_anew_and_gives_the_same_bytes():
         cv2.setNumThreads(threads)
 
 
-def test_what_it_returns_is_the_callers():
+def test_its_result_belongs_to_the_caller():
     tracker = RegionTracker()
     tracker.step(view(400, 300), SPREAD_OUT)[:] = 0
     np.testing.assert_allclose(tracker.step(view(400, 300), NOTHING), SPREAD_OUT, atol=0.05)
 
 
-def test_places_are_pixels_of_the_frame_whatever_the_reduced_width():
+def test_positions_are_pixels_of_the_frame_at_any_reduced_width():
     found = rows((200, 150), (330, 200), (420, 120))
     for width in (160, 320, 640, 5000):
         tracker = RegionTracker(width=width)

@@ -181,7 +181,7 @@ def test_without_unlabelled_frames_there_is_no_row_for_them():
     assert [label.get_text() for label in figure.axes[0].get_yticklabels()] == list(CLASSES)
 
 
-def test_the_greys_span_what_a_strip_has():
+def test_the_greys_span_the_values_of_a_strip():
     rng = np.random.default_rng(0)
     near_uniform = 1 / 3 + 0.01 * rng.uniform(-1, 1, (500, 3))
     low, high = strips.greys(near_uniform)

@@ -45,7 +45,7 @@ def test_fewer_homes_than_there_are_are_named():
     )
 
 
-def test_what_has_no_number_has_a_reason_and_what_does_not_exist_is_refused():
+def test_missing_numbers_have_a_reason_and_unknown_results_are_refused():
     name = "cues/gist/5-5-1"
     one = RESULTS.quality[name]
     empty = Quality(one.homes, one.seeds, {key: value * np.nan for key, value in one.values.items()})

@@ -78,7 +78,7 @@ def test_the_checksum_covers_weights_in_other_files(path):
 
 
 @pytest.mark.skipif(shutil.which("sha256sum") is None, reason="there is no sha256sum")
-def test_the_checksum_is_that_of_the_shell(path):
+def test_the_checksum_equals_the_shell(path):
     path.write_bytes(mean_color())
     path.with_name("a.bin").write_bytes(b"weights")
     shell = "sha256sum net.onnx a.bin | sha256sum"
@@ -118,7 +118,7 @@ def test_damaged_files_give_one_message(path):
             assert "\n" not in str(error)
 
 
-def test_graphs_within_graphs_are_followed_however_deep(path):
+def test_graphs_within_graphs_are_followed_to_any_depth(path):
     inner = RANDOM
     for _ in range(3000):
         inner = node("If", ["yes"], "out", subgraph("branch", inner))

@@ -106,7 +106,7 @@ def test_a_network_of_something_else_than_an_image_is_refused(monkeypatch, file,
     one_message(message, onnx_file.load, file)
 
 
-def test_what_onnxruntime_says_comes_in_one_line(monkeypatch, file):
+def test_messages_of_onnxruntime_become_one_line(monkeypatch, file):
     stand_in(monkeypatch, broken=True)
     one_message(r"net\.onnx is not an ONNX file .*: Load model failed: Protobuf", onnx_file.load, file)
 
