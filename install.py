@@ -1,7 +1,7 @@
 """Install the packages of a lock file and this project into .venv: ``python install.py LOCK_FILE MARKER``.
 
-`make` calls it; it needs only the standard library. ``python install.py --moved`` prints "yes" if .venv does not
-work here, since it was moved with the project or its Python is gone.
+`make` calls it; it needs only the standard library. ``python install.py --moved`` prints "yes" if .venv does
+not work here, since it was moved with the project or its Python is gone.
 """
 
 import os
@@ -43,7 +43,7 @@ def main(lock: str, marker: Path) -> None:
 
 
 def moved() -> bool:
-    """Whether there is an environment whose programs do not start: they hold its path."""
+    """Whether .venv exists but its programs do not start, since they contain an old path."""
     try:
         settings = (VENV / "pyvenv.cfg").read_text(encoding="utf-8")
     except OSError:

@@ -117,7 +117,7 @@ def test_segments_are_labels(folder, capsys):
     predict("walk.avi", "--labels", labels, "--output", "judged")
     shown = capsys.readouterr().out
     # 14 of 18 frames of bedroom and all 8 of living_room are correct.
-    assert f"Accuracy (mean over the places labelled): {(100 * 14 / 18 + 100) / 2:.2f} %" in shown
+    assert f"Accuracy (mean over the labelled places): {(100 * 14 / 18 + 100) / 2:.2f} %" in shown
     lines = [line.split() for line in shown.splitlines()]
     assert ["bedroom", "14", "0", "4", "77.8", "%"] in lines
     assert ["kitchen", "0", "0", "0", "-"] in lines
@@ -131,7 +131,7 @@ def test_an_unknown_label_is_refused_or_left_out(folder, capsys):
     )
     assert not (folder / "predictions").exists()
     predict("walk.avi", "--labels", "labels.csv", "--ignore", "cellar")
-    assert "Accuracy (mean over the places labelled): 80.00 %" in capsys.readouterr().out
+    assert "Accuracy (mean over the labelled places): 80.00 %" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(("option", "suffix"), [("--video", ".mp4"), ("--webm", ".webm")])

@@ -48,7 +48,7 @@ def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str
     widths = [max(len(name), *(len(row[column]) for row in rows)) for column, name in enumerate(classes)]
     first = max(len("label"), *map(len, classes))
     lines = [
-        f"Accuracy (mean over the places labelled): {agreement['accuracy']:.2f} %; "
+        f"Accuracy (mean over the labelled places): {agreement['accuracy']:.2f} %; "
         f"of each frame alone {agreement['frame_accuracy']:.2f} %",
         "  " + "  ".join([f"{'label':{first}}", *_cells(classes, widths), "correct"]),
     ]
@@ -60,7 +60,7 @@ def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str
         wrong = agreement["named_wrongly"]
         wrongly = "" if wrong is None else f", of which {wrong:.2f} % wrongly"
         lines.append(
-            f"Named (mean over the places labelled): {agreement['named']:.2f} %{wrongly}; the rest is unknown"
+            f"Named (mean over the labelled places): {agreement['named']:.2f} %{wrongly}; the rest is unknown"
         )
     return lines
 
