@@ -236,7 +236,7 @@ def test_the_configuration_has_every_setting_with_its_default():
     ("wrong", "message"),
     [
         ({"max_regions": 0}, "max_regions must be at least 1"),
-        ({"window": 20}, "odd number"),
+        ({"window": 20}, "window odd"),
         ({"width": 8}, "width must be at least 16"),
         ({"levels": -1}, "levels"),
         ({"iterations": 0}, "iterations"),
