@@ -1,5 +1,5 @@
-# `make` lists the targets. Each first installs what it needs, pinned, into .venv: the tests also need what renders
-# the homes, and `make bench` what it compares with.
+# `make` lists the targets. Each first installs its pinned packages into .venv; the tests also need the renderer, and
+# `make bench` the libraries to compare with.
 PYTHON ?= python3
 # Hydra overrides that choose other data or settings, e.g. SET="dataset=vpc2009 dataset.root=PATH".
 SET ?=
@@ -49,7 +49,7 @@ test: $(READY_TEST) lint ## run every test
 test-quick: $(READY_TEST) ## run the tests that take seconds at most, without DVC, servers, browsers and the renderer
 	$(BIN)/python -m pytest $(WORKERS) -m "not slow" --hypothesis-profile quick tests
 
-bench: $(READY_BENCH) $(VENV)/contributed ## time each piece beside what one would use instead; PIECE="..." chooses some
+bench: $(READY_BENCH) $(VENV)/contributed ## time each piece against alternatives; PIECE="..." chooses some
 	$(BIN)/python -m placecat_bench $(PIECE)
 
 bench-scale: $(READY) ## measure how time and memory grow with the data; needs `make repro`, takes about an hour
@@ -58,14 +58,14 @@ bench-scale: $(READY) ## measure how time and memory grow with the data; needs `
 # Counts go to reports/robustness.csv.
 SECONDS ?= 1800
 SEED ?= 0
-campaign: $(READY_TEST) ## damage inputs, kill runs, fill disks for SECONDS, and count what became of it
+campaign: $(READY_TEST) ## damage inputs, kill runs, fill disks for SECONDS, and count the outcomes
 	$(BIN)/python tests/campaign/campaign.py --seconds $(SECONDS) --seed $(SEED)
 
 # conf/choice.yaml lists the candidates.
-choose: $(READY) ## judge on training homes what the thesis leaves open; needs `make repro`
+choose: $(READY) ## judge settings that the thesis leaves open, on training homes; needs `make repro`
 	$(BIN)/python -m placecat.choice $(KIND)
 
-docs: $(READY_TEST) ## fill the numbers of README.md and docs/ from the result files, build both into site/
+docs: $(READY_TEST) ## update the numbers in README.md and docs/ from the result files, and build site/
 	$(BIN)/python docs/fill.py
 	$(BIN)/sphinx-build -q -W --keep-going -c docs -d site/.doctrees . site
 	@echo "Open site/index.html."
@@ -82,11 +82,11 @@ $(READY_BENCH): requirements-bench.lock pyproject.toml
 $(READY) $(READY_TEST) $(READY_BENCH):
 	$(PYTHON) install.py $< $@
 
-# OpenCV with its contributed modules, apart: it would replace the one that placecat uses.
+# OpenCV with its contributed modules, in a separate folder, since it would replace placecat's OpenCV.
 $(VENV)/contributed: $(READY_BENCH)
 	$(BIN)/python -m pip install -qq --no-deps --upgrade --target $@ opencv-contrib-python-headless==4.14.0.94
 
-ui: $(READY) ## open MLflow on what `make repro` logged
+ui: $(READY) ## open MLflow with the runs that `make repro` logged
 	MLFLOW_SERVER_ENABLE_JOB_EXECUTION=false MLFLOW_DISABLE_TELEMETRY=true \
 		$(BIN)/mlflow ui --backend-store-uri sqlite:///mlflow.db --workers 1
 

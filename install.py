@@ -1,7 +1,7 @@
-"""Install what a lock file pins, and this project, into .venv: ``python install.py LOCK_FILE MARKER``.
+"""Install the packages of a lock file and this project into .venv: ``python install.py LOCK_FILE MARKER``.
 
-`make` calls it, with the standard library alone. ``python install.py --moved`` prints "yes" if .venv does not
-work here, since it was moved with the project or its Python is gone.
+`make` calls it; it needs only the standard library. ``python install.py --moved`` prints "yes" if .venv does
+not work here, since it was moved with the project or its Python is gone.
 """
 
 import os
@@ -11,12 +11,12 @@ import sys
 from pathlib import Path
 
 VENV = Path(".venv")
-# Those that would send packages elsewhere than into .venv, or take some from elsewhere.
+# Variables that would install packages outside .venv, or take some from elsewhere.
 FOREIGN = ("PIP_CONSTRAINT", "PIP_PREFIX", "PIP_ROOT", "PIP_TARGET", "PYTHONHOME", "PYTHONPATH")
 
 
 def main(lock: str, marker: Path) -> None:
-    """Install, unless another `make` has just done it; while one does, wait for it."""
+    """Install, unless another `make` has just done so; wait for one that is still installing."""
     if not (3, 11) <= sys.version_info[:2] < (3, 14):
         sys.exit("placecat needs Python 3.11, 3.12 or 3.13: make PYTHON=python3.12 ...")
     with Path(".venv.lock").open("w") as held:
@@ -25,7 +25,7 @@ def main(lock: str, marker: Path) -> None:
         if not is_moved and _is_newer(marker, (lock, "pyproject.toml")):
             return
         environment = {name: value for name, value in os.environ.items() if name not in FOREIGN}
-        # As a variable, since it may stand in pip's own settings, too.
+        # As a variable, since pip's settings may set it too.
         environment |= {"PIP_USER": "0", "PYTHONNOUSERSITE": "1"}
 
         def run(*command: object) -> None:
@@ -34,7 +34,7 @@ def main(lock: str, marker: Path) -> None:
                 sys.exit(status)
 
         run(sys.executable, "-m", "venv", *(["--clear"] if is_moved else []), VENV)
-        # Twice quiet: errors, but none of the notices about this machine's pip.
+        # -qq: show errors, but no notices about this machine's pip.
         pip = (VENV / "bin/python", "-m", "pip", "install", "-qq", "--disable-pip-version-check")
         print(f"Installing what {lock} pins into {VENV}; the first time it takes minutes.", flush=True)
         run(*pip, "--require-hashes", "-r", lock)
@@ -43,7 +43,7 @@ def main(lock: str, marker: Path) -> None:
 
 
 def moved() -> bool:
-    """Whether there is an environment whose programs do not start: they hold its path."""
+    """Whether .venv exists but its programs do not start, since they contain an old path."""
     try:
         settings = (VENV / "pyvenv.cfg").read_text(encoding="utf-8")
     except OSError:

@@ -1,7 +1,7 @@
 """Settings of Sphinx for `make docs`, which makes a site of README.md and docs/.
 
-Sphinx with MyST and Furo: they are kept up, read the same Markdown as a forge, and their pages load nothing
-from the network.
+Sphinx with MyST and Furo is maintained and reads the same Markdown as a forge; its pages load nothing from
+the network.
 """
 
 import shutil
@@ -39,6 +39,6 @@ def _add_index(app: Sphinx, error: Exception | None) -> None:
 
 
 def setup(app: Sphinx) -> None:
-    """Add what Sphinx calls."""
+    """Register the functions that Sphinx calls."""
     app.connect("source-read", _add_sidebar)
     app.connect("build-finished", _add_index)

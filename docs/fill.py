@@ -1,9 +1,9 @@
 """Fill the numbers of README.md and docs/ from result files: ``python docs/fill.py``.
 
-An HTML comment, which no reader sees, says what a number or a table is computed from:
+An HTML comment, invisible to readers, names the source of a number or a table:
 
-- ``12.3<!-- = EXPRESSION -->`` is a number, rounded as it stands;
-- ``<!-- block: EXPRESSION -->``, lines, ``<!-- end -->`` hold a table.
+- ``12.3<!-- = EXPRESSION -->`` is a number with these decimals;
+- ``<!-- block: EXPRESSION -->``, lines, ``<!-- end -->`` is a table.
 
 An expression calls the functions below. Every path is relative to the project's folder.
 """
@@ -42,7 +42,7 @@ _BLOCK = re.compile(r"<!-- block: (.+?) -->\n(.*?)<!-- end -->", re.DOTALL)
 
 
 def fill(text: str) -> str:
-    """Put what the files hold in place of every number and table that names its source."""
+    """Replace every number and table that names its source by the values in the files."""
 
     def number(match: re.Match[str]) -> str:
         value, decimals = _value(match[3]), len(match[2] or "")
@@ -65,7 +65,7 @@ def main() -> None:
 
 
 def _value(expression: str) -> object:
-    # The pages belong to the project, as its code does.
+    # The pages are as trusted as the code.
     return eval(expression, dict(globals()))
 
 
@@ -74,13 +74,13 @@ def _read(path: str) -> pd.DataFrame:
 
 
 def _markdown(head: Sequence[str], rows: Iterable[Sequence[str]], texts: int = 1) -> str:
-    """A table whose first columns are text, its others numbers."""
+    """A table whose first columns are text and whose others are numbers."""
     rule = "|" + "---|" * texts + "---:|" * (len(head) - texts)
     return "\n".join(["| " + " | ".join(head) + " |", rule, *("| " + " | ".join(row) + " |" for row in rows)])
 
 
 def table(name: str, group: str, row: str, column: str = "Average", folder: str = "reports/tables") -> float:
-    """Look up what was measured for a cell of a table."""
+    """Look up the measured value of a table cell."""
     cells = _read(f"{folder}/{name}.csv")
     chosen = cells[(cells["group"] == group) & (cells["row"] == row) & (cells["column"] == column)]
     return float(chosen["measured"].item())
@@ -92,7 +92,7 @@ def total(file: str, column: str) -> int:
 
 
 def run_minutes() -> float:
-    """Minutes that a complete `make repro` took."""
+    """Minutes of a complete `make repro`."""
     return pd.read_json(ROOT / "reports/times.json", typ="series")["total"] / 60
 
 
@@ -102,7 +102,7 @@ def verdicts(verdict: str, folder: str = "reports") -> int:
 
 
 def table_26(folder: str) -> str:
-    """Averages of Table 26: a column a protocol, a row a cue."""
+    """Averages of Table 26: one column per protocol, one row per cue."""
     cells = _read(f"{folder}/table_26.csv")
     averages = cells[cells["column"] == "Average"].pivot(index="row", columns="group", values="measured")
     groups = {"4-5-1, all cues": "4-5-1", ALL: "5-5-1", BEST: "5-5-1, five best cues"}
@@ -120,7 +120,7 @@ def table_26(folder: str) -> str:
 
 
 def findings() -> str:
-    """How many findings hold, and which."""
+    """Numbers of the findings by verdict."""
     data = [_read(f"{folder}/findings.csv") for folder in ("reports", MORE, REAL)]
 
     def cell(ledger: pd.DataFrame, verdict: str) -> str:
@@ -134,7 +134,7 @@ def findings() -> str:
 
 
 def power() -> str:
-    """How many homes decide each finding."""
+    """Number of homes that decide each finding."""
     return needed.markdown(needed.power_table(_read(str(needed.COMPARISONS))))
 
 
@@ -164,7 +164,7 @@ def replicated() -> str:
 
 
 def averages(name: str) -> str:
-    """Averages over homes of a table with one column of them, group by group."""
+    """Averages over homes of a table with one such column, group by group."""
     cells = _read(name)
     cells = cells[cells["column"] == "Average"]
     rows = ([line.group, line.row, f"{line.measured:.2f}"] for line in cells.itertuples(index=False))
@@ -172,7 +172,7 @@ def averages(name: str) -> str:
 
 
 def embedding() -> str:
-    """What a network's cue and its integrations have on six real homes: means over homes."""
+    """Results of a network's cue and its integrations on six real homes, as means over homes."""
     lines = _read(f"{REAL}/embedding.csv")
     means = lines.groupby("system", sort=False).mean(numeric_only=True)
     digits = {"frames": 1, "stays": 1, "log_loss": 2, "covered": 1, "wrong": 0}
@@ -184,7 +184,7 @@ def embedding() -> str:
 
 
 def embedding_by_home() -> str:
-    """The same, frames of each home, smoothed."""
+    """The same by home: smoothed accuracies on frames."""
     lines = _read(f"{REAL}/embedding.csv")
     lines = lines[lines["system"].str.endswith("smoothed")]
     homes = list(lines["home"].unique())
@@ -196,21 +196,21 @@ def embedding_by_home() -> str:
 
 
 def tried(candidate: str, column: str, networks: str = "Lite1") -> float:
-    """What a candidate beside the embedding has on six real homes."""
+    """A result on six real homes of a candidate in docs/embedding.md."""
     lines = _read(f"{REAL}/embedding_tried.csv")
     chosen = lines[(lines["candidate"] == candidate) & (lines["networks"] == networks)]
     return float(chosen[column].item())
 
 
 def several(column: str, largest: bool) -> float:
-    """The least or the most that pools and votes of several networks have."""
+    """The lowest or highest result of pools and votes of several networks."""
     lines = _read(f"{REAL}/embedding_tried.csv")
     values = lines.loc[lines["networks"].str.contains(",") & (lines["candidate"] != BOTH), column]
     return float(values.max() if largest else values.min())
 
 
 def rendered_model() -> str:
-    """What the model that comes with the project has in real homes."""
+    """Accuracies of the project's model in real homes."""
     lines = _read(f"{REAL}/rendered_model.csv").set_index("home").T
     lines["average"] = lines.mean(axis=1)
     titles = {"accuracy": "Smoothed", "frame_alone": "Each frame alone", "named": "Named, not unknown"}
@@ -226,7 +226,7 @@ def bench(piece: str, input_part: str, quantity_part: str) -> float:
 
 
 def benchmarks() -> str:
-    """Speed beside others; misses are bold."""
+    """Speed against alternatives; missed targets are bold."""
     rows = []
     for line in _read("reports/benchmarks.csv").itertuples(index=False):
         if "second" not in line.quantity and "frames/s" not in line.quantity:
@@ -250,7 +250,7 @@ def benchmarks() -> str:
 
 
 def robustness() -> str:
-    """Count what became of damaged inputs and disturbed runs."""
+    """Count the outcomes of damaged inputs and disturbed runs."""
     counts = _read("reports/robustness.csv")
     columns = ["part", "tried", "right", "message", "traceback", "wrong"]
     rows = ([str(cell).replace("_", " ") for cell in row] for row in counts[columns].itertuples(index=False))
@@ -258,23 +258,23 @@ def robustness() -> str:
 
 
 def scale(quantity: str) -> float:
-    """A quantity of the largest size of `make bench-scale`."""
+    """A quantity at the largest size of `make bench-scale`."""
     return pd.read_json(ROOT / "reports/scale.json", typ="series")["largest"][quantity]
 
 
 def growth(column: str) -> float:
-    """How everything grows with the number of frames."""
+    """Growth of the whole with the number of frames."""
     lines = _read("reports/scale_growth.csv")
     return float(lines.loc[lines["stage"] == "all", column].item())
 
 
 def full_run_hours() -> float:
-    """Hours that everything on VPC-2009 would take."""
+    """Estimated hours of a complete run on VPC-2009."""
     return pd.read_json(ROOT / "reports/scale.json", typ="series")["full_run"]["hours"]
 
 
 def sweep() -> str:
-    """What the sweep of README.md prints: the same trials as in Table 12."""
+    """The output of the sweep in README.md, from the same trials in Table 12."""
     clusters, homes = ("46", "196", "496"), {"Home 1": "home_1", "Home 6": "home_6", "Average": "average"}
     rows = [
         [name, homes[home], *(f"{table('table_12', group, home, column):.2f}" for column in clusters)]

@@ -13,7 +13,7 @@ from placecat.footage.image_messages import raw_image
 
 
 class PlaceNode(Node):
-    """Subscribes to `image`; publishes `classification` a frame, and `place`, latched, when it changes."""
+    """Subscribes to `image`; publishes `classification` per frame, and `place`, latched, when it changes."""
 
     def __init__(self) -> None:
         super().__init__("placecat")
@@ -26,7 +26,7 @@ class PlaceNode(Node):
         self.create_subscription(Image, "image", self.see, newest)
 
     def see(self, message: Image) -> None:
-        """Categorize a frame, unless it came late. A clock that goes back by more than 1 s restarts all."""
+        """Categorize a frame, unless it came late. A clock that goes back by more than 1 s causes a reset."""
         now = message.header.stamp.sec + message.header.stamp.nanosec / 1e9
         if self.last - 1 <= now <= self.last:
             return

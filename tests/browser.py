@@ -1,4 +1,4 @@
-"""A real headless Chromium, for tests of what a person sees."""
+"""A real headless Chromium, to test what a person sees."""
 
 import html
 import json
@@ -9,7 +9,7 @@ import subprocess
 import pytest
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
-# Pixels; Chromium makes no narrower window unless it takes a picture.
+# Pixels; Chromium makes no narrower window, except for a picture.
 _NARROWEST = 500
 
 
@@ -19,7 +19,7 @@ def needs_chromium(test):
 
 
 def open_page(url, folder, *arguments):
-    """Open a page; gives its DOM after scripts ran, and what Chromium logged (console messages included)."""
+    """Open a page; returns its DOM after the scripts, and the log of Chromium with console messages."""
     assert CHROMIUM is not None
     command = [
         CHROMIUM,
@@ -42,10 +42,10 @@ def open_page(url, folder, *arguments):
 
 
 def evaluate(page, folder, body, *, width=1200, height=900):
-    """Load a copy of a page in which a script runs after loading; gives what it returns, and the console.
+    """Load a copy of a page and run a script in it; returns its result, and the console.
 
     `body` is the body of an async function, e.g. ``return document.title``; its value goes through JSON.
-    Timers in it take no time. It may not wait for what does, such as the decoding of an image.
+    Its timers take no time. It must not wait for anything else, such as the decoding of an image.
     """
     script = f"""<script>addEventListener("load", async () => {{
         let value;

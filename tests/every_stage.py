@@ -1,6 +1,6 @@
 """Run every stage of the pipeline in the current folder, one after the other in this process, without DVC.
 
-`python every_stage.py`: as `dvc repro` from nothing, but Python starts once.
+`python every_stage.py`: like a complete `dvc repro`, but Python starts once.
 """
 
 import importlib

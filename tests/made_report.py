@@ -1,4 +1,4 @@
-"""A report made up for tests: every published table with numbers near it, figures and findings."""
+"""A made-up report for tests: every published table with similar numbers, figures and findings."""
 
 from functools import cache
 from pathlib import Path
@@ -20,7 +20,7 @@ THESIS_DATA = "VPC-2009 home database"
 MEASURED = (Note(Kind.DATA, "measured on made-up homes"),)
 ON_OTHER_DATA = (
     *MEASURED,
-    Note(Kind.NOT_COMPARABLE, f"the published number is from the {THESIS_DATA} and does not compare"),
+    Note(Kind.NOT_COMPARABLE, f"the published number is from the {THESIS_DATA} and is not comparable"),
 )
 QUOTE = Note(Kind.PUBLISHED, 'the thesis says "over 3% lower"')
 VERDICTS = ["holds", "does not hold", "undecided"]
@@ -53,7 +53,7 @@ def cells(number, rng=None):
 
 
 def noted(table):
-    """A table with its notes as text as well."""
+    """A table that also has its notes as text."""
     return table.assign(note=table["notes"].map(joined))
 
 
@@ -80,7 +80,7 @@ def addition():
 
 
 def captioned():
-    """A table whose numbers are no percentages, and depend on chance."""
+    """A table whose numbers are not percentages and depend on chance."""
     rows = [
         ("Addition", "Cues", "Gist", column, np.nan, value, spread, 2, MEASURED)
         for column, value, spread in (("Log loss", 1.61, 0.02), ("Stay accuracy", 40.0, 3.0))
@@ -195,7 +195,7 @@ def speed():
 
 
 def scale_measured():
-    """Three sizes, whose CPU seconds grow as the frames do (codebooks) and as their square (trials)."""
+    """Three sizes; CPU seconds grow like the frames (codebooks) and like their square (trials)."""
     rows = []
     for size, frames in ((0.25, 1000), (0.5, 2000), (1.0, 4000)):
         rows += [

@@ -1,4 +1,4 @@
-"""Results as a run would have them, with counts drawn at random."""
+"""Results like those of a run, with random counts."""
 
 from pathlib import Path
 
@@ -31,17 +31,17 @@ SEEDS = ("seed-0", "seed-1")
 
 
 def with_homes(count):
-    """The settings with the first homes of the data set, or with some that it does not have."""
+    """The settings with the first homes of the data set, or with more homes."""
     homes = [*PARAMS["dataset"]["homes"], "home_7", "home_8"][:count]
     return PARAMS | {"dataset": PARAMS["dataset"] | {"homes": homes}}
 
 
 def made(params=PARAMS, drawn=0):
-    """Every result that the settings ask for; those of seeds have two."""
+    """Every result of the settings; random ones have two seeds."""
     rng = np.random.default_rng(drawn)
     homes, classes = params["dataset"]["homes"], tuple(params["dataset"]["classes"])
     measured, quality = {}, {}
-    # Numbers of their own, so that the counts are those that the tests were written for.
+    # A separate generator, so the counts are the ones that the tests expect.
     of_quality = np.random.default_rng([drawn, 1])
 
     def add(name, tested, places, seeds):
@@ -85,7 +85,7 @@ def toy_results(toy):
 
 
 def by_stay(one, rng, visits=3, frames=20):
-    """Decisions on some visits to each place, in each of which a result names some frames rightly."""
+    """Decisions on some visits to each place; in each visit a result names some frames correctly."""
     seeds, places = len(one.seeds), len(one.classes)
     confusion = np.zeros((seeds, places * visits, places, places), int)
     for stay in range(places * visits):
@@ -98,7 +98,7 @@ def by_stay(one, rng, visits=3, frames=20):
 
 
 def drawn_quality(rng, homes, seeds):
-    """How good distributions are, drawn at random, with as many decimals as the file has."""
+    """Random quality of distributions, with as many decimals as in the file."""
     shape = (len(seeds), len(homes))
     values = {
         "log_loss": rng.uniform(0.5, 3.0, shape).round(6),
@@ -111,7 +111,7 @@ def drawn_quality(rng, homes, seeds):
 
 
 def write_scores(folder, results, missing=()):
-    """Write what the stage `scores` leaves in `folder`; `missing` has rows of results, homes and reasons."""
+    """Write the outputs of the stage `scores`; `missing` has rows of results, homes and reasons."""
     rows, stays = (
         [row for name, one in own.items() for row in score_rows(name, one)]
         for own in (results.measured, results.stays)
@@ -142,7 +142,7 @@ def contradictions():
 
 
 def records():
-    """What numbers of the text are read off: what git keeps, and made-up facts of models and frames."""
+    """Records behind numbers in the text: the ones in git, and made-up facts of models and frames."""
     return {
         "benchmarks": pd.read_csv(ROOT / "reports/benchmarks.csv"),
         "scale": pd.read_csv(ROOT / "reports/scale.csv"),

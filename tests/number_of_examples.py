@@ -1,11 +1,11 @@
-"""How many examples a test draws."""
+"""Numbers of examples in tests."""
 
 import hypothesis
 
 IN_FULL = 40
-"""Examples of a test that does not choose their number."""
+"""Number of examples in a test that does not choose it."""
 
 
 def examples(number):
-    """So many examples, or as large a part of them as the profile has of `IN_FULL`, at least 5."""
+    """The number of examples, reduced like the number in the profile relative to `IN_FULL`; at least 5."""
     return max(min(number, 5), number * hypothesis.settings.default.max_examples // IN_FULL)

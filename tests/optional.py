@@ -13,7 +13,7 @@ from project import light_conf
 
 @cache
 def with_optional(name):
-    """All settings with ``optional=name``; other tables and findings, slow to compose, are the plain ones."""
+    """All settings with ``optional=name``; other tables and findings, slow to compose, are unchanged."""
     folder = Path(tempfile.mkdtemp())
     try:
         light = yaml.safe_load(compose([f"optional={name}"], conf=light_conf(folder / "conf")))

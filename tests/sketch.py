@@ -1,8 +1,8 @@
 """Small homes in the VPC-2009 layout, drawn with lines and boxes, for tests that run the project.
 
-Each room is a wide wall with furniture; the camera pans along it. Colours, the choice of furniture, its
-place and its size are drawn anew for every home and room, from the same ranges for every class: a class is
-told by its objects. The drawings test the workflow. Accuracies on them say nothing about real homes.
+Each room is a wide wall with furniture; the camera pans along it. Colours and the choice, place and size of
+furniture are random for every home and room, from the same ranges for every class, so only objects
+distinguish classes. The drawings test the workflow. Accuracies on them say nothing about real homes.
 """
 
 import shutil
@@ -92,20 +92,21 @@ def draw_homes(
     Parameters
     ----------
     out
-        Folder to make, with ``Home1``, ``Home2``, ... It appears when it is complete. May exist if empty.
+        Folder to create, with ``Home1``, ``Home2``, ... It appears once it is complete; an empty one may
+        exist.
     homes
-        How many, at least 1.
+        Number of homes, at least 1.
     frames_per_room
-        Frames of a first visit, at least 2; a second visit and the corridor take half.
+        Frames of a first visit, at least 2; a second visit and the corridor have half as many.
     width, height
         Frame size in pixels, at least 32 each.
     seed
-        Same seed, same bytes.
+        Equal seeds give equal bytes.
 
     Raises
     ------
     PlacecatError
-        If `out` exists with something in it, or a number is too small.
+        If `out` exists and is not empty, or a number is too small.
     """
     smallest = {"homes": 1, "frames_per_room": 2, "width": 32, "height": 32}
     given = {"homes": homes, "frames_per_room": frames_per_room, "width": width, "height": height}
@@ -220,7 +221,7 @@ def _write(path: Path, frame: Image) -> None:
 
 
 def _tour(rng: np.random.Generator, storeys: bool) -> list[list[tuple[str, bool]]]:
-    """Order the visits of each floor as (room, whether for the first time)."""
+    """Order the visits of each floor, as (room, whether it is the first visit)."""
     day = ["living_room", "dining_room", "kitchen"]
     night = ["bedroom", "bathroom"]
     floors = [day, night] if storeys else [day + night]
@@ -313,7 +314,7 @@ def _colour(rng: np.random.Generator) -> Colour:
 
 
 def _shell(pen: Pen) -> None:
-    """Wall, skirting and floor: every class draws from the same kinds."""
+    """Wall, skirting and floor, from the same kinds for every class."""
     wall, ground = shade(_colour(pen.rng), 1.15), _colour(pen.rng)
     pen.canvas[:FLOOR] = wall
     pen.canvas[FLOOR:] = ground
@@ -698,4 +699,4 @@ ROOMS: dict[str, tuple[list[tuple[Thing, int]], list[tuple[Thing, int]], Thing |
         None,
     ),
 }
-"""Room to the objects it always has, objects it may have (each with its width), and what covers its wall."""
+"""Room to the objects it always has, objects it may have (with widths), and the cover of its wall."""

@@ -1,4 +1,4 @@
-"""docs/adding.md is followed word for word: a cue, a classifier, a table, a layout, on tiny drawn homes."""
+"""docs/adding.md, followed word for word: a cue, a classifier, a table, a layout, on tiny drawn homes."""
 
 import copy
 import importlib
@@ -25,13 +25,13 @@ from placecat.training.cue import Cue, train
 from project import light_conf
 
 TEXT = (Path(__file__).resolve().parents[1] / "docs/adding.md").read_text()
-# Path to text: the first line of a block says where it belongs.
+# Path to text: the first line of a block is its path.
 BLOCKS = dict(re.findall(r"```(?:python|yaml)\n# (\S+)\n(.*?)```", TEXT, re.DOTALL))
 RESULT = "cues/brightness/5-5-1"
 
 
 def draw(root, homes, places):
-    """Nine small frames of every place in every home, in the layout of the text, as bright as the place."""
+    """Nine small frames of every place in every home, in the layout of the page, as bright as the place."""
     rng = np.random.default_rng(0)
     for folder in (root / home / place for home in homes for place in places):
         folder.mkdir(parents=True)
@@ -43,10 +43,10 @@ def draw(root, homes, places):
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory):
-    """A project to which the text was followed, its settings composed and its homes drawn."""
+    """A project after all steps of the page, with composed settings and drawn homes."""
     folder = tmp_path_factory.mktemp("adding")
     conf = light_conf(folder / "conf")
-    # One cue is enough, and composes in a quarter of the time.
+    # One cue is enough and is composed in a quarter of the time.
     for group in ("codebook", "cue", "descriptor/local", "descriptor/holistic", "filter", "split", "system"):
         shutil.rmtree(conf / group)
         (conf / group).mkdir()
@@ -77,7 +77,7 @@ def project(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def results(project):
-    """What the cue decides in every home, by what the other homes taught it."""
+    """The cue's decisions in every home, after training on the others."""
     list_homes(project["dataset"], paths.SEQUENCES, "dataset")
     options = feature_options(project, {"local": {}, **project["descriptors"]})
     for home in project["dataset"]["homes"]:
@@ -124,7 +124,7 @@ def test_the_layout_is_read(project):
     assert set(home.frames["label"]) == set(project["dataset"]["classes"])
 
 
-def test_the_settings_are_the_defaults_of_the_module_and_those_of_the_files(project):
+def test_the_settings_come_from_the_module_and_the_files(project):
     assert project["descriptors"]["holistic"] == {"brightness": {"cells": 4}}
     classifier = project["cues"]["brightness"]["classifier"]
     assert classifier["base"] == {"name": "nearest_mean", "spread": 2.0}
@@ -138,7 +138,7 @@ def test_the_cue_tells_places_apart_and_the_table_has_its_accuracy(project, resu
     assert list(filled["column"]) == ["Home 1", "Home 2", "Home 3", "Home 4", "Average"]
     expected = results.of(RESULT).by_home()[0]
     np.testing.assert_allclose(filled["measured"], [*expected, expected.mean()], atol=0.011)
-    # Chance is 20; a place of middle brightness is on no side of two means.
+    # Chance is 20; two means cannot separate a place of medium brightness.
     assert expected.mean() > 50
 
 

@@ -17,7 +17,7 @@ PARAMS = settings.load(CONF.parent / "params.yaml")
 @pytest.fixture(scope="module")
 def composed(tmp_path_factory):
     conf = light_conf(tmp_path_factory.mktemp("light") / "conf")
-    # One cue is enough here, and composes in a quarter of the time.
+    # One cue is enough here and is composed in a quarter of the time.
     for folder in ("codebook", "cue", "descriptor/local", "filter", "split", "system"):
         for path in (conf / folder).glob("*.yaml"):
             if path.stem != "gist":
@@ -69,14 +69,14 @@ def test_every_data_set_composes_and_names_a_reader(composed, path):
 
 @pytest.mark.parametrize("path", sorted((CONF / "classifier").glob("*.yaml")), ids=lambda path: path.stem)
 def test_every_classifier_builds(composed, path):
-    """Every classifier's configuration names a way of deciding and estimators with valid settings."""
+    """Every classifier's configuration names a model and estimators with valid settings."""
     from placecat import cues
     from placecat.cues import estimators
 
     found = composed(f"classifier@cues.gist.classifier={path.stem}")["cues"]["gist"]["classifier"]
     assert found["model"] in cues.model_names()
     if "cue" in found:
-        # One that leaves the deciding to another.
+        # A model that lets another one decide.
         assert found["clusters"] == found["cue"]["clusters"]
         found = found["cue"]
         assert found["model"] in cues.model_names()
@@ -96,7 +96,7 @@ def test_a_failing_composition_keeps_the_old_params(tmp_path):
 
 @pytest.fixture
 def own_conf(tmp_path):
-    """Cues and what describes them, to add to."""
+    """Cues and their descriptors, to add to."""
     for folder in ("cue", "codebook", "descriptor"):
         shutil.copytree(CONF / folder, tmp_path / "conf" / folder)
     return tmp_path / "conf"
@@ -124,7 +124,7 @@ def test_a_cue_of_a_descriptor_that_is_not_there_is_refused_with_its_file(own_co
 
 
 def test_a_file_comes_before_the_defaults_of_the_module(own_conf):
-    """Without its file a descriptor that is used is listed with its defaults, one that is not is not."""
+    """Without its file, a used descriptor is listed with its defaults; an unused one is not listed."""
     assert "_self_" not in found(own_conf)
     for name in ("gist", "gist_raw", "centrist", "centrist_full"):
         (own_conf / f"descriptor/holistic/{name}.yaml").unlink()

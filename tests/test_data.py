@@ -1,4 +1,4 @@
-"""The rendered videos that come with the project: what they promise, read as the pipeline reads them."""
+"""The rendered videos that come with the project: their properties, read like in the pipeline."""
 
 from pathlib import Path
 
@@ -19,7 +19,7 @@ SIZES = {"homes": {(1280, 720)}, "university": {(640, 480)}, "apartments": {(640
 
 
 def settings():
-    """The data sets of conf/dataset that lie in the repository, by name."""
+    """The data sets of conf/dataset in the repository, by name."""
     paths = sorted((ROOT / "conf/dataset").glob("*.yaml"))
     found = {path.stem: yaml.safe_load(path.read_text()) for path in paths}
     return {name: dataset for name, dataset in found.items() if dataset["root"] in rendered()}
@@ -27,7 +27,7 @@ def settings():
 
 @pytest.fixture(scope="module")
 def homes(tmp_path_factory):
-    """What the stage `sequences` makes of each data set: frames with labels and facts, by home."""
+    """The output of the stage `sequences` for each data set: frames with labels and facts, by home."""
     with pytest.MonkeyPatch.context() as patch:
         return {name: read(name, tmp_path_factory.mktemp(name), patch) for name in settings()}
 
@@ -90,7 +90,7 @@ def classes_of(homes, *names):
 
 
 def test_the_university_is_passed_twice_and_tested_in_other_rooms(homes):
-    """The sequences of thesis 4.9: to train, to integrate (the other pass), and to test."""
+    """The sequences of thesis 4.9: for the cues, for the integration (the other pass), and for testing."""
     university = homes["university"]
     seen = classes_of(university, *university)
     assert set.union(*seen.values()) == set(settings()["university"]["classes"])
@@ -113,7 +113,7 @@ def test_the_apartments_train_and_test_all_classes_with_other_cameras(homes):
 
 
 def test_the_extra_data_is_the_flat_of_the_robot_filmed_by_hand(homes):
-    """Thesis 4.5; in 4.10 nothing learns from that flat, since it is tested there."""
+    """Thesis 4.5; in 4.10 nothing trains on that flat, since it is tested there."""
     listed = render.listed()
     flip, downstairs, robot = (listed[f"apartments/{name}"] for name in ("flip", "flip_downstairs", "robot"))
     assert (downstairs["plan"], downstairs["building"]) == (robot["plan"], robot["building"])

@@ -31,7 +31,7 @@ CHOICES = [
 ]
 
 
-# Few, since Hydra takes seconds for each.
+# Only a few, since Hydra takes seconds for each.
 @pytest.mark.parametrize("choices", [[], CHOICES], ids=["as it is", "with choices"])
 def test_conf_is_merged_as_hydra_merges_it(choices):
     assert merged(CONF, choices) == by_hydra(CONF, choices)
@@ -39,7 +39,7 @@ def test_conf_is_merged_as_hydra_merges_it(choices):
 
 @pytest.fixture
 def small(tmp_path):
-    """A small conf/; gives a function that writes files of it."""
+    """A small conf/; returns a function that writes its files."""
 
     def write(**files):
         for name, text in files.items():
@@ -95,7 +95,7 @@ def test_small_files_are_merged_as_hydra_merges_them(small, files):
         ({}, [("+kind", "one")]),
     ],
 )
-def test_what_is_rarer_or_wrong_is_left_to_hydra(small, files, choices):
+def test_rare_and_wrong_cases_are_left_to_hydra(small, files, choices):
     with pytest.raises(defaults.Unusual):
         defaults.merge(small(**files), choices)
 

@@ -64,7 +64,7 @@ def test_a_first_walk(tmp_path, monkeypatch, capsys):
     )
 
 
-def test_it_replaces_its_own_files_only(tmp_path):
+def test_it_replaces_only_its_files(tmp_path):
     folder = tmp_path / "demo"
     command._check(folder)
     folder.mkdir()
@@ -77,5 +77,5 @@ def test_it_replaces_its_own_files_only(tmp_path):
 
 def test_a_file_in_the_way_is_refused(tmp_path):
     (tmp_path / "demo").touch()
-    with pytest.raises(PlacecatError, match="is a file, where the demo writes a folder"):
+    with pytest.raises(PlacecatError, match="is a file, but the demo needs a folder there"):
         command._check(tmp_path / "demo")

@@ -1,4 +1,4 @@
-"""README.md and docs/: commands that exist, numbers from result files, links that lead somewhere."""
+"""README.md and docs/: existing commands, numbers from result files, working links."""
 
 import importlib.util
 import json
@@ -28,7 +28,7 @@ _SPEC.loader.exec_module(fill)
 
 PAGES = {name: (ROOT / name).read_text(encoding="utf-8") for name in (*fill.PAGES, "CONTRIBUTING.md")}
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
-# Commands of others, which a test can't run.
+# External commands, which a test cannot run.
 ELSEWHERE = {
     "dask": "starts a server of Dask, and reads only the name of the command",
     "git": "changes a repository; its words are git's own",
@@ -44,7 +44,7 @@ MAKEFILE = (ROOT / "Makefile").read_text()
 
 
 def commands():
-    """Page and command: every line of a block of shell, and what a text calls a command in its middle."""
+    """Page and command: every line of a shell block, and commands in running text."""
     found = []
     for page, text in PAGES.items():
         lines = [line for kind, block in FENCE.findall(text) if kind == "sh" for line in block.splitlines()]
@@ -62,7 +62,7 @@ def commands():
 
 
 def check_settings(overrides):
-    """A choice has its file, a value its setting: in params.yaml, or in a file that is chosen beside it."""
+    """A choice has a file, a value a setting: in params.yaml, or in another chosen file."""
     params = settings.load(ROOT / "params.yaml")
     pairs = [one.partition("=")[::2] for one in overrides if one != "..."]
     files = {
@@ -149,7 +149,7 @@ def test_every_command_is_one(page, words, monkeypatch):
     monkeypatch.chdir(ROOT)
     words = words or ["."]
     name = words[0].removeprefix(".venv/bin/")
-    # What docs/adding.md adds is tried by tests/test_adding.py.
+    # tests/test_adding.py tries the additions of docs/adding.md.
     if name in ELSEWHERE or (page == "docs/adding.md" and words[-1] in ADDED):
         return
     {
@@ -165,7 +165,7 @@ def test_every_command_is_one(page, words, monkeypatch):
 def test_blocks_are_of_kinds_that_a_test_reads():
     kinds = {(page, kind) for page, text in PAGES.items() for kind, _ in FENCE.findall(text)}
     assert {kind for _, kind in kinds} <= {"sh", "python", "yaml", "text"}
-    # docs/adding.md is followed by tests/test_adding.py.
+    # tests/test_adding.py follows docs/adding.md.
     assert {page for page, kind in kinds if kind == "yaml"} <= {"docs/adding.md"}
     with_python = {page for page, kind in kinds if kind == "python"}
     assert with_python == {"docs/adding.md", "docs/robots.md", "docs/usage.md"}
@@ -176,7 +176,7 @@ def blocks(page):
 
 
 def test_the_learners_and_the_vision_are_used_as_the_page_says():
-    """The first block of Python there is followed by tests/training/test_system.py."""
+    """tests/training/test_system.py runs its first block of Python."""
     _, code = blocks("docs/usage.md")
     rng = np.random.default_rng(0)
     y = np.repeat([0, 1], 20)
@@ -209,37 +209,37 @@ def test_a_robot_feeds_frames_as_the_page_says(monkeypatch, capsys):
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 3 + len(categorizer.visits())
     assert all(line.split()[0] in (*CLASSES, "unknown") for line in lines)
-    # The first frame, as if it had been fed here.
+    # The first frame, as if it had been passed here.
     categorizer.reset()
     assert lines[0].split()[2] == categorizer.update(frames(1)[0]).place
 
 
-# No results: versions, sections of the thesis, shares that are asked for, settings.
+# Not results: versions, sections of the thesis, requested shares, settings.
 GIVEN = {
     "README.md": "3.11 3.13 4.0",
     "data/README.md": "4.0 4.1 4.8 4.9 4.10 4.5 6 2 20 35 128 300 8,500",
     "docs/adding.md": "1.0",
     "docs/own-data.md": "4.9 2.2 25.9 32,937 8,200 69,455 17,400 10.7",
     "docs/results.md": "2 3.3 0.7 1.4",
-    # Of simulations, see tests/replication.
+    # From simulations, see tests/replication.
     "docs/replication.md": "2 3 0.8 1.63 4.89 1.7 4,000 2.6 1.2 3.5 1.4 6.3 3.8 4.3 2.3 5.8 3.2 8.7 5.5 11.2 "
     "7.4 7.9 0.6 2.5",
 }
-# Of a result: with a point, a comma or a unit.
+# Looks like a result: with a point, a comma or a unit.
 RESULT = re.compile(
     r"(?<![\w.,:/-])-?(?:\d+\.\d+|\d{1,3},\d{3}|\d+(?= (?:%|s|min|h|hours|minutes|points|GiB|frames/s)\b))"
 )
 
 
 def told(text):
-    """The text without code, links, and what names its source."""
+    """The text without code, links, and numbers that name their source."""
     for pattern in (FENCE, fill._BLOCK, fill._NUMBER, re.compile(r"`[^`]*`"), re.compile(r"\]\([^)]*\)")):
         text = pattern.sub(" ", text)
     return text
 
 
 @pytest.mark.parametrize("page", fill.PAGES)
-def test_numbers_are_those_of_the_result_files(page):
+def test_numbers_match_the_result_files(page):
     changed = subprocess.run(
         ["git", "status", "--porcelain", "reports"], cwd=ROOT, capture_output=True, text=True, check=False
     )

@@ -1,4 +1,4 @@
-"""DVC as its users use it: a remote, and experiments with Hydra overrides."""
+"""DVC in typical use: a remote, and experiments with Hydra overrides."""
 
 import csv
 import json
@@ -17,13 +17,13 @@ IDENTITY = {
     for what, at in (("NAME", ""), ("EMAIL", "@example.org"))
 }
 OWN_HOMES = ("dataset=my_homes", "dataset.root=data/drawn", "dataset.homes=[Home1,Home2,Home3,Home4]")
-# Checksums of what stages depend on are columns of `dvc exp show`, too.
+# Checksums of dependencies are also columns of `dvc exp show`.
 WITHOUT_CHECKSUMS = ("--drop", r"(conf|data|reports|src)/|params\.yaml$")
 
 
 @pytest.fixture(scope="module")
 def clone(reproduced, tmp_path_factory):
-    """A clone of the committed pipeline that has pulled from a directory what the first run pushed there."""
+    """A clone of the committed pipeline that has pulled the outputs of the first run from a directory."""
     folder, _, _ = reproduced
     base = tmp_path_factory.mktemp("remote")
     first, second = base / "first", base / "second"
@@ -34,7 +34,7 @@ def clone(reproduced, tmp_path_factory):
     run(first, "dvc", "push", "-q")
     run(base, "git", "clone", "-q", "first", "second")
     for out in rendered():
-        # The videos of the project are in git, which keeps none of this copy's empty folders.
+        # The project's videos are in git, but git does not store the empty folders of this copy.
         (second / out).mkdir()
     assert not (second / "data/features").exists()
     run(second, "dvc", "pull", "-q")
@@ -45,7 +45,7 @@ def clone(reproduced, tmp_path_factory):
 def test_after_a_pull_everything_is_there_and_nothing_has_to_run(clone):
     first, second = clone
     parts = ("reports", *(path.relative_to(first).as_posix() for path in (first / "data").iterdir()))
-    # How long the stages took in the first folder is known there only.
+    # Only the first folder has the times of its stages.
     pushed = {name: of for name, of in contents(first, *parts).items() if not name.startswith("data/times")}
     assert {"reports/index.html", "reports/figures/figures.json", "data/toy.csv"} <= pushed.keys()
     assert contents(second, *parts) == pushed
@@ -91,7 +91,7 @@ def test_an_experiment_is_composed_run_and_shown(experiments):
     baseline = run(experiments, "git", "branch", "--show-current").stdout.strip()
     fps = {name: float(row["dataset.fps"]) for name, row in rows.items()}
     assert fps == {"workspace": 10, baseline: 30, "fast": 10}
-    # Nothing else of thousands of settings.
+    # None of the thousands of other settings.
     always = {"Experiment", "rev", "typ", "parent", "Created", "State", "Executor"}
     assert rows["fast"].keys() - always == {"dataset.fps"}
     difference = json.loads(run(experiments, "dvc", "exp", "diff", "HEAD", "fast", "--json").stdout)

@@ -9,7 +9,7 @@ from placecat import files
 from placecat.errors import PlacecatError
 
 
-def test_a_failing_block_leaves_what_was_there(tmp_path):
+def test_a_failing_block_leaves_the_old_file(tmp_path):
     target = tmp_path / "result.txt"
     target.write_text("old")
     with pytest.raises(RuntimeError), files.replacing(target) as temporary:

@@ -6,7 +6,7 @@ import pytest
 from placecat import fold_file
 
 
-def test_what_is_written_is_read(tmp_path):
+def test_written_results_are_read(tmp_path):
     path = fold_file.path_of(tmp_path, "flat.2", "seed-1")
     proba = np.random.default_rng(0).random((3, 2))
     fold_file.write(path, {"test": proba}, {"nu": [0.2]})
@@ -19,11 +19,11 @@ def test_what_is_written_is_read(tmp_path):
         fold_file.read(path, "cross_validated")
 
 
-def test_a_home_is_told_from_one_whose_name_begins_alike(tmp_path):
+def test_homes_with_a_common_prefix_are_distinct(tmp_path):
     for home, seed in (("flat", "seed-1"), ("flat", "seed-0"), ("flat.2", "no-seed")):
         fold_file.write(fold_file.path_of(tmp_path, home, seed), {"test": np.zeros(1)})
     assert fold_file.seeds_in(tmp_path, "flat") == ["seed-0", "seed-1"]
     assert fold_file.seeds_in(tmp_path, "flat.2") == ["no-seed"]
     assert fold_file.seeded(tmp_path, "flat", 1).name == "flat.seed-1.npz"
-    # Nothing random has a part in it.
+    # Nothing in it is random.
     assert fold_file.seeded(tmp_path, "flat.2", 1).name == "flat.2.no-seed.npz"

@@ -1,4 +1,4 @@
-"""Text of the user's through every medium: it is shown as it is, and nothing obeys it."""
+"""User text in every medium: it is shown literally, and nothing executes it."""
 
 import csv
 import io
@@ -36,7 +36,7 @@ HOSTILE = {
 }
 
 
-# Fonts lack some of it.
+# Fonts lack some of these characters.
 pytestmark = pytest.mark.filterwarnings("ignore:.*(Glyph|constrained_layout):UserWarning")
 
 
@@ -68,7 +68,7 @@ def test_a_picture_shows_it(text):
     assert 0 < drawn.shape[1] < 4000
 
 
-def test_a_terminal_obeys_nothing_of_it(text):
+def test_a_terminal_executes_none_of_it(text):
     for coding in ("utf-8", "ascii"):
         target = io.TextIOWrapper(io.BytesIO(), encoding=coding)
         terminal = Terminal(target)
@@ -119,7 +119,7 @@ def test_no_key_is_a_path_elsewhere(parts):
 
 
 def test_a_table_of_values_gives_it_back(text, tmp_path):
-    """As data, not for a spreadsheet: what begins with = stays as it is."""
+    """As data, not for a spreadsheet: a text that begins with = is unchanged."""
     if not text.isascii() or "\x00" in text:
         return
     path = tmp_path / "table.csv"

@@ -1,4 +1,4 @@
-"""What `make` installs with: moved, led astray by the environment, twice at once."""
+"""The installer of `make`: moved, misled by the environment, called twice at once."""
 
 import os
 import shutil
@@ -10,7 +10,7 @@ import pytest
 
 from project import ROOT, run
 
-# Tells how it was called, in place of pip.
+# Replaces pip and records its calls.
 PIP = """
 import os, sys, time
 from pathlib import Path
@@ -25,7 +25,7 @@ LINES_OF_ONE = 2
 
 @pytest.fixture
 def folder(tmp_path):
-    """A project to install, whose virtual environments get another pip."""
+    """A project to install, whose virtual environments get a fake pip."""
     folder = tmp_path / "my project"
     folder.mkdir()
     shutil.copy(ROOT / "install.py", folder)
@@ -37,7 +37,7 @@ def folder(tmp_path):
     return folder
 
 
-# In place of the module venv, which takes seconds to unpack pip.
+# Replaces the module venv, which takes seconds to unpack pip.
 VENV = """
 import shutil
 import sys
@@ -56,7 +56,7 @@ configuration.write_text(text + f"command = python -m venv {target.absolute()}\\
 
 
 def install(folder, **extra):
-    # Its first folder is that of install.py, so that `-m venv` is the one above.
+    # The folder of install.py comes first, so `-m venv` runs the module above.
     command = [sys.executable, "install.py", "requirements.lock", ".venv/.installed"]
     return subprocess.Popen(command, cwd=folder, env=os.environ | extra, stderr=subprocess.PIPE, text=True)
 
@@ -65,7 +65,7 @@ def calls(folder):
     return (folder / "pip.txt").read_text().splitlines()
 
 
-def test_it_installs_into_the_environment_whatever_the_users_settings_say(folder):
+def test_it_installs_into_the_environment_despite_the_users_settings(folder):
     astray = {"PIP_USER": "1", "PIP_TARGET": "/elsewhere", "PYTHONPATH": "/elsewhere"}
     assert install(folder, **astray).wait(60) == 0
     for call in calls(folder):
@@ -73,7 +73,7 @@ def test_it_installs_into_the_environment_whatever_the_users_settings_say(folder
     assert (folder / ".venv/.installed").exists()
 
 
-def test_of_two_at_once_the_second_waits_and_has_nothing_to_do(folder):
+def test_a_second_call_waits_and_has_nothing_to_do(folder):
     first = install(folder)
     made_pipeline.wait_for((folder / ".venv").exists, 20)
     second = install(folder)
@@ -83,7 +83,7 @@ def test_of_two_at_once_the_second_waits_and_has_nothing_to_do(folder):
     assert len(calls(folder)) == LINES_OF_ONE
 
 
-def test_a_project_that_was_moved_is_installed_anew(folder):
+def test_a_moved_project_is_installed_again(folder):
     assert install(folder).wait(60) == 0
     assert run(folder, "make", "-q", ".venv/.installed", check=False).returncode == 0
     moved = folder.with_name("moved")
@@ -105,7 +105,7 @@ def test_the_linked_environment_of_another_folder_was_not_moved(folder):
     assert run(linked, sys.executable, "install.py", "--moved").stdout == "\n"
 
 
-def test_an_older_python_is_told(folder):
+def test_an_older_python_is_refused(folder):
     program = "import runpy, sys; sys.version_info = (3, 10, 0); sys.argv = ['install.py', 'a', 'b']; "
     program += "runpy.run_path('install.py', run_name='__main__')"
     result = run(folder, sys.executable, "-c", program, check=False)

@@ -1,4 +1,4 @@
-"""Items of a stage: what is made again, and what is not."""
+"""Items of a stage: which ones are remade, and which are not."""
 
 import json
 import shutil
@@ -15,7 +15,7 @@ FOLDER = Path("data/cues")
 
 @pytest.fixture
 def made(tmp_path, monkeypatch):
-    """Refresh two items made of one file each; gives the names of those that were made."""
+    """Refresh two items with one file each; return the names of the remade ones."""
     monkeypatch.chdir(tmp_path)
     Path("src").mkdir()
     Path("src/code.py").write_text("1")
@@ -39,7 +39,7 @@ def made(tmp_path, monkeypatch):
     return refresh
 
 
-def test_what_has_not_changed_is_left_alone(made):
+def test_unchanged_items_are_left_alone(made):
     assert made() == []
 
 
@@ -87,20 +87,20 @@ def contents():
     return {path: path.read_bytes() for path in FOLDER.rglob("*") if path.is_file()}
 
 
-def test_settings_and_code_are_what_an_item_is_made_from(made):
+def test_settings_and_code_are_inputs_of_an_item(made):
     assert made(one={"nu": 0.1}) == ["one"]
     assert made(one={"nu": 0.1}) == []
     Path("src/code.py").write_text("2")
     assert made(one={"nu": 0.1}) == ["one", "two"]
 
 
-def test_an_item_that_nobody_wants_goes_and_so_does_what_a_killed_stage_left(made):
+def test_unwanted_items_and_leftovers_of_a_killed_stage_are_removed(made):
     (FOLDER / ".two.partial").mkdir()
     assert made(["one"]) == []
     assert [path.name for path in FOLDER.iterdir()] == ["one"]
 
 
-def test_a_stage_that_fails_keeps_what_it_made(made):
+def test_a_failed_stage_keeps_its_finished_items(made):
     Path("one").write_text("1")
     Path("two").unlink()
     with pytest.raises(FileNotFoundError):

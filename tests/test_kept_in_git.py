@@ -53,7 +53,7 @@ def commit(folder):
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """A project below the root of a repository, with two tables and what belongs to them in HEAD."""
+    """A project below the root of a repository; HEAD has two tables and their files."""
     project = tmp_path / "project"
     project.mkdir()
     monkeypatch.chdir(project)
@@ -66,11 +66,11 @@ def folder(tmp_path, monkeypatch):
     return project
 
 
-def test_what_was_not_changed_is_equal(folder):
+def test_an_unchanged_run_is_equal(folder):
     assert kept_in_git.compare() == (
         [
-            "Tables: 6 of 6 cells equal to the kept ones (git HEAD).",
-            "Findings: 2 of 2 verdicts equal to the kept ones.",
+            "Tables: 6 of 6 cells equal the old ones (git HEAD).",
+            "Findings: 2 of 2 verdicts equal the old ones.",
         ],
         True,
     )
@@ -81,11 +81,11 @@ def test_a_change_within_the_tolerance_is_as_kept(folder):
     lines, is_as_kept = kept_in_git.compare()
     assert is_as_kept
     assert lines[0].startswith(
-        "Tables: 5 of 6 cells equal to the kept ones (git HEAD); largest difference 1.50 points in Table 1 "
+        "Tables: 5 of 6 cells equal the old ones (git HEAD); largest difference 1.50 points in Table 1 "
         "(SVM, Home 1), within the tolerance"
     )
     assert lines[-1].endswith(
-        "1 of 2 verdicts equal to the kept ones; finding 1 was 'holds', is 'does not hold'."
+        "1 of 2 verdicts equal the old ones; finding 1 was 'holds' and is now 'does not hold'."
     )
 
 
@@ -95,7 +95,7 @@ def test_the_tolerance_is_a_setting(folder):
     lines, is_as_kept = kept_in_git.compare()
     assert not is_as_kept
     assert "beyond the tolerance of 1.4 points" in lines[0]
-    assert "Settings differ from the kept ones" not in " ".join(lines)
+    assert "Settings differ" not in " ".join(lines)
 
 
 def test_other_settings_explain_any_change(folder):
@@ -103,20 +103,20 @@ def test_other_settings_explain_any_change(folder):
     write_settings(cues={"gist": {"nu": 0.1, "gamma": 2.0}}, compute={"kind": "dask"})
     lines, is_as_kept = kept_in_git.compare()
     assert is_as_kept
-    assert lines[-1] == "Settings differ from the kept ones: cues.gist.nu. Expect differences."
+    assert lines[-1] == "Settings differ: cues.gist.nu. Expect differences."
 
 
 def test_a_table_more_or_less_is_not_as_kept(folder):
     (paths.TABLES / "table_01.csv").unlink()
     lines, is_as_kept = kept_in_git.compare()
     assert not is_as_kept
-    assert "; 2 had a number and have none now." in lines[0]
+    assert "; 2 lost a number." in lines[0]
 
 
-def test_an_older_revision_has_its_own_tables(folder):
+def test_an_older_revision_is_compared_by_its_tables(folder):
     write_tables(35.0, 40.0)
     commit(folder)
-    assert kept_in_git.compare()[0][0] == "Tables: 6 of 6 cells equal to the kept ones (git HEAD)."
+    assert kept_in_git.compare()[0][0] == "Tables: 6 of 6 cells equal the old ones (git HEAD)."
     lines, is_as_kept = kept_in_git.compare("HEAD~1")
     assert not is_as_kept
     assert "largest difference 3.80 points in Table 1" in lines[0]
@@ -128,8 +128,8 @@ def test_tables_of_other_data_are_not_compared(folder):
     write_settings(dataset={"title": "my homes; second floor"})
     assert kept_in_git.compare() == (
         [
-            "Tables are not compared: the kept ones (git HEAD) were measured on made homes, these on "
-            "my homes; second floor.",
+            "Tables are not compared: the old ones (git HEAD) were measured on made homes, the new "
+            "ones on my homes; second floor.",
         ],
         True,
     )
@@ -150,7 +150,7 @@ def test_a_repository_without_tables_says_so(folder):
         kept_in_git.read_revision()
 
 
-def test_a_folder_without_tables_says_what_to_run(folder):
+def test_a_folder_without_tables_has_a_remedy(folder):
     shutil.rmtree(paths.TABLES)
     with pytest.raises(PlacecatError, match="reports/tables has no tables: run `placecat repro`"):
         kept_in_git.compare()
@@ -169,13 +169,13 @@ def test_without_git_it_says_so(folder, monkeypatch):
 
 
 def test_an_optional_table_is_compared_by_runs_that_make_it_only(folder):
-    """A run without it leaves the kept one, of whatever data, and says nothing of it."""
+    """A run without it leaves the table in git unchanged, whatever its data, and does not mention it."""
     for number, needs in ((1, ""), (2, "needs: cues.embedding\n")):
         definition = paths.TABLE_DEFINITIONS / f"table_{number:02d}.yaml"
         files.write_text(definition, f"number: {number}\n{needs}")
     commit(folder)
     said, _ = kept_in_git.compare()
-    assert said[0] == "Tables: 4 of 4 cells equal to the kept ones (git HEAD)."
+    assert said[0] == "Tables: 4 of 4 cells equal the old ones (git HEAD)."
     (paths.TABLES / "table_02.csv").unlink()
     assert kept_in_git.compare() == (said, True)
     write_tables(31.2, 45.0)
@@ -192,9 +192,9 @@ def test_two_revisions_or_folders_are_compared_as_this_folder_is(folder, tmp_pat
     other = tmp_path / "other"
     shutil.copytree(folder, other)
     by_revision = kept_in_git.compare("HEAD~1", "HEAD")
-    assert by_revision[0][0].startswith("Tables: 5 of 6 cells equal to the kept ones (git HEAD~1); largest")
+    assert by_revision[0][0].startswith("Tables: 5 of 6 cells equal the old ones (git HEAD~1); largest")
     assert kept_in_git.compare("HEAD~1", str(other)) == by_revision
-    assert kept_in_git.compare(str(other))[0][0].endswith(f"kept ones (the folder {other}).")
+    assert kept_in_git.compare(str(other))[0][0].endswith(f"old ones (the folder {other}).")
     assert kept_in_git.compare("HEAD~1", "HEAD~1") == (
         [first[0][0].replace("HEAD", "HEAD~1"), first[0][1]],
         True,

@@ -33,7 +33,7 @@ stages:
 """
 
 
-def test_the_version_of_the_data_is_the_checksum_of_what_was_listed(tmp_path, monkeypatch):
+def test_the_version_of_the_data_is_the_checksum_of_the_lists(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "dvc.lock").write_text(LOCK)
     assert data_version() == "0123.dir"
@@ -70,8 +70,8 @@ def test_features_of_another_data_set_are_refused(tmp_path, monkeypatch):
         check_data({"dataset": dataset})
 
 
-def test_the_record_of_the_kept_run_has_what_is_checked():
-    """DVC writes it so; the settings of the data set may have changed since."""
+def test_the_record_in_git_has_the_data_set_and_its_checksum():
+    """As DVC writes it; the settings of the data set may have changed since."""
     assert KEPT["sequences"]["params"]["params.yaml"]["dataset"]["name"] == "homes"
     (listed,) = KEPT["sequences"]["outs"]
     assert {"path": "data/sequences", "md5": listed["md5"]}.items() <= next(
@@ -80,7 +80,7 @@ def test_the_record_of_the_kept_run_has_what_is_checked():
 
 
 def filled(reference):
-    """The setting that a reference in dvc.yaml names."""
+    """The setting named by a reference in dvc.yaml."""
     return settings.get(PARAMS, reference[1])
 
 
@@ -92,7 +92,7 @@ def test_the_lock_file_has_every_stage_and_no_other():
 
 
 def in_git():
-    """Outputs that git keeps."""
+    """Outputs in git."""
     for name, stage in STAGES.items():
         for out in stage["outs"]:
             if isinstance(out, dict) and not next(iter(out.values())).get("cache", True):
@@ -100,7 +100,7 @@ def in_git():
 
 
 def checksum(folder, files):
-    """DVC's of a file or, of these files, of a folder."""
+    """DVC's checksum of a file or, from its files, of a folder."""
     sums = {path: hashlib.md5((ROOT / path).read_bytes()).hexdigest() for path in files}
     if list(sums) == [folder]:
         return sums[folder]
@@ -110,7 +110,7 @@ def checksum(folder, files):
 
 @pytest.mark.parametrize(("stage", "path"), list(in_git()))
 def test_the_lock_file_has_the_files_that_git_has(stage, path):
-    """Else a run in a fresh clone changes the lock file, though it makes the same files."""
+    """Otherwise a run in a fresh clone changes the lock file, although it makes the same files."""
     listed = subprocess.run(["git", "ls-files", path], cwd=ROOT, capture_output=True, text=True, check=False)
     if listed.returncode:
         pytest.skip("this is no git repository")

@@ -1,4 +1,4 @@
-"""The lists of pinned packages: what runs, what tests and renders, and what `make bench` measures against."""
+"""The lock files: for running, for tests and rendering, and for `make bench`."""
 
 import re
 import tomllib
@@ -11,7 +11,7 @@ LOCKS = ("requirements.lock", "requirements-test.lock", "requirements-bench.lock
 
 
 def pinned(lock):
-    """Each pinned package, with its condition, to the hashes of its files."""
+    """Maps each pinned package, with its condition, to the hashes of its files."""
     blocks = re.split(r"\n(?=\S)", (ROOT / lock).read_text())
     return {block.split(" \\")[0]: set(re.findall(r"--hash=(\S+)", block)) for block in blocks}
 
@@ -54,7 +54,7 @@ def test_everything_is_pinned_by_hash_and_no_address_is_given(lock):
 
 @pytest.mark.xdist_group("together")
 def test_tests_of_a_group_stay_together(request):
-    """pytest-xdist tells groups by the end of a test's name; another pytest may not let it."""
+    """pytest-xdist finds groups by the end of a test's name; another pytest may prevent this."""
     if not getattr(request.config.option, "loadgroup", False):
         pytest.skip("without --dist loadgroup")
     assert request.node.nodeid.endswith("@together")

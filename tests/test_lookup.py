@@ -1,4 +1,4 @@
-"""Names in the settings lead to modules, whose settings are read from the source as Python sees them."""
+"""Names in the settings lead to modules; their settings are read from the source as Python sees them."""
 
 import importlib
 import inspect
@@ -14,7 +14,7 @@ from placecat.signatures import CUES, LEARNING
 
 @pytest.fixture
 def shapes(tmp_path, monkeypatch):
-    """A package of one's own."""
+    """A package for this test."""
     package = tmp_path / "shapes_for_test"
     package.mkdir()
     (package / "__init__.py").touch()
@@ -39,7 +39,7 @@ def test_a_new_module_is_found_by_its_name(shapes):
 @pytest.mark.parametrize(
     "name", ["helper", "squar", "", "__init__", "../square", "square.x", None, ["square"], 1]
 )
-def test_a_name_of_no_module_is_refused_with_those_there_are(shapes, name):
+def test_an_unknown_module_is_refused_with_a_list(shapes, name):
     with pytest.raises(
         PlacecatError, match=r"^the shape .* does not exist.*: use one of lacking, square$"
     ) as caught:
@@ -82,7 +82,7 @@ FUNCTIONS = [
 
 
 @pytest.mark.parametrize(("package", "name", "function"), FUNCTIONS)
-def test_settings_of_functions_are_those_that_python_sees(package, name, function):
+def test_settings_of_functions_match_python(package, name, function):
     imported = getattr(importlib.import_module(f"{package}.{name}"), function)
     expected = {
         one.name: one.default is one.empty
@@ -93,7 +93,7 @@ def test_settings_of_functions_are_those_that_python_sees(package, name, functio
     assert lookup.parameters(package, name, function) == expected
 
 
-def test_settings_of_estimators_are_those_that_scikit_learn_sees():
+def test_settings_of_estimators_match_scikit_learn():
     from sklearn.base import BaseEstimator
 
     found = {}

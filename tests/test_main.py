@@ -28,7 +28,7 @@ def test_params_writes_the_composed_settings(folder):
 def test_params_without_overrides_are_the_committed_ones(folder):
     shutil.rmtree(folder / "conf")
     shutil.copytree(ROOT / "conf", folder / "conf")
-    # What is listed is written anew.
+    # The list is written again.
     (folder / "conf/found.yaml").unlink()
     main(["params"])
     assert (folder / "conf/found.yaml").read_text() == (ROOT / "conf/found.yaml").read_text()
@@ -86,7 +86,7 @@ def test_without_a_model_predict_says_how_to_make_one(folder):
     refused(result, "there is no model data/model.placecat: `make repro` or `placecat train` makes one")
 
 
-# A pipeline of the test's that takes no time: a stage that loops over homes, and one that writes two tables.
+# A quick pipeline: a stage that loops over homes, and one that writes two tables.
 CONF = """
 dataset:
   name: made
@@ -171,7 +171,7 @@ run(main)
 
 @pytest.fixture(scope="module")
 def ran(tmp_path_factory):
-    """A small project of which `placecat repro` has run everything, before anything was committed."""
+    """A small project after a complete `placecat repro`, before the first commit."""
     folder = tmp_path_factory.mktemp("ran")
     (folder / "conf").mkdir()
     for name, text in {
@@ -235,11 +235,11 @@ def test_a_second_run_is_equal_and_counts_no_stage(committed):
     result = placecat(committed, "repro")
     assert result.returncode == 0, result.stderr
     assert "Times: no stage had to run; " in result.stdout
-    assert result.stdout.endswith("Tables: 2 of 2 cells equal to the kept ones (git HEAD).\n")
+    assert result.stdout.endswith("Tables: 2 of 2 cells equal the old ones (git HEAD).\n")
     assert (committed / "data/times.json").read_bytes() == before
 
 
-def test_a_partial_run_times_what_ran_and_small_differences_are_as_kept(committed):
+def test_a_partial_run_times_its_stages_and_tolerates_small_differences(committed):
     (committed / "measured.txt").write_text("31.5\n")
     before = (committed / "data/times.json").read_bytes()
     result = placecat(committed, "repro")
@@ -269,7 +269,7 @@ def test_other_settings_are_no_failure(committed):
     result = placecat(committed, "repro", "probabilities.bins=17")
     assert result.returncode == 0, result.stderr
     assert "1 of 2 cells equal" in result.stdout
-    assert "Settings differ from the kept ones: probabilities.bins. Expect differences." in result.stdout
+    assert "Settings differ: probabilities.bins. Expect differences." in result.stdout
 
 
 def test_a_failed_run_shows_neither_times_nor_tables(committed):
@@ -292,7 +292,7 @@ def test_times_of_a_complete_run_are_shown_and_kept(committed):
     assert json.loads((committed / "reports/times.json").read_text())["stages"] == 2
 
 
-def test_force_runs_everything_but_what_is_frozen(committed):
+def test_force_runs_everything_except_frozen_stages(committed):
     shutil.rmtree(committed / "data/times")
     (committed / "data/times.json").unlink()
     refused(placecat(committed, "times", "--keep"), "run `placecat repro --force`")

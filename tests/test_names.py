@@ -1,4 +1,4 @@
-"""Names that a shell, a URL or a parser would read otherwise, through real DVC."""
+"""Names with a special meaning in a shell, a URL or a parser, through real DVC."""
 
 import pytest
 

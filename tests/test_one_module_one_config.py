@@ -60,7 +60,7 @@ descriptor:
 classifier:
   clusters: 16
 """
-# The cue and its classifier that docs/adding.md adds.
+# The cue of docs/adding.md and its classifier.
 FOLLOWED = {
     name: text
     for name, text in BLOCKS.items()
@@ -79,14 +79,14 @@ SETTINGS = [
 
 
 def own(folder, *command, check=True):
-    """Run a command with the package of the copy, not with the one that is installed."""
-    # One worker starts faster than two where there is little to do.
+    """Run a command with the package of the copy, not the installed one."""
+    # One worker starts faster than two for little work.
     return run(folder, *command, check=check, PYTHONPATH=str(folder / "src"), PLACECAT_WORKERS="1")
 
 
 @pytest.fixture(scope="module")
 def before(tmp_path_factory):
-    """A copy with small homes, kept by git; the features of one of them are computed."""
+    """A copy with small homes in git; one of them has features."""
     folder = tmp_path_factory.mktemp("project")
     shutil.copytree(ROOT / "src", folder / "src", ignore=shutil.ignore_patterns("__pycache__", "*.egg-info"))
     shutil.copytree(ROOT / "conf", folder / "conf")
@@ -107,7 +107,7 @@ def before(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def after(before, tmp_path_factory):
-    """The copy after two cues came to it, and what its features were before."""
+    """The copy with two more cues, and its earlier features."""
     features = contents(before, "data/features/Home1")
     for name, text in ADDED.items():
         (before / name).write_text(text)
@@ -130,7 +130,7 @@ def test_one_module_and_one_file_make_a_cue(after):
             assert len(np.unique(proba.round(6), axis=0)) > 1
 
 
-def test_nothing_else_changes_in_what_git_holds(after):
+def test_nothing_else_changes_in_git(after):
     folder, _, _ = after
     lines = run(folder, "git", "status", "--porcelain", "--untracked-files=all").stdout.splitlines()
     written = ["conf/found.yaml", "dvc.lock", "params.yaml"]
@@ -142,7 +142,7 @@ def test_descriptors_that_were_there_keep_their_bytes(after):
     now = contents(folder, "data/features/Home1")
     place = "data/features/Home1"
     assert set(now) - set(features) == {f"{place}/holistic_brightness.npy", f"{place}/local_thumbnail.npy"}
-    # The lists of the modules and of the files are longer now.
+    # The lists of modules and files are longer now.
     changed = {name for name in features if now[name] != features[name]}
     lists = {name for name in features if name.endswith("/descriptors.json")}
     assert changed == lists | {f"{place}/manifest.json"}

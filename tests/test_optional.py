@@ -1,4 +1,4 @@
-"""Additions of conf/optional: what each changes, and that it changes nothing else."""
+"""Additions of conf/optional: each changes its settings and nothing else."""
 
 import inspect
 
@@ -19,13 +19,13 @@ from placecat.vision import holistic, local
 from project import ROOT
 
 NAMES = sorted(path.stem for path in (ROOT / "conf/optional").glob("*.yaml"))
-# Other data in place of those of a split.
+# Other data in place of the data of a split.
 DATA = ["cold"]
 EVERY = pytest.mark.parametrize("name", NAMES)
 
 
 def differences(one, other, where=""):
-    """Dotted names of what `other` has and `one` has not, or has otherwise."""
+    """Dotted names of settings that `one` lacks or that differ from `other`."""
     for key, value in other.items():
         name = f"{where}{key}"
         if isinstance(value, dict) and isinstance(one.get(key), dict):

@@ -1,4 +1,4 @@
-"""What Hydra's grammar cannot read is refused with the setting's name and the quotes that it needs."""
+"""Overrides that Hydra cannot read are refused, with the setting's name and the necessary quotes."""
 
 import re
 import shlex
@@ -39,14 +39,14 @@ def refused(*given):
 
 
 def shown(message):
-    """How the message says that the override is written: for a shell, for make."""
+    """The spellings of the override in the message: for a shell, for make."""
     return re.search(r"write (.*), and with make (SET=.*)$", message).groups()
 
 
 @pytest.mark.parametrize(
     "override", ["a=1", "a=my homes", "a=[x,y z]", "~a", "+a.b=c", "a='\u00e4'", "dataset=x", "a="]
 )
-def test_what_hydra_reads_passes(override):
+def test_readable_overrides_pass(override):
     overrides.check([override])
 
 
@@ -63,7 +63,7 @@ def test_a_value_is_shown_as_shell_and_make_need_it(value, tmp_path):
         assert done.stdout == f"{argument}\n"
 
 
-def test_of_a_list_only_what_needs_quotes_gets_them():
+def test_only_items_that_need_quotes_get_them():
     for_shell, _ = shown(refused("dataset.homes=[home_1,H\u00e4user, R&D]"))
     assert for_shell == "\"dataset.homes=[home_1,'H\u00e4user','R&D']\""
 

@@ -1,4 +1,4 @@
-"""What the packages in src import of each other."""
+"""Imports between the packages in src."""
 
 import ast
 from pathlib import Path
@@ -15,7 +15,7 @@ MAY_USE = {
 
 
 def imported(path):
-    """Top-level names of what a module imports anywhere in its text."""
+    """Top-level names of all imports in the text of a module."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             yield from (alias.name.partition(".")[0] for alias in node.names)

@@ -21,7 +21,7 @@ print("done", flush=True)
 
 
 def in_terminal(program, columns):
-    """What a program writes to a terminal of some width."""
+    """Output of a program to a terminal of a given width."""
     import fcntl
     import struct
     import termios
@@ -34,7 +34,7 @@ def in_terminal(program, columns):
     try:
         while part := os.read(ours, 4096):
             written += part
-    # A terminal whose programs have ended.
+    # A terminal after its programs have ended.
     except OSError:
         pass
     os.close(ours)
@@ -54,7 +54,7 @@ def test_in_a_terminal_it_stays_one_line_and_is_gone_at_the_end(columns):
     assert re.search(r"frames of a home with a long name: +\d+ % .*", states[-1])
     if columns > 100:
         assert re.search(r"\d+ of 40 tasks, 0\d:\d\d left", states[-1])
-    # The last state is written over.
+    # The last state is overwritten.
     assert before.endswith("\r") and not before.split("\r")[-2].strip()
 
 
@@ -67,7 +67,7 @@ def test_in_a_log_it_is_a_line_now_and_then():
         assert re.fullmatch(r"frames of a home with a long name: \d+ of 40 tasks, 0\d:\d\d left", line)
 
 
-def test_what_ends_soon_leaves_no_line_in_a_log():
+def test_a_short_loop_leaves_no_line_in_a_log():
     program = LOOP.replace("0.1", "60")
     result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     assert (result.stdout, result.stderr) == ("done\n", "")

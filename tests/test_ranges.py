@@ -1,4 +1,4 @@
-"""Every setting has a type and a range: what cannot be meant is refused at once."""
+"""Every setting has a type and a range: impossible values are refused at once."""
 
 import copy
 import math
@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[1]
 PARAMS = settings.load(ROOT / "params.yaml")
 # Their entries have the same settings.
 GROUPS = ("codebooks", "cues", "systems", "filters", "splits", "variants", "schemes", "local", "holistic")
-# What may be null, and what null then means.
+# Settings that may be null, and the meaning of null.
 MAY_BE_NULL = {
     "codebooks.*.descriptor.y_weight": "as the descriptor has it",
     "codebooks.*.descriptor.max_regions": "all of them",
@@ -38,7 +38,7 @@ def leaves(content, place=()):
 
 
 def numbers():
-    """Each number once: that of the first entry stands for the others of its group."""
+    """Each number once: the first entry represents its group."""
     found = {}
     for place in leaves(PARAMS):
         in_group = [number > 0 and place[number - 1] in GROUPS for number in range(len(place))]
@@ -52,13 +52,13 @@ NUMBERS = numbers()
 
 
 def check(params):
-    """Of some sections: references to others are another matter."""
+    """For some sections only; other tests check references."""
     schema.check(params)
     signatures.check(params)
 
 
 def changed(place, value):
-    """The section of a setting, with another value of it."""
+    """The section of a setting, with another value."""
     section = {place[0]: copy.deepcopy(PARAMS[place[0]])}
     parent = section
     for part in place[:-1]:
@@ -96,7 +96,7 @@ def test_null_is_allowed_where_it_means_something(name):
 
 
 def values():
-    """Each wrong value of a setting that is no number, with what the message says."""
+    """Wrong values of settings that are not numbers, with the message."""
     yield "dataset.homes", "banana", "list"
     yield "dataset.homes", [], "at least 1"
     yield "dataset.homes", ["home_1", "home_2", "home_1"], "'home_1' twice"

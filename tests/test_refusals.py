@@ -1,4 +1,4 @@
-"""Disk full, no permission: one message that names the file, nothing half written."""
+"""Disk full or no permission: one message that names the file, and no incomplete file."""
 
 import errno
 import os
@@ -28,7 +28,7 @@ WRITERS = {
 
 @pytest.fixture
 def small_files():
-    """No file may become larger than 100 kB, which fails as a full disk does."""
+    """No file may grow above 100 kB, which fails like a full disk."""
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     handler = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
     resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, before[1]))
@@ -38,7 +38,7 @@ def small_files():
 
 
 @pytest.mark.parametrize("name", WRITERS)
-def test_a_write_that_fails_names_the_file_and_leaves_what_stood_there(tmp_path, name, small_files):
+def test_a_failed_write_names_the_file_and_leaves_the_old_one(tmp_path, name, small_files):
     target = tmp_path / name
     target.write_text("before")
     with pytest.raises(
@@ -58,7 +58,7 @@ def test_a_write_that_fails_names_the_file_and_leaves_what_stood_there(tmp_path,
         (errno.ENAMETOOLONG, "shorter name"),
     ],
 )
-def test_what_the_system_refuses_is_one_message(number, remedy):
+def test_system_errors_are_one_message(number, remedy):
     with pytest.raises(SystemExit) as caught, exiting():
         raise OSError(number, os.strerror(number), "some/file.csv")
     assert str(caught.value).startswith(f"placecat: some/file.csv: {os.strerror(number)}; ")
@@ -70,7 +70,7 @@ def test_an_error_of_the_program_keeps_its_traceback():
         Path("/nowhere/at/all").read_text()
 
 
-def test_nobody_reads_the_output_any_more():
+def test_a_closed_pipe_ends_silently():
     program = "from placecat.errors import exiting\nwith exiting():\n    while True:\n        print('line')"
     process = subprocess.Popen(
         [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True

@@ -26,7 +26,7 @@ def test_a_folder_without_git_is_one_message(tmp_path, monkeypatch):
 def test_a_refused_run_leaves_the_settings_as_they_were(
     tmp_path, monkeypatch, before, status, has_ended, is_back
 ):
-    """`status` None stands for a refusal before DVC begins; `has_ended`, for a stage that has."""
+    """A `status` of None means a refusal before DVC begins; `has_ended` means that a stage has ended."""
     monkeypatch.chdir(tmp_path)
     params, lock = tmp_path / "params.yaml", tmp_path / "dvc.lock"
     lock.write_text("records")

@@ -38,7 +38,7 @@ def test_the_page_shows_every_table_and_figure_and_its_console_is_clean(reproduc
     assert {f"table-{number}" for number in range(1, 32)} <= set(found["tables"])
     for cells in found["tables"].values():
         assert cells
-        # A number, or the letter of the footnote that says why there is none.
+        # A number, or the letter of the footnote that explains why it is missing.
         assert all(re.fullmatch(r"\d{1,3}\.\d\d", number) or mark for number, mark in cells)
     assert sum(number != "" for cells in found["tables"].values() for number, _ in cells) > 500
     figures = json.loads((folder / "reports/figures/figures.json").read_text())
@@ -46,7 +46,7 @@ def test_the_page_shows_every_table_and_figure_and_its_console_is_clean(reproduc
     anchors = [f"figure-{one['number']}" for one in figures if one["number"] is not None]
     assert sorted(found["figures"]) == sorted([*anchors, *added])
     assert found["images"] == sum(figure["file"] is not None for figure in figures) > 0
-    # That of the kept benchmarks.
+    # The chart of the benchmarks in git.
     assert found["charts"] == 1
     assert found["findings"] == 34
 
@@ -65,14 +65,14 @@ def test_the_page_fits_its_window(reproduced, tmp_path, width):
 def test_the_page_says_that_the_data_differ(reproduced):
     folder, _, _ = reproduced
     text = (folder / "reports/index.html").read_text()
-    assert text.count("other data, so the shading shows a difference of the data as well") == 31
+    assert text.count("other data, so the shading also shows a difference of the data") == 31
 
 
 def test_the_page_needs_no_server(reproduced):
     folder, _, _ = reproduced
     text = (folder / "reports/index.html").read_text()
     links = re.findall(r'(?:src|href)="(?!#|data:)([^"]*)"', text)
-    # The page is whole without them.
+    # The page is complete without them.
     assert sorted(links) == sorted(
         f"figures/{path.name}" for path in (folder / "reports/figures").glob("*.pdf")
     )

@@ -1,4 +1,4 @@
-"""Which room of the package may use which: arrows run one way."""
+"""Dependencies between the rooms of the package run one way."""
 
 import ast
 from pathlib import Path
@@ -7,7 +7,7 @@ import pytest
 
 PACKAGE = Path(__file__).resolve().parents[1] / "src/placecat"
 WRITERS = {"thesis", "explain", "report", "mlflow_log"}
-# What a room must not import, anywhere in its text.
+# Modules that a room must not import, anywhere in its text.
 NEVER = {
     "vision": WRITERS | {"results", "drawing"},
     "learning": WRITERS | {"results", "drawing"},
@@ -24,7 +24,7 @@ NEVER = {
     "explain": {"report", "mlflow_log", "drawing"},
     "report": {"mlflow_log"},
 }
-# Of the stages these write what people read; all others compute.
+# These stages write what people read; all others compute.
 WRITING_STAGES = {"tables", "findings", "figures", "report", "tracking"}
 
 

@@ -1,4 +1,4 @@
-"""The node of docs/, with modules in place of those of ROS."""
+"""The node of docs/, with stand-ins for the modules of ROS."""
 
 import array
 import runpy
@@ -65,12 +65,12 @@ def message(image, seconds, encoding="bgr8"):
     )
 
 
-def test_the_node_says_what_the_categorizer_says(node):
+def test_the_node_publishes_the_decisions_of_the_categorizer(node):
     images = list(frames(3))
     topic, see = node.subscribed
     assert topic == "image"
     see(message(images[0], 100.0))
-    # Late, and of an encoding that is not read.
+    # Late, and in an unsupported encoding.
     see(message(images[1], 99.5))
     see(message(images[1], 100.2, "mono16"))
     see(message(images[1], 100.5))
@@ -100,7 +100,7 @@ def test_of_a_frame_of_4_to_3_the_middle_is_taken(node):
     assert np.array_equal([result.score for result in sent.results], expected)
 
 
-def test_a_clock_that_goes_back_starts_anew(node):
+def test_a_clock_that_goes_back_resets_it(node):
     images = list(frames(2))
     for image, seconds in ((images[0], 100.0), (images[1], 3.0), (images[0], 2.5), (images[0], 3.2)):
         node.subscribed[1](message(image, seconds))

@@ -1,4 +1,4 @@
-"""Every section of params.yaml refuses what it does not have."""
+"""Every section of params.yaml refuses unknown settings."""
 
 import copy
 from pathlib import Path
@@ -9,7 +9,7 @@ from placecat import schema, settings
 from placecat.errors import PlacecatError
 
 PARAMS = settings.load(Path(__file__).resolve().parents[1] / "params.yaml")
-# Names are free here; what has them is checked.
+# Names are free here; their contents are checked.
 FREE = {"figures", "codebooks", "cues", "systems", "filters", "splits"}
 
 

@@ -17,7 +17,7 @@ def test_known_settings_are_passed():
     assert settings.call(function, 1, settings={"gamma": 2}, where="x") == (1, 2, 0.2)
 
 
-def test_missing_setting_names_what_there_is():
+def test_a_missing_setting_lists_the_existing_ones():
     with pytest.raises(PlacecatError, match=r"setting 'a\.c' does not exist: a has b"):
         settings.get({"a": {"b": 1}}, "a.c")
 
@@ -29,7 +29,7 @@ def test_broken_params_give_one_message(tmp_path, text, message):
         settings.load(tmp_path / "params.yaml")
 
 
-def test_missing_params_say_what_to_do(tmp_path):
+def test_missing_params_have_a_remedy(tmp_path):
     with pytest.raises(PlacecatError, match="run `placecat params`"):
         settings.load(tmp_path / "params.yaml")
 

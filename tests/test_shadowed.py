@@ -16,7 +16,7 @@ def test_another_package_in_pythonpath_is_one_message(tmp_path):
         assert result.returncode == 1
         assert result.stderr.startswith("placecat: PYTHONPATH hides the installed cv2")
         assert result.stderr.endswith("unset PYTHONPATH\n")
-    # Packages of the user's own, and folders that only have the name, change nothing.
+    # The user's packages, and folders that only share the name, change nothing.
     (other / "cv2/__init__.py").unlink()
     (other / "mine").mkdir()
     (other / "mine/__init__.py").write_text("")

@@ -1,4 +1,4 @@
-"""Colour, brightness or file size do not tell the rooms of the rendered homes; where they do, it is found."""
+"""Colour, brightness and file size do not reveal the rooms of the rendered homes; a shortcut is detected."""
 
 import cv2
 import numpy as np
@@ -25,7 +25,7 @@ def data_set(name):
 
 @pytest.mark.slow
 def test_no_shortcut_tells_the_rooms_of_the_homes():
-    # Frames that follow each other say the same.
+    # Consecutive frames carry the same information.
     table = measure(data_set("homes"), every=9)
     assert table.shape == (5 * 6, 6 + 1)
     assert table["average"].max() <= LIMIT, table[table["average"] > LIMIT].round(1).to_string()
@@ -43,7 +43,7 @@ def view(rng, *, tint=0.0, light=0.0, grain=0.0):
 
 
 def made_homes(root, planted):
-    """Four homes whose rooms differ in nothing but what is planted: room number to options of `view`."""
+    """Four homes whose rooms differ only in planted features: room number to options of `view`."""
     rng = np.random.default_rng(3)
     homes = ["a", "b", "c", "d"]
     for home in homes:
@@ -85,7 +85,7 @@ def test_a_planted_shortcut_is_found(tmp_path, planted, found):
 
 
 def test_the_size_of_each_frame_is_read_in_the_order_of_showing(tmp_path):
-    """A grey frame takes few bytes, a noisy one many; with frames that refer to later ones, too."""
+    """A grey frame takes few bytes, a noisy one many; also with frames that refer to later ones."""
     av = pytest.importorskip("av")
     rng = np.random.default_rng(5)
     noisy = rng.random(40) < 0.4
@@ -107,7 +107,7 @@ def test_the_size_of_each_frame_is_read_in_the_order_of_showing(tmp_path):
 
 
 def test_the_command_judges_the_homes_in_a_folder(tmp_path, capsys):
-    """Planted brightness ends it with status 1; numbers are those of `measure`."""
+    """Planted brightness ends it with status 1; the numbers equal `measure`."""
     made_homes(tmp_path, lambda room: {"light": 20 * (room - 2)})
     for old in sorted(tmp_path.iterdir()):
         old.rename(old.with_name(f"home_{'abcd'.index(old.stem) + 1}{old.suffix}"))

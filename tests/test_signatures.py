@@ -1,4 +1,4 @@
-"""What names code is refused at once if there is none, and so are settings that the code does not take."""
+"""Names of missing code are refused at once, and so are unknown settings."""
 
 import copy
 import subprocess

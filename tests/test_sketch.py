@@ -63,7 +63,7 @@ def test_every_room_of_every_home_differs(drawn: Path) -> None:
 
 
 def test_colours_do_not_tell_classes() -> None:
-    # The nearest mean colour of the other homes' classes names few walls (chance 20 %).
+    # The nearest mean colour of the other homes' classes names few walls correctly (chance 20 %).
     homes, rooms = 12, sorted(CLASSES)
     means = np.array(
         [

@@ -36,7 +36,7 @@ def test_shape_and_position_side_by_side(folder):
     assert (read.x[frame, 2] == 0).all()
 
 
-def test_rows_are_those_asked_for(folder):
+def test_only_requested_rows_are_read(folder):
     some = np.array([4, 40, 7])
     np.testing.assert_array_equal(
         store.read_descriptors("H1", HOG, some).x, store.read_descriptors("H1", HOG).x[some]
@@ -83,7 +83,7 @@ VARIANT = HOG | {"variant": "other"}
 
 @pytest.fixture
 def variant(folder):
-    """Regions of a variant in every third frame: those of the frame after it."""
+    """Regions of a variant in every third frame: the regions of the next frame."""
     rows = np.arange(0, 90, 3)
     for name in ("count", "regions", "local_hog"):
         files.write_array(folder / f"variant_other/{name}.npy", np.load(folder / f"{name}.npy")[rows + 1])
@@ -92,7 +92,7 @@ def variant(folder):
 
 
 @pytest.mark.usefixtures("variant")
-def test_a_variant_has_its_own_regions_of_its_frames(folder):
+def test_a_variant_reads_its_regions_in_its_frames(folder):
     read = store.read_descriptors("H1", VARIANT, np.array([3, 60]))
     same = store.read_descriptors("H1", HOG, np.array([4, 61]))
     np.testing.assert_array_equal(read.x, same.x)

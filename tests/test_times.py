@@ -1,4 +1,4 @@
-"""Times of stages: which count, their sum, and what is kept."""
+"""Times of stages: which ones count, their sum, and their storage."""
 
 import json
 from pathlib import Path
@@ -78,7 +78,7 @@ def test_without_a_complete_run_nothing_is_kept(folder):
 
 
 def test_times_are_no_part_of_the_project():
-    """Neither in git nor what a stage depends on or makes."""
+    """Neither in git nor a dependency or output of a stage."""
     root = Path(__file__).resolve().parents[1]
     ignored = (root / ".gitignore").read_text().splitlines()
     pipeline = (root / "dvc.yaml").read_text()

@@ -1,4 +1,4 @@
-"""The wheel, installed in an environment of its own, has all that the package reads and runs."""
+"""The wheel, installed in a separate environment, has everything that the package reads and runs."""
 
 import shutil
 import sys
@@ -15,10 +15,10 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture(scope="module")
 def installed(tmp_path_factory):
-    """Python of the environment, and where it keeps packages. Those that placecat needs are ours."""
+    """Python of the environment, and its folder of packages. The packages that placecat needs are ours."""
     folder = tmp_path_factory.mktemp("wheel")
     source, own = folder / "source", folder / "own"
-    # Building writes beside the source.
+    # The build writes next to the source.
     shutil.copytree(ROOT / "src", source / "src", ignore=shutil.ignore_patterns("__pycache__", "*.egg-info"))
     for name in ("pyproject.toml", "README.md", "LICENSE"):
         shutil.copy(ROOT / name, source)
@@ -30,7 +30,7 @@ def installed(tmp_path_factory):
     python = own / "bin/python"
     where = "import sysconfig; print(sysconfig.get_path('purelib'))"
     packages = Path(run(folder, python, "-c", where).stdout.strip())
-    # Behind its own, and without our editable placecat, since a .pth file in there is not read.
+    # After its packages, and without our editable placecat, since a .pth file in there is not read.
     (packages / "ours.pth").write_text(f"{sysconfig.get_path('purelib')}\n")
     return python, packages
 
@@ -50,7 +50,7 @@ def test_it_holds_every_file_of_the_source(installed):
 WITHOUT_SOURCE = {"PYTHONPATH": ""}
 
 
-def test_it_is_what_runs_and_predicts(installed, tmp_path):
+def test_the_installed_package_runs_and_predicts(installed, tmp_path):
     python, packages = installed
     where = run(tmp_path, python, "-c", "import placecat; print(placecat.__file__)", **WITHOUT_SOURCE).stdout
     assert Path(where.strip()).is_relative_to(packages)

@@ -134,7 +134,7 @@ def _add_results(commands: Commands) -> None:
         commands,
         "explain",
         _explain,
-        "say where a number comes from",
+        "explain where a number comes from",
         "Explain a number of a table or of the text: what it measures, and the settings, frames, seeds, "
         "data, code and stages behind it.",
     )
@@ -179,7 +179,7 @@ def _mend(options: argparse.Namespace) -> int:
     from placecat.runs import lock, mend
 
     with lock.alone():
-        print("\n".join(mend.mend()) or "There is nothing to mend.")
+        print("\n".join(mend.mend()) or "Nothing needs mending.")
     return 0
 
 

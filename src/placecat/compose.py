@@ -85,7 +85,7 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
         except defaults.Unusual:
             config = _by_hydra(overrides, conf, f"{conf}/")
         text: str = OmegaConf.to_yaml(config, resolve=True)
-        # A quick test first, since the search is slow.
+        # Test first, since the search is slow.
         missing = sorted(OmegaConf.missing_keys(config)) if "???" in text else []
         if missing:
             raise PlacecatError(f"setting {missing[0]} has no value: add {missing[0]}=VALUE to the overrides")

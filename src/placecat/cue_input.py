@@ -62,7 +62,7 @@ def assemble(
     found = arrays[f"local_{name}"]
     if limit > found.shape[1]:
         raise PlacecatError(
-            f"a cue asks for max_regions {limit}, but regions.max_regions is {found.shape[1]}: "
+            f"a cue uses {limit} regions (max_regions), but regions.max_regions is {found.shape[1]}: "
             "increase regions.max_regions"
         )
     counts = np.minimum(arrays["count"], limit).astype(np.int64)

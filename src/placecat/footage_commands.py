@@ -87,7 +87,7 @@ def _add_predict(commands: Commands) -> None:
     predict.add_argument("--every", type=int, default=1, metavar="N", help=every)
     seconds = "use only the first S seconds; a camera stops then"
     predict.add_argument("--seconds", type=float, metavar="S", help=seconds)
-    predict.add_argument("--fps", type=float, help="frames/s of the footage, if its own is missing or wrong")
+    predict.add_argument("--fps", type=float, help="frames/s of the footage, if missing or wrong in the file")
     predict.add_argument("--topic", help="the topic of the pictures in a bag, if several have pictures")
     mcap = "also write annotated pictures and probabilities as ROS 2 messages"
     predict.add_argument("--mcap", type=Path, metavar="FILE", help=mcap)

@@ -45,8 +45,8 @@ def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
 def codebooks(conf: Path) -> dict[str, dict[str, Any]]:
     """Find codebooks of regions that cues name but no file of conf/codebook describes.
 
-    Returns a mapping of names to settings, which refer to those of the cue. ``tree``, the clustering, is left
-    out. Raises PlacecatError if a file of a cue is not YAML.
+    Returns a mapping of names to settings, which refer to the cue's settings, without ``tree`` (the
+    clustering). Raises PlacecatError if a file of a cue is not YAML.
     """
     found = {}
     for path, cue in _files(conf, "cue"):

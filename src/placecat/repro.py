@@ -14,7 +14,7 @@ from placecat.errors import PlacecatError
 from placecat.lockfile import LOCK, defined_stages
 from placecat.runs import lifeline, lock, mend
 
-# Seconds that DVC and its stage get to end after Ctrl-C in a terminal, which reaches them too.
+# Seconds for DVC and its stage to end after Ctrl-C, which a terminal sends to them too.
 _CTRL_C = 3.0
 
 

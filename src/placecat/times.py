@@ -1,4 +1,4 @@
-"""Times of the stages: measured, collected by `placecat repro`, kept in git. No result depends on them."""
+"""Times of the stages: measured, collected by `placecat repro`, stored in git. No result depends on them."""
 
 import os
 import uuid

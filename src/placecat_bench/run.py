@@ -31,7 +31,7 @@ def run(chosen: Sequence[str], target: Path = paths.BENCHMARKS) -> pd.DataFrame:
     if target.is_file() and set(all_names) - set(generators):
         if files.read_json(facts_file) != facts:
             raise PlacecatError(
-                f"{target} was measured on another machine or with other packages ({facts_file} says which): "
+                f"{target} was measured on another machine or with other packages (see {facts_file}): "
                 "measure all pieces"
             )
         before = files.read_csv(target)

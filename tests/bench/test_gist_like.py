@@ -15,7 +15,7 @@ def test_every_home_has_every_place_on_several_visits():
         assert np.count_nonzero(np.diff(place)) == 4 * CLASSES - 1
 
 
-def test_a_home_is_the_same_whatever_the_others():
+def test_a_home_does_not_depend_on_the_others():
     alone, among = draw_frames(60, 7, [1]), draw_frames(120, 7, [0, 1])
     np.testing.assert_allclose(alone.descriptors, among.descriptors[60:], rtol=1e-5)
     other = draw_frames(60, 7, [1], seed=1)

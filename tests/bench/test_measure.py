@@ -12,13 +12,13 @@ PEER = Peer("NumPy: sort", "numpy")
 
 
 class Clock:
-    """A clock that a call moves on by the seconds that the call takes."""
+    """A clock that each call advances by its duration."""
 
     def __init__(self, monkeypatch):
         self.now = 0.0
         self.calls = []
         monkeypatch.setattr("placecat_bench.timing.time.perf_counter", lambda: self.now)
-        # Quick, since the tests before may have left much.
+        # Quick, since earlier tests may have left much garbage.
         monkeypatch.setattr("placecat_bench.timing.gc.collect", lambda: None)
 
     def call(self, name, *durations):
@@ -55,7 +55,7 @@ def test_the_ratio_is_the_median_of_the_pairs_not_the_ratio_of_the_medians(monke
     assert row["peer_version"] == version("numpy")
 
 
-def test_a_missed_target_says_what_the_time_is_spent_on(monkeypatch):
+def test_a_missed_target_shows_where_the_time_goes(monkeypatch):
     clock = Clock(monkeypatch)
     parts = {"comparing": clock.call("c", 0.5), "moving": clock.call("d", 1.25)}
     entry = Comparison("Sorting", "", PEER, clock.call("a", 2), clock.call("b", 3), faster=10, parts=parts)
@@ -99,7 +99,7 @@ def test_a_missing_peer_of_an_extra_that_few_install_is_passed_over():
     assert (row["met"], row["spent"]) == (ABSENT, "without the extra bench-torch")
 
 
-def test_the_version_is_that_in_the_peer_s_own_folder(tmp_path):
+def test_the_version_comes_from_the_folder_of_the_peer(tmp_path):
     (tmp_path / "numpy-0.1.dist-info").mkdir()
     (tmp_path / "numpy-0.1.dist-info/METADATA").write_text("Name: numpy\nVersion: 0.1\n")
     peer = Peer("it", "numpy", tmp_path)

@@ -12,7 +12,7 @@ from placecat_bench.comparison import Comparison, Limit, Peer
 
 @pytest.fixture
 def made(monkeypatch):
-    """Two pieces, whose numbers can be changed."""
+    """Two pieces with changeable numbers."""
     numbers = {"first": 1.0, "second": 2.0}
     threads = []
 
@@ -26,7 +26,7 @@ def made(monkeypatch):
 
         return entries
 
-    # Quick, since the tests before may have left much.
+    # Quick, since earlier tests may have left much garbage.
     monkeypatch.setattr("placecat_bench.timing.gc.collect", lambda: None)
     monkeypatch.setattr(pieces, "names", lambda: ["first", "second"])
     monkeypatch.setattr(pieces, "load", entries_of)
@@ -47,7 +47,7 @@ def test_all_pieces_are_measured_on_one_thread_and_written(made, tmp_path, capsy
     assert "second: of it 2.0 (target: at most 1.5, MISSED)" in capsys.readouterr().out
 
 
-def test_a_piece_named_replaces_only_its_own_rows(made, tmp_path):
+def test_a_named_piece_replaces_only_its_rows(made, tmp_path):
     target = tmp_path / "benchmarks.csv"
     run.run([], target)
     before = files.read_csv(target)
@@ -70,7 +70,7 @@ def test_rows_of_another_machine_are_not_mixed_in(made, tmp_path, monkeypatch):
     assert files.read_json(tmp_path / "benchmarks.json") == {"processor": "another"}
 
 
-def test_what_was_measured_stays_if_a_later_piece_fails(made, tmp_path):
+def test_measurements_remain_if_a_later_piece_fails(made, tmp_path):
     made.pop("second")
     with pytest.raises(KeyError):
         run.run([], tmp_path / "benchmarks.csv")

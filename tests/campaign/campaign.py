@@ -1,7 +1,7 @@
 """`make campaign`: damaged inputs, killed runs, full disks, two runs at once, for a given time.
 
-Seeded, and goes on where an earlier call with the same seed has stopped. What became of each case goes to
-data/campaign.csv, the counts to reports/robustness.csv.
+The campaign has a seed, and continues where an earlier call with the same seed stopped. The outcome of each
+case goes to data/campaign.csv, the counts to reports/robustness.csv.
 """
 
 import argparse
@@ -21,11 +21,11 @@ CASES, REPORT = ROOT / "data/campaign.csv", ROOT / "reports/robustness.csv"
 COLUMNS = ["seed", "part", "number", "outcome", "said"]
 PARTS = ("models", "pictures", "videos", "labels", "settings", "kills", "two_at_once", "disk_full")
 SHOWN = 200
-"""Characters of what was said that are kept."""
+"""Maximum number of characters of a message."""
 
 
 def main(arguments=None):
-    """Try every part for its share of the time; print the counts, and what was wrong."""
+    """Try every part for its share of the time; print the counts and the errors."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--seconds", type=float, default=1800, help="for all parts together")
     parser.add_argument("--most", type=int, default=1000, help="cases of each part")
@@ -48,7 +48,7 @@ def main(arguments=None):
 
 
 def count(cases, seed, peaks):
-    """Count the outcomes of each part: a row a part, with the most memory that it took in MB, if known."""
+    """Count the outcomes of each part, one row per part, with its peak memory in MB if known."""
     found = pd.read_csv(cases, dtype={"said": str})
     found = found[found["seed"] == seed]
     rows = []
@@ -61,7 +61,7 @@ def count(cases, seed, peaks):
 
 
 def _in_a_process(part, options):
-    """Try a part in a process of its own, again after a crash; the most memory that it took, in MB."""
+    """Try a part in a separate process, again after a crash; return its peak memory in MB."""
     end = time.monotonic() + options.seconds / len(options.parts)
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
     while (left := end - time.monotonic()) > 0 and _done(part, options) < options.most:
@@ -72,13 +72,13 @@ def _in_a_process(part, options):
             break
         _add(part, options, "traceback", f"the process ended with status {done.returncode}")
     after = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
-    # Of all processes so far the most.
+    # The maximum over all processes so far.
     return after // 1024 if after > before else None
 
 
 def _try(part, options):
     sys.path[:0] = [str(ROOT / "tests" / name) for name in (".", "categorizer", "runs")]
-    # Here, since they import all that is tried.
+    # Imported here, since they import everything that is tried.
     import damaged_inputs
     import disturbed_runs
 
@@ -95,7 +95,7 @@ def _try(part, options):
 
 
 def _done(part, options):
-    """How many cases of a part an earlier call has tried."""
+    """Number of cases of a part that an earlier call has tried."""
     if not options.cases.exists():
         return 0
     with options.cases.open(newline="", encoding="utf-8") as file:

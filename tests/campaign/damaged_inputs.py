@@ -1,4 +1,4 @@
-"""Damaged inputs of each kind, and what becomes of them."""
+"""Damaged inputs of each kind, and their outcomes."""
 
 import io
 import math
@@ -23,21 +23,21 @@ from project import ROOT
 
 RIGHT, MESSAGE, TRACEBACK, WRONG = OUTCOMES = ("right", "message", "traceback", "wrong")
 
-# Never a number of this project's settings.
+# No setting of this project has these numbers.
 NO_NUMBERS = ("abc", math.nan, math.inf, -math.inf, {"a": 1}, -1e300)
 LINES = ["start,end,label", "1,5,kitchen", "6,9,transition", "10,30,living room"]
 ODD_CELLS = ["9" * 5000, "1e308", "-1", "nan", "inf", "", "0", "5", "ä", "\x00", '"', "1,2,3,4", "\u202e"]
 
 
 class Inputs:
-    """A kind of input in a folder of its own; `intact` says what it gives, `try_one` a damaged one."""
+    """A kind of input in a separate folder; `intact` is its correct result, `try_one` tries a damaged one."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         folder.mkdir(parents=True, exist_ok=True)
 
     def attempt(self, rng):
-        """Damage one input and read it. One of OUTCOMES, and what was said."""
+        """Damage one input and read it; return one of OUTCOMES, and the message."""
         try:
             with redirect_stderr(io.StringIO()):
                 return self.try_one(rng)
@@ -148,7 +148,7 @@ class Labels(Inputs):
 
 
 class Settings(Inputs):
-    """A number of params.yaml becomes something that is none, or none that any setting has."""
+    """A number in params.yaml becomes another type, or a number that no setting has."""
 
     def __init__(self, folder):
         super().__init__(folder)
@@ -164,7 +164,7 @@ class Settings(Inputs):
 
 
 def _numbers(here, name=""):
-    """Every number in nested containers: what holds it, its key, its dotted name."""
+    """Every number in nested containers: its container, its key, its dotted name."""
     items = here.items() if isinstance(here, Mapping) else enumerate(here)
     for key, value in items:
         if isinstance(value, Mapping | list):

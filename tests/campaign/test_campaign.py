@@ -1,4 +1,4 @@
-"""A short campaign: no damaged input ends in a traceback, and a campaign goes on where it stopped."""
+"""A short campaign: no damaged input ends in a traceback, and a stopped campaign resumes."""
 
 import collections
 
@@ -10,12 +10,12 @@ import pytest
 import campaign
 
 FEW = 25
-# What damage nobody can tell: formats without checksums hold other pictures that are as good.
+# Undetectable damage: in formats without checksums it can produce other valid pictures.
 UNSEEN = {"pictures", "videos"}
 
 
 @pytest.mark.parametrize("part", list(damaged_inputs.KINDS))
-def test_damaged_inputs_give_one_message_or_what_they_gave(part, tmp_path):
+def test_damaged_inputs_give_one_message_or_the_intact_result(part, tmp_path):
     kind = damaged_inputs.KINDS[part](tmp_path / part)
     found = [kind.attempt(np.random.default_rng([1, number])) for number in range(FEW)]
     counts = collections.Counter(outcome for outcome, _ in found)
@@ -27,7 +27,7 @@ def test_damaged_inputs_give_one_message_or_what_they_gave(part, tmp_path):
 
 
 @pytest.mark.slow
-def test_a_campaign_goes_on_where_it_stopped(tmp_path):
+def test_a_campaign_resumes_where_it_stopped(tmp_path):
     cases, report = tmp_path / "cases.csv", tmp_path / "counts.csv"
     given = ["--parts", "labels", "--cases", str(cases), "--report", str(report), "--seconds", "60", "--most"]
     campaign.main([*given, "3"])

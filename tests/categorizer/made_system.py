@@ -98,7 +98,7 @@ def make_system(tracked=False):
 
 
 def frames(number, seed=0):
-    """Frames that move a little from one to the next."""
+    """Frames that each move a little from the last."""
     rng = np.random.default_rng(seed)
     width, height = SIZE
     wide = rng.integers(0, 256, (height // 12, width // 8, 3), dtype=np.uint8)

@@ -1,4 +1,4 @@
-"""Model files with random damage, and what becomes of them: for the tests, and for campaigns of thousands."""
+"""Model files with random damage, and their outcomes, for tests and for campaigns of thousands."""
 
 import io
 import json
@@ -31,7 +31,7 @@ ODD = [
 
 
 def damaged(content, rng):
-    """Bytes of a file, changed as a disk or a network may: a flip, a cut, zeros, a part lost or repeated."""
+    """Bytes of a file, damaged like by a disk or a network: a flip, a cut, zeros, a part lost or repeated."""
     data = bytearray(content)
     at, length = int(rng.integers(len(data))), int(rng.integers(1, 2000))
     kind = rng.integers(5)
@@ -49,7 +49,7 @@ def damaged(content, rng):
 
 
 def forged(path, rng):
-    """Write a model file again with one thing in it changed and a right checksum, as a person could."""
+    """Rewrite a model file with one change and a correct checksum, as a person could."""
     with zipfile.ZipFile(path) as file:
         members = {name: file.read(name) for name in file.namelist()}
     texts = ["card.json", "system.json"]
@@ -115,9 +115,10 @@ def decisions(path, frames):
 
 
 def outcome(path, frames, expected, *, is_forged):
-    """What becomes of a changed file: ``refused`` in one line, ``same`` predictions, or what is wrong.
+    """Outcome of a changed file: ``refused`` in one line, ``same`` predictions, or a description of the
+    error.
 
-    A forged file may be another good model, whose distributions are all that can be asked for.
+    A forged file may be another valid model; only its distributions can be checked.
     """
     try:
         found = decisions(path, frames)

@@ -1,4 +1,4 @@
-"""The streaming object by itself; tests/test_pipeline.py compares it with the batch pipeline."""
+"""The streaming object alone; tests/test_pipeline.py compares it with the batch pipeline."""
 
 from dataclasses import replace
 
@@ -34,7 +34,7 @@ def test_a_decision_is_a_distribution_and_its_parts(categorizer):
 
 
 def test_it_is_causal(categorizer):
-    """What comes later does not change what was decided."""
+    """Later frames do not change earlier decisions."""
     seen = frames(6)
     short = [categorizer.update(frame).proba for frame in seen[:3]]
     categorizer.reset()
@@ -102,7 +102,7 @@ def test_a_frame_that_comes_twice_says_no_more(categorizer):
     assert sum(visit.frames for visit in categorizer.visits()) == 2
 
 
-def test_what_is_no_frame_is_refused_and_left_out(categorizer):
+def test_invalid_frames_are_refused_and_skipped(categorizer):
     with pytest.raises(PlacecatError, match="a camera that fails gives None"):
         categorizer.update(None)
     assert categorizer.visits() == []
@@ -201,13 +201,13 @@ def test_frames_of_other_sizes_are_scaled_if_asked():
     system = make_system()
     plain, scaling = Categorizer(system), Categorizer(system, resize=True)
     seen = frames(3)
-    # Twice the size in twice the shape's height: the middle is left, and each pixel is there four times.
+    # Twice the size and twice the relative height: the middle remains, with each pixel four times.
     large = [
         np.pad(np.kron(frame, np.ones((2, 2, 1), np.uint8)), ((100, 100), (0, 0), (0, 0))) for frame in seen
     ]
     for frame, other in zip(seen, (large[0], seen[1], large[2]), strict=True):
         np.testing.assert_array_equal(plain.update(frame).proba, scaling.update(other).proba)
-    with pytest.raises(PlacecatError, match=r"only 32% of it would be left; film .*, or train a model"):
+    with pytest.raises(PlacecatError, match=r"only 32% of it would remain; film .*, or train a model"):
         scaling.update(np.zeros((320, 180, 3), np.uint8))
 
 

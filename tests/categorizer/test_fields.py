@@ -1,4 +1,4 @@
-"""The schema of trained models: every learner that can be stored passes, and what does not fit is refused."""
+"""The schema of trained models: every learner that can be stored passes, and unfit content is refused."""
 
 import json
 
@@ -117,7 +117,7 @@ def tree(**changes):
         (lambda: expansion(intercept=np.ones(2)), "intercept .*a side of 2"),
         (lambda: expansion(coef=np.ones((4, 3), np.int64)), "coef of a KernelExpansion is not an array"),
         (lambda: tree(split_nodes_=np.array([0, 99, 1], np.int32)), "split_nodes_ .*out of range"),
-        # A node that is split before it is there.
+        # A node that is split before it exists.
         (lambda: tree(split_nodes_=np.array([3, 0, 1], np.int32)), "HierarchicalKMeans do not match"),
         (lambda: tree(max_clusters_=10**6), "HierarchicalKMeans do not match"),
         (lambda: changed(fitted("knn")[0].estimator, n_neighbors=17), "ModifiedKNN do not match"),
@@ -135,7 +135,7 @@ def tree(**changes):
         (lambda: Codebook([1.0], of_sets=True), "trees of a Codebook .*without assign"),
     ],
 )
-def test_what_does_not_fit_is_refused(wrong, message):
+def test_unfit_content_is_refused(wrong, message):
     written = plain(wrong())
     with pytest.raises(PlacecatError, match=message):
         from_plain(*written)

@@ -33,12 +33,12 @@ def test_the_size_that_keeps_most_is_chosen():
 
 
 def test_another_shape_is_refused_where_little_is_left():
-    with pytest.raises(PlacecatError, match=r"720x1280 pixels: cut to the shape of 640x480.* only 42% of it"):
+    with pytest.raises(PlacecatError, match=r"720x1280 pixels: cropped to .*, 640x480, only 42% of it"):
         fit((720, 1280), [(640, 480)], resize=True)
 
 
 @given(st.tuples(SIDES, SIDES), st.tuples(SIDES, SIDES))
-def test_what_is_kept_lies_in_the_frame_and_has_the_shape_wanted(source, target):
+def test_the_crop_is_in_the_frame_and_has_the_wanted_shape(source, target):
     try:
         chosen = fit(source, [target], resize=True)
     except PlacecatError:

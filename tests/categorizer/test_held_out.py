@@ -1,4 +1,4 @@
-"""Decisions in unseen homes, of made data after the stage `features`."""
+"""Decisions in unseen homes, on made data after the stage `features`."""
 
 import copy
 import json
@@ -82,7 +82,7 @@ def test_only_homes_that_are_tested_are_measured():
     params["protocol"]["test_homes"] = ["H3"]
     left = held_out.of_stages(params, SYSTEM, 0)
     assert list(left) == ["H3"]
-    # A threshold needs another home to be measured in.
+    # A threshold is measured in another home.
     assert held_out.unknown(left, 0.1, []) is None
 
 
@@ -94,7 +94,7 @@ def test_the_card_has_the_accuracy_and_the_risks():
     found = held_out.unknown(left, 0.05, [0.3, 0.05, 0.9])
     assert [row["risk"] for row in found["measured"]] == [0.05, 0.3, 0.9]
     assert found["threshold"] == found["measured"][0]["threshold"]
-    # More may be wrong, so that more is named; with 90 % everything is.
+    # If more may be wrong, more is named; with 90 %, everything.
     thresholds = [row["threshold"] for row in found["measured"]]
     assert thresholds == sorted(thresholds, reverse=True)
     lowest = min(left[home].max(axis=1)[listing.read_labels(home) >= 0].min() for home in HOMES)
@@ -113,7 +113,7 @@ def test_a_risk_that_no_confidence_reaches():
     }
 
 
-def test_what_was_measured_stands_in_the_card_and_decides():
+def test_measurements_are_in_the_card_and_decide():
     params = small() | {"model": {"risk": 0.4, "risks_shown": [0.1]}}
     left = held_out.of_stages(params, SYSTEM, 0)
     system = measured(make_system(), params, left)

@@ -54,7 +54,7 @@ def test_the_same_system_gives_the_same_bytes_and_nothing_is_pickled(system, fil
     assert len(list(tmp_path.iterdir())) == 2
 
 
-def test_the_card_says_what_a_person_should_know(file):
+def test_the_card_has_the_facts_for_a_reader(file):
     card = model_file.read(file).card
     assert card["classes"] == ["bedroom", "kitchen", "bathroom"]
     with zipfile.ZipFile(file) as archive:
@@ -75,7 +75,7 @@ def test_the_card_says_what_a_person_should_know(file):
 
 
 def rewrite(file, name, change):
-    """Change one member; the checksum is right again."""
+    """Change one member and correct the checksum."""
     with zipfile.ZipFile(file) as opened:
         members = {member: opened.read(member) for member in opened.namelist()}
     members[name] = change(members[name])
@@ -83,7 +83,7 @@ def rewrite(file, name, change):
 
 
 def reseal(file, *, compression=zipfile.ZIP_STORED, twice=(), comment=None):
-    """Write the archive by other means, with a right checksum."""
+    """Write the archive by other means, with a correct checksum."""
     with zipfile.ZipFile(file) as opened:
         members = [(member, opened.read(member)) for member in opened.namelist()]
     with zipfile.ZipFile(file, "w", compression) as opened:
@@ -103,7 +103,7 @@ def seal(file):
 
 
 def larger(file, member, size):
-    """Make the archive's directory say that a member is so large."""
+    """Make the archive's directory declare this size of a member."""
     with zipfile.ZipFile(file) as opened:
         before = opened.getinfo(member).file_size
     content = file.read_bytes()
@@ -140,7 +140,7 @@ def object_array(_):
 
 
 def header(text):
-    """An array whose header says this."""
+    """An array with this header."""
     padded = text.encode().ljust(117) + b"\n"
     return lambda _: b"\x93NUMPY\x01\x00" + struct.pack("<H", len(padded)) + padded + bytes(8)
 
@@ -158,7 +158,7 @@ MODEL = ("cues", 0, "model", "state")
         (lambda file: reseal(file, comment=b""), "made by an earlier placecat: train it again"),
         (lambda file: rewrite(file, "card.json", change_json(format=99)), "format 99"),
         (lambda file: rewrite(file, "card.json", change_json(placecat="9.3.0")), "placecat 9.3.0"),
-        (lambda file: rewrite(file, "card.json", change_json(format=None)), "does not say its version"),
+        (lambda file: rewrite(file, "card.json", change_json(format=None)), "its card has no version"),
         (lambda file: rewrite(file, "card.json", change_json(classes=["a", "a", "b"])), "named twice"),
         (lambda file: rewrite(file, "card.json", change_json(classes=["a", "b"])), "not for 2 places"),
         (lambda file: rewrite(file, "card.json", change_json(frame_sizes=[[320, 10**9]])), "frame_sizes"),
@@ -209,7 +209,7 @@ MODEL = ("cues", 0, "model", "state")
                 "arrays/0000.npy",
                 header("{'descr': '<f8', 'fortran_order': False, 'shape': (10000, 1000000), }"),
             ),
-            "it says 80000000000 bytes, and has 8",
+            "it declares 80000000000 bytes but has 8",
         ),
         (lambda file: rewrite(file, "arrays/0000.npy", header("(" * 100)), "0000.npy has no array header"),
         (lambda file: reseal(file, compression=zipfile.ZIP_DEFLATED), "compressed"),
@@ -217,7 +217,7 @@ MODEL = ("cues", 0, "model", "state")
         (lambda file: larger(file, "arrays/0003.npy", 2**31), "more bytes than the file has"),
     ],
 )
-def test_what_is_no_model_of_this_version_is_refused(file, damage, message):
+def test_other_files_and_versions_are_refused(file, damage, message):
     damage(file)
     with pytest.raises(PlacecatError, match=message) as refused:
         model_file.read(file)
@@ -235,14 +235,14 @@ def test_a_file_that_may_not_be_read_gives_one_message(file, monkeypatch):
 
 
 def test_a_model_is_tried_before_use(file):
-    """Parts that are right, each by itself, but made for other frames."""
+    """Parts that are each valid, but made for other frames."""
     rewrite(file, "system.json", change_part("cues", 1, "descriptor", "y_pos", value=False))
     with pytest.raises(PlacecatError, match=r"model\.placecat is damaged.*dimensions"):
         Categorizer.load(file)
 
 
 def most_memory(*, forget=False):
-    """The most memory that this process has held since it was last forgotten; 0 if nobody says."""
+    """Peak memory of this process since the last reset; 0 if unknown."""
     process = Path("/proc/self")
     if not (process / "clear_refs").exists():
         return 0
@@ -264,7 +264,7 @@ def test_mutants_are_refused_or_as_good_as_before(file, is_forged):
         counts[mutants.outcome(file, shown, expected, is_forged=is_forged)] += 1
     assert set(counts) <= {"refused", "same", "other"}, counts
     assert counts["refused"] >= 15, counts
-    # Beside what the tests before have left in this process.
+    # In addition to the leftovers of earlier tests in this process.
     assert most_memory() - before < 2**29
 
 
@@ -275,7 +275,7 @@ def test_other_classes_are_refused(file):
 
 
 def test_only_a_model_is_replaced(file, tmp_path):
-    """A whole one, or one that is damaged, but nothing else."""
+    """An intact or a damaged model, but nothing else."""
     assert model_file.is_model(file)
     reseal(file, twice=["arrays/0003.npy"])
     assert model_file.is_model(file)
@@ -293,7 +293,7 @@ def test_training_refuses_where_it_may_not_write_before_it_begins(tmp_path, monk
         train.train_command("das_551_best", [], None, tmp_path / "README.md/x")
 
 
-def test_what_train_writes_is_measured_without_the_same_homes(tmp_path, monkeypatch, capsys, system):
+def test_a_model_of_train_is_measured_without_the_same_homes(tmp_path, monkeypatch, capsys, system):
     calls = []
     params = yaml.safe_load((ROOT / "params.yaml").read_text())
     (tmp_path / "params.yaml").write_text(yaml.safe_dump(params))

@@ -22,7 +22,7 @@ def test_stays_are_runs_of_one_name_and_follow_each_other():
     ]
 
 
-def test_what_was_listed_stays_as_it_was():
+def test_listed_visits_do_not_change():
     log = VisitLog()
     log.add("kitchen", 0.5, 0.0)
     first = log.until(1.0)

@@ -17,7 +17,7 @@ def table(rows):
     )
 
 
-def test_of_those_that_are_about_as_accurate_the_log_loss_decides():
+def test_the_log_loss_decides_among_similar_accuracies():
     rows = [("one", "sure", 40.0, 1.6), ("one", "calm", 39.5, 1.4), ("one", "weak", 38.0, 1.2)]
     chosen = choose(table(rows), margin=1.0)
     assert chosen[chosen["chosen"]]["candidate"].tolist() == ["calm"]
@@ -37,7 +37,7 @@ def test_data_sets_weigh_the_same():
     assert chosen["chosen"].to_dict() == {"x": False, "y": True}
 
 
-def test_what_happened_in_test_homes_is_not_looked_at():
+def test_results_in_test_homes_are_ignored():
     rows = table([("one", "x", 40.0, 1.0), ("one", "y", 30.0, 1.0)])
     rows.loc[rows["candidate"] == "y", "test_accuracy"] = 100.0
     assert choose(rows, margin=1.0).set_index("candidate")["chosen"].to_dict() == {"x": True, "y": False}

@@ -1,4 +1,4 @@
-"""The settings `compute`: what they choose, and what is refused before anything runs."""
+"""The settings `compute`: what they choose, and wrong ones, which are refused before anything runs."""
 
 import sys
 
@@ -37,7 +37,7 @@ def test_settings_are_not_read_without_being_asked(params):
     params(compute={"kind": "dask", "scheduler": NOWHERE})
     assert squares() == [0, 1, 4]
     with compute.as_set():
-        # Nor where a task has to write files.
+        # Nor if a task has to write files.
         assert parallel.in_parallel(abs, [(-1,)], "", locally=True) == [1]
 
 
@@ -53,7 +53,7 @@ def test_settings_are_not_read_without_being_asked(params):
         ({"kind": "dask", "scheduler": NOWHERE, "wait": 0.2}, r"no scheduler answers .*compute=local"),
     ],
 )
-def test_what_cannot_be_is_refused_in_one_line(params, own, message):
+def test_impossible_settings_are_refused_in_one_line(params, own, message):
     params(compute=own)
     with pytest.raises(PlacecatError, match=message) as caught, compute.as_set():
         squares()

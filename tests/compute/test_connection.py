@@ -244,7 +244,7 @@ def test_a_worker_of_another_environment_is_named(cluster, project, monkeypatch)
         assert parallel.in_parallel(os.getpid, [()], "") == [cluster.workers[1].pid]
 
 
-def test_what_workers_die_of_ends_with_one_message(cluster, project, monkeypatch):
+def test_a_task_that_kills_workers_ends_with_one_message(cluster, project, monkeypatch):
     """The last test: no worker is left."""
     monkeypatch.chdir(project)
     settings = {"scheduler": cluster.address, "wait": 1}

@@ -37,7 +37,7 @@ def test_a_worker_like_this_process_is_taken(expected):
 
 
 @pytest.mark.parametrize("item", fingerprint())
-def test_a_difference_is_named_with_both_sides_and_what_to_do(expected, item):
+def test_a_difference_is_named_with_both_sides_and_a_remedy(expected, item):
     own = fingerprint()[item]
     said = worker.objection(expected(**{item: "other"}), FITTING)
     assert f"worker {FITTING.address} differs from this machine in {item} ({own} there, other here)" in said

@@ -1,4 +1,4 @@
-"""A cue says of a frame alone what it says of it among others, bit for bit."""
+"""A cue gives the same bits for a frame alone and in a batch."""
 
 import numpy as np
 import pytest

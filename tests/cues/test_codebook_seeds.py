@@ -1,4 +1,4 @@
-"""The seeds of every codebook, pinned: a name that changes in conf/ changes no clustering."""
+"""The pinned seeds of every codebook: a name that changes in conf/ changes no clustering."""
 
 import pytest
 
@@ -21,7 +21,7 @@ CODEBOOKS = {
     "sift_tracked": 965721177,
     "sift_y": 2510385973,
 }
-# By the first trial that clusters it.
+# Keyed by the first trial that clusters it.
 TRIALS = {
     "trials/addition_attention/|As used|": 3720955045,
     "trials/addition_attention/|Without spectral residual|": 360805453,
@@ -70,7 +70,7 @@ def seed(descriptor, cells):
     return seed_of("homes", descriptor, cells, "without-home_1", 0)
 
 
-def test_seeds_of_the_codebooks_are_what_they_always_were():
+def test_seeds_of_the_codebooks_are_unchanged():
     assert {
         name: seed(own["descriptor"], own["cells"]) for name, own in PARAMS["codebooks"].items()
     } == CODEBOOKS
@@ -80,7 +80,7 @@ def test_seeds_of_the_codebooks_are_what_they_always_were():
     assert seed_of("homes", hog, 1, "without-home_1", 1) != CODEBOOKS["hog_y"]
 
 
-def test_seeds_of_the_trials_are_what_they_always_were():
+def test_seeds_of_the_trials_are_unchanged():
     first = {}
     for study in STUDIES.values():
         for name, table in study.items():

@@ -135,7 +135,7 @@ def test_estimators_are_found_by_their_module():
 
 
 def test_cross_validation_owes_nothing_to_the_home_itself():
-    """Each home's distributions are those of a cue fitted on the others, whatever its own labels."""
+    """Each home's distributions come from a cue fitted on the others, whatever its labels."""
     train, labels, homes = whole()
     classifier = {
         "model": "one_against_all",

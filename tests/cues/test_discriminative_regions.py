@@ -21,7 +21,7 @@ KNN = {
 
 
 def frames(seed=0, number=120, most=6):
-    """One region in two shows the place; the others are the same everywhere."""
+    """Every second region shows the place; the others are the same everywhere."""
     rng = np.random.default_rng(seed)
     labels = np.arange(number) % 3
     counts = rng.integers(0, most + 1, number)
@@ -56,7 +56,7 @@ def test_regions_of_other_codewords_change_nothing():
     dropped = (words >= 0) & ~model.kept[words]
     assert dropped.any()
     before = model.predict_proba(new)
-    # Each becomes another region that is not kept, of a training frame.
+    # Each becomes another dropped region of a training frame.
     words = model.codebook.words(train, 13)
     other = train.x[(words >= 0) & ~model.kept[words]][0]
     new.x[dropped] = other

@@ -32,7 +32,7 @@ def test_swapped_sides_mirror_the_interval(left, right, seed):
 
 
 @given(UNITS, st.floats(-50, 50))
-def test_what_both_sides_share_cancels_and_constant_differences_give_a_point(home, difference):
+def test_common_effects_cancel_and_constant_differences_give_a_point(home, difference):
     interval = mean_of((home + difference) - home).rounded()
     assert interval.low == interval.estimate == interval.high == pytest.approx(difference, abs=0.006)
 
@@ -52,14 +52,14 @@ def test_interval_widens_with_the_level_and_repeats():
     assert mean_of(units, seed=1, level=0.95) != wide
 
 
-def test_stretch_is_that_of_student_and_ends_at_1():
+def test_stretch_is_from_student_and_ends_at_1():
     assert stretch(6, 0.95) == pytest.approx(np.sqrt(6 / 5) * 2.5706 / 1.9600, abs=1e-4)
     assert stretch(100000, 0.95) == pytest.approx(1.0, abs=1e-4)
 
 
 @pytest.mark.parametrize("n", [4, 6])
 def test_coverage_of_few_normal_units(n):
-    """What the docstring reports; the plain percentile interval has 0.81 and 0.85."""
+    """The coverage in the docstring; the plain percentile interval has 0.81 and 0.85."""
     rng = np.random.default_rng(0)
     covered = 0
     for seed in range(600):
@@ -69,7 +69,7 @@ def test_coverage_of_few_normal_units(n):
 
 
 def test_a_maximum_is_taken_again_in_every_resample():
-    """Two results that are as good on average, each on other homes: which is best is not certain."""
+    """Two results that are equal on average, each better in other homes: the best is uncertain."""
     results = np.array([[0.0, 0.0, 0.0, 6.0, 6.0, 6.0], [6.0, 6.0, 6.0, 0.0, 0.0, 0.0]])
     best = paired_bootstrap(lambda weights: (results @ weights.T).max(axis=0), 6, 0, resamples=2000)
     assert best.estimate == 3.0
@@ -78,7 +78,7 @@ def test_a_maximum_is_taken_again_in_every_resample():
 
 
 def test_one_unit_has_no_interval():
-    with pytest.raises(ValueError, match="1 units have no interval"):
+    with pytest.raises(ValueError, match="at least 2 units, not 1"):
         mean_of(np.array([1.0]))
 
 
@@ -108,7 +108,7 @@ def test_strata_keep_their_weight_and_a_single_block_has_no_spread():
 
 @pytest.mark.parametrize("sizes", [(2, 2, 2, 2, 2), (8, 8, 8, 8, 8)])
 def test_coverage_of_a_mean_over_places(sizes):
-    """What the docstring reports."""
+    """The coverage in the docstring."""
     rng, strata, covered = np.random.default_rng(0), strata_of(*sizes), 0
     for seed in range(400):
         values = rng.normal(size=len(strata))

@@ -45,7 +45,7 @@ def test_guessing_has_the_logarithm_of_the_number_of_places(classes, truth):
     assert log_loss(truth, proba, smallest=SMALLEST) == pytest.approx(np.log(classes))
 
 
-def test_a_place_weighs_the_same_however_many_frames_it_has():
+def test_a_place_weighs_the_same_for_any_number_of_frames():
     proba = np.array([[0.5, 0.5]] * 9 + [[0.75, 0.25]])
     expected = (-np.log(0.5) - np.log(0.25)) / 2
     assert log_loss([0] * 9 + [1], proba, smallest=SMALLEST) == pytest.approx(expected)
@@ -71,7 +71,7 @@ def test_unlabelled_frames_and_the_order_of_frames_do_not_count(seed, bins):
 
 @given(st.integers(0, 1000))
 def test_frames_said_twice_change_nothing(seed):
-    """Places weigh the same, so that the frames of one may be counted twice."""
+    """Places weigh the same, so counting the frames of one twice changes nothing."""
     truth, proba = drawn(seed)
     own = np.concatenate([np.arange(len(truth)), np.flatnonzero(truth == 0)])
     assert log_loss(truth[own], proba[own], smallest=SMALLEST) == pytest.approx(
@@ -96,7 +96,7 @@ def test_the_error_of_a_few_frames_by_hand():
     diagram = reliability(truth, proba, bins=5)
     np.testing.assert_allclose(diagram.weight, [0, 0, 0, 3 / 8, 5 / 8])
     np.testing.assert_allclose(diagram.confidence[3:], [0.7, 0.9])
-    # Of the first bin two of three are right; of the second 1/8 of 5/8.
+    # In the first bin two of three are right; in the second 1/8 of 5/8.
     np.testing.assert_allclose(diagram.accuracy[3:], [2 / 3, 1 / 5])
     assert np.isnan(diagram.confidence[:3]).all() and np.isnan(diagram.accuracy[:3]).all()
     assert calibration_error(diagram) == pytest.approx(3 / 8 * (0.7 - 2 / 3) + 5 / 8 * (0.9 - 0.2))
@@ -119,7 +119,7 @@ def test_the_error_agrees_with_a_loop_over_bins(seed):
 
 
 @given(st.integers(0, 1000), st.integers(1, 30))
-def test_the_error_is_between_that_of_one_bin_and_one(seed, bins):
+def test_the_error_is_between_one_bin_and_one(seed, bins):
     truth, proba = drawn(seed)
     weights, right = balanced_weights(truth), proba.argmax(axis=1) == truth
     assert error(truth, proba, 1) == pytest.approx(abs(weights @ (right - proba.max(axis=1))))
@@ -127,7 +127,7 @@ def test_the_error_is_between_that_of_one_bin_and_one(seed, bins):
 
 
 @given(st.integers(0, 1000))
-def test_the_width_of_confidences_is_that_of_the_bins(seed):
+def test_confidences_are_in_their_bins(seed):
     """A confidence is within its bin, upper end included."""
     truth, proba = drawn(seed)
     diagram = reliability(truth, proba, bins=10)
@@ -148,7 +148,7 @@ def test_homes_weigh_the_same_in_a_pooled_diagram():
     np.testing.assert_allclose(both.weight, [0, 1])
     np.testing.assert_allclose([both.confidence[1], both.accuracy[1]], [0.8, 0.75])
     assert np.isnan(both.confidence[0])
-    # Too sure in one and not sure enough in the other: the error of both is less than their mean.
+    # Overconfident in one home and underconfident in the other: the joint error is less than their mean.
     errors = [calibration_error(diagram) for diagram in (one, other)]
     assert errors == pytest.approx([0.1, 0.2])
     assert calibration_error(both) == pytest.approx(0.05)
@@ -171,7 +171,7 @@ def test_nothing_labelled_has_no_numbers():
 
 @pytest.mark.parametrize("bins", [0, -1, 2.5, True, "10"])
 def test_impossible_bins_are_refused(bins):
-    with pytest.raises(PlacecatError, match=r"probabilities\.bins must be a whole number from 1 on, but is"):
+    with pytest.raises(PlacecatError, match=r"probabilities\.bins must be a whole number of at least 1, not"):
         reliability([0], np.array([[1.0]]), bins=bins)
 
 

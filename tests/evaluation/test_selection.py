@@ -9,7 +9,7 @@ from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.evaluation.selection import choose_threshold, decided, select, select_unseen
 
 CLASSES = 3
-# Few different confidences, so that many are equal.
+# Few different confidences, so many are equal.
 frames = st.lists(
     st.tuples(st.integers(-1, CLASSES - 1), st.integers(0, CLASSES - 1), st.integers(4, 9)), min_size=1
 ).filter(lambda home: any(truth >= 0 for truth, _, _ in home))
@@ -26,7 +26,7 @@ def made(home):
 
 
 def by_hand(home, threshold):
-    """Weights of the decisions that are left and of those that are wrong, one frame at a time."""
+    """Weights of the remaining decisions and of the wrong ones, one frame at a time."""
     scored = [one for one in home if one[0] >= 0]
     counts = {place: sum(truth == place for truth, _, _ in scored) for place, _, _ in scored}
     left = wrong = 0.0
@@ -51,7 +51,7 @@ def test_the_threshold_is_the_lowest_that_keeps_the_risk(all_homes, risk):
 
 
 @given(homes, st.sampled_from([0.0, 0.45, 0.6, 0.8, math.inf]))
-def test_what_is_left_is_counted_by_hand(all_homes, threshold):
+def test_remaining_decisions_are_counted_by_hand(all_homes, threshold):
     found = select([made(home)[0] for home in all_homes], [threshold] * len(all_homes))
     left, wrong = np.transpose([by_hand(home, threshold) for home in all_homes])
     assert found.coverage == pytest.approx(left.mean())
@@ -63,7 +63,7 @@ def test_what_is_left_is_counted_by_hand(all_homes, threshold):
 
 
 @given(homes)
-def test_with_nothing_withheld_the_risk_is_what_the_accuracy_lacks(all_homes):
+def test_with_nothing_withheld_risk_and_accuracy_sum_to_1(all_homes):
     judged = [made(home) for home in all_homes]
     found = select([one for one, _, _ in judged], [0.0] * len(judged))
     missing = [100 - home_accuracy(confusion_matrix(truth, places, CLASSES)) for _, truth, places in judged]
@@ -71,7 +71,7 @@ def test_with_nothing_withheld_the_risk_is_what_the_accuracy_lacks(all_homes):
     assert 100 * found.risk == pytest.approx(np.mean(missing))
 
 
-def test_a_home_has_no_say_in_its_own_threshold():
+def test_a_home_does_not_influence_its_threshold():
     sure = [(0, 0, 9)] * 4
     # In `odd` high confidences are wrong, which a threshold chosen there would avoid.
     odd = [(0, 1, 8)] * 3 + [(0, 0, 5)]

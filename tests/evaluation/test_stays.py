@@ -38,7 +38,7 @@ def by_hand(truth, decision, cuts):
 
 
 @given(frames)
-def test_stays_and_their_names_are_those_of_a_loop_over_frames(rows):
+def test_stays_and_their_names_equal_a_loop_over_frames(rows):
     truth, decision, cuts = ([row[k] for row in rows] for k in range(3))
     stays, counts = by_hand(truth, decision, cuts)
     assert find_stays(truth, parts_of(cuts)) == stays
@@ -84,7 +84,7 @@ def test_a_home_in_numbers():
     proba = np.array([[0.8, 0.2]] * 3 + [[0.4, 0.6]] * 2)
     found = home_quality([0, 0, 1, 1, -1], proba, [slice(0, 5)], bins=10, smallest=1e-15)
     assert found.log_loss == pytest.approx(-(np.log(0.8) + (np.log(0.2) + np.log(0.6)) / 2) / 2)
-    # (0.7, 0.8] has 3 frames of 4, of which 2 are right; (0.5, 0.6] one, which is right.
+    # (0.7, 0.8] has 3 frames of 4, and 2 of them are right; (0.5, 0.6] has one, which is right.
     assert found.calibration_error == pytest.approx(100 * (0.75 * (0.8 - 2 / 3) + 0.25 * 0.4))
     # The second stay is a tie.
     assert (found.stays, found.stays_right, found.stay_accuracy) == (2, 1, 50.0)

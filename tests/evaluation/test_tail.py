@@ -13,7 +13,7 @@ def of_one_case(values, threshold, **options):
     return share_below([np.array([value]) for value in values], threshold, **options)
 
 
-def test_limits_are_those_of_the_noncentral_t_distribution():
+def test_limits_come_from_the_noncentral_t_distribution():
     values, threshold = np.array([3.0, 5.0, 1.0, 4.0, 6.0, 2.0]), -1.0
     interval = of_one_case(values, threshold)
     t = (threshold - values.mean()) / values.std(ddof=1) * np.sqrt(6)
@@ -64,5 +64,5 @@ def test_coverage_of_six_homes_with_five_results(between):
 
 
 def test_one_unit_has_no_interval():
-    with pytest.raises(ValueError, match="1 units have no interval"):
+    with pytest.raises(ValueError, match="at least 2 units, not 1"):
         of_one_case([1.0], 0.0)

@@ -30,7 +30,7 @@ def test_a_table_gives_a_trial_for_each_combination_of_labels():
         "descriptor": {"name": "hog"},
         "classifier": {"clusters": 91, "base": {"k": 1}},
     }
-    # The column changes a part of what the group has put there, in this trial only.
+    # The column changes part of the setting from the group, in this trial only.
     assert trials["trials/table_12/SIFT||46"].settings["classifier"] == {"clusters": 46, "base": {"k": 3}}
     assert trials["trials/table_12/SIFT||91"].settings["classifier"] == {"clusters": 91, "base": {"k": 3}}
     assert TABLE["axes"]["group"]["SIFT"]["classifier"]["clusters"] == 2
@@ -61,6 +61,6 @@ def test_without_axes_there_is_one_trial():
         ({"row": {"x": {"codebook.cells": 3}}}, "codebook.cells,"),
     ],
 )
-def test_what_a_trial_does_not_have_is_refused(axes, message):
+def test_unknown_settings_of_a_trial_are_refused(axes, message):
     with pytest.raises(PlacecatError, match=message):
         expand("table_12", TABLE | {"axes": axes}, HOMES)

@@ -9,7 +9,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 @pytest.fixture(scope="session")
 def made_project(tmp_path_factory):
-    """Tests that change it make their own."""
+    """Tests that change it make another one."""
     from made_experiments import make_project
 
     return make_project(tmp_path_factory.mktemp("experiment") / "made")

@@ -13,12 +13,12 @@ from placecat.experiment import options, sweep
 from placecat.experiment.combination import resolve
 
 CONF = Path(__file__).resolve().parents[2] / "conf"
-# Of the made features: few regions, few clusters.
+# For the made features: few regions, few clusters.
 SMALL = ("descriptor.max_regions=4", "codebook.tree.branching=4", "classifier.clusters=13")
 
 
 def make_project(folder, **options):
-    """A project with made features of four homes, and the settings that git holds."""
+    """A project with made features of four homes, and the settings in git."""
     params = copy.deepcopy(PARAMS)
     params["dataset"]["title"] = "made homes"
     folder.mkdir(parents=True, exist_ok=True)

@@ -16,10 +16,10 @@ from placecat.experiment import sweep as sweeping
 from placecat.experiment.made_from import made_from
 from placecat.experiment.running import compute
 
-# One worker for all, so that the sweep runs once.
+# One worker for all tests, so the sweep runs once.
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("experiment")]
 
-# Half of it fails: there are not so many clusters.
+# Half of it fails: there are fewer clusters.
 SWEPT = ("descriptor=gist", "classifier=knn", "classifier.base.n_neighbors=1,1000", "test_home=h1,H_2")
 CLUSTERS = SMALL[1:]
 
@@ -100,7 +100,7 @@ def test_a_sweep_is_one_run_of_mlflow_with_a_run_below_for_each_experiment(sweep
 
 
 def test_the_same_experiment_runs_on_another_launcher(sweep):
-    """submitit as on a cluster, with a process of this machine."""
+    """submitit as on a cluster, with a process on this machine."""
     pytest.importorskip("hydra_plugins.hydra_submitit_launcher")
     folder, _ = sweep
     result = run(
@@ -128,7 +128,7 @@ def main_with(monkeypatch, *words):
     return 0
 
 
-def test_a_single_experiment_is_told_by_home_and_place(sweep, monkeypatch, capsys):
+def test_a_single_experiment_is_reported_by_home_and_place(sweep, monkeypatch, capsys):
     folder, _ = sweep
     monkeypatch.chdir(folder)
     monkeypatch.setenv("PLACECAT_WORKERS", "1")

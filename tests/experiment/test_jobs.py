@@ -1,4 +1,4 @@
-"""A sweep goes on where it was killed, with the table of an undisturbed one. Its jobs are trivial."""
+"""A killed sweep resumes, with the table of an undisturbed one. Its jobs are trivial."""
 
 import os
 import random
@@ -16,7 +16,7 @@ from placecat import files
 from placecat.errors import PlacecatError
 from placecat.experiment import combination, job, jobs, made_from, output, running, summary, sweep
 
-# What fails, and whose process is killed each time.
+# Jobs that fail, and jobs whose process is killed each time.
 FAILS, IS_KILLED = 3, 5
 WORKERS = 2
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
@@ -37,7 +37,7 @@ class Sweep:
             return sweep.tell(folder, self.combinations, log=None)
 
     def launch(self, lines):
-        """As joblib: two workers, and when one is killed the other is, too."""
+        """Like joblib: two workers, and if one is killed, the other is too."""
         workers = []
         for first in range(WORKERS):
             process = os.fork()
@@ -99,7 +99,7 @@ def ran(tmp_path, monkeypatch):
 
 
 def start(one):
-    """A process of its own group; its output goes nowhere."""
+    """A process in a separate group, without output."""
     process = os.fork()
     if not process:
         os.setsid()
@@ -110,14 +110,14 @@ def start(one):
             one.run()
         finally:
             os._exit(1)
-    # Before that its group cannot be killed, as it is not there.
+    # Its group cannot be killed before it exists.
     while os.getpgid(process) != process:
         time.sleep(0.001)
     return process
 
 
 def wait_for_workers(group):
-    """Workers may finish a job until they see that the sweep is gone."""
+    """Workers may finish a job before they notice that the sweep is gone."""
 
     def is_of_group(process):
         try:
@@ -130,7 +130,7 @@ def wait_for_workers(group):
 
 
 @pytest.mark.parametrize(("count", "kills"), [(12, 2), pytest.param(60, 8, marks=pytest.mark.slow)])
-def test_a_killed_sweep_goes_on_and_ends_as_if_it_had_not_been(tmp_path, ran, capsys, count, kills):
+def test_a_killed_sweep_resumes_with_the_undisturbed_result(tmp_path, ran, capsys, count, kills):
     whole, one = Sweep(tmp_path / "whole", count), Sweep(tmp_path / "one", count)
     assert not whole.run()
     chance = random.Random(count)
@@ -168,7 +168,7 @@ def test_a_second_sweep_of_the_same_command_waits_and_finds_all_finished(tmp_pat
         if not process:
             one.run()
             os._exit(0)
-        while "this one waits for it" not in capfd.readouterr().err:
+        while "waiting for it" not in capfd.readouterr().err:
             time.sleep(0.1)
         assert not ran.read_text()
         assert not (one.folder / "0").exists()
@@ -181,12 +181,12 @@ def test_a_second_sweep_of_the_same_command_waits_and_finds_all_finished(tmp_pat
 @pytest.mark.parametrize(
     "content", ['{"accuracy": 1.0, "settings": {"number": 2}}', '{"acc', '{"failed": "x", "settings": {}}']
 )
-def test_what_was_made_from_something_else_is_not_finished(tmp_path, content):
+def test_a_result_with_another_origin_is_not_finished(tmp_path, content):
     (tmp_path / output.RESULT).write_text(content)
     assert not made_from.is_finished(tmp_path, {"settings": {"number": 1}})
 
 
-def test_a_damaged_result_is_told(tmp_path):
+def test_a_damaged_result_is_reported(tmp_path):
     (tmp_path / "0").mkdir()
     (tmp_path / "0" / output.RESULT).write_text('{"acc')
     (ran,) = summary.read(tmp_path, [{}])

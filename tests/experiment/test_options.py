@@ -1,4 +1,4 @@
-"""What an experiment is made of."""
+"""The options of an experiment."""
 
 from pathlib import Path
 

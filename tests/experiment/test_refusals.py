@@ -1,4 +1,4 @@
-"""Wrong combinations are refused before anything is computed, with the right ones named."""
+"""Wrong combinations are refused before anything is computed; messages name valid ones."""
 
 import pytest
 from hydra.errors import HydraException
@@ -58,7 +58,7 @@ def test_a_wrong_setting_is_refused_with_the_right_ones(project, override, messa
         (["judge=training_homes", "+data=site"], "data"),
     ],
 )
-def test_what_does_not_go_together_is_refused(project, overrides, message):
+def test_incompatible_settings_are_refused(project, overrides, message):
     with pytest.raises(WRONG, match=message):
         resolved("descriptor=gist", *overrides)
 
@@ -143,7 +143,7 @@ def test_a_training_set_without_one_of_the_places_is_refused(tmp_path, monkeypat
         resolved("descriptor=gist", "test_home=H1")
 
 
-def test_elsewhere_and_without_features_it_says_what_to_do(tmp_path, monkeypatch, made_project):
+def test_a_wrong_folder_and_missing_features_have_a_remedy(tmp_path, monkeypatch, made_project):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(PlacecatError, match="run this in the project's folder"):
         application.main([])

@@ -101,7 +101,7 @@ def test_an_experiment_on_a_split_is_the_cue_of_that_split(tmp_path, monkeypatch
 
 
 def test_training_homes_are_judged_without_the_test_home(tmp_path, monkeypatch):
-    """A marker in it changes nothing, and neither does it being away; where it trains, the marker is seen."""
+    """Neither a marker in it nor its absence changes anything; if it trains, the marker does."""
     found = {}
     for name, marked, home in (
         ("plain", None, "H3"),

@@ -74,7 +74,7 @@ def test_found_is_at_least_as_good_as_every_start(values, first, batch_size, see
     assert study.best(tried).accuracy == max(one.accuracy for one in tried if one.accuracy is not None)
 
 
-def test_what_is_chosen_is_within_the_space_and_not_run_twice():
+def test_choices_are_within_the_space_and_not_run_twice():
     batches = []
 
     def run(lines, first):
@@ -113,7 +113,7 @@ def test_a_search_without_any_number_ends_early():
     assert len(asked) == 4
 
 
-def test_a_start_without_a_number_is_told(tmp_path):
+def test_a_start_without_a_number_is_reported(tmp_path):
     own = read()
     tried = search(own, lambda one: float("nan") if one[0].endswith("=2.0") else 40.0)
     assert tried[0].accuracy is None
@@ -175,13 +175,13 @@ def test_impossible_spaces_are_refused(params, arguments, message):
         ({"test_home": ["home_1", "home_2"]}, "has seen every home"),
     ],
 )
-def test_what_would_show_the_test_home_is_refused(changed, message):
+def test_searches_that_use_the_test_home_are_refused(changed, message):
     with pytest.raises(PlacecatError, match=message):
         requirements.check(config(**changed))
     requirements.check(config())
 
 
-def test_spaces_in_conf_hold_what_there_is():
+def test_spaces_in_conf_reach_every_valid_value():
     choices = yaml.safe_load((CONF / "search/nu_svm.yaml").read_text())["hydra"]["sweeper"]["params"][SCALING]
     assert choices == f"choice({', '.join(KINDS)})"
     tree = yaml.safe_load((CONF / "clustering/hierarchical_kmeans.yaml").read_text())
@@ -194,7 +194,7 @@ def test_spaces_in_conf_hold_what_there_is():
             check_cluster_number(number, tree["branching"])
 
 
-def test_the_commands_are_those_of_the_test(tmp_path):
+def test_the_commands_test_the_best_and_the_first_settings(tmp_path):
     own = read(arguments=["+search=nu_svm", "descriptor=hog", "test_home=Home 1", "codebook.cells=1"])
     tried = search(own, lambda one: 50 + ("none" in one[1]))
     text = report.write(tmp_path, tried, own, {"descriptor": "hog", "data": "main"}, "Home 1")

@@ -39,7 +39,7 @@ def test_a_cell_computed_again_has_the_same_bits(reproduced, monkeypatch, number
 
 
 @_of_a_run
-def test_a_bit_that_differs_is_told(reproduced, tmp_path, monkeypatch):
+def test_a_different_bit_is_reported(reproduced, tmp_path, monkeypatch):
     folder, _, _ = reproduced
     monkeypatch.chdir(shutil.copytree(folder, tmp_path / "copy", symlinks=True))
     origins = files.read_json(paths.ORIGINS)
@@ -52,7 +52,7 @@ def test_a_bit_that_differs_is_told(reproduced, tmp_path, monkeypatch):
     assert "do NOT agree" in said
 
 
-def test_without_a_run_it_says_what_to_do(tmp_path, monkeypatch):
+def test_a_missing_run_has_a_remedy(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     files.write_json(paths.PARAMS, {"dataset": {}})
     with pytest.raises(PlacecatError, match=r"origins.json is missing.*run `dvc repro`"):

@@ -1,4 +1,4 @@
-"""Explanations of the kept results: every cell, by its number and by its labels."""
+"""Explanations of the results in git: every cell, by its number and by its labels."""
 
 import json
 import subprocess
@@ -74,7 +74,7 @@ def test_words_that_name_many_cells_are_refused():
         find(["table_26", "row"], many)
 
 
-def test_lines_are_those_of_the_cell_in_order_and_survive_the_file():
+def test_lines_of_a_cell_are_in_order_and_survive_the_file():
     again = json.loads(lines.to_text(SMALL))
     assert again == SMALL
     assert lines.lines_of(again, "table_26.3.1") == [
@@ -158,7 +158,7 @@ def test_how_a_result_was_made(result, stages, plan):
     assert stages is None or " ".join(all_stages([one])) == stages
 
 
-def test_a_trial_has_its_own_settings(monkeypatch):
+def test_a_trial_shows_its_settings(monkeypatch):
     monkeypatch.chdir(ROOT)
     trials = trials_of(params())
     one = made("trials/table_12/HOG + y-Pos||196", params(), trials)
@@ -181,6 +181,6 @@ def test_results_are_loaded_from_a_project(tmp_path):
 
 
 def test_the_command_imports_no_numpy():
-    """So that an explanation takes less than a second."""
+    """This makes an explanation take less than a second."""
     code = "import placecat.explain.command, sys; sys.exit({'numpy', 'pandas'} & set(sys.modules) or 0)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -1,4 +1,4 @@
-"""Small videos as phones and browsers write them, whose frames carry their number; and damage to them."""
+"""Small videos like those of phones and browsers, with the number in each frame; and damage to them."""
 
 from fractions import Fraction
 from pathlib import Path
@@ -25,10 +25,10 @@ def write_clip(
     sound=False,
     color=None,
 ):
-    """Write a frame a time (in seconds).
+    """Write one frame per time (in seconds).
 
-    `rate` is what the header says, `shape` that of pixels, `turn` that of the phone in degrees; `sound` adds
-    a packet of it every 5 ms.
+    `rate` is the rate in the header, `shape` the shape of pixels, `turn` the turn of the phone in degrees;
+    `sound` adds a packet of sound every 5 ms.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     with av.open(str(path), "w", options={"movflags": "faststart"}) as container:
@@ -72,7 +72,7 @@ def packets(path):
 
 
 def zero(path, number, start=0):
-    """Overwrite a packet from a byte on with zeros; `number` from 1."""
+    """Overwrite a packet with zeros, starting at a byte; `number` from 1."""
     content = bytearray(path.read_bytes())
     position, size = packets(path)[number - 1]
     content[position + start : position + size] = bytes(size - start)
@@ -99,7 +99,7 @@ def intact(count):
 
 
 def copied(source, target, *, key, start, rate=30):
-    """Trim without a loss: packets from the frame `key` on, those before the frame `start` hidden."""
+    """Trim without loss: packets start at the frame `key`; frames before `start` are hidden."""
     with av.open(str(source)) as old, av.open(str(target), "w") as new:
         stream = old.streams.video[0]
         copy = new.add_stream_from_template(stream)

@@ -1,4 +1,4 @@
-"""Small bags of ROS 1 and ROS 2, by the writers of rosbags; pictures carry their number."""
+"""Small bags of ROS 1 and ROS 2, written by rosbags; pictures carry their number."""
 
 import cv2
 import numpy as np
@@ -26,7 +26,7 @@ def header(version, stamp):
 
 
 def raw(version, stamp, data, encoding, *, width, height, step):
-    """A sensor_msgs/Image of any data."""
+    """A sensor_msgs/Image with any data."""
     flat = np.frombuffer(np.ascontiguousarray(data).tobytes(), np.uint8)
     return STORES[version].types[IMAGE](header(version, stamp), height, width, encoding, 0, step, flat)
 
@@ -50,7 +50,7 @@ def string(version, text):
 
 
 def write_bag(path, messages, **options):
-    """Write messages, (topic, nanoseconds of reception, message), into a bag of the kind of its name."""
+    """Write messages, (topic, nanoseconds of reception, message), into a bag; its name gives the kind."""
     version = 1 if path.suffix == ".bag" else 2
     path.parent.mkdir(parents=True, exist_ok=True)
     store = STORES[version]

@@ -57,7 +57,7 @@ def test_compressed_bags(tmp_path, name, compression):
 
 
 @pytest.mark.parametrize("kind", ["walk.bag", "walk.mcap"])
-def test_times_are_the_stamps_and_else_those_of_reception(tmp_path, kind):
+def test_times_are_the_stamps_or_else_the_times_of_reception(tmp_path, kind):
     stamps = [START, START + 10**8, START + 3 * 10**8]
     recording = BagRecording(walk(tmp_path / "a" / kind, stamps=stamps, late=5 * 10**7))
     assert np.allclose(recording.timing.seconds, [0, 0.1, 0.3])
@@ -65,7 +65,7 @@ def test_times_are_the_stamps_and_else_those_of_reception(tmp_path, kind):
     zero = [(CAMERA, one, picture(version, 0, coded(number))) for number, one in enumerate(stamps)]
     recording = BagRecording(write_bag(tmp_path / "b" / kind, zero))
     assert np.allclose(recording.timing.seconds, [0, 0.1, 0.3])
-    assert "stamps are zero: times are those at which the bag received" in recording.note()
+    assert "stamps are zero: times are when the bag received" in recording.note()
 
 
 def test_frames_that_come_late_or_twice_are_left_out(tmp_path):
@@ -79,7 +79,7 @@ def test_frames_that_come_late_or_twice_are_left_out(tmp_path):
     assert shown(recording) == [(1, 0), (2, 1), (3, 2), (4, 5), (5, 6)]
     assert np.allclose(recording.timing.seconds, [0, 0.1, 0.3, 0.4, 0.5])
     assert recording.note() == (f"{path}: 2 of 7 frames are not later than one before them and are left out.")
-    # By a given rate all count.
+    # With a given rate, all count.
     assert shown(BagRecording(path, fps=10)) == [(number + 1, number) for number in range(7)]
 
 
@@ -118,14 +118,14 @@ def test_topics(tmp_path):
         "/camera/image",
     )
     refused("'/room' has messages of std_msgs/msg/String, not of sensor_msgs/msg/Image or", path, "/room")
-    refused("pictures of the encoding '16UC1' are not read", path, "/depth/image", 10)
+    refused("the encoding '16UC1' is not supported", path, "/depth/image", 10)
     refused(
         r"no topic has pictures .*it has /room \(std_msgs/msg/String\)",
         write_bag(tmp_path / "talk.bag", [("/room", START, string(1, "kitchen"))]),
     )
 
 
-def test_damaged_pictures_are_lost_and_told(tmp_path):
+def test_damaged_pictures_are_lost_and_reported(tmp_path):
     content = [coded(number) for number in range(4)]
     content[1] = b"\xff\xd8\xffrubbish"
     messages = [
@@ -194,7 +194,7 @@ def test_the_rest_of_a_bag_is_refused(tmp_path):
 
 
 def test_a_definition_in_a_bag_is_not_run(tmp_path, monkeypatch):
-    """Of what a bag says its types are, rosbags would make Python code."""
+    """rosbags would turn the type definitions in a bag into Python code."""
     from rosbags.typesys.store import Typestore
 
     path = walk(tmp_path / "walk.mcap", count=3)

@@ -1,4 +1,4 @@
-"""Every encoding of sensor_msgs/Image against colours that are known."""
+"""Every encoding of sensor_msgs/Image against known colours."""
 
 from types import SimpleNamespace
 
@@ -10,7 +10,7 @@ from placecat.errors import PlacecatError
 from placecat.footage.image_messages import ENCODINGS, Damaged, compressed_image, raw_image
 
 WIDTH, HEIGHT = 8, 6
-# Blue, green, red: no two alike, so that a swapped channel is seen.
+# Blue, green, red: all different, so a swapped channel shows.
 COLOR = (40, 200, 90)
 GRAY = 123
 BAYER = {"bayer_rggb8": "RGGB", "bayer_bggr8": "BGGR", "bayer_gbrg8": "GBRG", "bayer_grbg8": "GRBG"}
@@ -23,7 +23,7 @@ def decode(data, encoding, step, width=WIDTH, height=HEIGHT):
 
 
 def luma_and_chroma():
-    """ITU-R BT.601 with 16 to 235 for black to white."""
+    """ITU-R BT.601, black to white from 16 to 235."""
     blue, green, red = np.array(COLOR) / 255
     y = 16 + 65.481 * red + 128.553 * green + 24.966 * blue
     u = 128 - 37.797 * red - 74.203 * green + 112 * blue
@@ -32,7 +32,7 @@ def luma_and_chroma():
 
 
 def filled(encoding):
-    """Rows of a picture of one colour, as a camera of that encoding gives them."""
+    """Rows of a picture of one colour, as from a camera with that encoding."""
     blue, green, red = COLOR
     pixels = {
         **dict.fromkeys(("bgr8", "8UC3"), COLOR),
@@ -59,7 +59,7 @@ def filled(encoding):
 
 @pytest.mark.parametrize("padding", [0, 5])
 @pytest.mark.parametrize("encoding", ENCODINGS)
-def test_pixels_are_those_of_the_camera(encoding, padding):
+def test_pixels_match_the_camera(encoding, padding):
     rows = np.pad(filled(encoding), ((0, 0), (0, padding)), constant_values=255)
     image = decode(rows, encoding, rows.shape[1])
     assert image.shape == (HEIGHT, WIDTH, 3) and image.dtype == np.uint8
@@ -101,7 +101,7 @@ def test_sizes_that_an_encoding_cannot_have():
 
 
 def test_other_encodings_are_named():
-    with pytest.raises(PlacecatError, match="encoding '16UC1' are not read; give another topic") as caught:
+    with pytest.raises(PlacecatError, match="encoding '16UC1' is not supported; choose") as caught:
         decode(bytes(96), "16UC1", 16)
     assert not isinstance(caught.value, Damaged)
 
@@ -114,7 +114,7 @@ def test_compressed_pictures(ending):
 
 
 @pytest.mark.parametrize("keep", [0, 60, -1])
-def test_damaged_pictures_are_told(keep):
+def test_damaged_pictures_are_reported(keep):
     pixels = np.random.default_rng(0).integers(0, 256, (64, 64, 3), np.uint8)
     content = cv2.imencode(".png", pixels)[1].ravel()[:keep]
     with pytest.raises(Damaged, match=r"a\.bag \(format 'png'\): not a readable image"):

@@ -1,4 +1,4 @@
-"""Which files are frames, and pictures that are damaged, huge, or of another kind."""
+"""Files that are frames, and pictures that are damaged, huge, or of another kind."""
 
 import random
 import re
@@ -35,7 +35,7 @@ def header(width: int, height: int, depth: int = 8, color: int = 2) -> tuple[byt
 
 
 def huge_jpeg() -> bytes:
-    """A small picture whose header says 60000x60000."""
+    """A small picture whose header declares 60000x60000."""
     content = bytearray(encoded(".jpg"))
     at = content.index(b"\xff\xc0") + 5
     content[at : at + 4] = struct.pack(">HH", 60000, 60000)
@@ -90,21 +90,21 @@ def test_numbers_in_names_are_numbers(ordered, tmp_path):
         ),
         (["0001.jpg", "0002.jpg", "0001_depth.png", "0002_depth.png"], "the same frame"),
         (["frame-1.color.png", "frame-2.color.png", "frame-1.depth.png"], "the same frame"),
-        (["1.jpg", "2.webp"], r"2\.webp: pictures of this kind are not read \(1 here\)"),
+        (["1.jpg", "2.webp"], r"2\.webp: this kind of picture is not supported \(1 here\)"),
         *(
             (["1.jpg", f"2.{kind}", f"3.{kind}"], r"\(2 here\)")
             for kind in ("bmp", "tif", "TIFF", "heic", "gif")
         ),
     ],
 )
-def test_what_could_be_a_frame_is_never_left_out_silently(names, message, tmp_path):
+def test_possible_frames_are_never_skipped_silently(names, message, tmp_path):
     refused(message, list_frames, filled(tmp_path, *names))
 
 
 def test_other_files_and_hidden_ones_are_no_frames(tmp_path):
     filled(tmp_path, "1.JPG", "2.jpg", "._1.jpg", ".2.webp", "labels.csv", "notes.txt", "poses.json")
     assert list_frames(tmp_path) == ["1.JPG", "2.jpg"]
-    # Words alone number nothing; nor does what all have.
+    # Words alone are no number, and neither is a number that all names share.
     assert list_frames(filled(tmp_path, "bath.jpg", "hall.jpg")) == ["1.JPG", "2.jpg", "bath.jpg", "hall.jpg"]
 
 
@@ -139,7 +139,7 @@ def test_a_picture_damaged_in_the_middle_or_cut_is_refused(kind, options, tmp_pa
     ):
         file.write_bytes(damaged)
         refused(re.escape(f"{file}: not a readable image ({len(damaged)} bytes; "), read_image, file)
-    # One message: the decoders say nothing of their own.
+    # One message: the decoders print nothing.
     assert capfd.readouterr() == ("", "")
 
 
@@ -153,7 +153,7 @@ def test_a_picture_damaged_in_the_middle_or_cut_is_refused(kind, options, tmp_pa
             "not a readable image",
         ),
         (png((b"tEXt", b""), header(5, 5), (b"IEND", b"")), "not a readable image"),
-        (encoded(".png", np.full((9, 9), 700, np.uint16)), "gray with 16 bits, like a depth picture"),
+        (encoded(".png", np.full((9, 9), 700, np.uint16)), "grey with 16 bits, like a depth picture"),
         (encoded(".png", np.full((9, 9, 4), 100, np.uint8)), "parts of it are transparent"),
         (
             png(
@@ -189,7 +189,7 @@ def test_gray_deep_and_opaque_pictures_are_right(tmp_path):
 
 
 def test_a_picture_is_turned_as_the_camera_was(tmp_path):
-    # 6: the camera was turned, and the picture is to be by 90 degrees clockwise.
+    # 6: the camera was turned, so the picture must be turned by 90 degrees clockwise.
     (tmp_path / "1.jpg").write_bytes(with_exif(encoded(".jpg", coded(5)), 6))
     image = read_image(tmp_path / "1.jpg")
     assert image.shape == (64, 48, 3)

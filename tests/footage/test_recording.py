@@ -53,7 +53,7 @@ def test_frames_of_one_damaged_picture_are_the_same_every_time(tmp_path):
     [
         ("libx264", "mp4", {"g": "12", "bf": "3"}, True),
         ("libx264", "mkv", {"g": "12", "bf": "3"}, True),
-        # Frames after a later key frame may refer to frames before it, or parameters stand in any packet.
+        # Frames after a later key frame may refer to frames before it, or any packet may have parameters.
         ("libx264", "mp4", {"g": "12", "bf": "3", "x264-params": "open-gop=1:scenecut=0"}, False),
         ("libx264", "mp4", {"g": "12", "x264-params": "intra-refresh=1:scenecut=0"}, False),
         ("libx264", "ts", {"g": "12"}, False),
@@ -90,7 +90,7 @@ def test_a_damaged_frame_is_the_same_from_a_later_frame_on(tmp_path):
     assert 40 in recording.lost and "frame 40" in note
 
 
-def test_flipped_bits_in_a_whole_container_are_told(tmp_path):
+def test_flipped_bits_in_a_complete_container_are_reported(tmp_path):
     path = write_clip(tmp_path / "a.mp4", steady(40), options=CHAIN | {"preset": "medium"}, size=(160, 120))
     whole = Recording(path)
     right = {picture.number: picture.image() for picture in whole.pictures()}
@@ -220,7 +220,7 @@ def test_a_trimmed_file_has_its_frames_and_no_note(start, tmp_path):
 
 @pytest.mark.parametrize("ending", ["mp4", "mkv", "avi"])
 @pytest.mark.parametrize("share", [0.6, 0.97])
-def test_a_file_that_is_cut_off_is_told(ending, share, tmp_path):
+def test_a_truncated_file_is_reported(ending, share, tmp_path):
     settings = {"codec": "mjpeg", "tick": Fraction(1, 30)} if ending == "avi" else {}
     path = write_clip(tmp_path / f"a.{ending}", steady(60), **settings)
     assert Recording(path).note() == ""
@@ -284,7 +284,7 @@ def test_messages(tmp_path):
     shutil.rmtree(tmp_path)
 
 
-def test_a_damaged_index_is_told_by_the_length_of_the_film(tmp_path):
+def test_a_damaged_index_is_detected_by_the_length_of_the_film(tmp_path):
     path = write_clip(tmp_path / "a.mp4", steady(60))
     content = bytearray(path.read_bytes())
     counts = content.index(b"stsz") + 12

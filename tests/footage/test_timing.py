@@ -15,7 +15,7 @@ def measured(times, tick=FINE, last=0.0, rates=()):
 
 @pytest.mark.parametrize("rate", [Fraction(5), Fraction(25), Fraction(30000, 1001), Fraction(240)])
 @pytest.mark.parametrize("tick", [MILLI, FINE])
-def test_rounded_times_of_one_rate_are_those_of_the_numbers_to_the_bit(rate, tick):
+def test_rounded_times_of_one_rate_equal_the_exact_times_to_the_bit(rate, tick):
     numbers = np.arange(500)
     found = measured(numbers / float(rate) + 0.007, tick, rates=[rate])
     assert np.array_equal(found.seconds, numbers / float(rate))
@@ -28,7 +28,7 @@ def test_a_pause_leaves_the_rate():
     found = measured(times, MILLI, rates=[30])
     assert (found.fps, found.is_even) == (30.0, False)
     assert np.allclose(found.seconds, times, atol=1e-9)
-    # The average rate that the header has is no frame's.
+    # No frame has the average rate of the header.
     assert measured(times, MILLI, rates=[Fraction(90, 101), 30]).fps == 30.0
 
 
@@ -39,7 +39,7 @@ def test_uneven_times_are_kept_and_the_last_frame_lasts_as_the_file_says():
     assert found.fps == pytest.approx(30.0, rel=1e-3)
     assert not found.is_even
     assert found.end == pytest.approx(times[-1] + 1 / 30, abs=1e-4)
-    # What cannot be its duration is none.
+    # An impossible duration is ignored.
     assert measured(times, last=0.001).end == pytest.approx(times[-1] + 1 / 30, abs=1e-4)
 
 

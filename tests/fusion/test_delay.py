@@ -42,7 +42,7 @@ def test_is_causal():
 
 
 def test_frame_by_frame_is_the_whole_sequence():
-    """Bit for bit, and as equation (16) is written."""
+    """Bit for bit, and as in equation (16)."""
     target = distributions(50)
     whole, follower, state = delay(target, seconds=2.0, frame_rate=5.0), Delay(2.0), target[0]
     h = 1 - np.exp(-0.2 / 2.0)
@@ -78,7 +78,7 @@ def test_repeated_frames_at_a_higher_rate_change_nothing(tau, times, seed):
 
 
 @given(taus, st.floats(0.1, 60.0))
-def test_the_time_constant_is_that_of_a_step(tau, rate):
+def test_the_time_constant_is_of_a_step(tau, rate):
     """After tau seconds 63 % of a step are done."""
     frames = 1 + int(np.ceil(tau * rate))
     target = np.repeat([[1.0, 0.0], [0.0, 1.0]], [1, frames], axis=0)

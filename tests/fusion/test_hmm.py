@@ -62,7 +62,7 @@ def test_filter_is_causal_and_normalised(seed, frames, cut):
 
 
 def test_frame_by_frame_is_the_whole_sequence():
-    """Bit for bit, and as the plain recursion of equation (13)."""
+    """Bit for bit, and like the plain recursion of equation (13)."""
     rng = np.random.default_rng(7)
     proba, transition = random_rows(rng, (200, 5)), random_rows(rng, (5, 5))
     emission, initial = random_rows(rng, (5, 5)), random_rows(rng, 5)
@@ -140,7 +140,7 @@ def filtered(likelihood, transition, **options):
 @settings(max_examples=examples(30), deadline=None)
 @given(st.integers(0, 10_000), st.integers(2, 10))
 def test_over_several_steps_places_change_as_often_as_in_single_ones(seed, times):
-    """Frames that are left out say nothing: their likelihood is the same for every place."""
+    """Skipped frames carry no information: their likelihood is the same for every place."""
     rng = np.random.default_rng(seed)
     likelihood, transition = rng.random((8, 4)) + 1e-3, rarely_left(rng, 4)
     whole = np.ones(((len(likelihood) - 1) * times + 1, 4))
@@ -152,7 +152,7 @@ def test_over_several_steps_places_change_as_often_as_in_single_ones(seed, times
 @settings(max_examples=examples(30), deadline=None)
 @given(st.integers(0, 10_000), st.integers(2, 10))
 def test_the_evidence_of_faster_frames_adds_up(seed, times):
-    """Where places never change, a view seen in `times` frames is as much evidence as in one."""
+    """If places never change, a view in `times` frames is as much evidence as in one."""
     rng = np.random.default_rng(seed)
     likelihood = rng.random((8, 4)) + 1e-3
     slow, repeated = forward_filter(likelihood, np.eye(4)), np.repeat(likelihood, times, axis=0)

@@ -72,7 +72,7 @@ def test_without_a_threshold_nothing_changes():
 
 
 def test_another_number_of_measures_is_refused():
-    with pytest.raises(PlacecatError, match="5 distributions have 4 measures"):
+    with pytest.raises(PlacecatError, match="5 distributions, but 4 measures"):
         hold(np.eye(5), np.zeros(4), threshold=0.1, sequences=[slice(0, 5)])
 
 
@@ -81,7 +81,7 @@ def test_a_share_of_the_frames_lies_below_its_threshold(information, share):
     threshold = threshold_of(share, information)
     low = (information < np.float32(threshold)).mean()
     assert low <= share
-    # As many as there can be: with one more frame, or its equals, it would be more.
+    # The maximum: one more frame, or its equals, would exceed the share.
     assert (information <= np.float32(threshold)).mean() > share - 1 / len(information)
 
 

@@ -16,7 +16,7 @@ SVM = {
 
 
 def outputs(n, flipped):
-    """Two cues: the first says the opposite of the truth where `flipped`, the second says nothing."""
+    """Two cues: the first gives the opposite of the truth where `flipped`, the second is uniform."""
     truth = RNG.integers(0, 2, n).astype(np.int16)
     first = np.where((truth == 0) != flipped, 0.9, 0.1) + RNG.uniform(-0.05, 0.05, n)
     proba = np.stack([np.stack([first, 1 - first], axis=1), RNG.dirichlet([9, 9], n)], axis=1)
@@ -51,7 +51,7 @@ def test_unknown_methods_and_a_missing_classifier_are_refused(data):
 
 
 def test_temperatures_sharpen_before_a_vote(data):
-    """A cue that is right and unsure is outvoted by one that is wrong and sure, until both are tempered."""
+    """A correct, uncertain cue is outvoted by a wrong, certain one, until both are tempered."""
     proba = np.array([[[0.55, 0.45], [0.1, 0.9]]])
     train, truth = {"a": proba}, {"a": np.zeros(1, np.int16)}
     for temperatures, place in ((None, 1), ((0.05, 10.0), 0)):

@@ -12,7 +12,7 @@ CLASSES = ["bath", "hall", "kitchen"]
 
 
 def drawn(weights, n=6000, seed=0):
-    """Cues whose pool by some weights the labels are drawn from."""
+    """Cues; the labels are drawn from their pool with some weights."""
     rng = np.random.default_rng(seed)
     proba = rng.dirichlet(np.ones(3), (n, len(weights)))
     scores = np.tensordot(np.log(proba), weights, axes=(1, 0))
@@ -21,7 +21,7 @@ def drawn(weights, n=6000, seed=0):
 
 
 def weighed(truth, homes):
-    """(n,) weights by hand: homes the same, and classes in each."""
+    """(n,) weights by hand: homes weigh the same, and so do the classes in each."""
     weights = np.zeros(len(truth))
     for home in set(homes):
         classes = set(truth[homes == home])
@@ -82,7 +82,7 @@ def test_two_cues_of_two_classes_are_a_logistic_regression():
     np.testing.assert_allclose(fit_weights(proba, truth, homes, shrinkage=0.0), expected, rtol=1e-3)
 
 
-def test_on_its_own_frames_it_is_no_worse_than_any_cue_and_no_weights_are_better():
+def test_on_its_training_frames_it_beats_every_cue_and_all_other_weights():
     proba, truth, homes = drawn([0.7, 0.2], n=600, seed=3)
     # One home is larger, and one lacks a class.
     keep = (homes != "b") | (np.arange(600) % 3 == 0)
@@ -105,7 +105,7 @@ def test_a_cue_that_says_the_opposite_is_left_out_and_shrinkage_shrinks():
     assert sums == sorted(sums, reverse=True) and sums[-1] < 0.02
 
 
-def test_a_system_learns_weights_and_judges_each_home_by_those_of_the_others():
+def test_a_system_learns_weights_and_judges_each_home_by_the_others():
     proba, truth, homes = drawn([1.0, 0.3], n=300, seed=9)
     of_homes = {home: proba[homes == home] for home in ("a", "b", "c")}
     labels = {home: truth[homes == home] for home in of_homes}

@@ -35,7 +35,7 @@ def made():
     }
 
 
-def test_each_sequence_starts_anew():
+def test_each_sequence_restarts_the_filter():
     proba, training = made()
     both = smooth(proba, [slice(0, 5), slice(5, 12)], frame_rate=7.0, **training, **SETTINGS)
     alone = smooth(proba[5:], [slice(0, 7)], frame_rate=7.0, **training, **SETTINGS)
@@ -72,7 +72,7 @@ def test_is_the_filter_and_then_the_delay_at_the_rate_of_the_training(rate):
 
 
 def model(rate=5.0, leave=0.02, emission=(0.5, 0.25, 0.25), evidence="hard", delay_seconds=2.0):
-    """Three places; a place is left with probability `leave` from frame to frame."""
+    """Three places; each frame leaves its place with probability `leave`."""
     transition = np.full((3, 3), leave / 2) + (1 - 1.5 * leave) * np.eye(3)
     emissions = np.stack([np.roll(emission, place) for place in range(3)])
     return SmoothingModel(transition, emissions, evidence, 1.0, delay_seconds, rate)
@@ -106,18 +106,18 @@ def test_every_frame_six_times_at_six_times_the_rate_says_the_same(
 ):
     """Whatever the rate of the model. Nearly: places change within a frame's time, too."""
     proba = stays(np.random.default_rng(seed))
-    # Of models of several rates, those that say about the same in a second.
+    # Models of several rates that make about the same predictions in a second.
     share = 5.0 / learnt
     emission = np.array(emission) ** share
     own = model(learnt, leave * share, emission / emission.sum(), evidence, tau)
     hmm, delayed = run(own, proba, np.full(40, 1 / 5))
     fast_hmm, fast_delayed = run(own, np.repeat(proba, 6, axis=0), np.full(240, 1 / 30))
-    # What a filter that knows no time would make of it, as a measure.
+    # For comparison, the result of a filter that ignores time.
     unchanged, _ = run(own, np.repeat(proba, 6, axis=0), [None] * 240)
     unaware, _ = run(own, proba, [None] * 40)
     assert np.abs(fast_hmm[5::6] - hmm).max() < 0.15
     assert np.abs(fast_hmm[5::6] - hmm).mean() < 0.03
-    # The delay starts with its first frame, which says less if it stands for less time; that start fades.
+    # The delay starts with its first frame, which counts less if it stands for less time; this effect fades.
     ends = np.arange(1, 41)[:, None] / 5
     started, fast_started = (
         np.exp(-(ends - ends[0]) / tau) * hmm[0],
@@ -130,7 +130,7 @@ def test_every_frame_six_times_at_six_times_the_rate_says_the_same(
 @settings(max_examples=examples(20), deadline=None)
 @given(st.integers(0, 10_000), st.floats(0.001, 0.03))
 def test_higher_rates_converge(seed, leave):
-    """The finer the time, the less another halving changes: there is a filter in continuous time."""
+    """The finer the time, the less another halving changes: the filter has a limit in continuous time."""
     proba = stays(np.random.default_rng(seed))
     results = []
     for times in (1, 4, 16, 64):
@@ -166,7 +166,7 @@ def test_after_a_long_time_without_frames_the_past_is_forgotten():
         results.append(smoother.step(late, 600.0))
     for hmm, delayed in results:
         np.testing.assert_allclose(delayed, hmm, atol=1e-12)
-        # One frame, that counts as the five of a second.
+        # One frame, which counts as much as five frames of a second.
         np.testing.assert_allclose(hmm, np.array([1, 1, 2**5]) / 34, atol=1e-6)
 
 
@@ -190,7 +190,7 @@ def test_impossible_times_are_refused_and_change_nothing(seconds):
 @settings(max_examples=examples(30), deadline=None)
 @given(st.integers(0, 10_000), st.integers(2, 8))
 def test_homes_of_different_rates_are_counted_at_the_highest(seed, times):
-    """A home filmed at a lower rate counts as if its frames were repeated, but for its very last frame."""
+    """A home filmed at a lower rate counts as if its frames were repeated, except for its last frame."""
     rng = np.random.default_rng(seed)
     walks = [np.repeat(rng.integers(-1, 3, 9), rng.integers(1, 9, 9)).astype(np.int16) for _ in range(2)]
     walks = [np.append(walk, rng.integers(0, 3)).astype(np.int16) for walk in walks]
@@ -201,7 +201,7 @@ def test_homes_of_different_rates_are_counted_at_the_highest(seed, times):
     assert (mixed > 0).all()
 
 
-def test_homes_of_one_rate_are_counted_as_they_are():
+def test_homes_of_one_rate_are_counted_unchanged():
     walks = [np.array([0, 0, 1, 1, 0], np.int16), np.array([1, 1, 0], np.int16)]
     for rates in ([5.0, 5.0], [1 / 3, 1 / 3], [29.97, 29.97]):
         np.testing.assert_array_equal(

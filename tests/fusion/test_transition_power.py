@@ -9,7 +9,7 @@ from placecat.fusion.transition_power import TransitionPower, generator
 
 
 def rows_of(rng, n, stay):
-    """A stochastic matrix; the larger `stay`, the likelier a place is kept."""
+    """A stochastic matrix; the larger `stay`, the more likely a place stays."""
     rows = rng.random((n, n)) + stay * np.eye(n)
     return rows / rows.sum(axis=1, keepdims=True)
 
@@ -30,7 +30,7 @@ exponents = st.floats(0.0, 50.0)
 
 
 @given(matrices, exponents)
-def test_rows_stay_distributions_whatever_the_matrix(matrix, exponent):
+def test_rows_are_distributions_for_any_matrix(matrix, exponent):
     power = TransitionPower(matrix)(exponent)
     assert (power >= 0).all()
     np.testing.assert_allclose(power.sum(axis=1), 1.0, rtol=1e-12)
@@ -38,7 +38,7 @@ def test_rows_stay_distributions_whatever_the_matrix(matrix, exponent):
 
 @given(matrices, exponents, exponents)
 def test_chapman_kolmogorov(matrix, first, second):
-    """To go on for x and then for y is to go on for x + y; 1 is the matrix itself and stands apart."""
+    """Steps of x and then y equal a step of x + y; 1 is the matrix itself and is a special case."""
     power = TransitionPower(matrix)
     if 1.0 in (first, second, first + second):
         return
@@ -78,12 +78,12 @@ def test_two_places_in_closed_form(a, b, exponent):
 
 
 def test_negative_rates_of_the_logarithm_become_none():
-    """From 0 to 2 leads only a way through 1 that takes longer than a step: no chain in time does that."""
+    """The only way from 0 to 2, through 1, takes longer than a step: no continuous chain does that."""
     matrix = np.array([[0.8, 0.2, 0.0], [0.0, 0.8, 0.2], [0.2, 0.0, 0.8]])
     rates = generator(matrix)
     assert rates[0, 2] == 0.0
     np.testing.assert_allclose(rates.sum(axis=1), 0.0, atol=1e-15)
-    # Here the logarithm is known: that of 0.8 I + 0.2 S with the shift S, from its Fourier transform.
+    # Here the logarithm is known: 0.8 I + 0.2 S with the shift S has it by its Fourier transform.
     waves = np.exp(2j * np.pi * np.arange(3) / 3)
     spectrum = np.log(0.8 + 0.2 * waves)
     logarithm = [np.mean(spectrum * waves ** (-k)).real for k in range(3)]
@@ -105,7 +105,7 @@ def test_without_a_logarithm_the_changes_come_at_random_times(matrix):
     np.testing.assert_allclose(rates.sum(axis=1), 0.0, atol=1e-12)
     assert (rates[~np.eye(len(matrix), dtype=bool)] >= 0).all()
     if np.isreal(np.linalg.eigvals(matrix)).all():
-        # As many jumps as a Poisson number says, each by the matrix.
+        # A Poisson number of jumps, each by the matrix.
         jumps, weight, expected = np.eye(len(matrix)), np.exp(-0.7), np.zeros(matrix.shape)
         for number in range(30):
             expected += weight * jumps

@@ -1,4 +1,4 @@
-"""What an estimator says of a sample is the same bits alone, among others, and after a restart."""
+"""An estimator gives the same bits for a sample alone, in a batch, and after a restart."""
 
 import importlib
 import inspect
@@ -14,9 +14,9 @@ from placecat.learning.gentle_adaboost import GentleAdaBoost
 from placecat.learning.kernels import KernelExpansion
 from placecat.learning.scaling import KINDS
 
-# Hundreds of rows, and no multiple of a tile.
+# Hundreds of rows, not a multiple of a tile.
 N, WIDTH, CLASSES = 257, 37, 11
-# Settings to try besides the defaults, or, where the defaults do not suit the width, instead.
+# Settings to try in addition to the defaults, or instead if the defaults do not suit the width.
 SETTINGS = {
     "DependencyTree": [{"n_values": 2}, {"n_values": 9}],
     "FlatKMeans": [{"numbers": (46,)}],
@@ -63,7 +63,7 @@ def samples(kind, settings, seed):
 
 
 def questions(model, x):
-    """What can be asked about samples: functions of some of their numbers."""
+    """The methods that take samples: functions of some of their numbers."""
     asked = {name: getattr(model, name) for name in METHODS if hasattr(model, name)}
     answers = {name: lambda some, ask=ask: ask(x[some]) for name, ask in asked.items()}
     if hasattr(model, "assign"):
@@ -77,7 +77,7 @@ def questions(model, x):
 
 
 def restored(value):
-    """The same without what a class says that prediction does without."""
+    """The same without attributes that prediction does not need."""
     if isinstance(value, list | tuple):
         return type(value)(restored(item) for item in value)
     if isinstance(value, dict):
@@ -124,7 +124,7 @@ def test_discovery_finds_the_estimators():
 
 
 def test_many_support_vectors():
-    """More than fit into one product, and than are taken at once."""
+    """More than fit into one product or one block."""
     rng = np.random.default_rng(2)
     vectors = rng.normal(size=(950, 70)).astype(np.float32) / 8
     expansion = KernelExpansion(vectors, rng.normal(size=(950, 5)), np.zeros(5), 0.5)

@@ -15,7 +15,7 @@ from placecat.learning.contingency import (
 
 
 def linked_codes(n_samples: int, n_variables: int, n_values: int, seed: int) -> np.ndarray:
-    """Codes where each variable half depends on an earlier one."""
+    """Codes; half of each variable depends on an earlier one."""
     rng = np.random.default_rng(seed)
     codes = rng.integers(0, n_values, (n_samples, n_variables))
     for variable in range(1, n_variables):

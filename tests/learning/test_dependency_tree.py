@@ -16,7 +16,7 @@ from placecat.learning.naive_bayes import NaiveBayes
 
 
 def linked_codes(n_samples: int, n_variables: int, n_values: int, seed: int) -> np.ndarray:
-    """Codes where each variable half depends on an earlier one."""
+    """Codes; half of each variable depends on an earlier one."""
     rng = np.random.default_rng(seed)
     codes = rng.integers(0, n_values, (n_samples, n_variables))
     for variable in range(1, n_variables):
@@ -82,7 +82,7 @@ def test_each_class_has_the_maximum_spanning_tree(n_values, n_samples):
             itertools.combinations(range(7), 2),
             key=lambda pair: -mutual_info_score(part[:, pair[0]], part[:, pair[1]]),
         )
-        # Kruskal: the oracle's algorithm is not ours.
+        # Kruskal: the oracle uses another algorithm than ours.
         group, tree = list(range(7)), []
         for a, b in pairs:
             if group[a] != group[b]:
@@ -114,7 +114,7 @@ def test_against_a_loop(monkeypatch, dense, alpha, root, n_values):
     np.testing.assert_allclose(model.predict_joint_log_likelihood(configurations), expected, rtol=1e-12)
 
 
-def test_however_the_counts_are_kept_the_model_is_the_same(monkeypatch):
+def test_the_model_does_not_depend_on_the_storage_of_counts(monkeypatch):
     codes, others = (linked_codes(80, 4, 9, seed) for seed in (5, 6))
     y = np.arange(80) % 2
     by_variable = DependencyTree(n_values=9).fit(codes, y).predict_joint_log_likelihood(others)
@@ -150,7 +150,7 @@ def test_independent_variables_give_naive_bayes():
     )
 
 
-def test_dependence_is_what_naive_bayes_cannot_see():
+def test_it_sees_dependence_unlike_naive_bayes():
     rng = np.random.default_rng(0)
     first = rng.integers(0, 2, 400)
     y = rng.integers(0, 2, 400)

@@ -24,7 +24,7 @@ def information(active, y):
     arrays(np.int16, 24, elements=st.integers(0, 2)),
     st.sampled_from([0.01, 0.5, 0.67, 1.0]),
 )
-def test_those_that_say_most_are_kept(active, y, keep):
+def test_the_most_informative_codewords_are_marked(active, y, keep):
     kept = discriminative_codewords(active, y, keep)
     assert kept.sum() == max(1, round(keep * 6))
     found = np.array([information(column, y) for column in active.T])

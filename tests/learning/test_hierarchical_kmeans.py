@@ -63,7 +63,7 @@ def test_splits_match_scikit_learn():
     X = np.random.default_rng(3).gamma(1.0, size=(500, 6)).astype(np.float32)
     tree = grown(X, branching=8, max_clusters=8, max_iter=200, seed=4)
     labels = tree.labels(8)
-    # A converged k-means is a fixed point of anybody's k-means.
+    # A converged k-means is a fixed point of any k-means.
     means = np.array([X[labels == label].mean(axis=0) for label in range(8)])
     other = KMeans(8, init=means, n_init=1, max_iter=1, tol=0).fit(X)
     np.testing.assert_array_equal(other.labels_, labels)
@@ -90,7 +90,7 @@ def test_lazy_growth_equals_the_definition(kind):
     }[kind].astype(np.float32)
     tree = grown(X, branching=3, max_clusters=41, seed=7)
 
-    # Split everything, then search all open nodes for the greatest gain, as the definition says.
+    # Split everything, then search all open nodes for the greatest gain, as defined.
     def split_all(node: kmeans_split.Node) -> None:
         seeds = np.random.SeedSequence(7, spawn_key=node.path)
         node.children = kmeans_split.split_node(node, 3, 11, np.random.default_rng(seeds))
@@ -161,7 +161,7 @@ def test_assign_is_the_nearest_centre():
     assert tree.assign(np.empty((0, 8)), 46).shape == (0,)
 
 
-def test_a_seed_fixes_the_bytes_whatever_the_threads():
+def test_a_seed_fixes_the_bytes_for_any_number_of_threads():
     X = np.random.default_rng(12).normal(size=(3000, 40)).astype(np.float32)
     trees = []
     for threads in (1, 2):
@@ -204,11 +204,11 @@ def test_duplicates_and_small_data(n_distinct, copies, branching, seed):
     assert tree.max_clusters_ > 1 or n_distinct < branching
     labels = tree.labels(tree.max_clusters_)
     assert set(labels) == set(range(tree.max_clusters_))
-    # Duplicates are never parted.
+    # Duplicates are never separated.
     assert len(set(zip(X[:, 0].tolist(), labels.tolist(), strict=True))) == n_distinct
 
 
-def test_near_duplicates_far_from_the_mean_are_told_apart():
+def test_near_duplicates_far_from_the_mean_are_separated():
     X = np.float32(1000) + np.array([[0], [0], [2], [2], [-2000]], np.float32)
     tree = grown(X, branching=3, max_clusters=3)
     assert same_partition(tree.labels(3), np.array([0, 0, 1, 1, 2]))
@@ -226,7 +226,7 @@ def test_too_many_clusters_name_the_largest_number():
     largest = tree.max_clusters_
     assert 16 <= largest <= 40
     assert tree.centers(largest).shape == (largest, 1)
-    with pytest.raises(NotComputable, match=f"split into {largest} at most"):
+    with pytest.raises(NotComputable, match=f"split into at most {largest}"):
         tree.centers(196)
 
 

@@ -217,7 +217,7 @@ def test_update_of_a_single_cluster():
 
 def test_wrong_updates():
     model = line_model()
-    with pytest.raises(PlacecatError, match="class 'c' is not one of those trained: a, b"):
+    with pytest.raises(PlacecatError, match="class 'c' was not trained: use one of a, b"):
         model.update([0.0], "c")
     with pytest.raises(PlacecatError, match="2 dimensions"):
         model.update([0.0, 1.0], "a")
@@ -231,7 +231,7 @@ def test_wrong_updates():
         ({"smoothing": -0.1}, "smoothing=-0.1"),
         ({"class_weighting": "twice"}, "'once' or 'per_region'"),
         ({"n_clusters": 100}, "91 or 106"),
-        ({"n_clusters": 496}, "496 clusters cannot be had"),
+        ({"n_clusters": 496}, "496 clusters are impossible"),
     ],
 )
 def test_impossible_settings(settings_, message):

@@ -64,7 +64,7 @@ def test_the_contrary_becomes_flat():
     d, positive = draw(300, 0)
     a, b = fit_sigmoid(-d, positive)
     assert a == 0.0
-    # The rate of the smoothed targets.
+    # The mean of the smoothed targets.
     n = positive.sum()
     rate = (n * (n + 1) / (n + 2) + (300 - n) / (302 - n)) / 300
     assert apply_sigmoid(np.array([3.0]), a, b)[0] == pytest.approx(rate)

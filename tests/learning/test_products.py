@@ -38,7 +38,7 @@ def test_a_row_is_as_if_it_were_alone(n, m, k, dtype, seed):
 
 @pytest.mark.parametrize("lost", [(), (48,), (240, 12)])
 def test_kernels_that_look_at_a_rows_place_are_found_out(monkeypatch, lost):
-    """A multiplication that is a bit off in the fifth row of products of some sizes is not used for these."""
+    """A multiplication with a wrong bit in the fifth row of some sizes is not used for these sizes."""
     genuine = products._multiply
 
     def off(block, tile):
@@ -59,8 +59,8 @@ def test_kernels_that_look_at_a_rows_place_are_found_out(monkeypatch, lost):
         products._numbers_of_rows.cache_clear()
 
 
-def test_a_matrix_by_itself():
-    """numpy has another routine for a matrix by its own transpose."""
+def test_a_matrix_times_itself():
+    """NumPy has a special routine for a matrix times its transpose."""
     square = np.random.default_rng(0).normal(size=(240, 50))
     assert np.array_equal(alone(RowProducts(square), square), row_products(square, square))
 

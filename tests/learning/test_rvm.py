@@ -17,7 +17,7 @@ def ring(n=200, seed=0):
 
 
 def slow_evidence(basis, target, alpha):
-    """Log evidence in the Laplace approximation, the mode by a general optimiser."""
+    """Log evidence in the Laplace approximation, with the mode from a general optimiser."""
 
     def loss(w):
         f = basis @ w
@@ -53,13 +53,13 @@ def test_against_dense_evidence_maximisation():
     kept, alpha, w = tipping_2001(basis, y.astype(float))
     assert model.evidence_ >= slow_evidence(basis[:, kept], y, alpha) - 0.1
     theirs = expit(basis[:, kept] @ w)
-    # Both are local optima, ours of the higher evidence.
+    # Both are local optima; ours has the higher evidence.
     assert np.abs(model.predict_proba(X)[:, 1] - theirs).mean() < 0.04
     assert (model.predict(X) == (theirs > 0.5)).mean() > 0.95
     assert len(model.support_) <= 15
 
 
-def test_evidence_is_that_of_the_definition():
+def test_evidence_follows_the_definition():
     X, y = ring()
     gram = rbf_gram(X, 0.5).astype(float)
     model = RVM(gamma=0.5).fit(X, y)
@@ -70,7 +70,7 @@ def test_evidence_is_that_of_the_definition():
     assert mode.evidence == pytest.approx(slow_evidence(basis, y, alpha), abs=1e-3)
 
 
-def test_rank_one_steps_gain_what_they_say():
+def test_rank_one_steps_have_the_stated_gain():
     """In the Gaussian problem, the summed gains are the difference of two directly computed evidences."""
     X, y = ring(60)
     gram = rbf_gram(X, 0.5)
@@ -161,7 +161,7 @@ def test_messages():
 
 
 def test_frames_that_are_nearly_alike():
-    # Those of a video: kernels that differ by less than float32 resolves.
+    # Like in a video: kernels that differ by less than float32 resolves.
     rng = np.random.default_rng(2)
     places = rng.normal(size=(40, 3))
     X = np.repeat(places, 20, axis=0) + rng.normal(size=(800, 3)) * 1e-3

@@ -1,4 +1,4 @@
-"""Every public estimator passes the checks of scikit-learn; what it does not is listed with the reason."""
+"""Every public estimator passes scikit-learn's checks; exceptions are listed with their reasons."""
 
 import ast
 from pathlib import Path
@@ -23,8 +23,8 @@ from placecat.learning.scaling import KernelScaling
 from placecat.learning.sequential import Sequential
 from placecat.learning.spatial_pca import SpatialPCA
 
-FLOAT32 = {"check_transformer_preserve_dtypes": "descriptors are float32, whatever they come as"}
-CLUSTERS = "16 clusters need as many distinct points, which these data have not"
+FLOAT32 = {"check_transformer_preserve_dtypes": "descriptors are converted to float32"}
+CLUSTERS = "16 clusters need as many distinct points, which these data lack"
 NOT_PASSED = {
     "RVM": {"check_non_transformer_estimators_n_iter": "the number of rounds is not kept"},
     "KernelScaling": FLOAT32,
@@ -40,7 +40,7 @@ NOT_PASSED = {
 
 
 class OfNumbers:
-    """A learner of codes that takes any numbers, as the checks give them: each falls into one of 8 bins."""
+    """A learner of codes that accepts any numbers, as in the checks: each falls into one of 8 bins."""
 
     def __sklearn_tags__(self):
         tags = super().__sklearn_tags__()
@@ -115,15 +115,15 @@ def test_complex_samples_and_labels_that_are_none_are_refused(estimator, samples
         clone(estimator).fit(samples, labels)
 
 
-def test_what_a_list_decides_is_what_it_gives_most_to():
-    """By default; `output` and `decision` may be set so that they differ."""
+def test_a_list_decides_for_its_largest_output():
+    """By default; with other settings `output` and `decision` may differ."""
     X = np.random.default_rng(0).normal(size=(300, 2))
     y = (X[:, 0] > 0).astype(int) + (X[:, 1] > 0)
     scheme = Sequential(folds=2, n_jobs=1).fit(X, y)
     np.testing.assert_array_equal(scheme.predict(X), scheme.classes_[scheme.predict_proba(X).argmax(axis=1)])
 
 
-def test_two_classes_is_what_a_machine_says_that_it_takes():
+def test_a_machine_declares_that_it_takes_two_classes():
     for machine in (NuSVM(), RVM(), GentleAdaBoost()):
         assert not machine.__sklearn_tags__().classifier_tags.multi_class
         with pytest.raises(PlacecatError, match=r"Only binary classification is supported.* 3 classes"):

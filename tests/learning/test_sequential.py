@@ -54,7 +54,7 @@ def test_sign_and_probability_differ_by_the_sigmoids_offset():
 
 @pytest.mark.parametrize("decision", ["sign", "probability"])
 def test_a_flat_sigmoid_never_says_yes(decision):
-    """Whether its constant is above or below a half by the weights of the sigmoid: it knows nothing."""
+    """A constant above or below a half, by the weights of the sigmoid: it carries no information."""
     model = listed([0, 1], decision=decision)
     model.sigmoid_[0] = [0.0, 0.0]
     assert model.decide(np.array([[0.5, 0.1]])).tolist() == [1]
@@ -84,7 +84,7 @@ def test_shares_the_classifiers_of_the_parallel_scheme():
 def test_strongest_first(order):
     rng = np.random.default_rng(1)
     y = np.arange(180) % 3
-    # Class 2 stands apart, 0 and 1 overlap.
+    # Class 2 is separate, 0 and 1 overlap.
     X = np.array([[0.0, 0.0], [1.0, 0.0], [9.0, 9.0]])[y] + rng.normal(size=(180, 2))
     model = Sequential(BASE, order=order, decision="probability").fit(X, y, groups=np.arange(180) // 60)
     assert model.order_[0] == 2

@@ -1,4 +1,4 @@
-"""A real `mlflow server`, written to as a user would, and its pages in a real browser."""
+"""A real `mlflow server`, used like a user would, and its pages in a real browser."""
 
 import os
 import socket
@@ -32,7 +32,7 @@ def free_port():
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory):
-    """Its address; it has a database and a folder of files of its own, and takes files over HTTP."""
+    """Its address; it has a separate database and folder of files, and accepts files over HTTP."""
     folder, port = tmp_path_factory.mktemp("server"), free_port()
     address = f"http://127.0.0.1:{port}"
     # Its job runner, of 8 more processes, is for language models.
@@ -56,14 +56,14 @@ def server(tmp_path_factory):
             pytest.fail((folder / "log").read_text())
         yield address
     finally:
-        # It passes this on to its worker.
+        # Its worker inherits this.
         process.terminate()
         process.wait(30)
 
 
 @pytest.fixture(scope="module")
 def logged(server, tmp_path_factory):
-    """Log Table 26 twice; gives its cells and the digests of both times."""
+    """Log Table 26 twice; return its cells and both digests."""
     folder = tmp_path_factory.mktemp("logged")
     results, table = made_results.made(), tables_of(made_results.PARAMS, made_results.ROOT)["table_26"]
     dataset = dataset_of(table, made_results.PARAMS)
@@ -134,7 +134,7 @@ def test_a_person_sees_table_26_and_its_chart(server, logged, tmp_path):
     page = f"{runs}/{table.info.run_id}/artifacts/chart.png?workflowType=machine_learning"
     dom, _ = open_page(page, tmp_path, "--dump-dom", f"--screenshot={shown}", *WAITING)
     assert title in dom
-    # The chart itself is on the screen: as many blue pixels as its bars have, in as many rows of bars.
+    # The chart is on the screen: it has the blue pixels of its bars, in as many rows.
     pixels = np.asarray(Image.open(shown).convert("RGB")).astype(int)
     blue = np.abs(pixels - CHART_BLUE).max(axis=2) < 6
     bars = (blue.sum(axis=1) > 60).astype(int)

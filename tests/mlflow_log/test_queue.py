@@ -1,4 +1,4 @@
-"""Queued DVC experiments, which run in copies of the project, log to the project's MLflow."""
+"""Queued DVC experiments run in copies of the project and log to the project's MLflow."""
 
 import time
 from pathlib import Path

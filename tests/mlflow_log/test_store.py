@@ -14,13 +14,13 @@ pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("mlflow")]
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    # How often to ask again is what takes the time.
+    # The retries take the time.
     monkeypatch.setenv("MLFLOW_HTTP_REQUEST_MAX_RETRIES", "0")
     return tmp_path
 
 
 def uri():
-    """Absolute, since MLflow keeps what it opened by its URI."""
+    """Absolute, since MLflow caches connections by URI."""
     return f"sqlite:///{Path('mlflow.db').resolve()}"
 
 
@@ -98,22 +98,22 @@ def test_sixteen_processes_start_at_once_on_a_fresh_database():
         ("http://me:secret@127.0.0.1:9", "127.0.0.1"),
     ],
 )
-def test_what_is_no_mlflow_is_told_in_one_line(folder, address, says):
-    (folder / "broken.db").write_text("This is no database, whatever its name says." * 9)
+def test_other_servers_are_reported_in_one_line(folder, address, says):
+    (folder / "broken.db").write_text("This is not a database, despite its name." * 9)
     with pytest.raises(PlacecatError, match=says) as caught:
         store.connect(address)
     assert "\n" not in str(caught.value)
     assert "secret" not in str(caught.value)
 
 
-def test_a_deleted_experiment_is_told(folder):
+def test_a_deleted_experiment_is_reported(folder):
     client = store.connect(uri())
     client.delete_experiment(experiment(client))
     with pytest.raises(PlacecatError, match="mlflow experiments restore"):
         experiment(client)
 
 
-def test_the_server_is_that_of_the_environment(monkeypatch):
+def test_the_server_comes_from_the_environment(monkeypatch):
     monkeypatch.delenv("MLFLOW_TRACKING_URI", raising=False)
     assert store.tracking_uri() == "sqlite:///mlflow.db"
     monkeypatch.setenv("MLFLOW_TRACKING_URI", "http://127.0.0.1:5000")
@@ -133,7 +133,7 @@ def test_a_project_that_was_moved_keeps_its_files_with_it(tmp_path, monkeypatch)
             shutil.copytree(before, now)
         monkeypatch.chdir(place)
         client = store.connect(uri())
-        # The database says where another one's files are, which stays so.
+        # The database also has paths of another project's files, which do not change.
         if place == before:
             other = client.create_experiment("other", artifact_location=(tmp_path / "files/x").as_uri())
         Path("one.txt").write_text(place.name)

@@ -26,13 +26,13 @@ pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("mlflow")]
 
 @pytest.fixture(scope="module")
 def database(tmp_path_factory):
-    """One for all tests, since a new one takes a second; each test has its own experiment."""
+    """One for all tests, since a new one takes a second; each test has another experiment."""
     return tmp_path_factory.mktemp("mlflow")
 
 
 @pytest.fixture
 def log(database, request):
-    """Logs two tables, of which one has two rows."""
+    """Logs two tables, one of them with two rows."""
 
     def write(folder):
         (folder / "table_05.csv").write_text("1")
@@ -74,7 +74,7 @@ def runs(database, request):
     client = store.connect(f"sqlite:///{database / 'mlflow.db'}")
 
     def runs(table="table_05", current=None):
-        """The runs of a table, its rows among them; they count as current only if they are finished."""
+        """The runs of a table, including its rows; they count as current only if they are finished."""
         experiment = client.get_experiment_by_name(request.node.name)
         found = client.search_runs([experiment.experiment_id])
         return {
@@ -95,7 +95,7 @@ def names(found):
 def test_a_table_is_a_run_and_is_never_logged_twice(log, runs, database):
     first = log(commit="a" * 40)
     before = runs()
-    # Another commit with the same result is no other result.
+    # Another commit with the same result is not a new result.
     assert log(commit="b" * 40) == first
     assert set(runs()) == set(before)
     (table,) = [run for run in before.values() if run.data.tags["placecat.kind"] == "table"]
@@ -114,7 +114,7 @@ def test_a_table_is_a_run_and_is_never_logged_twice(log, runs, database):
 
 
 def test_a_row_costs_one_call_to_make_to_fill_and_to_end_it(log, monkeypatch):
-    """Each call is several transactions; that of a table's description comes on top."""
+    """Each call is several transactions, plus one for a table's description."""
     from mlflow import MlflowClient
 
     log()
@@ -128,7 +128,7 @@ def test_a_row_costs_one_call_to_make_to_fill_and_to_end_it(log, monkeypatch):
 
         monkeypatch.setattr(MlflowClient, name, counted)
     log("31.0, 29.0")
-    # A table and two rows; the three runs that it supersedes have their tags changed.
+    # A table and two rows; the tags of the three superseded runs change.
     assert calls == {"create_run": 3, "log_batch": 3 + 1 + 3, "set_terminated": 3}
 
 
@@ -145,7 +145,7 @@ def test_a_changed_result_supersedes_and_leaves_others_alone(log, runs):
         assert tags["placecat.current"] == "false"
         assert tags["placecat.superseded_by"] == table
     assert set(runs("table_06")) == other
-    # The old result again is a new run: what was superseded stays so.
+    # The old result again is a new run: superseded runs stay superseded.
     log()
     assert len(runs(current=True)) == 3
     assert len(runs()) == 9
@@ -174,7 +174,7 @@ def _dying(original, calls, last, killed):
 
 
 def test_killed_anywhere_it_leaves_nothing_half_done_and_ends_well_the_next_time(log, runs, monkeypatch):
-    """Every call that writes is once the last one of a process; the state before it is what is left."""
+    """Each writing call is once the last one of a process, which leaves the state before it."""
     from mlflow import MlflowClient
 
     log()
@@ -189,7 +189,7 @@ def test_killed_anywhere_it_leaves_nothing_half_done_and_ends_well_the_next_time
         if not killed:
             break
         current = runs(current=True)
-        # Of the old result or of the new one, never of both, so nothing twice.
+        # From the old result or the new one, never from both, so nothing appears twice.
         assert set(current) <= old or not set(current) & old
         assert len(set(names(current))) == len(current)
         if "Table 5: Gist" in names(current) and not set(current) <= old:
@@ -198,10 +198,11 @@ def test_killed_anywhere_it_leaves_nothing_half_done_and_ends_well_the_next_time
         found = runs()
         assert names(runs(current=True)) == ["KNN", "SVM", "Table 5: Gist"]
         assert not set(runs(current=True)) & old
-        # No torso is left.
+        # No incomplete run is left.
         assert {run.info.status for run in found.values()} == {"FINISHED"}
         assert len(found) == 3 * (last + 1)
-    # The table's run and rows are made, filled and ended; then the tags of old and new ones change.
+    # The runs of the table and its rows are created, filled and ended; then the tags of old and new runs
+    # change.
     assert last > 8
 
 
@@ -271,7 +272,7 @@ def test_a_table_of_one_result_and_one_of_probabilities_have_their_numbers_once(
     expected = results.quality["smoothing/das_551_best"].averages()
     assert row.metrics == pytest.approx(expected, abs=0.0051)
     assert len(run.metrics) == len(cells) == 3 * len(run.rows)
-    # No bars of nats beside percent, but what the numbers are.
+    # No bars of nats next to percent, but the units of the numbers.
     assert "chart.png" not in {path.name for path in run.files(tmp_path)}
     assert "chart.png" not in run.description and "accuracy in percent" not in run.description
     assert "Log loss in nats" in run.description
@@ -305,7 +306,7 @@ def test_a_description_has_the_measured_table_and_no_foreign_numbers(results):
     run, cells = gathered("table_26", results)
     assert "| Gist |" in run.description
     assert f"{cells['measured'].iloc[0]:.2f}" in run.description
-    # They are of other data; and no footnote of theirs is left.
+    # They are from other data; none of their footnotes is left.
     assert "Published" not in run.description
     assert "the published" not in run.description
     assert len(run.description) < 8000 - 32
@@ -359,8 +360,8 @@ def test_pictures_are_the_same_bytes_each_time(results, tmp_path):
     assert len(list((tmp_path / "1").rglob("*.png"))) == 3
 
 
-def test_rows_differ_in_what_was_chosen(results):
-    """Two runs that MLflow compares: a cue and another one, a cue and a system, a trial and its neighbour."""
+def test_rows_differ_in_their_choices(results):
+    """Two runs that MLflow compares: two cues, a cue and a system, a trial and its neighbour."""
     rows = {row.name: row.params for row in gathered("table_26", results)[0].rows}
     gist, hog, hmm = (rows[f"Table 26: 5-5-1, all cues, {name}"] for name in ("Gist", "HOG + y-Pos", "HMM"))
     assert (gist["decides"], gist["descriptor"], gist["classifier"]) == ("cue", "holistic gist", "nu_svm")
@@ -368,7 +369,7 @@ def test_rows_differ_in_what_was_chosen(results):
     assert gist["scheme"] == "parallel" and gist["nu"] == "0.2"
     assert hmm["decides"] == "delayed HMM" and "gist" in hmm["cues"].split(", ")
     assert gist["protocol"] == "5-5-1" != rows["Table 26: 4-5-1, all cues, Gist"]["protocol"]
-    # Trials of several columns name the values of all.
+    # Trials of several columns list the values of all.
     (first, *_) = gathered("table_12", results)[0].rows
     assert first.params["clusters"] == "46, 196, 496"
     assert first.params["classifier"] == "knn"
@@ -387,14 +388,14 @@ def test_a_place_without_frames_has_no_shares():
     np.testing.assert_array_equal(shares(np.array([[1, 3], [0, 0]])), [[25, 75], [np.nan, np.nan]])
 
 
-def test_another_form_of_the_runs_is_logged_anew(log, monkeypatch):
+def test_another_form_of_the_runs_is_logged_again(log, monkeypatch):
     first = log()
     monkeypatch.setattr(tables, "_FORM", "next")
     assert log() != first
 
 
 def test_another_machine_logs_meanwhile_and_one_table_stays_current(log, runs, monkeypatch):
-    """The other one begins and ends while this one is at each of its steps."""
+    """The other one begins and ends during each step of this one."""
     log("30.0, 29.0")
     for number, step in enumerate(("start_run", "finish_run", "_make_current", "_supersede")):
         owner = tables if step.startswith("_") else store

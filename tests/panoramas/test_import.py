@@ -1,4 +1,4 @@
-"""`placecat import panoramas`, from pictures to what the stage `sequences` reads."""
+"""`placecat import panoramas`, from pictures to the input of the stage `sequences`."""
 
 import json
 import os
@@ -32,7 +32,7 @@ SMALL = ["width=32", "height=18", "fps=0.5"]
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """The project's settings, and a source of four homes, each picture of a grey of its own."""
+    """The project's settings, and a source of four homes; each picture has a different grey."""
     (tmp_path / "conf/dataset").mkdir(parents=True)
     for name in ("panoramas.yaml", "dataset/my_homes.yaml"):
         shutil.copy(ROOT / "conf" / name, tmp_path / "conf" / name)
@@ -74,7 +74,7 @@ def test_every_frame_has_the_label_of_its_panorama(folder, capsys):
     settings = yaml.safe_load(compose(shlex.split(command), ROOT / "conf"))["dataset"]
     assert settings["homes"] == ["Home1", "Home2", "Home3", "Home4"]
     assert settings["fps"] == 0.5
-    # What the stage sequences does.
+    # Like the stage sequences.
     list_homes(settings, folder / "data/sequences", "dataset")
     wanted = ["kitchen", "bedroom", "bedroom", "living_room", "dining_room", "bathroom", "corridor"]
     for home in settings["homes"]:
@@ -86,7 +86,7 @@ def test_every_frame_has_the_label_of_its_panorama(folder, capsys):
         assert [wanted[number % 7] for number in numbers] == labels.tolist()
         assert (numbers // 7 + 1 == frames["sequence"]).all()
         assert set(labels) == set(wanted)
-        # Which panorama, as the table beside the frames says.
+        # The panorama, from the table beside the frames.
         looks = pd.read_csv(folder / f"homes/{home}/looks.csv")
         shown = np.repeat(looks["panorama"], looks["end"] - looks["start"] + 1)
         assert [f"{home}/{20 + 16 * number}.jpg" for number in numbers] == shown.tolist()
@@ -155,7 +155,7 @@ def test_results_do_not_depend_on_the_number_of_workers(folder, two_workers):
     assert contents(folder, "homes") != one
 
 
-def test_what_exists_is_never_replaced(folder):
+def test_existing_files_are_never_replaced(folder):
     (folder / "homes").mkdir()
     assert "homes exists: give the name of a new folder" in refused()
     assert names(folder / "homes") == []
@@ -212,7 +212,7 @@ def test_a_wrong_setting_is_refused(folder, change, message):
     assert names(folder) == ["conf", "source"]
 
 
-def test_a_home_without_a_class_and_too_few_homes_are_told(folder, capsys):
+def test_a_home_without_a_class_and_too_few_homes_are_reported(folder, capsys):
     table = (folder / "source/rooms.csv").read_text()
     (folder / "source/rooms.csv").write_text(
         "".join(
@@ -231,7 +231,7 @@ def test_a_home_without_a_class_and_too_few_homes_are_told(folder, capsys):
     assert said.rstrip().endswith('dataset.fps=0.5 dataset.require_all_classes=false"')
 
 
-def test_panoramas_in_no_frame_are_told(folder, capsys):
+def test_panoramas_in_no_frame_are_reported(folder, capsys):
     rooms = [("hall", 20), *[("kitchen", 36 + 16 * number) for number in range(8)]]
     table = "".join(f"Home1,Home1/{grey}.jpg,{room}\n" for room, grey in rooms)
     (folder / "source/rooms.csv").write_text(f"home,file,room\n{table}")

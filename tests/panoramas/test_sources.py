@@ -1,4 +1,4 @@
-"""Which panoramas a source has, and the mistakes in it."""
+"""The panoramas of a source, and mistakes in it."""
 
 import json
 import re
@@ -18,7 +18,7 @@ TABLE = "home,floor,file,room\nflat,1,a.jpg,Living Room\nflat,2,b/c.jpg,bedroom 
 
 @pytest.fixture
 def table(tmp_path):
-    """A source with a table, and what reads it after a change of its text."""
+    """A source with a table, and a function that changes its text and reads it."""
     for name in ("a.jpg", "b/c.jpg", "d.jpg", "e.jpg"):
         write(tmp_path / name, PICTURE)
 
@@ -153,7 +153,7 @@ ZIND = {
 
 @pytest.fixture
 def zind(tmp_path):
-    """A home in the format of the Zillow Indoor Dataset, and what reads it after a change."""
+    """A home in the format of the Zillow Indoor Dataset, and a function that changes and reads it."""
     for number in range(1, 7):
         write(tmp_path / f"007/panos/{number}.jpg", PICTURE)
     (tmp_path / "notes").mkdir()

@@ -1,4 +1,4 @@
-"""Views of drawn panoramas against the colour of the direction in which each pixel looks."""
+"""Views of drawn panoramas against the colour of the direction of each pixel."""
 
 import math
 
@@ -11,7 +11,7 @@ from placecat.panoramas import sphere as equirectangular
 from placecat.panoramas.rays import view_rays
 
 WIDTH, HEIGHT, FOV = 64, 36, 60.0
-# Ahead, the seam behind, the poles, edges and corners of the cube, and a tilted view across two of them.
+# Ahead, the seam behind, poles, edges and corners of the cube, and a tilted view across two of them.
 DIRECTIONS = [
     (0, 0),
     (180, 0),

@@ -55,7 +55,7 @@ def test_a_way_lies_between_any_two_rooms_and_no_room_follows_itself(number):
 def test_rooms_are_visited_as_often_as_asked_for():
     assert all(len(stays(walked(number, visits=[1, 1]))) == 5 for number in range(5))
     counts = [len(stays(walked(number, ways=[]))) for number in range(200)]
-    # Five rooms, two visits on average; hardly ever the last one is left out.
+    # Five rooms, two visits on average; the last one is hardly ever left out.
     assert 9.5 < np.mean(counts) <= 10.2
 
 
@@ -66,7 +66,7 @@ def test_a_floor_of_one_room_or_of_ways_alone_is_walked_as_well():
 
 @pytest.mark.parametrize("ways", range(5))
 @pytest.mark.parametrize("others", range(3))
-def test_every_way_is_seen_however_few_other_rooms_there_are(ways, others):
+def test_every_way_is_seen_even_with_few_other_rooms(ways, others):
     rooms = [Room("corridor", (one,)) for one in range(ways)]
     rooms += [Room("kitchen", (ways + one,)) for one in range(others)]
     for number in range(20 if rooms else 0):
@@ -110,9 +110,9 @@ def test_the_view_turns_smoothly_within_its_limits():
         assert 60 <= fov[0] <= 80
         assert -10 <= tilt.min() < tilt.max() <= 5
         speed = np.diff(pan) * 25
-        # The movement of least jerk is 15/8 of its mean speed at its fastest.
+        # The top speed of the minimum-jerk movement is 15/8 of its mean speed.
         assert 20 < np.abs(speed).max() <= 40 * 15 / 8
-        # It starts and stops gently, where a jump of 40 degrees/s would be one of 40.
+        # It starts and stops gently; a sudden start at 40 degrees/s would be a jump of 40.
         assert np.abs(np.diff(speed)).max() < 12
         assert np.ptp(pan) > 10
 
@@ -140,5 +140,5 @@ def test_a_plan_is_seeded_by_names_and_the_number_of_the_walk():
         np.testing.assert_array_equal(first[floor][-1].path, again[floor][-1].path)
     assert not np.array_equal(first["2"][0].path[0], first["10"][0].path[0])
     assert not np.array_equal(plan(panoramas, settings("walk=1"))["2"][0].path[0], first["2"][0].path[0])
-    # Kept: other frames would come of the same pictures.
+    # Pinned: otherwise the same pictures would give other frames.
     assert seed("flat", "2", 0) == 3870571430

@@ -8,7 +8,7 @@ from project import ROOT
 
 
 def colour(x, y, z):
-    """Smooth on the whole sphere, alike in no two directions; of any shape, three channels from 0 to 255."""
+    """Smooth on the whole sphere, different in every direction; any shape, three channels from 0 to 255."""
     length = np.sqrt(x * x + y * y + z * z)
     x, y, z = x / length, y / length, z / length
     return 127.5 + 100 * np.stack([x + 0.2 * y * z, y - 0.2 * x * z, z + 0.2 * x * y], axis=-1)
@@ -23,7 +23,7 @@ def sphere(height):
 
 
 def faces(side):
-    """Front, right, back, left, up and down, each by the sentence that says what it shows."""
+    """Front, right, back, left, up and down, each from the definition of what it shows."""
     s = np.broadcast_to((np.arange(side) + 0.5) / side * 2 - 1, (side, side))
     t, one = s.T, np.ones((side, side))
     seen = [(s, t, one), (one, t, -s), (-s, t, -one), (-one, t, s), (s, -one, t), (s, one, -t)]
@@ -36,5 +36,5 @@ def write(path, picture):
 
 
 def settings(*changes):
-    """Those of the project, with changes."""
+    """The project's settings, with changes."""
     return read_settings(changes, ROOT / "conf/panoramas.yaml")

@@ -1,4 +1,4 @@
-"""`placecat predict`, run in this process."""
+"""`placecat predict` in this process."""
 
 import pytest
 
@@ -10,7 +10,7 @@ def predict(*arguments):
 
 
 def refused(*arguments):
-    """The one line with which it refuses."""
+    """The one-line message of its refusal."""
     with pytest.raises(SystemExit) as caught:
         predict(*arguments)
     text = str(caught.value)

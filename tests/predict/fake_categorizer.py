@@ -8,7 +8,7 @@ from placecat.errors import PlacecatError
 
 CLASSES = ("bedroom", "living_room", "kitchen")
 STAY = 8
-"""Frames that the system stays with a place."""
+"""Number of frames that the system stays with a place."""
 
 
 def expected(number):

@@ -15,7 +15,7 @@ from made_bags import CAMERA, START, STORES, picture, rosbag2, walk
 from placecat.predict import command, mcap_file, rerun_file
 
 COUNT = 30
-# From frame 11 on the confidence is below the threshold.
+# The confidence is below the threshold from frame 11.
 NAMES = [(0, CLASSES[0]), (STAY, CLASSES[1]), (11, "unknown")]
 STAMPS = [START + number * 4 * 10**7 for number in range(COUNT)]
 
@@ -70,11 +70,17 @@ def test_odd_times_topics_and_labels(system, tmp_path, capsys):
         ("images --topic /none", "--topic is for bags, but there is no bag images"),
         ("missing.bag --topic /none", "--topic is for bags, but there is no bag missing.bag"),
         ("missing.bag", "missing.bag: no such file or folder"),
-        ("walk.mcap --mcap walk.mcap --force", "--mcap is walk.mcap, which is read: give another name"),
-        ("images --mcap images/a.mcap", "which is read"),
+        (
+            "walk.mcap --mcap walk.mcap --force",
+            "--mcap is walk.mcap, an input of the prediction: give another name",
+        ),
+        ("images --mcap images/a.mcap", "an input of the prediction"),
         ("walk.mcap --mcap out.bag", "--mcap is out.bag: give a name that ends with .mcap"),
-        ("walk.mcap --mcap there.mcap", "--mcap is there.mcap, which exists: give another name, or --force"),
-        ("walk.mcap --mcap predictions/walk/a.mcap", "in predictions/walk, which is replaced"),
+        (
+            "walk.mcap --mcap there.mcap",
+            "--mcap is there.mcap, which already exists: give another name, or --force",
+        ),
+        ("walk.mcap --mcap predictions/walk/a.mcap", "in predictions/walk, which the prediction replaces"),
         ("walk.mcap --mcap there.mcap/a.mcap", "cannot write there.mcap/a.mcap"),
     ],
 )
@@ -134,7 +140,7 @@ def test_an_mcap_file_has_pictures_probabilities_and_places(system, tmp_path, ki
 
 
 def test_an_mcap_file_opens_without_ros(system, tmp_path):
-    """Foxglove wants definitions, CDR, a summary and indices of chunks."""
+    """Foxglove needs definitions, CDR, a summary and indices of chunks."""
     mcap = pytest.importorskip("mcap.reader", reason="mcap is not installed: pip install mcap")
     walk(tmp_path / "walk.bag")
     predict("walk.bag", "--mcap", "said.mcap")
@@ -160,7 +166,7 @@ def test_the_same_prediction_gives_the_same_bytes(system, tmp_path):
 
 
 @pytest.mark.parametrize("ending", ["mcap", "rrd"])
-def test_what_is_interrupted_leaves_nothing(system, tmp_path, monkeypatch, ending):
+def test_an_interrupted_export_leaves_nothing(system, tmp_path, monkeypatch, ending):
     if ending == "rrd":
         pytest.importorskip("rerun", reason="rerun is not installed: pip install -e '.[rerun]'")
     walk(tmp_path / "walk.bag")
@@ -196,7 +202,7 @@ def test_without_a_package_the_extra_is_named(system, tmp_path, monkeypatch, opt
 
 
 def recorded(path, entity, field):
-    """Frame to the value of a field of an entity, by the reader that this version of Rerun has."""
+    """Frame to the value of a field of an entity, with the reader of this version of Rerun."""
     import rerun
 
     if hasattr(rerun, "dataframe"):

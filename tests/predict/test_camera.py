@@ -79,7 +79,7 @@ def test_a_slow_reader_gets_the_newest_frame(capture):
     numbers, seconds, images = zip(*seen, strict=True)
     assert numbers == (1, 2, 3, 4)
     assert all(after - before >= 5 for before, after in pairwise(images))
-    # Their times are those of their arrival.
+    # Their times are their arrival times.
     assert np.allclose(np.diff(seconds), 0.1, atol=0.05)
     assert source.arrived > 4
     assert made.is_released
@@ -88,7 +88,7 @@ def test_a_slow_reader_gets_the_newest_frame(capture):
 
 def test_every_frame_is_taken_once_by_a_fast_reader_until_the_camera_is_gone(capture, monkeypatch):
     monkeypatch.setattr(capture, "total", 12)
-    # The first frame is for finding the size.
+    # The first frame determines the size.
     assert [decoded(frame.image) for frame in camera().frames(1)] == list(range(1, 12))
 
 
@@ -121,17 +121,17 @@ def test_a_camera_stops_after_the_seconds_and_never_overwrites(
         main(["predict", "camera", "--seconds", "0.3", "--video"])
     assert sorted(path.name for path in (tmp_path / "predictions").iterdir()) == ["camera_0", "camera_0_2"]
     shown = capsys.readouterr().out
-    assert "frames came meanwhile and were dropped" in shown
+    assert "frames arrived in between and were dropped" in shown
     table = pd.read_csv(tmp_path / "predictions/camera_0/frames.csv")
     assert table["seconds"].between(0, 0.3, inclusive="left").all()
-    # The film runs as time did, though drawing left out frames.
+    # The film runs in real time, although drawing skipped frames.
     film = capture_length(tmp_path / "predictions/camera_0/annotated.mp4")
     assert film == round(table["seconds"].iloc[-1] * FPS) + 1
     with pytest.raises(SystemExit, match="holds the prediction of camera"):
         main(["predict", "camera", "--seconds", "0.3", "--output", "predictions/camera_0"])
 
 
-def test_the_system_is_told_the_real_time_between_the_frames_of_a_camera(capture, tmp_path, monkeypatch):
+def test_the_system_gets_the_real_time_between_camera_frames(capture, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     made = FakeCategorizer(FPS)
     monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: made)
@@ -158,7 +158,7 @@ def capture_length(path):
     return count
 
 
-def test_ctrl_c_writes_what_was_seen(capture, system, tmp_path, monkeypatch, capsys):
+def test_ctrl_c_writes_the_results_so_far(capture, system, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     original, calls = FakeCategorizer.update, []
 
@@ -194,7 +194,7 @@ def test_a_single_failure_to_read_is_not_the_end(capture, monkeypatch):
     monkeypatch.setattr(FakeCapture, "total", 12)
     source = camera()
     numbers = [decoded(frame.image) for frame in source.frames(1)]
-    # The first was taken at opening; a slow machine may drop some.
+    # The first was read at opening; a slow machine may drop some.
     assert numbers == sorted(numbers) and numbers[-1] == 11
 
 

@@ -43,7 +43,7 @@ def probabilities(table, prefix):
 
 
 @pytest.mark.parametrize("source", ["walk.avi", "images"])
-def test_the_tables_have_what_the_system_said_to_the_bit(folder, source, capsys):
+def test_the_tables_have_the_outputs_of_the_system_to_the_bit(folder, source, capsys):
     predict(source)
     name = source.removesuffix(".avi")
     results = folder / "predictions" / name
@@ -81,7 +81,7 @@ def test_the_tables_have_what_the_system_said_to_the_bit(folder, source, capsys)
     [
         ("frame3.jpg", "the same frame as frame3"),
         ("depth3.png", "the same frame as"),
-        ("frame99.webp", "pictures of this kind are not read"),
+        ("frame99.webp", "this kind of picture is not supported"),
         ("frame99.jpg", "not a readable image"),
     ],
 )
@@ -116,8 +116,8 @@ def test_segments_are_labels(folder, capsys):
     labels.write_text(labels.read_text().replace("17,24,kitchen", "17,20,transition\n21,24,bedroom"))
     predict("walk.avi", "--labels", labels, "--output", "judged")
     shown = capsys.readouterr().out
-    # Of bedroom 14 frames of 18, of living_room all 8.
-    assert f"Accuracy (mean over the places labelled): {(100 * 14 / 18 + 100) / 2:.2f} %" in shown
+    # 14 of 18 frames of bedroom and all 8 of living_room are correct.
+    assert f"Accuracy (mean over the labelled places): {(100 * 14 / 18 + 100) / 2:.2f} %" in shown
     lines = [line.split() for line in shown.splitlines()]
     assert ["bedroom", "14", "0", "4", "77.8", "%"] in lines
     assert ["kitchen", "0", "0", "0", "-"] in lines
@@ -131,7 +131,7 @@ def test_an_unknown_label_is_refused_or_left_out(folder, capsys):
     )
     assert not (folder / "predictions").exists()
     predict("walk.avi", "--labels", "labels.csv", "--ignore", "cellar")
-    assert "Accuracy (mean over the places labelled): 80.00 %" in capsys.readouterr().out
+    assert "Accuracy (mean over the labelled places): 80.00 %" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(("option", "suffix"), [("--video", ".mp4"), ("--webm", ".webm")])
@@ -166,14 +166,14 @@ def test_frames_of_another_size_are_scaled_if_asked(folder):
         ("images --fps 2 --every 3", 3 / 2),
     ],
 )
-def test_the_system_is_told_the_time_between_frames(folder, monkeypatch, capsys, arguments, period):
+def test_the_system_gets_the_time_between_frames(folder, monkeypatch, capsys, arguments, period):
     system = FakeCategorizer(frame_rate=6.0)
     monkeypatch.setattr(command.Categorizer, "load", lambda path, **_: system)
     predict(*arguments.split())
     every = int(arguments.partition("--every ")[2] or 1)
     assert np.allclose(system.times, period, rtol=1e-9)
     assert len(system.times) == -(-COUNT // every)
-    # Any rate will do; slower ones than the model's are noted.
+    # Any rate is accepted; a note reports rates below the model's.
     err = capsys.readouterr().err
     assert err.count("note: ") == err.count("\n") == (1 / period < 6)
 
@@ -194,7 +194,7 @@ def test_frames_that_come_slowly_are_noted(folder, monkeypatch, capsys, argument
     monkeypatch.setattr(FakeCategorizer, "threshold", threshold)
     predict("walk.avi", *arguments)
     rate = "12.5" if "--every" in arguments else "20"
-    note = f"{rate} frames/s are taken, and the confidence for `unknown` was chosen at 25"
+    note = f"{rate} frames/s are used, but the confidence for `unknown` was chosen at 25"
     assert (note in capsys.readouterr().err) == is_noted
     assert ("notes" in json.loads((folder / "predictions/walk/summary.json").read_text())) == is_noted
 
@@ -261,7 +261,7 @@ def test_no_source_is_refused(folder):
     assert "SOURCE is empty" in refused("")
 
 
-def test_a_link_as_output_stays_and_what_it_leads_to_is_written(folder):
+def test_a_link_as_output_stays_and_its_target_is_written(folder):
     (folder / "far").mkdir()
     (folder / "near").symlink_to("far")
     predict("walk.avi", "--output", "near")
@@ -298,7 +298,7 @@ def test_only_an_untouched_prediction_of_the_same_source_is_replaced(folder):
     assert "notes.txt was added or edited" in refused("walk.avi", "--output", "out")
 
 
-def test_what_was_edited_or_added_is_kept_even_with_force(folder, capsys):
+def test_edited_or_added_files_are_kept_even_with_force(folder, capsys):
     predict("walk.avi", "--output", "out")
     segments = folder / "out/segments.csv"
     written, first = segments.read_text(), segments.read_text() + "31,32,kitchen\n"
@@ -310,7 +310,7 @@ def test_what_was_edited_or_added_is_kept_even_with_force(folder, capsys):
         capsys.readouterr().err
     )
     assert segments.read_text() == written
-    # The copy is the user's as well, and an untouched table is not kept.
+    # The copy also belongs to the user, and an untouched table is not copied.
     assert "was added or edited" in refused("images", "--output", "out")
     segments.write_text("second")
     predict("walk.avi", "--output", "out", "--force")
@@ -335,7 +335,7 @@ def test_ctrl_c_on_a_file_writes_nothing(folder, monkeypatch):
 
 
 def test_numbers_of_an_image_survive_the_coding_of_the_video(folder):
-    # What the other tests rest on.
+    # The assumption of the other tests.
     assert np.array_equal(frames_of(folder / "walk.avi")[0][5] > 127, coded(5) > 127)
 
 

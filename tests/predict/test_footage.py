@@ -1,4 +1,4 @@
-"""Footage as it comes: damage, uneven times, a phone that is turned."""
+"""Real-world footage: damage, uneven times, a turned phone."""
 
 import json
 from fractions import Fraction
@@ -34,7 +34,7 @@ def predicted(*arguments, name="walk"):
 
 
 @pytest.mark.parametrize("number", [41, 58])
-def test_lost_frames_keep_their_numbers_and_are_told(system, tmp_path, capsys, number):
+def test_lost_frames_keep_their_numbers_and_are_reported(system, tmp_path, capsys, number):
     zero(write_clip(tmp_path / "walk.mp4", steady(60), options=CHAIN), number)
     table, summary, folder = predicted("walk.mp4", "--video")
     assert table["frame"].tolist() == [one for one in range(1, 61) if one != number]
@@ -45,7 +45,7 @@ def test_lost_frames_keep_their_numbers_and_are_told(system, tmp_path, capsys, n
     assert note in summary["notes"][0]
     assert f"placecat: note: {note}" in capsys.readouterr().err
     assert pd.read_csv(folder / "segments.csv")["end"].iloc[-1] == 60
-    # The annotated video runs as time did.
+    # The annotated video runs in real time.
     assert Recording(folder / "annotated.mp4").count == 60
 
 
@@ -62,7 +62,7 @@ def test_whole_footage_has_no_note(system, tmp_path, capsys):
     assert capsys.readouterr().err == ""
 
 
-def test_times_are_those_of_the_file(system, tmp_path):
+def test_times_come_from_the_file(system, tmp_path):
     write_clip(tmp_path / "walk.mp4", UNEVEN)
     (tmp_path / "walk.csv").write_text("start_seconds,end_seconds,label\n0,1.5,kitchen\n1.5,16.2,bedroom\n")
     table, summary, folder = predicted("walk.mp4", "--labels", "walk.csv", "--video")
@@ -75,7 +75,7 @@ def test_times_are_those_of_the_file(system, tmp_path):
 
 
 @pytest.mark.parametrize(("seconds", "frames"), [(1.5, 45), (3.0, 50), (0.05, 2)])
-def test_seconds_are_those_of_the_file(system, tmp_path, seconds, frames):
+def test_seconds_come_from_the_file(system, tmp_path, seconds, frames):
     write_clip(tmp_path / "walk.mp4", UNEVEN)
     table, summary, _ = predicted("walk.mp4", "--seconds", seconds)
     assert len(table) == frames
@@ -97,7 +97,7 @@ def test_a_phone_turned_while_filming_does_not_stretch(system, tmp_path, capsys,
     assert len(table) == 10
     assert summary["turned_frames"] == [6, 7, 8, 9, 10]
     assert "5 frames from frame 6 on have another size" in capsys.readouterr().err
-    # Columns of the number, as wide as high: of 48 columns of 6 pixels all are left, in 64.
+    # Square columns of the number: all 48 columns of 6 pixels remain, in 64.
     assert {frame.shape for frame in seen} == {(48, 64, 3)}
     edges = np.flatnonzero(np.abs(np.diff(seen[6][24, :, 0].astype(int))) > 60)
     assert edges[0] == pytest.approx(64 / 48 * 6, abs=2)

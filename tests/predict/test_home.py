@@ -18,7 +18,7 @@ from placecat.predict.home import DataSetHome, data_set
 from project import ROOT
 
 FLOORS = (12, 18)
-# In another order than the model's, and with a class and an ignored label that it does not know.
+# In another order than the model's, with a class and an ignored label that the model does not know.
 DATASET = {
     "name": "mine",
     "title": "my homes",
@@ -41,7 +41,7 @@ TRUTH = [*["bedroom"] * 8, *[""] * 2, *["living_room"] * 2, *["kitchen"] * 6, *[
 
 
 class Reset(FakeCategorizer):
-    """Counts how often it begins anew, and before which frame."""
+    """Counts its restarts, and the frames that they precede."""
 
     def __init__(self):
         super().__init__()
@@ -75,7 +75,7 @@ def test_all_floors_have_one_score(system, tmp_path, capsys):
     truth = [CLASSES.index(name) if name else -1 for name in TRUTH]
     percent = home_accuracy(confusion_matrix(truth, smoothed.argmax(axis=1), 3))
     assert json.loads((results / "summary.json").read_text())["agreement"]["accuracy"] == round(percent, 2)
-    assert f"Accuracy (mean over the places labelled): {percent:.2f} %" in capsys.readouterr().out
+    assert f"Accuracy (mean over the labelled places): {percent:.2f} %" in capsys.readouterr().out
     # The threshold keeps the first eleven decisions.
     kept = confusion_matrix(truth[:11], smoothed[:11].argmax(axis=1), 3)
     scored = np.bincount([place for place in truth if place >= 0])
@@ -83,7 +83,7 @@ def test_all_floors_have_one_score(system, tmp_path, capsys):
     agreement = json.loads((results / "summary.json").read_text())["agreement"]
     assert agreement["named"] == round(100 * shares.sum(), 2)
     assert agreement["named_wrongly"] == round(100 * (1 - np.trace(shares) / shares.sum()), 2)
-    # Every floor begins anew, and nothing carries over.
+    # Every floor is a restart, and nothing carries over.
     assert system.resets == [0, 12]
     assert system.times == [0.25] * 30
 
@@ -92,7 +92,7 @@ def test_a_floor_ends_a_stay(system, tmp_path):
     system.threshold = 0.0
     predict("home:Villa")
     visits = pd.read_csv(tmp_path / "predictions/Villa/visits.csv")
-    # The second stay would go on to frame 16.
+    # Otherwise the second stay would end at frame 16.
     assert visits["frames"].tolist() == [8, 4, 4, 8, 6]
     assert visits["place"].tolist() == ["bedroom", "living_room", "living_room", "kitchen", "bedroom"]
     assert visits["end_seconds"].tolist() == [2.0, 3.0, 4.0, 6.0, 7.5]
@@ -124,7 +124,7 @@ def test_classes_that_the_model_does_not_know_are_refused_or_left_out(system, tm
 
 def test_a_home_that_trained_the_model_is_noted(system, tmp_path, capsys):
     note = "Villa trained this model, so this accuracy says nothing about new homes"
-    # Neither a home of that name in other data, nor another home of these.
+    # Neither a home of that name in other data, nor another home of these data.
     for title, homes in (("other homes", ["Villa"]), ("my homes", ["Hut"]), ("my homes", ["Hut", "Villa"])):
         system.card["data"] |= {"title": title, "homes": homes}
         predict("home:Villa")
@@ -159,7 +159,7 @@ def test_another_data_set_is_chosen_as_repro_does(monkeypatch):
         data_set(["dataset.rooot=far"])
 
 
-def test_a_layout_has_its_own_settings(tmp_path):
+def test_a_layout_gets_its_settings(tmp_path):
     """Camera, turn and observations reach the layout, as they do in the stage `sequences`."""
     seen = make(tmp_path / "robot", lambda home, room, number: np.full((6, 8, 3), number % 256, np.uint8))
     dataset = yaml.safe_load((ROOT / "conf/dataset/robot_at_home.yaml").read_text())

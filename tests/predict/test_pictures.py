@@ -93,7 +93,7 @@ def test_pictures_have_even_sides_and_fit_many_places(size):
     picture = shown(Frame(1, 0.0, "", np.zeros((size[1], size[0], 3), np.uint8)), decision, "")
     assert picture.shape == (shown.size[1], shown.size[0], 3)
     assert shown.size[0] % 2 == shown.size[1] % 2 == 0
-    # Nothing touches the border on the right but paper.
+    # Only paper touches the right border.
     assert (picture[:, -3:] > 250).all()
 
 

@@ -1,4 +1,4 @@
-"""How many homes each finding needs, from the spread between six."""
+"""Number of homes that each finding needs, from the spread between six homes."""
 
 import numpy as np
 import pandas as pd
@@ -31,7 +31,7 @@ def test_the_spread_and_the_homes_it_takes():
     assert made["spread"] == 5.0
     assert made["units"] == 24
     assert made["power_published"] == made["power_measured"] >= 0.95
-    # A t test on the level of 1 % at one side finds one standard deviation with 80 % by 13 units.
+    # A one-sided t test at the level of 1 % detects one standard deviation with 80 % from 13 units.
     assert made["needed_published"] == 18
 
 
@@ -39,7 +39,7 @@ def test_other_truths_decide_otherwise():
     made = table(row(1, published=1.0), row(2, published=np.nan), row(3, measured=-5.0)).sort_index()
     assert made.loc[1, "power_published"] < 0.2 < made.loc[1, "power_measured"]
     assert np.isnan(made.loc[2, "power_published"]) and made.loc[2, "power_measured"] > 0.9
-    # It fails as surely as it would hold.
+    # It fails with the same probability as it would hold.
     assert made.loc[3, "power_measured"] > 0.9
 
 
@@ -68,7 +68,7 @@ def test_nothing_is_said_where_nothing_is_known(changes):
 def test_other_readings_are_not_findings():
     made = table(row(), row(reading="as_printed", units="18 stays"))
     assert len(made) == 1 and made.loc[1, "spread"] == 5.0
-    # An empty cell of the file may be read as no number.
+    # An empty cell of the file may be read as NaN.
     assert table(row(reading=np.nan), row(reading="as_printed", units="18 stays")).equals(made)
 
 

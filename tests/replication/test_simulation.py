@@ -1,4 +1,4 @@
-"""Power and errors of the rule of the ledger, against what is known exactly."""
+"""Power and errors of the rule of the ledger, against exactly known values."""
 
 import math
 from pathlib import Path
@@ -15,13 +15,13 @@ LEVEL = options.read(Path(__file__).resolve().parents[2] / options.SETTINGS).lev
 BETTER, LITTLE = Range(0.0, math.inf), Range(-2.0, 2.0)
 
 
-def test_the_spread_is_that_of_the_homes():
+def test_the_spread_is_between_homes():
     values = np.random.default_rng(1).normal(3.0, 5.0, 6)
     interval = paired_bootstrap(lambda weights: weights @ values, 6, 0, resamples=20000)
     assert spread(interval.low, interval.high, 6) == pytest.approx(values.std(ddof=1), rel=0.08)
 
 
-def test_power_is_that_of_the_t_test():
+def test_power_equals_the_t_test():
     """One-sided 2.5 %: an effect of a standard deviation needs 10 units for 80 % (Cohen 1988)."""
     assert power(1.0, 1.0, 10, BETTER)[0] == pytest.approx(0.803, abs=0.02)
     assert power(0.0, 1.0, 10, BETTER)[0] == pytest.approx(0.025, abs=0.008)
@@ -63,7 +63,7 @@ def test_homes_of_a_group_may_share_a_tenth_of_their_variance():
 
 
 def test_homes_that_are_one_decide_wrongly_too_often():
-    """The simulation sees an error that is there: homes of a group that are all alike count six times."""
+    """The simulation detects a real error: identical homes of a group count six times."""
     assert error_rate(0.0, BETTER, homes=24, shared=1.0) > 0.15
 
 

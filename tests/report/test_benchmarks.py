@@ -34,7 +34,7 @@ def test_rows_as_a_page_shows_them():
     assert (rows[4]["piece"], rows[4]["ours"], rows[4]["peer"]) == ("A frame: frames/s", "47.2", "")
 
 
-def test_the_words_of_a_target_are_those_that_benchmarks_write():
+def test_the_words_of_a_target_match_the_benchmarks():
     peer, nothing = Peer("pip", "pip"), lambda: None
     table = made_report.benchmarks()[:1]
     for targets, expected in (({"faster": 2.5}, (2.5, True)), ({"at_most": 4.5}, (4.5, False))):
@@ -43,7 +43,7 @@ def test_the_words_of_a_target_are_those_that_benchmarks_write():
         assert (one.target, one.is_faster) == expected
 
 
-def test_text_columns_are_those_of_text():
+def test_text_columns_are_text():
     table = made_report.benchmarks()
     assert {name for name in table.columns if table[name].dtype == np.float64} == set(table.columns) - set(
         TEXT

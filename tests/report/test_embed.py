@@ -29,7 +29,7 @@ def test_a_photograph_becomes_smaller_and_looks_the_same():
     assert len(picture.source) < len(file)
 
 
-def test_what_is_small_already_stays_as_it_is():
+def test_small_pictures_are_unchanged():
     pixels = np.random.default_rng(0).integers(0, 2, (64, 64, 1), np.uint8).repeat(3, axis=2) * 255
     kind, shown = decoded(embed(png(pixels)))
     assert kind == "png"
@@ -42,6 +42,6 @@ def test_the_same_picture_gives_the_same_text():
 
 
 @pytest.mark.parametrize("content", [b"", b"GIF89a", b"\x89PNG\r\n\x1a\n"])
-def test_what_is_no_picture_is_refused(content):
+def test_other_files_than_pictures_are_refused(content):
     with pytest.raises(ValueError, match="not a picture"):
         embed(content)

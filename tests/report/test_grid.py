@@ -37,7 +37,7 @@ def test_every_cell_of_a_table_is_at_its_place():
     assert grid.footnotes == ()
 
 
-def test_what_only_this_run_has_stands_before_the_average():
+def test_additional_cells_precede_the_average():
     table = made(
         ("", "a", "Home 1", 1.0, 1.0, np.nan, 0, ()),
         ("", "a", "Average", 1.0, 1.0, np.nan, 0, ()),
@@ -53,7 +53,7 @@ def test_what_only_this_run_has_stands_before_the_average():
 
 def test_notes_become_footnotes_on_the_number_that_they_are_about():
     contradiction = Note(Kind.PUBLISHED, "row and average differ")
-    # What it says does not make a note one of the table, nor two.
+    # The text of a note does not make it a note of the table, nor two notes.
     title = Note(Kind.DATA, "measured on my homes; second floor")
     no_home = Note(Kind.MEASURED, "no such home")
     not_available = Note(Kind.NOT_AVAILABLE, "the published cell is n/a")

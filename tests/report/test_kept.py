@@ -7,12 +7,12 @@ from hypothesis import strategies as st
 
 from placecat.report.kept import NONE, Grade, Turned, compare
 
-# Its title is no text to cut.
+# Its title must not be split.
 DATA = "made homes; second floor"
 
 
 def filled(*numbers, data=DATA, spreads=None):
-    """A table of one row a number; None has a reason instead."""
+    """A table with one row per number; None has a reason instead."""
     spreads = spreads or [""] * len(numbers)
     rows = [
         (
@@ -103,7 +103,7 @@ def test_tables_without_spreads_can_be_compared():
 
 
 def test_tables_with_numbers_and_tables_of_text_compare():
-    """What a stage holds in memory is equal to what it wrote."""
+    """Content in memory equals the written file."""
     text = filled(31.2, None, 20.0)
     numbers = text.assign(measured=pd.to_numeric(text["measured"]), spread=pd.to_numeric(text["spread"]))
     assert compare({"table_12": numbers}, {"table_12": text}).grade(0.0) is Grade.EQUAL
@@ -122,8 +122,8 @@ def test_other_data_are_not_compared():
     assert found.grade(2.0) is Grade.NOT_COMPARED
 
 
-def test_what_is_of_the_same_data_is_compared_still():
-    """A data set of one's own leaves the tables of the others as they were."""
+def test_cells_of_the_same_data_are_still_compared():
+    """A user's data set does not change the tables of the others."""
     now = {"table_12": filled(1.0, data="my homes"), "table_30": filled(9.0, data="university")}
     kept = {"table_12": filled(2.0), "table_30": filled(9.5, data="university")}
     found = compare(now, kept)

@@ -107,8 +107,8 @@ def test_empty_cells_have_a_footnote_with_the_reason():
     assert r"\label{tab:rvm}" in text
 
 
-def test_it_says_what_the_published_numbers_are_from():
+def test_it_names_the_data_of_the_published_numbers():
     other = table_latex(settings(5), cells(5), DATASET)
-    assert "on the VPC-2009 home database: other data, which do not compare." in other
+    assert "on the VPC-2009 home database, so they are not comparable." in other
     same = table_latex(settings(5), cells(5), DATASET | {"thesis_data": "VPC-2009 home database"})
-    assert "In italics the published numbers, on the same data." in same
+    assert "Published numbers are in italics, on the same data." in same

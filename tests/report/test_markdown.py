@@ -20,7 +20,7 @@ def test_a_table_has_the_measured_numbers_first_and_the_published_below():
         expected = [f"{value:.2f}" for value in table[column]]
         assert [one for one in numbers if "." in one] == expected
         assert "**HOG + y-Pos**" in part
-    assert "other data, so the two tables do not compare" in published
+    assert "They are not comparable, since the data differ." in published
 
 
 def test_rows_are_as_wide_as_the_head():
@@ -38,7 +38,7 @@ def test_an_addition_has_no_number_and_nothing_published():
     assert text.endswith("a: too few frames.\n\n")
 
 
-def test_a_table_that_is_not_in_percent_says_what_its_numbers_are():
+def test_a_table_that_is_not_in_percent_explains_its_numbers():
     one = captioned()
     text = table_markdown(one.settings, one.cells, DATASET)
     start = "# How good\n\nLog loss in nats, stay accuracy in percent. Measured on made-up homes.\n"

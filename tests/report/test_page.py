@@ -185,8 +185,8 @@ def test_without_a_clipboard_the_table_is_selected(page, tmp_path):
 
 
 @needs_chromium
-def test_shades_are_seen_and_told_apart(page, tmp_path):
-    """Every step has a background of its own, and text on it is readable, in the light and in the dark."""
+def test_shades_are_visible_and_distinct(page, tmp_path):
+    """Every step has a different background with readable text, in the light and the dark theme."""
     script = """
     const value = (one) => getComputedStyle(one).backgroundColor.match(/[0-9]+/g).slice(0, 3).map(Number);
     const ink = (one) => getComputedStyle(one).color.match(/[0-9]+/g).slice(0, 3).map(Number);
@@ -229,7 +229,7 @@ def test_the_page_needs_nothing_else_and_changes_only_with_its_content(page):
 
 def test_it_works_without_scripts(page):
     html = re.sub(r"<script>.*?</script>", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
-    # What scripts do is hidden without them: copying, and the box with the search and the colours.
+    # Without scripts, their controls are hidden: copying, search and theme.
     assert html.count('<button class="copy" type="button" hidden>') == html.count("<button") - 1
     assert '<div class="tools" hidden>' in html
     assert "hidden" not in part_of(html, "table-5").replace(" hidden>Copy", "")
@@ -281,18 +281,18 @@ def test_a_cell_is_shaded_by_its_difference_and_says_how_far_the_seeds_lie_apart
     assert 'title="−7.00 points"' in cells[2]
 
 
-def test_every_table_says_what_its_numbers_are_from(page):
+def test_every_table_names_its_data(page):
     html = page.read_text(encoding="utf-8")
     for number in range(1, 32):
         said = text_of(part_of(html, f"table-{number}"))
-        assert "Here: made-up homes. Thesis: VPC-2009 home database, other data, so the shading shows" in said
+        assert "Here: made-up homes. Thesis: VPC-2009 home database, other data, so the shading also" in said
     same = Table(settings(5), made_report.cells(5), DATASET | {"thesis_data": "VPC-2009 home database"})
     said = text_of(part_of(page_html(replace(made_report.report(), tables=[same])), "table-5"))
     assert "Thesis: VPC-2009 home database." in said
     assert "Measured on made-up homes." in text_of(part_of(html, "addition-rvm"))
 
 
-def test_reasons_are_given_for_what_is_missing(page):
+def test_missing_parts_have_reasons(page):
     html = page.read_text(encoding="utf-8")
     addition = part_of(html, "addition-rvm")
     assert '<td data-mark="a"></td>' in addition
@@ -329,14 +329,14 @@ def test_the_settings_are_all_there(page):
     assert html.count("0123456789abcdef0123456789abcdef.dir") == 2
 
 
-def test_times_are_those_of_the_kept_record(page):
+def test_times_come_from_the_stored_record(page):
     said = text_of(part_of(page.read_text(encoding="utf-8"), "times"))
     assert "4 min 3 s on 2 cores, on made-up homes" in said
     without = page_html(replace(made_report.report(), times=None))
-    assert "No record of times is kept" in text_of(part_of(without, "times"))
+    assert "No times are stored" in text_of(part_of(without, "times"))
 
 
-def test_what_a_run_lacks_leaves_no_gap():
+def test_missing_parts_of_a_run_leave_no_gap():
     report = made_report.report(tables=[5], figures=[])
     html = page_html(
         replace(
@@ -417,7 +417,7 @@ def test_durations(seconds, expected):
     assert duration(seconds) == expected
 
 
-def test_benchmarks_have_a_table_and_what_a_missed_target_is_spent_on(page):
+def test_benchmarks_have_a_table_and_the_parts_of_a_missed_target(page):
     html = page.read_text(encoding="utf-8")
     part = text_of(part_of(html, "speed-table"))
     cells = ("HOG", "25 regions", "1 ms", "OpenCV: compute 4.14.0", "1.7 ms", "1.7 (1.6 to 1.9)")
@@ -433,7 +433,7 @@ def test_without_benchmarks_the_page_says_how_to_measure():
     assert "speed-table" not in html
 
 
-def test_scale_has_the_growth_of_every_stage_and_what_a_full_run_takes(page):
+def test_scale_has_the_growth_of_every_stage_and_the_time_of_a_full_run(page):
     html = page.read_text(encoding="utf-8")
     rows = re.findall(r"<tr.*?</tr>", part_of(html, "scale-table"), re.S)
     assert [text_of(row.replace("<td", " <td")) for row in rows[1:]] == [
@@ -460,7 +460,7 @@ const type = (input, text) => { input.value = text; input.dispatchEvent(new Even
 
 
 @needs_chromium
-def test_a_head_sorts_its_column_as_numbers_each_group_by_itself(page, tmp_path):
+def test_a_head_sorts_its_column_as_numbers_within_each_group(page, tmp_path):
     found, console = evaluate(
         page,
         tmp_path,

@@ -5,7 +5,7 @@ from made_report import cells
 from placecat.report.summary import best_system, count_verdicts, headlines
 
 
-def test_the_headlines_are_the_thesis_own_where_the_numbers_are():
+def test_with_its_numbers_the_headlines_equal_the_thesis():
     first, second, third = headlines(cells(26))
     assert (first.group, first.best, first.cue.measured) == ("4-5-1, all cues", "Centrist", "42.71")
     assert (first.integration.published, first.smoothed.published) == ("42.29", "45.53")

@@ -73,7 +73,7 @@ def test_scores_give_the_same_results_back(confusion):
     np.testing.assert_array_equal(back.confusion, one.confusion)
 
 
-def test_results_of_other_data_sets_have_their_own_places():
+def test_results_of_other_data_sets_have_other_places():
     other = Measured(("s",), (NO_SEED,), ("office", "kitchen", "lab"), np.arange(1, 10).reshape(1, 1, 3, 3))
     results = rebuilt({"x": FIXED, "s": other}, others=[("office", "kitchen", "lab")])
     assert results.of("x").classes == CLASSES

@@ -1,4 +1,4 @@
-"""How good distributions are, from homes to files and tables."""
+"""Quality of distributions, from homes to files and tables."""
 
 import numpy as np
 import pandas as pd
@@ -29,7 +29,7 @@ def same(one, other):
         np.testing.assert_array_equal(one.values[field], other.values[field])
 
 
-def test_rows_give_back_what_they_are_made_of():
+def test_rows_restore_the_results():
     made = {"cues/gist/5-5-1": FIXED, "hmm/x": RANDOM, "empty": gather(["A"], [NO_SEED], [[EMPTY]])}
     made["drawn"] = drawn_quality(np.random.default_rng(0), ("C", "A", "B"), ("seed-0", "seed-1"))
     rows = [row for name, one in made.items() for row in quality_rows(name, one)]

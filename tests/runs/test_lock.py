@@ -75,7 +75,7 @@ def test_a_stage_waits_for_another_process_that_makes_it(folder, hold, capsys):
         stderr=subprocess.PIPE,
         text=True,
     )
-    assert "Another process runs the stage features here: this one waits" in waiting.stderr.readline()
+    assert "Another process is running the stage features here: waiting" in waiting.stderr.readline()
     holder.kill()
     assert waiting.stdout.readline() == "held\n"
     waiting.communicate("")

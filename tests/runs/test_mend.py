@@ -67,7 +67,7 @@ def test_a_whole_lock_file_stays_as_it_is_and_nothing_is_said(folder, capsys):
         mend.LOCK.write_text(content)
         main(["mend"])
         assert mend.LOCK.read_text() == content
-        assert capsys.readouterr().out == "There is nothing to mend.\n"
+        assert capsys.readouterr().out == "Nothing needs mending.\n"
 
 
 def test_what_was_restored_is_said_with_what_runs_again(folder, capsys):

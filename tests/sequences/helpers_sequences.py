@@ -1,4 +1,4 @@
-"""Tiny images and videos that carry their number, so that a wrong frame is seen."""
+"""Tiny images and videos that carry their number, so a wrong frame shows."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""A small database with the definitions of Robot@Home2's, its pictures beside it."""
+"""A small database with the definitions of Robot@Home2, and its pictures."""
 
 import sqlite3
 from collections.abc import Callable, Sequence
@@ -45,7 +45,7 @@ CREATE TABLE rh2_old2new_rgbd_files (id INT, old_path TEXT, old_file_1 TEXT, old
 
 
 class Seen(NamedTuple):
-    """What a camera saw, as it was planned."""
+    """A planned observation of a camera."""
 
     home: str
     session: str
@@ -66,15 +66,15 @@ def make(root: Path, picture: Picture, *, cameras: Sequence[int] = (1, 2), frame
     Parameters
     ----------
     picture
-        Of home, room and number of the frame among all, from 0.
+        Function of home, room and number of the frame among all, from 0.
     cameras
-        Which of the cameras 1 to 4 saw something.
+        The cameras, from 1 to 4, that recorded.
     frames
-        Of a room, a camera and a sub-session; the last one is discarded, as are all of ``fullhouse1``.
+        Number per room, camera and sub-session; the last one is discarded, and so are all of ``fullhouse1``.
 
     Returns
     -------
-    In the order in which they were seen.
+    In the order of their times.
     """
     root.mkdir(parents=True)
     raw, labelled, files, seen = [], [], [], []
@@ -84,7 +84,7 @@ def make(root: Path, picture: Picture, *, cameras: Sequence[int] = (1, 2), frame
         for part, room in ((part, room) for part in parts for room in HOMES[home]):
             ticks += PAUSE
             for frame in range(frames):
-                # No two steps are the same, as those of a camera.
+                # No two steps are equal, like the steps of a camera.
                 ticks += STEP + frame
                 raw.append(_row(len(raw) + 1, home, session, part, room, 0, ticks, "scan.txt"))
                 for camera in cameras:
@@ -117,7 +117,7 @@ def make(root: Path, picture: Picture, *, cameras: Sequence[int] = (1, 2), frame
         rooms = [(_home(home), f"{home}_{room}", TYPES.index(room[:-1])) for home, room in _rooms()]
         _fill(connection, "rh_rooms", [(number, *room) for number, room in enumerate(rooms)])
         _fill(connection, "rh_sensors", [(number, number > 0, name) for number, name in enumerate(SENSORS)])
-        # Not in order of time.
+        # Not in temporal order.
         _fill(connection, "rh_raw", raw[::-1])
         _fill(connection, "rh_rgbd", [row for row in raw if row[6] > 0])
         _fill(connection, "rh_lblrgbd", labelled[::-1])
@@ -127,7 +127,7 @@ def make(root: Path, picture: Picture, *, cameras: Sequence[int] = (1, 2), frame
 
 
 def change(root: Path, statements: str) -> None:
-    """Change a made database by SQL."""
+    """Change a made database with SQL."""
     connection = sqlite3.connect(root / "rh.db")
     connection.executescript(statements)
     connection.close()

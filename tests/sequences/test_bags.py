@@ -1,4 +1,4 @@
-"""The layout of bags: floors, labels, and frames that are read again by their place."""
+"""The layout of bags: floors, labels, and frames that are read again by their position."""
 
 import numpy as np
 import pandas as pd
@@ -66,7 +66,7 @@ def test_frames_are_read_again_in_any_order(root):
     frames = open_home("bags", root, "Home1", topic=CAMERA).frames
     rows = frames.iloc[[3, 39, 7, 45, 59, 0]]
     assert [decoded(image) for image in read_frames(root, rows)] == [3, 39, 7, 5, 19, 0]
-    # Between them are those of the other camera.
+    # The frames of the other camera are between them.
     assert frames["position"].iloc[39] > 39
     (root / "Home1/1.bag").unlink()
     walk(root / "Home1/1.bag", count=3)
@@ -119,7 +119,7 @@ def test_mistakes_in_the_settings(root, settings, message):
 def test_mistakes_on_disk(root, tmp_path):
     walk(root / "Home2/1.bag", count=3)
     walk(root / "Home2/2.bag", count=3, size=(32, 24))
-    with pytest.raises(PlacecatError, match=r"2\.bag: frames are 32x24, those of 1\.bag 64x48"):
+    with pytest.raises(PlacecatError, match=r"2\.bag: frames are 32x24, but in 1\.bag 64x48"):
         open_home("bags", root, "Home2")
     walk(root / "Home3/1.bag", count=3)
     walk(root / "Home3/1.mcap", count=3)

@@ -117,7 +117,7 @@ class TestReadFrames:
         # NumPy turns counter-clockwise.
         back = [np.rot90(image, turn // 90) for image, turn in zip(images, mixed["turn"], strict=True)]
         assert [decoded(np.ascontiguousarray(image)) for image in back] == [5, 77, 6]
-        with pytest.raises(PlacecatError, match=r"a\.avi frame 6: the frame is 64x48, the others .* 48x64"):
+        with pytest.raises(PlacecatError, match=r"a\.avi frame 6: the frame is 64x48, but .* 48x64"):
             list(read_frames(tmp_path, mixed.assign(turn=0), size=(HEIGHT, WIDTH)))
         with pytest.raises(PlacecatError, match="cannot be turned by 45 degrees; choose 0, 90, 180 or 270"):
             list(read_frames(tmp_path, mixed.assign(turn=45)))
@@ -167,11 +167,11 @@ class TestReadFrames:
         write_image(tmp_path / "1.png", 1)
         write_image(tmp_path / "2.png", 2, width=72, height=40)
         with pytest.raises(
-            PlacecatError, match=r"2\.png: the frame is 72x40, the others of this home are 64x48"
+            PlacecatError, match=r"2\.png: the frame is 72x40, but the others of this home are 64x48"
         ):
             list(read_frames(tmp_path, rows(["1.png", "2.png"], [-1, -1])))
         with pytest.raises(
-            PlacecatError, match=r"1\.png: the frame is 64x48, the others of this home are 72x40"
+            PlacecatError, match=r"1\.png: the frame is 64x48, but the others of this home are 72x40"
         ):
             next(read_frames(tmp_path, rows(["1.png"], [-1]), size=(72, 40)))
 

@@ -50,7 +50,7 @@ def test_list_homes(tmp_path: Path) -> None:
 def test_a_folder_of_other_pictures_is_listed_and_refused(tmp_path: Path) -> None:
     write_image(tmp_path / "flat/1.webp", 1)
     assert folder.list_homes(tmp_path) == ["flat"]
-    with pytest.raises(PlacecatError, match=r"1\.webp: pictures of this kind are not read"):
+    with pytest.raises(PlacecatError, match=r"1\.webp: this kind of picture is not supported"):
         folder.read_home(tmp_path, "flat", fps=2.0)
 
 

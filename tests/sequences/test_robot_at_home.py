@@ -1,4 +1,4 @@
-"""Robot@Home2, on a small database of the same definitions."""
+"""Robot@Home2, on a small database with the same definitions."""
 
 import shutil
 from pathlib import Path
@@ -14,7 +14,7 @@ from placecat.footage.frames import read_frames
 from placecat.sequences import list_homes, open_home
 from placecat.sequences.robot_at_home import read_home
 
-# The top is white, so that a turn is seen; the columns below are the number.
+# The top is white, so a turn shows; the columns below are the number.
 WIDTH, HEIGHT, TOP = 48, 64, 16
 
 
@@ -30,7 +30,7 @@ def number_of(image: np.ndarray) -> int:
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[Seen]]:
-    """A data set whose path has characters that an address would read otherwise."""
+    """A data set whose path has characters with a special meaning in an address."""
     root = tmp_path_factory.mktemp("data") / "a home?#%41"
     return root, make(root, picture)
 
@@ -76,7 +76,7 @@ def test_three_sessions_are_sequences_of_one_home(made: tuple[Path, list[Seen]])
     assert frames.groupby("sequence").size().to_dict() == {f"sarmis-s{n}": 2 * 4 * 3 for n in (1, 2, 3)}
 
 
-def test_times_are_those_of_the_database(made: tuple[Path, list[Seen]]) -> None:
+def test_times_come_from_the_database(made: tuple[Path, list[Seen]]) -> None:
     root, seen = made
     ticks = [one.ticks for one in expected(seen, "rx2", "RGBD_2") if one.is_labelled]
     assert max(np.diff(ticks)) > PAUSE
@@ -152,8 +152,8 @@ ONE = "files/rgbd/session_1/alma/bathroom1/subsession_1"
         ("DELETE FROM rh_homes WHERE name = 'alma'", r"no home 'alma'.*\(there are 'anto, .*dataset\.homes"),
         ("DELETE FROM rh_sensors WHERE name = 'RGBD_1'", r"no camera 'RGBD_1'.*HOKUYO1, RGBD_2, .*RGBD_4'\)"),
         ("DELETE FROM rh_lblrgbd WHERE sensor_id = 1", r"alma has no frame of the camera RGBD_1 in rh_lbl"),
-        ("DELETE FROM rh_room_types", r"observation \d+ of rh_lblrgbd refers to 0, which rh_room_types does"),
-        ("DELETE FROM rh_home_sessions", r"refers to 0, which rh_home_sessions does not have"),
+        ("DELETE FROM rh_room_types", r"\d+ of rh_lblrgbd refers to 0, which is not in rh_room_types"),
+        ("DELETE FROM rh_home_sessions", r"refers to 0, which is not in rh_home_sessions"),
         ("DELETE FROM rh2_old2new_rgbd_files WHERE id = 100000", r"100000 of rh_lblrgbd has no picture"),
         ("UPDATE rh2_old2new_rgbd_files SET new_file_2 = 'x_depth.png'", r"has no picture \*_intensity"),
         ("UPDATE rh2_old2new_rgbd_files SET new_path = '../../..'", r"'\.\./.*' is not a path below"),
@@ -212,7 +212,7 @@ def test_links_that_lead_out(copied: Path, tmp_path: Path) -> None:
     (copied / ONE / "100002_intensity.png").symlink_to(secret)
     with pytest.raises(PlacecatError, match=r"100002_intensity\.png is a link that leads out of"):
         open_home("robot_at_home", copied, "alma")
-    # The folder of all pictures may lie on another disk.
+    # The folder of all pictures may be on another disk.
     (copied / ONE / "100002_intensity.png").unlink()
     shutil.copy(secret, copied / ONE / "100002_intensity.png")
     (copied / "files").rename(tmp_path / "disk")

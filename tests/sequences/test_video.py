@@ -127,14 +127,14 @@ def test_a_lost_frame_has_no_row_and_the_others_keep_their_numbers(tmp_path: Pat
         next(read_frames(tmp_path, frames))
 
 
-def test_times_of_labels_are_those_of_the_file(tmp_path: Path) -> None:
+def test_times_of_labels_refer_to_the_file(tmp_path: Path) -> None:
     write_clip(tmp_path / "flat.mp4", UNEVEN)
     (tmp_path / "flat.csv").write_text("start_seconds,end_seconds,label\n0,1.5,kitchen\n1.5,16.2,hall\n")
     home = video.read_home(tmp_path, "flat")
     assert home.frames["label"].tolist() == ["kitchen"] * 45 + ["hall"] * 45
     np.testing.assert_allclose(home.frames["seconds"], UNEVEN, atol=1e-4)
     assert (home.note, home.is_even) == ("", False)
-    # A given rate is that of all frames.
+    # A given rate applies to all frames.
     (tmp_path / "flat.csv").write_text("start_seconds,end_seconds,label\n0,1.5,kitchen\n1.5,9,hall\n")
     home = video.read_home(tmp_path, "flat", fps=10.0)
     assert home.frames["label"].tolist() == ["kitchen"] * 15 + ["hall"] * 75
@@ -145,7 +145,7 @@ def test_a_phone_turned_while_filming_is_refused(tmp_path: Path) -> None:
     turned_on_the_way(tmp_path / "flat.webm")
     (tmp_path / "wide.webm").unlink()
     with pytest.raises(
-        PlacecatError, match=r"flat\.webm: frame 6 is 48x64, earlier ones 64x48 .* cut the video"
+        PlacecatError, match=r"flat\.webm: frame 6 is 48x64, but earlier ones are 64x48 .* cut the video"
     ):
         video.read_home(tmp_path, "flat")
 

@@ -50,7 +50,7 @@ def figures(*seeds):
 
 @pytest.fixture
 def outside(tmp_path, monkeypatch):
-    """No project, so that no table has a title."""
+    """No project, so no table has a title."""
     monkeypatch.chdir(tmp_path)
     for name in (paths.TABLE_DEFINITIONS, paths.FINDING_DEFINITIONS):
         name.mkdir(parents=True)
@@ -61,14 +61,14 @@ def text_of(html):
     return re.sub(r"\s+", " ", re.sub(r"<[^>]*>", "", html))
 
 
-def test_only_what_differs_is_shown_with_both_values(outside):
+def test_only_differences_show_both_values(outside):
     old, new = side(hmm="47.5", verdict="undecided", nu=0.1, workers=2), side()
     html = page_html(NAMES, (old, new), (figures(0, 1), figures(0, 2, 3)), ["Said first."])
     assert (
         '<td class="above-1 changed" data-value="50.00" title="+2.50 points"><del>47.50</del> <ins>50.00'
         in html
     )
-    assert html.count("<del>") == html.count("<ins>") == 2  # one of them in the sentence that explains
+    assert html.count("<del>") == html.count("<ins>") == 2  # one of them in the explanation
     assert re.findall(r'<section class="table" id="([^"]*)"', html)[-1] == "table-26"
     assert '<code>cues.gist.nu</code></th><td class="words"><code>0.1</code></td>' in html
     assert "compute.workers" not in html
@@ -140,7 +140,7 @@ def test_figures_of_a_revision_are_read_from_the_cache_or_asked_for(tmp_path, mo
         if path.is_file():
             path.unlink()
     missing = read_figures("HEAD").missing
-    assert "DVC does not have the figures of git HEAD" in missing and "placecat repro" in missing
+    assert "DVC has no figures of git HEAD" in missing and "placecat repro" in missing
 
 
 def test_a_folder_is_not_overwritten_by_the_page(tmp_path, monkeypatch):

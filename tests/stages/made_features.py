@@ -1,4 +1,4 @@
-"""A tiny project after the stage `features`: random descriptors that tell the place a little."""
+"""A tiny project after the stage `features`: random descriptors that hint at the place."""
 
 import json
 import os

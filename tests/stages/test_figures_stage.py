@@ -15,7 +15,7 @@ def project(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     params = made_run.parameters()
     made_run.build(tmp_path, params)
-    # The rest is left out here: it takes the time of all frames.
+    # The others are left out here, since they need all frames.
     monkeypatch.setattr(
         figures, "names", lambda: ["figure_02", "figure_11", "figure_19", "figure_reliability"]
     )
@@ -28,7 +28,7 @@ def save(params):
     Path("params.yaml").write_text(yaml.safe_dump(params), encoding="utf-8")
 
 
-def test_what_the_data_lack_is_left_out_with_its_reason(project, tmp_path):
+def test_missing_data_leave_out_a_figure_with_a_reason(project, tmp_path):
     save(project)
     stage.main()
     entries = json.loads((tmp_path / "reports/figures/figures.json").read_text())

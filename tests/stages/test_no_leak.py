@@ -1,4 +1,4 @@
-"""Nothing fitted sees the test home: plant a marker in it and compare the bytes of all that was fitted."""
+"""No fitted part sees the test home: plant a marker in it and compare the bytes of all fitted parts."""
 
 import numpy as np
 import pytest
@@ -22,12 +22,12 @@ def runs(tmp_path_factory):
     return folders
 
 
-# What models say of the test home: its frames may change that.
+# Outputs of models for the test home, which may change with its frames.
 APPLIED = ("test", "tempered")
 
 
 def fitted_files(folder, home):
-    """Everything fitted when `home` is the test home, and what fitted models say of training frames."""
+    """All fitted parts when `home` is the test home, and their outputs for training frames."""
     kinds = (f"codebooks/*/without-{home}*.npz", f"cues/*/*/{home}.*.npz", f"integration/*/{home}.*.npz")
     found = {}
     for path in (path for kind in kinds for path in folder.glob(f"data/{kind}")):
@@ -40,7 +40,7 @@ def fitted_files(folder, home):
     return found
 
 
-def test_what_is_fitted_for_the_marked_home_does_not_change(runs):
+def test_parts_fitted_for_the_marked_home_do_not_change(runs):
     plain, marked = fitted_files(runs["plain"], MARKED), fitted_files(runs["marked"], MARKED)
     assert len(plain) > 30
     assert plain.keys() == marked.keys()
@@ -48,7 +48,7 @@ def test_what_is_fitted_for_the_marked_home_does_not_change(runs):
 
 
 def test_the_marker_would_be_seen(runs):
-    """With another test home the marked one trains: there the same files do change."""
+    """With another test home, the marked one trains, and the same files change."""
     other = next(home for home in HOMES if home != MARKED)
     plain, marked = fitted_files(runs["plain"], other), fitted_files(runs["marked"], other)
     changed = {name[0].parts[1] for name in plain if plain[name] != marked[name]}

@@ -1,4 +1,4 @@
-"""The stage `report`, on reports that were made up."""
+"""The stage `report`, on made-up reports."""
 
 import json
 import re
@@ -20,7 +20,7 @@ LOCK = "stages:\n  sequences:\n    outs:\n    - md5: 00ff.dir\n"
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """A folder with everything that the stage reads."""
+    """A folder with all inputs of the stage."""
     monkeypatch.chdir(tmp_path)
     paths.PARAMS.write_text((made_report.ROOT / "params.yaml").read_text())
     for name in ("conf", "data/thesis"):
@@ -67,7 +67,7 @@ def folder(tmp_path, monkeypatch):
 
 
 def measured(cells, key):
-    """What the stage `tables` keeps of cells: each is read off one cue, without seeds."""
+    """The origins of cells from the stage `tables`: each cell comes from one cue, without seeds."""
     return [
         {
             "cell": labels,
@@ -97,11 +97,11 @@ def test_it_reads_everything_and_writes_the_page(folder):
         in text
     )
     assert "<code>00ff.dir</code>" in text
-    # Text that looks like a number stays as it is.
+    # Text that looks like a number stays text.
     assert '<td class="f-section">4.10</td>' in text
     assert "<span>4.10 flat k means<" in text
     assert 'colspan="2">0.1</th>' in text
-    assert "No record of times is kept" in text
+    assert "No times are stored" in text
     assert not re.search(r">\s*(?:nan|None)\s*<", text)
 
 
@@ -120,7 +120,7 @@ def test_an_empty_record_of_times_is_none(folder):
     files.write_csv(paths.KEPT_TIMES, pd.DataFrame(columns=["stage", "runs", "seconds"]))
     files.write_json(paths.KEPT_TIMES_FACTS, {"data": "rendered homes", "cores": 2, "total": 0.0})
     report.main()
-    assert "No record of times is kept" in page()
+    assert "No times are stored" in page()
 
 
 def test_it_writes_the_same_bytes_again(folder):
@@ -131,7 +131,7 @@ def test_it_writes_the_same_bytes_again(folder):
 
 
 @pytest.mark.parametrize("path", [paths.FINDINGS, paths.IN_TEXT, paths.TABLES / "table_07.csv"])
-def test_what_is_missing_is_named(folder, path):
+def test_missing_inputs_are_named(folder, path):
     path.unlink()
     with pytest.raises(PlacecatError, match=f"{path} is missing: run `dvc repro`"):
         report.main()
@@ -146,14 +146,14 @@ def test_a_missing_figure_or_list_is_named(folder):
         report.main()
 
 
-def test_figures_are_those_of_the_list(folder):
+def test_figures_match_the_list(folder):
     entries = json.loads((paths.FIGURES / "figures.json").read_text())
     files.write_json(paths.FIGURES / "figures.json", entries[1:])
     report.main()
     assert 'figure-2"' not in page()
 
 
-def test_every_number_is_written_with_what_explains_it(folder):
+def test_every_number_has_an_explanation(folder):
     report.main()
     table = results.load()
     cells = sum(len(pd.read_csv(path)) for path in paths.TABLES.glob("*.csv"))

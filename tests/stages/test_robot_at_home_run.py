@@ -14,9 +14,9 @@ from placecat.thesis import checks
 from project import ROOT, light_conf
 
 WIDTH, HEIGHT = 120, 160
-# Directions of stripes, in degrees, of the types of rooms that are classes.
+# Directions of stripes, in degrees, for the types of rooms that are classes.
 STRIPES = {"bedroom": 0, "masterroom": 0, "bathroom": 45, "kitchen": 90, "livingroom": 135}
-# No cue of regions, so that the test is quick.
+# No cue of regions, so the test is quick.
 CUES, SYSTEM = ("gist", "spatial_pact"), "das_551_best"
 
 
@@ -39,7 +39,7 @@ def picture(home, room, number):
 
 @pytest.fixture(scope="module")
 def ran(tmp_path_factory):
-    """The settings of a run of the stages that need no codebooks."""
+    """The settings for a run of the stages without codebooks."""
     folder = tmp_path_factory.mktemp("robot_at_home")
     conf = light_conf(folder / "conf")
     kept = {"cue": CUES, "system": (SYSTEM,), "descriptor/local": ("color_mv",)}
@@ -77,12 +77,12 @@ def test_every_home_is_left_out_and_named(ran):
         for proba in (single, smoothed):
             assert proba.shape == (len(truth), 4)
             np.testing.assert_allclose(proba.sum(axis=1), 1)
-        # Chance is 25 %; a frame with the label or the file of another one would be named wrongly.
+        # Chance is 25 %; a frame with the label or file of another one would get the wrong name.
         assert (single.argmax(axis=1) == truth)[truth >= 0].mean() > 0.7, home
 
 
 def test_one_command_is_enough(monkeypatch):
-    """The settings of the project with no other override."""
+    """The settings of the project without other overrides."""
     monkeypatch.chdir(ROOT)
     params = yaml.safe_load(compose(["dataset=robot_at_home", "dataset.root=/data/rah"]))
     check(params)

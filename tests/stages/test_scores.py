@@ -18,7 +18,7 @@ OPTIONS = PARAMS["probabilities"]
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """A project in which every result has distributions, drawn at random, on every test home."""
+    """A project in which every result has random distributions on every test home."""
     make(tmp_path)
     monkeypatch.chdir(tmp_path)
     rng = np.random.default_rng(0)

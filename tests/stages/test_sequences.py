@@ -54,7 +54,7 @@ def test_a_home_without_a_camera_gives_a_message_and_leaves_nothing(tmp_path, da
     assert not (tmp_path / "data/sequences").exists()
 
 
-def test_what_is_missing_of_a_video_is_told_and_kept(tmp_path, dataset, capsys):
+def test_missing_frames_of_a_video_are_reported_and_recorded(tmp_path, dataset, capsys):
     path = write_clip(tmp_path / "films/one.mp4", steady(30), options={"g": "1000", "bf": "0"})
     write_clip(tmp_path / "films/two.mp4", steady(30))
     for name in ("one", "two"):
@@ -70,7 +70,7 @@ def test_what_is_missing_of_a_video_is_told_and_kept(tmp_path, dataset, capsys):
     times = listing.uneven_times("one")
     assert times[20] == pytest.approx(21 / 30)
     assert listing.uneven_times("two") is None
-    # Transitions are counted on the frames that an even camera would have shown.
+    # Transitions are counted on the frames of a camera with a constant rate.
     (walk, other), rates = training_walks([Part("one", (0, 1, 2, 3, 4)), Part("two", (0, 1, 2, 3, 4))])
     assert (len(walk), len(other), rates) == (30, 30, [30.0, 30.0])
 

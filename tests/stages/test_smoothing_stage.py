@@ -1,4 +1,4 @@
-"""The stage takes frame rates from what the stage `sequences` found."""
+"""The stage uses the frame rates from the stage `sequences`."""
 
 import json
 
@@ -41,7 +41,7 @@ def smoothed(rates):
     return smooth_home(paths.CUES / f"gist/5-5-1/{plan.test}.no-seed.npz", plan, MODEL)
 
 
-def test_frame_rates_are_those_of_the_homes(project, monkeypatch):
+def test_frame_rates_come_from_the_homes(project, monkeypatch):
     from placecat import listing, paths
 
     monkeypatch.chdir(project)
@@ -61,7 +61,7 @@ def test_frame_rates_are_those_of_the_homes(project, monkeypatch):
     result = smoothed([25.0, 5.0, 10.0, 5.0])
     for name in ("hmm", "delayed"):
         np.testing.assert_array_equal(result[name], expected[name])
-    # The transitions are per frame where all have one rate, whichever it is; the delay is not.
+    # With a common rate, transitions are per frame, whatever the rate; the delay is not.
     slow, fast = smoothed([5.0] * 4), smoothed([30.0] * 4)
     np.testing.assert_array_equal(slow["hmm"], fast["hmm"])
     assert not np.allclose(slow["delayed"], fast["delayed"])
@@ -69,7 +69,7 @@ def test_frame_rates_are_those_of_the_homes(project, monkeypatch):
 
 
 def test_a_training_home_is_smoothed_with_statistics_of_the_others(project, monkeypatch):
-    """Against `smooth`, fed by hand; the home and the test home have no part in it."""
+    """Against `smooth`, called by hand without the home and the test home."""
     from placecat import paths
     from placecat.choice.judging import judge_home, predict_unseen
     from placecat.choice.smoothing import judge_smoothing

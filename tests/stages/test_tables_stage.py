@@ -1,4 +1,4 @@
-"""The stage `tables`, on results that were drawn at random."""
+"""The stage `tables`, on random results."""
 
 import numpy as np
 import pandas as pd
@@ -26,12 +26,12 @@ def run(tmp_path_factory):
 
 
 def shown(kind):
-    """What DVC compares."""
+    """The files that DVC compares."""
     return settings.load(ROOT / f"data/thesis/{kind}.yaml")
 
 
 def prepare(folder):
-    """Write what the stage reads."""
+    """Write the inputs of the stage."""
     (folder / "data").mkdir()
     (folder / "data/thesis").symlink_to(ROOT / "data/thesis")
     (folder / "conf").symlink_to(ROOT / "conf")
@@ -82,11 +82,11 @@ def test_no_cell_of_any_table_is_empty_without_a_reason(run):
         assert len(lost) == (3 if path.stem == "table_04" else 0)
 
 
-def test_numbers_that_are_no_accuracies_are_read_off_what_was_recorded(run):
+def test_other_numbers_than_accuracies_come_from_records(run):
     lines = pd.read_csv(run / paths.IN_TEXT).set_index(["name", "quantity"])["measured"]
     assert lines["nu_in_force"].to_dict() == {"lowest nu in force": 0.15625, "highest nu in force": 0.2}
     assert sorted(lines["uninformative_views"]) == [0.05, 0.09]
-    # What git keeps is not there.
+    # The files in git are missing.
     assert lines[["processing_rate", "test_cycle", "svm_training"]].isna().all()
 
 
@@ -105,7 +105,7 @@ def test_how_good_probabilities_are_has_a_row_a_result_and_two_of_them_are_in_th
 
 
 def test_again_bytes_are_the_same_and_an_optional_table_of_another_run_stays(run, monkeypatch):
-    """The same scores give the same bytes; a table that no settings ask for goes."""
+    """The same scores give the same bytes; a table without settings is removed."""
     monkeypatch.chdir(run)
     (name,) = definitions.optional()
     first = contents(run, "reports")

@@ -1,4 +1,4 @@
-"""`protocol.test_homes`: the tested homes get what they get where all are tested; the others a reason."""
+"""`protocol.test_homes`: tested homes get the same numbers as if all were tested; others get a reason."""
 
 import numpy as np
 import pandas as pd
@@ -12,7 +12,7 @@ from placecat.training.protocol import NOT_TESTED
 
 TESTED = ["H4", "H2"]
 FOLDERS = ("cues", "integration", "filtered", "smoothing")
-# One cue with clusters and one without, and what goes on from them.
+# One cue with clusters and one without, and the results based on them.
 SMALL = PARAMS | {
     section: {name: PARAMS[section][name] for name in names}
     for section, names in {
@@ -77,11 +77,11 @@ def test_scores_of_tested_homes_are_the_same_and_others_have_a_reason(folders):
             elif (name, home) in some.missing:
                 assert in_home(some, name, number).notes == (NOT_TESTED,)
     average = over_homes(some, "smoothing/das", range(1, 5))
-    assert average.notes == ("mean over Home 2, Home 4 only",)
+    assert average.notes == ("mean over only Home 2, Home 4",)
 
 
 def test_a_trial_of_no_tested_home_has_reasons_alone(folders):
-    """Table 1 asks for homes 1 and 3."""
+    """Table 1 needs homes 1 and 3."""
     some = results(folders["some"])
     name = "trials/table_01/||13"
     assert name in results(folders["all"]).measured and name not in some.measured

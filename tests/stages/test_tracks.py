@@ -29,7 +29,7 @@ def params(**tracking):
 
 
 def frames_of_the_home():
-    """Two sequences; the second goes back, so that only the cut between them ends the tracks."""
+    """Two sequences; the second runs back, so only the cut between them ends the tracks."""
     noise = np.random.default_rng(0).integers(0, 256, (40, 80, 3), np.uint8)
     wall = cv2.resize(noise, (800, 400), interpolation=cv2.INTER_CUBIC)
     for t in (*range(FRAMES), *reversed(range(FRAMES))):
@@ -99,7 +99,7 @@ def test_regions_are_tracked_in_each_sequence_and_described_where_they_are(home)
     for number, image in enumerate(frames_of_the_home()):
         if number % FRAMES == 0:
             tracker = RegionTracker(**TRACKING)
-        # Only the strongest four found ones are offered.
+        # Only the strongest four new regions are offered.
         regions = tracker.step(image, found[number, : min(4, counts[number])])
         followed += (tracker.ages > 0).sum()
         count = got["count"][number]
@@ -127,7 +127,7 @@ def test_the_number_of_workers_changes_no_byte(home, monkeypatch, two_workers):
     [
         ({"windows": 3}, r"tracking has no setting 'windows'; did you mean 'window'"),
         ({"descriptors": ["hog", "surf"]}, r"'descriptors.local.surf' does not exist.*hog"),
-        ({"window": 4}, r"odd number"),
+        ({"window": 4}, r"window odd"),
     ],
 )
 def test_impossible_settings_give_a_message_and_leave_nothing(home, wrong, message):

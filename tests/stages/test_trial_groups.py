@@ -1,4 +1,4 @@
-"""Trials of several studies that share what they compute."""
+"""Trials of several studies that share computations."""
 
 import json
 
@@ -55,6 +55,6 @@ def test_equal_clusters_or_samples_are_one_task_across_studies(monkeypatch):
         for (_, home, seed), (text, _) in found.items():
             assert text == f"{home} {json.dumps(trial.settings['classifier'], sort_keys=True)} {seed}"
     outcomes.end()
-    # For each seed: trees of all homes, and those of two cells; then machines of all homes, and of a scaling.
+    # For each seed: trees of all homes, and trees of two cells; then machines of all homes, and of a scaling.
     assert len(tasks) == len(seeds) * (len(HOMES) + 1) + len(HOMES) + 1
     assert [len(cues) for _, cues, _ in tasks[: len(seeds) + 1]] == [2] * (len(seeds) + 1)

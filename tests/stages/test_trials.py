@@ -1,4 +1,4 @@
-"""The stages `trials` and `splits` on made features: what they write, and that nothing leaks."""
+"""The stages `trials` and `splits` on made features: their outputs, and no leak."""
 
 import numpy as np
 import pandas as pd
@@ -26,7 +26,7 @@ def test_trials_have_counts_for_their_homes_and_seeds(folder):
     results = from_scores(*tables(folder), HOMES, CLASSES)
     assert set(results.measured) == {f"{TREE}4", f"{TREE}13", "trials/table_02/|PCA|"}
     clustered, fixed = results.of(f"{TREE}4"), results.of("trials/table_02/|PCA|")
-    # The table asks for homes 1, 3 and 9, of which the data set lacks one.
+    # The table needs homes 1, 3 and 9; the data set lacks one of them.
     assert (clustered.homes, clustered.seeds) == (("H1", "H3"), ("seed-0", "seed-1"))
     assert (fixed.homes, fixed.seeds) == (tuple(HOMES), ("no-seed",))
     labels = pd.read_csv(folder / "data/sequences/H3/labels.csv")["class"]
@@ -34,11 +34,11 @@ def test_trials_have_counts_for_their_homes_and_seeds(folder):
     assert not np.array_equal(clustered.confusion[0], clustered.confusion[1])
 
 
-def test_what_the_data_cannot_give_has_a_reason(folder):
+def test_impossible_trials_have_a_reason(folder):
     _, missing = tables(folder)
     assert missing["result"].unique().tolist() == [f"{TREE}400"]
     assert missing["home"].tolist() == ["H1", "H3"]
-    assert missing["reason"].str.startswith("400 clusters cannot be had").all()
+    assert missing["reason"].str.startswith("400 clusters are impossible").all()
 
 
 def test_a_trial_and_a_cue_of_the_same_settings_agree(folder):
@@ -63,7 +63,7 @@ def mark_unscored(folder, features, sequences):
 
 
 def run_here(stage, folder, monkeypatch):
-    """Run one stage, which reads nothing that another of `run_stages` writes."""
+    """Run one stage, which reads no output of the others in `run_stages`."""
     monkeypatch.chdir(folder)
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
     stage.main()
@@ -75,7 +75,7 @@ def test_no_trial_learns_from_its_test_home(folder, tmp_path, monkeypatch):
     run_here(trials, tmp_path, monkeypatch)
     plain, marked = tables(folder)[0], tables(tmp_path)[0]
     pd.testing.assert_frame_equal(*(one[one["home"] == "H3"].reset_index() for one in (plain, marked)))
-    # Where H3 trains, its unscored frames do not count either.
+    # If H3 trains, its unscored frames do not count either.
     pd.testing.assert_frame_equal(plain, marked)
 
 
@@ -94,13 +94,13 @@ def test_no_split_learns_from_its_test_sequence(folder, tmp_path, monkeypatch):
     assert any(not np.array_equal(plain, marked) for plain, marked in pairs)
 
 
-def test_extra_data_changes_what_the_integration_trains_on(folder):
+def test_extra_data_change_the_training_of_the_integration(folder):
     system = PARAMS["systems"]["vote"]
     assert system["extra"]
     with_extra = fold_file.read(folder / "data/integration/vote/H1.seed-0.npz", "cross_validated_truth")
     without = fold_file.read(folder / "data/integration/das/H1.seed-0.npz", "cross_validated_truth")
     labels = pd.read_csv(folder / "data/site_sequences/site/flip/labels.csv")["class"].to_numpy()
-    # Places of the site are kitchen, office, bedroom, bathroom: numbered by name, the office left out.
+    # Places of the site are kitchen, office, bedroom, bathroom: numbered by name, without the office.
     taken = labels[1::3]
     expected = np.array([1, -1, 0, 2, -1])[taken]
     np.testing.assert_array_equal(with_extra, np.concatenate([without, expected[expected >= 0]]))
@@ -118,7 +118,7 @@ def test_filtered_frames_repeat_the_last_accepted_decision(folder):
 
 
 def fitted_on(monkeypatch, call):
-    """What a stage hands to the training of a cue: descriptors, labels, homes and clusters, as bytes."""
+    """The training inputs of a cue: descriptors, labels, homes and clusters, as bytes."""
     seen = []
     fit = cues.fit
 
@@ -135,7 +135,7 @@ def fitted_on(monkeypatch, call):
 
 @pytest.mark.parametrize(("test_home", "differs"), [("H3", False), ("H1", True)])
 def test_a_marker_in_the_test_home_reaches_no_training_of_a_trial(tmp_path, monkeypatch, test_home, differs):
-    """Its labelled frames, too; where the marked home trains, the marker is seen."""
+    """Its labelled frames too; if the marked home trains, the marker has an effect."""
     from placecat.training.plan import of_homes
     from placecat.training.trial import judge, of_settings
 

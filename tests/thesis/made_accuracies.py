@@ -1,4 +1,4 @@
-"""Results with given accuracies: two places, as many frames of each, all wrong ones named the other."""
+"""Results with given accuracies: two places with equally many frames; wrong frames get the other name."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ PLACES = ("bedroom", "kitchen")
 
 
 def measured(percent, homes=None, *, places=PLACES):
-    """One result from (homes,) percentages, or from (seeds, homes) where it is random; NaN for no frames."""
+    """One result from (homes,) percentages, or from (seeds, homes) if random; NaN for no frames."""
     percent = np.asarray(percent, float)
     seeds = (NO_SEED,) if percent.ndim == 1 else tuple(f"seed-{number}" for number in range(len(percent)))
     percent = np.atleast_2d(percent)

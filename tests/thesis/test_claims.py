@@ -53,7 +53,7 @@ def test_without_a_right_side_the_left_is_compared_with_a_number():
         (finding(comparison(right=RIGHT | {"combine": "worst"})), "choose one of mean, best, last"),
         (
             finding(comparison(right=RIGHT | {"published": [{"text": "x"}]})),
-            "1 published numbers of 2 results",
+            "1 published numbers for 2 results",
         ),
         (finding(comparison(range={"within": 1, "above": 2})), "has 2 kinds"),
         (finding(comparison(range="both_signs")), "as many results"),

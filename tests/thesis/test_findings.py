@@ -1,4 +1,4 @@
-"""The ledger on the findings that come with the project, found because their files are there."""
+"""The ledger on the findings of the project, which are read from their files."""
 
 import dataclasses
 import re
@@ -45,8 +45,8 @@ def test_a_finding_uses_results_that_a_run_has(name):
 
 
 @pytest.mark.parametrize("name", FINDINGS)
-def test_the_thesis_s_own_numbers_are_where_its_claim_puts_them(name):
-    """So sides are not swapped, and each comparison is of what the sentence is about."""
+def test_the_numbers_of_the_thesis_fit_its_claims(name):
+    """So sides are not swapped, and each comparison fits its sentence."""
     for comparison in FINDINGS[name].comparisons:
         thesis = look_up(comparison, PUBLISHED)
         claimed = claimed_range(comparison.range, thesis.difference, Rules(**VERDICT))
@@ -115,7 +115,7 @@ def test_the_reason_says_how_many_frames_the_filter_drops(judged):
 
 
 def test_the_published_number_beside_a_measured_one_is_of_the_same_cell():
-    """Of 991 clusters there is no measurement: beside 196 stands the thesis's number of 196."""
+    """991 clusters were not measured: the measurement at 196 is compared with the thesis's number at 196."""
     names = [f"trials/table_04/Naive Bayes||{number}" for number in (496, 991)]
     there = {name: one for name, one in RESULTS.measured.items() if name not in names}
     reasons = {(name, home): "too few frames" for name in names for home in RESULTS.homes}
@@ -124,7 +124,7 @@ def test_the_published_number_beside_a_measured_one_is_of_the_same_cell():
     row = comparisons.iloc[1]
     assert row["right_results"] == "trials/table_04/Naive Bayes||196"
     assert row["published_right"] == PUBLISHED.of_trial(row["right_results"])
-    assert "most clusters without 496, 991, which this data cannot give" in row["reason"]
+    assert "most clusters without 496, 991, which this data does not allow" in row["reason"]
 
 
 def test_the_university_is_pooled_as_in_its_table(judged):
@@ -135,7 +135,7 @@ def test_the_university_is_pooled_as_in_its_table(judged):
     assert row["measured_left"] == pytest.approx(RESULTS.stays[name].pooled().by_home().mean(), abs=0.005)
 
 
-def test_intervals_bracket_what_was_measured(judged):
+def test_intervals_contain_the_measurements(judged):
     for table, name in zip(judged, ("difference", "measured"), strict=True):
         known = table.dropna(subset=["low"])
         assert len(known) > len(table) / 2
@@ -157,7 +157,7 @@ def test_the_ledger_repeats_and_does_not_depend_on_order(judged):
 
 
 @pytest.mark.parametrize("missing", ["nothing measured", "one home", "reasons"])
-def test_what_is_missing_is_undecided_and_says_why(missing):
+def test_missing_measurements_are_undecided_with_a_reason(missing):
     if missing == "one home":
         measured = {
             name: dataclasses.replace(one, homes=one.homes[:1], confusion=one.confusion[:, :1])
@@ -197,8 +197,8 @@ def test_a_finding_shows_the_comparison_that_decides_it():
     assert both["measured"] == "close 41.50, base 38.83"
     assert both["difference"] == 2.67
     assert re.match(
-        r"of 2 comparisons: holds 2, allowing for 2 comparisons \(Bonferroni: 97.5 % intervals\); "
-        "shown is close against base; the whole",
+        r"2 comparisons: holds 2, allowing for 2 comparisons \(Bonferroni: 97.5 % intervals\); "
+        "shown: close against base; the whole",
         both["reason"],
     )
     assert row("clear", "open")[["verdict", "measured"]].tolist() == [UNDECIDED, "open 39.33, base 38.83"]

@@ -47,7 +47,7 @@ def test_every_published_number_has_a_line():
         assert np.isfinite(line["measured"]) != (row.name in REFERENCES)
 
 
-def test_the_numbers_of_the_text_are_those_of_the_thesis():
+def test_the_numbers_of_the_text_match_the_thesis():
     value = PUBLISHED.set_index(KEY)["value"]
     assert value["gist_without_color", "without colour", "Home 6"] == 35.41
     assert value["gist_without_center_surround", "without centre-surround", "Home 6"] == 30.96
@@ -97,7 +97,7 @@ def test_the_error_on_the_last_class_is_compared_as_a_ratio():
     assert "compare" not in line["note"]
 
 
-def test_the_accuracy_on_the_toy_problem_is_that_of_all_points():
+def test_the_accuracy_on_the_toy_problem_is_over_all_points():
     line = fill().loc[("toy_problem", "parallel scheme", "")]
     assert line["measured"] == pytest.approx(RESULTS.of("toy/parallel").plain().mean(), abs=0.005)
 
@@ -113,9 +113,9 @@ def test_no_error_gives_no_ratio():
 
 def test_on_other_data_numbers_do_not_compare():
     note = filled().loc[("gist_without_color", "without colour", "Home 6"), "note"]
-    assert "the published number is from the VPC-2009 home database and does not compare" in note
+    assert "the published number is from the VPC-2009 home database and is not comparable" in note
     same = fill(dataset={"title": "d", "thesis_data": "VPC-2009 home database"})
-    other = same[same["note"].str.contains("does not compare")]
+    other = same[same["note"].str.contains("is not comparable")]
     names = {
         "university_beside_homes",
         "university_integration",
@@ -125,7 +125,7 @@ def test_on_other_data_numbers_do_not_compare():
     assert set(other.index.get_level_values("name")) == names
 
 
-def test_what_wu_reports_is_for_reference():
+def test_the_numbers_of_wu_are_for_reference():
     lines = filled().loc[REFERENCES]
     assert len(lines) == 4
     assert lines["measured"].isna().all()
@@ -188,7 +188,7 @@ def test_sequences_of_a_split_are_counted_together_as_in_its_table():
     )
 
 
-def test_runtimes_are_those_that_git_keeps():
+def test_runtimes_come_from_git():
     kept = RECORDS["benchmarks"].set_index(["module", "input", "quantity"])["ours"]
     lines = filled()["measured"]
     rate = kept["frame_features", "1280x720 JPEG, for the cues", "frames/s on one core, with decoding"]
@@ -198,7 +198,7 @@ def test_runtimes_are_those_that_git_keeps():
     assert "measured on one core" in filled().loc[("processing_rate", "frames/s", ""), "note"]
 
 
-def test_what_was_not_recorded_has_a_reason():
+def test_missing_records_have_a_reason():
     empty = {name: pd.DataFrame() for name in RECORDS}
     line = fill(known=empty).loc[("nu_in_force", "lowest nu in force", "")]
     assert np.isnan(line["measured"])
@@ -228,7 +228,7 @@ def test_contradictions_of_the_text_are_real():
         assert abs(difference - noted.loc[quantity, "value"]) > 0.2
 
 
-def test_with_fewer_homes_what_lacks_has_a_reason():
+def test_with_fewer_homes_missing_numbers_have_a_reason():
     lines = fill(made(with_homes(4)))
     line = lines.loc[("gist_without_color", "difference", "Home 6")]
     assert np.isnan(line["measured"])
@@ -250,7 +250,7 @@ def test_an_average_is_over_the_homes_with_both_sides():
     difference = (one.by_home() - other)[:, :5].mean()
     assert lines.loc[("difference", "Average"), "measured"] == pytest.approx(difference, abs=0.005)
     assert (
-        "mean over Home 1, Home 2, Home 3, Home 4, Home 5 only"
+        "mean over only Home 1, Home 2, Home 3, Home 4, Home 5"
         in lines.loc[("difference", "Average"), "note"]
     )
     assert lines.loc[("with colour", "Average"), "measured"] == pytest.approx(other[:, :5].mean(), abs=0.005)

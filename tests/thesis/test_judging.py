@@ -37,7 +37,7 @@ def compare(left, right=None, kind="better", number=None, rules=RULES, compariso
     return judge_comparison("finding_01", comparison, rules, results(**named), PUBLISHED, comparisons)
 
 
-def test_what_is_better_in_every_home_alike_holds():
+def test_an_equal_gain_in_every_home_holds():
     judged = compare(measured(shifted([3, 4, 5, 3, 4, 5])), measured(HOMES))
     assert judged.verdict == HOLDS
     assert judged.reason == "the whole interval is above 0"
@@ -46,8 +46,8 @@ def test_what_is_better_in_every_home_alike_holds():
     assert 2.5 < judged.measurement.interval.low < 4.0 < judged.measurement.interval.high < 5.5
 
 
-def test_pairing_cancels_what_homes_share():
-    """Homes differ by 24 points, the sides by 1 in each."""
+def test_pairing_cancels_effects_of_homes():
+    """Homes differ by 24 points, the sides by 1 point in each."""
     judged = compare(measured(HOMES + 1), measured(HOMES))
     interval = judged.measurement.interval
     assert (interval.low, interval.estimate, interval.high) == (1.0, 1.0, 1.0)
@@ -60,10 +60,10 @@ def test_swapped_sides_turn_holds_into_does_not_hold():
     assert compare(right, left, "worse").verdict == HOLDS
 
 
-def test_what_differs_between_homes_is_undecided():
+def test_differences_between_homes_are_undecided():
     judged = compare(measured(shifted([9, -8, 7, -6, 5, -2])), measured(HOMES))
     assert judged.verdict == UNDECIDED
-    assert judged.reason == "only a part of the interval is above 0"
+    assert judged.reason == "only part of the interval is above 0"
 
 
 def test_two_homes_are_judged_by_their_seeds():
@@ -73,7 +73,7 @@ def test_two_homes_are_judged_by_their_seeds():
     assert judged.reason.endswith(", in these homes")
 
 
-def test_too_few_units_are_undecided_whatever_they_say():
+def test_too_few_units_are_always_undecided():
     judged = compare(measured([90, 90]), measured([10, 10]))
     assert (judged.verdict, judged.reason) == (UNDECIDED, "2 homes are too few for a verdict")
     judged = compare(measured([90]), measured([10]))
@@ -126,12 +126,12 @@ def test_best_is_compared_with_the_best():
     [
         # As often hurt as helped.
         ([8, -7, 9, -8, 6, -6], (3, 3), HOLDS),
-        # It helps, alike in every home: that it hurts in one of twenty is out of the question.
+        # It helps equally in every home, so it cannot hurt in one of twenty.
         ([5, 5.5, 4.8, 5.2, 5.1, 4.9], (0, 6), FAILS),
         ([-5, -5.5, -4.8, -5.2, -5.1, -4.9], (6, 0), FAILS),
         # It changes nothing.
         ([0.1, -0.1, 0.2, 0, -0.2, 0.1], (0, 0), FAILS),
-        # It hurts in one home; in how many others is not known.
+        # It hurts in one home; the number of others is unknown.
         ([3, 2, 4, 1, 5, -2], (1, 5), UNDECIDED),
     ],
 )
@@ -140,7 +140,7 @@ def test_both_signs_takes_a_share_of_the_cases_each(gains, counts, verdict):
     assert (judged.measurement.worse, judged.measurement.better) == counts
     assert judged.verdict == verdict
     assert judged.reason.startswith(
-        f"worse in {counts[0]}, better in {counts[1]} of 6 cases; by at least 1 points"
+        f"worse in {counts[0]}, better in {counts[1]} of 6 cases; worse by at least 1 points"
     )
 
 
@@ -172,25 +172,25 @@ def test_a_wider_margin_never_makes_a_verdict_worse(gains, margin, more, one_sid
     assert order.index(verdicts[0]) <= order.index(verdicts[1])
 
 
-def test_what_fails_by_itself_need_not_fail_among_many():
-    """Its 95 % interval is below 0, the one that allows for 14 comparisons is not."""
+def test_a_comparison_that_fails_alone_need_not_fail_among_many():
+    """Its 95 % interval is below 0, but the interval that allows for 14 comparisons is not."""
     left, right = measured(shifted([-3, -4, -1, -2.5, -0.5, -3.5])), measured(HOMES)
     alone = compare(left, right)
     assert (alone.verdict, alone.reason) == (FAILS, "none of the interval is above 0")
     assert alone.measurement.corrected == alone.measurement.interval
     among = compare(left, right, comparisons=14)
     assert among.verdict == UNDECIDED
-    assert among.reason == "none of the interval is above 0, but a part of the 99.64 % one"
+    assert among.reason == "none of the interval is above 0, but part of the 99.64 % interval is"
     assert among.measurement.interval == alone.measurement.interval
     assert among.measurement.corrected.low < among.measurement.interval.low
     clear = compare(measured(HOMES - 4), right, comparisons=14)
     assert (clear.verdict, clear.measurement.results) == (FAILS, (("left",), ("right",)))
-    # To hold takes no correction.
+    # A claim that holds needs no correction.
     assert compare(right, left, comparisons=14).verdict == HOLDS
 
 
 def test_the_published_number_is_of_the_cell_that_was_measured():
-    """The last is the last that was measured, the best the best of those; so are their published numbers."""
+    """The last is the last measured one, the best the best measured one; so are their published numbers."""
     cells = ({"text": "points"}, {"text": "best"}, {"text": "worst"})
     found = results({("c", "home_1"): "too few frames"}, a=measured(HOMES), b=measured(HOMES + 1))
     for combine, published, used in (("last", 40.0, "b"), ("best", 40.0, "b"), ("mean", 21.5, "a")):

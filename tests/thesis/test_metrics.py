@@ -33,7 +33,7 @@ def test_tables_nest_by_group_row_and_column():
     }
 
 
-def test_what_has_no_name_is_no_level():
+def test_empty_labels_make_no_level():
     tables = {
         "table_05": filled(("", "SVM", "Home 1", 31.2)),
         "table_03": filled(("", "0.2", "", 31.2), ("", "0.1", "", 28.0)),
@@ -60,7 +60,7 @@ def test_cells_without_a_number_are_left_out():
 
 @pytest.fixture
 def results():
-    # Two seeds, two homes; the second seed decides otherwise.
+    # Two seeds, two homes; the second seed decides differently.
     confusion = np.array(
         [[[[3, 1], [0, 4]], [[1, 1], [0, 0]]], [[[4, 0], [4, 0]], [[2, 0], [0, 0]]]],
     )
@@ -89,7 +89,7 @@ def test_a_row_a_home_averaged_over_seeds(results):
     assert rows.to_dict("list") == {"home": ["A", "B"], "accuracy": [68.75, 75.0]}
 
 
-def test_what_these_data_cannot_give_has_no_rows(results):
+def test_impossible_results_have_no_rows(results):
     data = plot_data(results, {kind: {"y": "integration/y"} for kind in ("confusion", "accuracy_by_home")})
     assert {name: list(rows.columns) for name, rows in data.items()} == {
         "confusion/y.csv": ["truth", "decision"],
@@ -126,7 +126,7 @@ def test_a_few_averages_are_columns_for_dvc(results):
 
 
 def test_dvc_draws_the_chosen_panels():
-    """The plots in dvc.yaml are of the files and columns that the settings give."""
+    """The plots in dvc.yaml use the files and columns of the settings."""
     chosen = yaml.safe_load((ROOT / "data/thesis/plots.yaml").read_text())
     drawn = {}
     for plot in yaml.safe_load((ROOT / "dvc.yaml").read_text())["plots"]:

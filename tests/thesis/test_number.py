@@ -39,7 +39,7 @@ def test_a_home_without_a_number_has_a_reason_and_the_average_leaves_it_out():
     assert found["Home 4"].notes == ("the data set has only 3 homes",)
     assert np.isnan(found["Home 3"].measured)
     assert found["Average"].values.tolist() == [87.5, 62.5]
-    assert found["Average"].notes == ("mean over Home 1 only",)
+    assert found["Average"].notes == ("mean over only Home 1",)
     nowhere = over_homes(results(C="no frames"), "one", [3, 4])
     assert nowhere.notes == ("no frames", "the data set has only 3 homes")
     assert (nowhere.seeds, len(nowhere.values)) == (0, 0)
@@ -59,7 +59,7 @@ def test_the_number_lies_between_its_seeds(number):
 
 
 @given(st.one_of(seeded, fixed), st.one_of(seeded, fixed))
-def test_a_difference_is_that_of_each_seed(left, right):
+def test_a_difference_is_taken_seed_by_seed(left, right):
     difference = left.minus(right)
     assert difference.is_random == (left.is_random or right.is_random)
     assert difference.values.mean() == pytest.approx(left.values.mean() - right.values.mean())
@@ -69,7 +69,7 @@ def test_a_difference_is_that_of_each_seed(left, right):
 
 
 @given(st.lists(st.one_of(seeded, fixed, st.just(nothing("why"))), min_size=1))
-def test_a_mean_leaves_out_what_there_is_not(numbers):
+def test_a_mean_leaves_out_missing_numbers(numbers):
     there = [one.values.mean() for one in numbers if len(one.values)]
     found = mean(numbers)
     if there:

@@ -56,32 +56,32 @@ def test_error_of_one_place():
     assert [values.tolist() for values in paired.by_unit()] == [[[30.0]], [[90.0]]]
 
 
-def test_last_is_that_of_those_measured():
+def test_last_is_the_last_measured_result():
     last = side("a", "b", "c", combine="last")
     paired = pair(results(a=FIXED, b=RANDOM), [last], few_homes=2)
     assert paired.sides[0].results == ("b",)
-    assert paired.note == "side without c, which this data cannot give"
+    assert paired.note == "side without c, which this data does not allow"
     with pytest.raises(NotComputable, match="this run has no result c"):
         pair(results(), [last], few_homes=2)
 
 
-def test_the_best_is_of_those_that_could_be_computed_and_the_rest_is_noted():
+def test_the_best_is_among_the_computed_results_and_the_rest_is_noted():
     found = results({("b", "home_1"): "too few frames"}, a=FIXED, c=RANDOM)
     paired = pair(found, [side("a", "b", combine="best"), side("c")], few_homes=2)
     assert paired.sides[0].results == ("a",)
-    assert paired.note == "side without b, which this data cannot give"
+    assert paired.note == "side without b, which this data does not allow"
     with pytest.raises(NotComputable, match="this run has no result d"):
         pair(found, [side("a", "d", combine="best")], few_homes=2)
     with pytest.raises(NotComputable, match=r"^b: too few frames$"):
         pair(found, [side("b", combine="best")], few_homes=2)
 
 
-def test_means_keep_what_both_sides_could_give():
+def test_means_use_the_results_of_both_sides():
     found = results({("b", "home_1"): "too few frames"}, a=FIXED, c=RANDOM, d=RANDOM)
     paired = pair(found, [side("a", "b"), side("c", "d")], few_homes=2)
     assert [one.results for one in paired.sides] == [("a",), ("c",)]
     assert paired.note == (
-        "side without b, which this data cannot give; side without d, which this data cannot give"
+        "side without b, which this data does not allow; side without d, which this data does not allow"
     )
 
 

@@ -7,12 +7,12 @@ from placecat.thesis.claims import Side
 from placecat.thesis.pooling import pool
 
 CLASSES = ("corridor", "kitchen", "attic")
-# Of each stay the place and the number of its frames.
+# Place and number of frames of each stay.
 STAYS = ((0, 10), (1, 4), (0, 30), (0, 20), (1, 6))
 
 
 def by_stay(*right, stays=STAYS):
-    """A result with some frames of each stay named rightly, once for each seed."""
+    """A result with some correctly named frames in each stay, for each seed."""
     confusion = np.zeros((len(right), len(stays), 3, 3), int)
     for s, of_seed in enumerate(right):
         for n, ((place, frames), own) in enumerate(zip(stays, of_seed, strict=True)):
@@ -29,11 +29,11 @@ def results(**stays):
 A, B = by_stay((10, 4, 15, 5, 3)), by_stay((5, 2, 30, 10, 6), (7, 2, 30, 10, 6))
 
 
-def test_accuracies_are_those_of_all_frames_counted_as_one():
+def test_accuracies_are_over_the_pooled_frames():
     pooled = pool(results(a=A, b=B), [Side("left", ("a",)), Side("right", ("b",))])
     assert pooled.units == "5 stays"
     assert pooled.names == ("corridor", "kitchen")
-    # Of 60 frames of corridor 30, of 10 of kitchen 7; and so for each seed of b.
+    # 30 of 60 frames of corridor and 7 of 10 of kitchen; likewise for each seed of b.
     left, right = pooled.overall()
     assert left.tolist() == [[pytest.approx((50 + 70) / 2)]]
     assert right.tolist() == [[pytest.approx((46 / 60 + 0.8) * 50)]]
@@ -52,7 +52,7 @@ def test_measures(options, expected):
 
 
 def test_stays_are_the_units():
-    """What is the same in every stay of a place gives a point, whatever places differ by."""
+    """Equal values in all stays of a place give a point interval, whatever the differences between places."""
     same = by_stay([frames * (place + 1) // 2 for place, frames in STAYS])
     pooled = pool(results(a=same), [Side("left", ("a",))])
     interval = pooled.interval(lambda sides: sides[0][0], 0, 0.95, 300)
@@ -66,14 +66,14 @@ def test_stays_are_the_units():
 def test_a_place_with_a_single_stay_is_too_few():
     stays = ((0, 10), (0, 10), (0, 10), (1, 5))
     pooled = pool(results(a=by_stay((5, 5, 5, 5), stays=stays)), [Side("left", ("a",))])
-    assert pooled.too_few(4) == "one stay only shows kitchen: too few for a verdict"
+    assert pooled.too_few(4) == "only one stay shows kitchen: too few for a verdict"
     assert pooled.too_few(5) == "4 stays are too few for a verdict"
     assert pool(results(a=A), [Side("left", ("a",))]).too_few(4) == ""
     single = pool(results(a=by_stay((5, 5), stays=((0, 10), (1, 5)))), [Side("left", ("a",))])
     assert single.n_units == 1
 
 
-def test_what_is_missing_says_why():
+def test_missing_stays_have_a_reason():
     with pytest.raises(NotComputable, match="this run has no result b"):
         pool(results(a=A), [Side("left", ("a",)), Side("right", ("b",))])
     without = Results(("one",), CLASSES, {"a": A.pooled()}, {})

@@ -60,7 +60,7 @@ def test_other_results_have_no_number_by_name():
         ({"text": "toy", "table": 1}, "no setting 'table'"),
     ],
 )
-def test_what_is_not_there_is_refused(reference, message):
+def test_unknown_numbers_are_refused(reference, message):
     with pytest.raises(PlacecatError, match=message):
         PUBLISHED.number(reference)
 

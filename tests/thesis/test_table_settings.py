@@ -1,4 +1,4 @@
-"""The configurations of the tables: known settings only, and those that the thesis names."""
+"""The configurations of the tables: known settings only, as in the thesis."""
 
 import numpy as np
 import pytest
@@ -47,7 +47,7 @@ def test_a_study_has_the_settings_of_trials(name):
         assert STUDIES[name]["number"] is None
 
 
-def test_the_results_of_tables_are_those_of_the_pipeline():
+def test_the_results_of_tables_exist_in_the_pipeline():
     known = sources(PARAMS)
     for table in TABLES.values():
         for result in [*(row["result"] for row in table.get("rows", [])), table.get("result")]:
@@ -133,7 +133,7 @@ def test_each_table_has_its_classifier(base, numbers):
 
 
 @pytest.mark.parametrize("number", [11, 12, 13, 16, 17, 18, 19, 20, 21, 24, 25])
-def test_labels_of_region_descriptors_say_what_is_described(number):
+def test_labels_of_region_descriptors_match_the_descriptors(number):
     names = {"Ori M/V": "orientation_mv", "HOG": "hog", "SIFT": "sift", "Centrist": "centrist"}
     names["Color M/V"] = "color_mv"
     for name, trial in TRIALS.items():
@@ -212,7 +212,7 @@ def test_tables_24_and_25_have_the_best_cluster_numbers(number, neighbours):
         assert base_of(name)["n_neighbors"] == neighbours
 
 
-def test_homes_are_those_of_the_thesis():
+def test_homes_match_the_thesis():
     homes = {1: [1, 5], 2: [1], 3: [1, 6], 4: [1, 6], 14: [1], 15: [1], 22: [6], 24: "all", 25: "all"}
     homes |= {number: [1, 6] for number in (11, 12, 13, 16, 17, 18, 19, 20, 21)}
     assert {t["number"]: t["homes"] for t in TABLES.values() if "homes" in t and t["number"]} == homes
@@ -250,7 +250,7 @@ def test_tables_again_differ_in_one_setting():
             assert trial | {"codebook": None} == same | {"codebook": None}
 
 
-def test_the_addition_is_marked_and_limits_what_regions_train_on():
+def test_the_addition_is_marked_and_limits_the_training_regions():
     assert TABLES["addition_rvm"]["title"].startswith("Addition: ")
     limits = {
         row: TRIALS[f"trials/addition_rvm/|{row}|"]["classifier"]["max_rows"]

@@ -37,13 +37,13 @@ def fill(name, results=RESULTS, params=PARAMS, tables=TABLES, **dataset):
 
 @functools.cache
 def of_homes(count):
-    """What `fill` needs for another number of homes."""
+    """Arguments of `fill` for another number of homes."""
     params = with_homes(count)
     return {"results": made(params), "params": params, "tables": tables_of(params, ROOT)}
 
 
 def without(results, lost):
-    """The results without some homes of some of them, each with a reason."""
+    """The results, some of them without some homes, with reasons."""
     measured, quality = {}, {}
     for name, one in results.measured.items():
         kept = [number for number, home in enumerate(one.homes) if (name, home) not in lost]
@@ -75,7 +75,7 @@ def test_every_published_cell_is_measured_and_no_other(name):
     assert filled["measured"].between(0, 100).all()
     assert filled["published"].tolist() == pytest.approx(own["value"].tolist(), nan_ok=True)
     assert filled["note"].str.startswith("measured on rendered ").all()
-    compared = filled["note"].str.contains("and does not compare")
+    compared = filled["note"].str.contains("and is not comparable")
     assert (compared == filled["published"].notna()).all()
     assert (filled["note"].str.contains("the published cell is n/a") == filled["published"].isna()).all()
 
@@ -103,7 +103,7 @@ def test_with_fewer_homes_every_empty_cell_has_a_reason(name, count):
 def test_an_average_over_fewer_homes_than_published_says_so():
     filled = fill("table_12", **of_homes(4))
     averages = filled[filled["row"] == "Average"]
-    assert averages["note"].str.contains("; mean over Home 1 only").all()
+    assert averages["note"].str.contains("; mean over only Home 1").all()
     firsts = filled[filled["row"] == "Home 1"]
     assert averages["measured"].tolist() == firsts["measured"].tolist()
 
@@ -131,7 +131,7 @@ def test_a_number_is_the_mean_of_the_seeds_with_their_spread():
     assert average["spread"] == pytest.approx(abs(means[0] - means[1]), abs=0.005)
 
 
-def test_what_is_not_random_has_no_spread():
+def test_results_without_chance_have_no_spread():
     filled = fill("table_03")
     assert filled["spread"].isna().all()
     assert (filled["seeds"] == 0).all()
@@ -175,14 +175,14 @@ def value_of(number, *labels):
 
 
 def is_real(number, group, row, column):
-    """Whether a published cell contradicts others of the thesis, in one of the ways that are known."""
+    """Whether a published cell contradicts others of the thesis, in one of the known ways."""
     if column == "Average":
         own = PUBLISHED[PUBLISHED["table"] == number].set_index(KEY)["value"]
         own = own.xs((group, row), level=("group", "row"))
         return abs(own.drop(column).mean() - own[column]) > 0.02
     if number == 25:
         return value_of(25, group, row, column) == value_of(24, group, row, column)
-    # Table 22 takes the best settings, which for this descriptor are those of Table 17.
+    # Table 22 uses the best settings; for this descriptor they are in Table 17.
     return (
         value_of(22, "", row, "25")
         == value_of(20, row, "Home 6", "196")
@@ -231,8 +231,8 @@ def test_a_place_that_the_data_set_lacks_has_a_reason():
 
 @settings(max_examples=examples(30), deadline=None)
 @given(data=st.data())
-def test_every_cell_has_a_number_or_a_reason_whatever_could_not_be_computed(data):
-    # Of the homes alone: what a split or the toy problem asks for is never left out.
+def test_every_cell_has_a_number_or_a_reason(data):
+    # For the homes only: results of a split or the toy problem are never left out.
     of_homes = [name for name, table in TABLES.items() if not {"split", "data"} & set(table)]
     name = data.draw(st.sampled_from(of_homes))
     table = TABLES[name]

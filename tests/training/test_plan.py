@@ -1,4 +1,4 @@
-"""Plans of made data: who trains what on which frames, who is tested, and what seeds derive from."""
+"""Plans on made data: which homes train what on which frames, which are tested, and the names for seeds."""
 
 import numpy as np
 import pytest
@@ -27,7 +27,7 @@ def test_a_plan_of_homes_is_the_fold(scheme):
 def test_further_sequences_have_the_places_of_the_homes_by_name():
     (plan,) = plans.of_homes(PARAMS, "5-5-1", "H2", extra=True)
     (part,) = plan.extra
-    # Kitchen, office, bedroom and bathroom, of which the homes have no office.
+    # Kitchen, office, bedroom and bathroom; the homes have no office.
     assert (part.home, part.sequence, part.numbers) == ("site/flip", "flip", (1, -1, 0, 2))
 
 

@@ -1,4 +1,4 @@
-"""A system trained by a plan is that of the stages, and docs/usage.md trains one."""
+"""A system trained by a plan equals the system of the stages, and docs/usage.md trains one."""
 
 import re
 import runpy
@@ -31,7 +31,7 @@ def folder(tmp_path_factory):
 @pytest.mark.parametrize(
     ("name", "scheme"), [("das", "5-5-1"), ("das_451", "4-5-1"), ("vote", "5-5-1"), ("pool", "5-5-1")]
 )
-def test_a_system_is_that_of_the_stages(folder, monkeypatch, name, scheme):
+def test_a_system_equals_the_stages(folder, monkeypatch, name, scheme):
     """To the bit: the vote has extra data, das_451 is tempered, the pool has held-out frames."""
     monkeypatch.chdir(folder)
     monkeypatch.setenv("PLACECAT_WORKERS", "1")

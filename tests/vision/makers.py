@@ -63,7 +63,7 @@ def frame(width: int = 320, height: int = 240, seed: int = 2) -> np.ndarray:
 
 
 def missing(module: ModuleType) -> str:
-    """The first package that a descriptor needs and that is not installed (its ``PACKAGES``), or ""."""
+    """The first missing package of a descriptor (its ``PACKAGES``), or ""."""
     needed = getattr(module, "PACKAGES", ())
     return next((name for name in needed if importlib.util.find_spec(name) is None), "")
 

@@ -98,7 +98,7 @@ def spectral_residual(plane, box=3, sigma=1.0, floor=0.1):
     amplitude = np.abs(spectrum)
     log_amplitude = np.log(np.sqrt(amplitude**2 + floor**2))
     residual = log_amplitude - ndimage.uniform_filter(log_amplitude, box, mode="wrap")
-    # Where the floor is felt the amplitude is that of the floored logarithm times a / sqrt(a^2 + floor^2).
+    # Near the floor, the amplitude of the floored logarithm is multiplied by a / sqrt(a^2 + floor^2).
     damped = amplitude / np.sqrt(amplitude**2 + floor**2)
     power = np.abs(np.fft.ifft2(np.exp(residual + 1j * np.angle(spectrum)) * damped)) ** 2
     if sigma:

@@ -38,7 +38,7 @@ def test_flat_planes_have_no_contrast_at_all():
         assert not center_surround.color_contrast([plane / 85, plane / 85, plane / 85]).any()
 
 
-def test_color_contrast_is_that_of_the_channels():
+def test_color_contrast_matches_the_channels():
     planes = list(np.random.default_rng(3).uniform(-1, 2, (3, 12, 17)).astype(np.float32))
     got = center_surround.color_contrast(planes, (1, 3))
     assert got.shape == (2, 4, 12, 17)

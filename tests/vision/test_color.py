@@ -33,7 +33,7 @@ def test_channels_of_pure_colours(bgr, expected):
 
 @pytest.mark.parametrize("clip", [False, True])
 @pytest.mark.parametrize(("seed", "height", "width"), [(1, 40, 56), (2, 33, 47), (3, 101, 9)])
-def test_pyramid_equals_that_of_every_pixels_channels(seed, height, width, clip):
+def test_pyramid_equals_the_one_of_every_pixels_channels(seed, height, width, clip):
     image = reference.frame(seed, height, width)
     total, planes = color.reduced_planes(image, clip=clip, strip_rows=16)
     pixels = reference.opponent(image)

@@ -92,7 +92,7 @@ def test_given_regions_are_described() -> None:
         describe_frame(picture, {"regions": {"max_regions": 5}}, regions=tracked)
 
 
-def test_a_variant_has_its_own_name_and_the_numbers_of_its_module() -> None:
+def test_a_variant_has_another_name_and_the_numbers_of_its_module() -> None:
     picture = frame()
     found = describe_frame(
         picture,
@@ -163,7 +163,7 @@ def test_every_descriptor_of_the_configuration_is_valid_and_complete(kind: str, 
         assert len([key for key in own if own[key] != base[key]]) == 1
 
 
-def test_only_what_is_asked_for() -> None:
+def test_only_requested_features_are_computed() -> None:
     assert list(describe_frame(frame(), {})) == ["count", "information", "regions"]
     assert list(describe_frame(frame(), {"holistic": {"gist": {}}}))[3:] == ["holistic_gist"]
 

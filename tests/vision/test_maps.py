@@ -24,9 +24,9 @@ def test_once_calls_once_for_each_array_and_argument() -> None:
 def test_once_never_mistakes_one_array_for_another() -> None:
     made = maps()
     for value in range(50):
-        # Freed, so that the next one is likely to have its place and id.
+        # Freed, so the next one is likely to get its address and id.
         assert made.once(np.max, np.full(4, value)) == value
-    # Copies have other arrays, and the same memory of those before.
+    # Copies have other arrays, at the addresses of earlier ones.
     other = copy.deepcopy(made)
     other._kept.update({(np.max, id(other.grey[2])): (np.zeros(1), "wrong")})
     assert other.once(np.max, other.grey[2]) == other.grey[2].max()

@@ -48,7 +48,7 @@ def test_gaussian_pyramid_numbers_its_levels():
 
 @given(st.integers(1, 300), st.integers(1, 300), st.integers(0, 6))
 @settings(max_examples=examples(50), deadline=None)
-def test_level_size_is_that_of_repeated_reduction(width, height, level):
+def test_level_size_equals_repeated_reduction(width, height, level):
     plane = np.zeros((height, width), np.float32)
     assert pyramid.gaussian_pyramid(plane, 0, level)[level].shape[::-1] == pyramid.level_size(
         width, height, level

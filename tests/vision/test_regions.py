@@ -22,7 +22,7 @@ def test_acceptance_equals_brute_force(points, most):
 
 @given(POINTS, st.integers(1, 30), st.integers(1, 7))
 @settings(max_examples=examples(60), deadline=None)
-def test_blocks_do_not_change_what_is_accepted(points, most, block):
+def test_blocks_do_not_change_the_accepted_points(points, most, block):
     array = np.array(points, np.float32).reshape(-1, 3)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(module, "BLOCK", block)
@@ -30,7 +30,7 @@ def test_blocks_do_not_change_what_is_accepted(points, most, block):
 
 
 def test_acceptance_is_strict_and_uses_the_scale_of_the_new_point():
-    # width 640: the least distance is 16 pixels a scale, and one scale apart counts as 2.5 pixels.
+    # width 640: the minimum distance is 16 pixels per scale, and one scale apart counts as 2.5 pixels.
     def both(first, second):
         return module.accept(np.array([first, second], np.float32), 640).tolist() == [0, 1]
 

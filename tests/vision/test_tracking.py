@@ -20,7 +20,7 @@ NOTHING = np.zeros((0, 4), np.float32)
 
 
 def scenery(seed=0, width=1400, height=900):
-    """A wide picture, of which a frame shows a part."""
+    """A wide picture; a frame shows part of it."""
     rng = np.random.default_rng(seed)
     coarse = np.stack([smooth(rng, height // 6, width // 6) for _ in range(3)], axis=2)
     return cv2.resize(coarse, (width, height), interpolation=cv2.INTER_CUBIC).clip(0, 255).astype(np.uint8)
@@ -34,7 +34,7 @@ def view(x, y, width=WIDTH, height=HEIGHT):
 
 
 def rows(*points):
-    """Regions at points, of scale 2 and falling strength."""
+    """Regions at points, with scale 2 and falling strength."""
     return np.array([(x, y, 2, 1 / (1 + k)) for k, (x, y) in enumerate(points)], np.float32)
 
 
@@ -42,7 +42,7 @@ SPREAD_OUT = rows(*[(x, y) for y in (60, 180, 300) for x in (80, 240, 400, 560)]
 
 
 @pytest.mark.parametrize("shift", [(6, 0), (0, -8), (13, 7), (-40, 24)])
-def test_regions_move_with_what_they_show(shift):
+def test_regions_move_with_their_content(shift):
     dx, dy = shift
     tracker = RegionTracker()
     found = rows((200, 150), (330, 200), (420, 120))
@@ -51,7 +51,7 @@ def test_regions_move_with_what_they_show(shift):
     for frame in range(1, 5):
         got = tracker.step(view(400 - frame * dx, 300 - frame * dy), NOTHING)
         if len(got) < 3:
-            # The last places of the largest shift lie beyond the frame.
+            # The last positions of the largest shift are outside the frame.
             assert frame * abs(dx) >= 120
             break
         np.testing.assert_allclose(got[:, :2], found[:, :2] + np.array(shift) * frame, atol=0.5)
@@ -86,11 +86,11 @@ def test_a_region_is_lost_where_nothing_like_it_is():
     assert len(tracker.step(np.full((HEIGHT, WIDTH, 3), 128, np.uint8), NOTHING)) == 0
     tracker = RegionTracker()
     tracker.step(view(0, 0), SPREAD_OUT)
-    # Another picture: following back leads elsewhere, for all but a lucky few.
+    # Another picture: tracking back leads elsewhere, except for a lucky few.
     assert len(tracker.step(scenery(1)[:HEIGHT, :WIDTH], NOTHING)) <= 2
 
 
-def test_following_back_is_what_finds_out():
+def test_tracking_back_detects_a_wrong_match():
     kept = {}
     for distance in (0.1, 1.0, 1000.0):
         tracker = RegionTracker(forward_backward=distance)
@@ -103,7 +103,7 @@ def test_the_longest_followed_come_first_and_new_ones_fill_free_places():
     tracker = RegionTracker(max_regions=4)
     first = rows((100, 100), (500, 100))
     tracker.step(view(400, 300), first)
-    # Stronger, but later; the first of them lies on a tracked region, the last one finds no place.
+    # Stronger, but later; the first is on a tracked region, and there is no room for the last.
     second = rows((104, 100), (100, 250), (500, 250), (300, 180)) * np.float32([1, 1, 1, 10])
     got = tracker.step(view(400, 300), second)
     np.testing.assert_allclose(got, [*first, second[1], second[2]], atol=0.05)
@@ -128,7 +128,7 @@ def test_of_two_that_come_too_close_the_younger_is_given_up():
         x, y = 16 * frame, 9 * frame
         around = SCENERY[300 - y : 300 + HEIGHT + y, 400 - x : 400 + WIDTH + x]
         got = tracker.step(cv2.resize(around, (WIDTH, HEIGHT), interpolation=cv2.INTER_AREA), NOTHING)
-        # Two of scale 2 have to be more than 32 pixels apart at this width.
+        # Two regions of scale 2 must be more than 32 pixels apart at this width.
         shrunk = WIDTH / (WIDTH + 2 * x)
         if not 29 < 42 * shrunk < 35:
             assert len(got) == (2 if 42 * shrunk > 32 else 1)
@@ -149,7 +149,7 @@ def test_of_two_that_come_too_close_the_younger_is_given_up():
     st.tuples(st.integers(-30, 30), st.integers(-20, 20)),
 )
 @settings(max_examples=examples(25), deadline=None)
-def test_whatever_is_found_the_regions_satisfy_the_inequality(found, most, shift):
+def test_the_regions_always_satisfy_the_inequality(found, most, shift):
     tracker = RegionTracker(max_regions=most, width=160)
     last = 0
     for frame, points in enumerate(found):
@@ -173,7 +173,7 @@ def test_whatever_is_found_the_regions_satisfy_the_inequality(found, most, shift
         last = len(got)
 
 
-def test_it_starts_anew_and_gives_the_same_bytes():
+def test_a_restart_gives_the_same_bytes():
     def follow():
         tracker = RegionTracker()
         views = [view(400 - 9 * t, 300 + 4 * t) for t in range(4)]
@@ -191,13 +191,13 @@ def test_it_starts_anew_and_gives_the_same_bytes():
         cv2.setNumThreads(threads)
 
 
-def test_what_it_returns_is_the_callers():
+def test_its_result_belongs_to_the_caller():
     tracker = RegionTracker()
     tracker.step(view(400, 300), SPREAD_OUT)[:] = 0
     np.testing.assert_allclose(tracker.step(view(400, 300), NOTHING), SPREAD_OUT, atol=0.05)
 
 
-def test_places_are_pixels_of_the_frame_whatever_the_reduced_width():
+def test_positions_are_pixels_of_the_frame_at_any_reduced_width():
     found = rows((200, 150), (330, 200), (420, 120))
     for width in (160, 320, 640, 5000):
         tracker = RegionTracker(width=width)
@@ -236,7 +236,7 @@ def test_the_configuration_has_every_setting_with_its_default():
     ("wrong", "message"),
     [
         ({"max_regions": 0}, "max_regions must be at least 1"),
-        ({"window": 20}, "odd number"),
+        ({"window": 20}, "window odd"),
         ({"width": 8}, "width must be at least 16"),
         ({"levels": -1}, "levels"),
         ({"iterations": 0}, "iterations"),

@@ -1,4 +1,4 @@
-"""Variants of the salient regions are what the attention finds with those settings by itself."""
+"""Variants of the salient regions equal the regions that attention finds with these settings."""
 
 import functools
 
@@ -27,7 +27,7 @@ def found():
     return describe_frame(PICTURE, {**SETTINGS, "variants": VARIANTS})
 
 
-def test_all_else_stays_what_it_is_without_variants(found):
+def test_variants_do_not_change_other_features(found):
     alone = describe_frame(PICTURE, SETTINGS)
     assert list(found)[: len(alone)] == list(alone)
     assert all(found[name].tobytes() == array.tobytes() for name, array in alone.items())
@@ -68,7 +68,7 @@ def test_variants_differ_where_they_should(found):
     assert points("more")[:38] == found["regions"][:, :3].tolist()
 
 
-def test_maps_of_some_scales_are_those_maps():
+def test_maps_of_some_scales_are_the_same_maps():
     maps = compute_maps(PICTURE)
     some = maps.at_scales([4, 2])
     assert some.scales == (2, 4)
@@ -79,7 +79,7 @@ def test_maps_of_some_scales_are_those_maps():
 
 @pytest.mark.parametrize("scales", [[], [2, 6]])
 def test_scales_that_there_are_not_are_refused(scales):
-    with pytest.raises(PlacecatError, match="maps of the scales 2, 3, 4, 5 only"):
+    with pytest.raises(PlacecatError, match="only maps of the scales 2, 3, 4, 5"):
         compute_maps(PICTURE).at_scales(scales)
 
 

@@ -112,7 +112,7 @@ class Archive:
             # Check before allocating memory.
             size = math.prod(shape) * kind.itemsize
             if size != len(data) or not kind.itemsize:
-                raise ValueError(f"it says {size} bytes, and has {len(data)}")
+                raise ValueError(f"it declares {size} bytes but has {len(data)}")
             return np.frombuffer(data, kind).reshape(shape).copy() if size else np.zeros(shape, kind)
         except (ValueError, TypeError) as error:
             raise self.damaged(f"the header of {name} is wrong ({error})") from None

@@ -40,7 +40,7 @@ def unknown_text(card: Mapping[str, Any]) -> str:
     """Describe in one line when the system says `unknown`, and how often that was wrong."""
     unknown = card.get("unknown")
     if unknown is None:
-        return "It never says `unknown`: how often it is wrong in homes that it has not seen is not measured."
+        return "It never says `unknown`, since its errors in unseen homes were not measured."
     risk = f"at most {100 * unknown['risk']:g}% of its decisions in left-out training homes were wrong"
     if unknown["threshold"] is None:
         return (

@@ -237,8 +237,8 @@ class Categorizer:
             return time, None
         if time < self._last:
             raise PlacecatError(
-                f"a frame is {self._last - time:g} s older than the last one: give frames in the order of "
-                "their times, leave out those that come late, and call reset() where the clock restarts"
+                f"a frame is {self._last - time:g} s older than the last one: give frames in order of time, "
+                "skip late ones, and call reset() where the clock restarts"
             )
         return time, time - self._last
 

@@ -74,9 +74,9 @@ def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
     best = max(fits, key=lambda one: (_share(one), -abs(np.log(_area(one.target) / _area(one.kept)))))
     if _share(best) < LEAST:
         raise PlacecatError(
-            f"the footage has {_text(source)} pixels: cut to the shape of {_text(best.target)}, which the "
-            f"model was trained on, only {_share(best):.0%} of it would be left; film in that shape, or "
-            "train a model on such frames"
+            f"the footage has {_text(source)} pixels: cropped to the shape of the model's frames, "
+            f"{_text(best.target)}, only {_share(best):.0%} of it would remain; film in that shape, or train "
+            "a model on such frames"
         )
     return best
 

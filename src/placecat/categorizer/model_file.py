@@ -70,7 +70,7 @@ def read(path: Path) -> TrainedSystem:
             checks.check_content(content)
             names = [_array_name(number) for number in range(content["arrays"])]
             if set(members.names) != {_CARD, _TEXT, _SYSTEM, *names}:
-                raise PlacecatError(f"it should have {len(names)} arrays, and has other members")
+                raise PlacecatError(f"it should have {len(names)} arrays, but has other members")
             arrays = [members.array(name) for name in names]
             cues = tuple(
                 TrainedCue(own["name"], own["descriptor"], from_plain(own["model"], arrays))
@@ -110,7 +110,7 @@ def _check_version(path: Path, members: archive.Archive, card: Any) -> None:
         or type(card.get("format")) is not int
         or not isinstance(card.get("placecat"), str)
     ):
-        raise members.damaged("its card does not say its version")
+        raise members.damaged("its card has no version")
     stored, version = card["format"], card["placecat"]
     if stored != FORMAT or _series(version) != _series(__version__):
         raise PlacecatError(

@@ -47,7 +47,7 @@ _choice: _Choice | None = None
 
 @contextmanager
 def as_set() -> Iterator[None]:
-    """Run the loops of a block where params.yaml says; disconnect from a cluster at its end."""
+    """Run the loops of a block as set in params.yaml; disconnect from a cluster at its end."""
     global _choice
     before, _choice = _choice, _Choice()
     try:

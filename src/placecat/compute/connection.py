@@ -15,7 +15,7 @@ from placecat.compute.fingerprint import fingerprint
 from placecat.compute.worker import Expected, objection, perform
 from placecat.errors import PlacecatError
 
-LOST = "the connection to the cluster's scheduler was lost: see that it runs, then run this again"
+LOST = "the connection to the cluster's scheduler was lost: check that it runs, then run this again"
 _SECONDS_BETWEEN_LOOKS = 1.0
 
 

@@ -50,8 +50,8 @@ def objection(expected: Expected, dask_worker: Any = None) -> str | None:
     ]
     if different:
         return (
-            f"{name} differs from this machine in {'; '.join(different)}, which results depend on: start it "
-            f"again with {start} in the same environment, or name what may differ in compute.may_differ"
+            f"{name} differs from this machine in {'; '.join(different)}, and results depend on that: start "
+            f"it again with {start} in the same environment, or list what may differ in compute.may_differ"
         )
     if expected.mark not in _seen:
         if not (Path(expected.folder) / expected.mark).exists():

@@ -57,7 +57,7 @@ def fit(
     if missing:
         raise PlacecatError(
             f"training homes {', '.join(sorted(set(homes.tolist())))} have no training frame of "
-            f"{classes[missing[0]]}: take it out of dataset.classes or add homes that show it"
+            f"{classes[missing[0]]}: remove it from dataset.classes, or add homes that show it"
         )
     module = _load(str(settings.get(classifier, "model")))
     options = {name: value for name, value in classifier.items() if name != "model"}

@@ -65,7 +65,7 @@ def demo_command() -> int:
         files.write_csv(temporary / TABLE, table.rename_axis("result").reset_index())
         page.write(temporary / PAGE, table, tested, len(homes), temporary / TIMELINE, temporary / CLIP)
     chance = 100 / len(params["dataset"]["classes"])
-    print(f"\nAccuracy in {tested}, percent (mean over the places; a guess has {chance:.0f}):\n")
+    print(f"\nAccuracy in {tested}, percent (mean over the places; chance is {chance:.0f}):\n")
     print(table.to_string(float_format="%.0f", na_rep="-"))
     print(f"\nA few frames teach little: {page.COMPLETE} trains on all and tests every home.\n")
     print(f"  {OUTPUT / TIMELINE}: the walk over time")
@@ -79,10 +79,10 @@ def _check(folder: Path) -> None:
     """Refuse to replace files that the demo did not write."""
     files.check_target(folder)
     if folder.exists() and not folder.is_dir():
-        raise PlacecatError(f"{folder} is a file, where the demo writes a folder: move it away")
+        raise PlacecatError(f"{folder} is a file, but the demo needs a folder there: move it away")
     for path in sorted(folder.iterdir()) if folder.is_dir() else ():
         if path.name not in FILES:
-            raise PlacecatError(f"{path} is not from the demo, which would replace {folder}: move it away")
+            raise PlacecatError(f"{path} is not from the demo, but the demo replaces {folder}: move it away")
 
 
 def _walk(params: Mapping[str, Any], system: Any, home: str, folder: Path) -> pd.DataFrame:

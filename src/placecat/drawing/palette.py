@@ -8,7 +8,7 @@ from matplotlib.colors import to_hex
 
 from placecat.errors import printable
 
-# After the palettes of Okabe and Ito and of Tol, so that the places of one data set differ in lightness.
+# After the palettes of Okabe and Ito and of Tol; the places of one data set differ in lightness.
 PLACES = {
     "bedroom": "#332288",
     "bathroom": "#7cc0ee",

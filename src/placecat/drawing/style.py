@@ -15,7 +15,7 @@ _STYLE = Path(__file__).with_name("placecat.mplstyle")
 
 
 def house_style(changes: Mapping[str, Any] | None = None) -> AbstractContextManager[None]:
-    """Draw in the style of `placecat.mplstyle` with `changes`, whatever the user's own settings are."""
+    """Draw in the style of `placecat.mplstyle` with `changes`, whatever the user's settings are."""
     return style.context([_STYLE, dict(changes or {})], after_reset=True)
 
 
@@ -33,7 +33,7 @@ def save_pdf(figure: Figure, target: Path, *, title: str, settings: str) -> None
     # Its import takes as long as the rest of matplotlib.
     from matplotlib.backends.backend_pdf import FigureCanvasPdf
 
-    # The layout is that of the PNG; `savefig` would make it again, by drawing everything twice.
+    # Reuse the layout of the PNG; otherwise `savefig` would draw everything twice to compute it.
     figure.set_layout_engine("none")
     properties = {
         "Title": title,

@@ -86,7 +86,7 @@ def paired_bootstrap(
     T. Hesterberg, What Teachers Should Know About the Bootstrap, The American Statistician 69, 2015.
     """
     if n_units < 2:
-        raise ValueError(f"{n_units} units have no interval; it takes 2 or more")
+        raise ValueError(f"an interval needs at least 2 units, not {n_units}")
     drawn = np.random.default_rng(seed).multinomial(n_units, [1.0 / n_units] * n_units, size=resamples)
     estimate = float(statistic(np.full((1, n_units), 1.0 / n_units))[0])
     return _stretched(estimate, statistic(drawn / n_units), level, stretch(n_units, level))

@@ -45,7 +45,7 @@ def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
     infinite, since a frame costs at most -ln `smallest`.
     """
     if not isinstance(smallest, int | float) or not 0.0 < smallest < 1.0:
-        raise PlacecatError(f"probabilities.smallest must be a number in (0, 1), but is {smallest!r}")
+        raise PlacecatError(f"probabilities.smallest must be a number in (0, 1), not {smallest!r}")
     truth = np.asarray(truth, dtype=np.int64)
     weights = balanced_weights(truth)
     scored = np.flatnonzero(truth >= 0)
@@ -68,7 +68,7 @@ def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability
     There, all frames weigh the same.
     """
     if isinstance(bins, bool) or not isinstance(bins, int) or bins < 1:
-        raise PlacecatError(f"probabilities.bins must be a whole number from 1 on, but is {bins!r}")
+        raise PlacecatError(f"probabilities.bins must be a whole number of at least 1, not {bins!r}")
     truth, proba = np.asarray(truth, dtype=np.int64), np.asarray(proba, dtype=np.float64)
     confidence, right = proba.max(axis=1), proba.argmax(axis=1) == truth
     edges = np.linspace(0.0, 1.0, bins + 1)

@@ -32,7 +32,7 @@ def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level
     """
     n = len(units)
     if n < 2:
-        raise ValueError(f"{n} units have no interval; it takes 2 or more")
+        raise ValueError(f"an interval needs at least 2 units, not {n}")
     means = np.array([unit.mean() for unit in units])
     variance = means.var(ddof=1) + np.mean([unit.var() for unit in units])
     distance = float(threshold - means.mean())

@@ -37,7 +37,7 @@ class Data:
         if len(plans) < 3:
             raise PlacecatError(
                 f"judge=training_homes leaves out one training home and needs two others, but {self.name} "
-                f"has {len(plans)} beside {test}: use judge={TEST_HOME}"
+                f"has only {len(plans)} besides {test}: use judge={TEST_HOME}"
             )
         return plans
 

@@ -25,9 +25,7 @@ Launch = Callable[[Sequence[Sequence[str]]], Any]
 def alone(folder: Path) -> Iterator[None]:
     """Make and lock the folder of a sweep, after any other process; if stopped, print how to continue."""
     folder.mkdir(parents=True, exist_ok=True)
-    with lock.waiting(
-        folder / ".lock", f"Another process runs this sweep ({folder}): this one waits for it."
-    ):
+    with lock.waiting(folder / ".lock", f"Another process is running this sweep ({folder}): waiting for it."):
         try:
             yield
         except KeyboardInterrupt:

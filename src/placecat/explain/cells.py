@@ -229,12 +229,12 @@ def quantity(origin: Origin, home: str) -> str:
     if origin.part in MEASURES:
         text = f"{MEASURES[origin.part].lower()} of the distributions"
     elif origin.part == ALL_FRAMES:
-        text = f"share of all labelled frames{where} that are named rightly, whatever their place"
+        text = f"share of all labelled frames{where} that are named correctly, whatever their place"
     elif origin.part:
         text = f"share of the frames of {origin.part}{where} that are named {origin.part}"
     else:
-        text = f"accuracy{where}: mean over the places of the share of frames that are named rightly"
+        text = f"accuracy{where}: mean over the places of the share of correctly named frames"
     if origin.result.startswith(RECORD):
-        text = "read off a record"
+        text = "taken from a record"
     several = home == ALL_HOMES and len(origin.homes) > 1
     return f"{text}; mean over {', '.join(origin.homes)}" if several else text

@@ -85,6 +85,4 @@ def _code() -> str:
     command = ["git", "status", "--porcelain", "--", *_CODE]
     changed = subprocess.run(command, capture_output=True, text=True, check=False).stdout.splitlines()
     names = ", ".join(line[3:] for line in changed[:3]) + (" and more" if len(changed) > 3 else "")
-    return (
-        f"commit {commit}, {f'with changes not committed: {names}' if changed else 'nothing changed since'}"
-    )
+    return f"commit {commit}, {f'with uncommitted changes: {names}' if changed else 'nothing changed since'}"

@@ -32,7 +32,7 @@ class Made:
     plan
         Name of the protocol ("5-5-1"), of the split, "" for neither.
     fuses
-        Whether an integration or a smoothing trains as well.
+        Whether an integration or a smoothing also trains.
     extra
         Whether the integration trains on the sequences of ``protocol.extra``.
     settings
@@ -92,7 +92,7 @@ def made(result: str, params: Mapping[str, Any], trials: Mapping[str, Trial]) ->
         title = f"the toy problem of thesis 4.8, {rest}"
         return Made(title, ("toy",), settings={"toy": _toy(rest, settings.get(params, "toy"))})
     name = result.removeprefix(RECORD)
-    return Made(f"read off the record {name}", _RECORD_STAGES.get(name, ()))
+    return Made(f"taken from the record {name}", _RECORD_STAGES.get(name, ()))
 
 
 def all_stages(made: Iterable[Made]) -> tuple[str, ...]:
@@ -108,7 +108,7 @@ _ORDER = (
 
 
 def _toy(name: str, toy: Mapping[str, Any]) -> dict[str, Any]:
-    """The settings of one result of the toy problem, without those of other schemes."""
+    """The settings of one result of the toy problem, without other schemes."""
     scheme = next(part for part in name.split("/") if part in toy["schemes"])
     shared = {key: value for key, value in toy.items() if key not in ("schemes", "sensitivity")}
     changed = {} if name.split("/")[0] in ("last", scheme) else {"sensitivity": toy["sensitivity"]}
@@ -160,7 +160,7 @@ def _described(
 
 
 def _together(cues: Iterable[Made], title: str, stages: Iterable[str], **own: Any) -> Made:
-    """Several cues as one result; the settings of the result come before those of the cues."""
+    """Several cues as one result; its settings come before the settings of the cues."""
     cues = list(cues)
     return Made(
         title,
@@ -273,7 +273,7 @@ def _of_trial(trial: Trial, params: Mapping[str, Any]) -> Made:
     tracks = ("tracks",) * bool(own["descriptor"].get("tracked"))
     return replace(
         described,
-        title=f"a trial of its own: {described.descriptors[0]}, {described.classifiers[0]}, 5-5-1",
+        title=f"a separate trial: {described.descriptors[0]}, {described.classifiers[0]}, 5-5-1",
         stages=("sequences", "features", *tracks, "trials"),
         cues=(),
         plan="5-5-1",

@@ -100,7 +100,7 @@ class BagRecording:
         if (stamps == 0).any():
             stamps = self.received
             self._remarks.append(
-                "stamps are zero: times are those at which the bag received the messages of this topic"
+                "stamps are zero: times are when the bag received the messages of this topic"
             )
         if fps is None:
             stamps = self._without_late(stamps, f"{settings}fps")

@@ -62,8 +62,8 @@ def read_frames(
             if (width, height) != size:
                 where = str(path) if position < 0 else f"{path} frame {position + 1}"
                 raise PlacecatError(
-                    f"{where}: the frame is {width}x{height}, the others of this home are "
-                    f"{size[0]}x{size[1]}; a home needs one frame size: convert the frame or take it out."
+                    f"{where}: the frame is {width}x{height}, but the others of this home are "
+                    f"{size[0]}x{size[1]}; a home needs one frame size: convert or remove the frame."
                 )
             yield image
 

@@ -78,8 +78,8 @@ def raw_image(message: Image, name: str) -> NDArray[np.uint8]:
     data = np.frombuffer(message.data, np.uint8)
     if encoding not in _ENCODINGS:
         raise PlacecatError(
-            f"{name}: pictures of the encoding {encoding!r} are not read; give another topic, or convert "
-            f"them to one of {', '.join(ENCODINGS)}."
+            f"{name}: the encoding {encoding!r} is not supported; choose another topic, or convert to one of "
+            f"{', '.join(ENCODINGS)}."
         )
     check_size(name, width, height)
     kind = _ENCODINGS[encoding]

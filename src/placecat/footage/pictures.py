@@ -72,8 +72,8 @@ def list_frames(folder: Path) -> list[str]:
     others = sorted(path.name for path in paths if path.suffix.lower() in OTHERS)
     if others:
         raise PlacecatError(
-            f"{folder / others[0]}: pictures of this kind are not read ({len(others)} here); convert them to "
-            f"{' or '.join(SUFFIXES)}, or take them out of the folder."
+            f"{folder / others[0]}: this kind of picture is not supported ({len(others)} here); convert to "
+            f"{' or '.join(SUFFIXES)}, or remove them from the folder."
         )
     names = in_order(path.name for path in paths if path.suffix.lower() in SUFFIXES)
     numbers = [tuple(_NUMBER.findall(Path(name).stem)) for name in names]
@@ -110,10 +110,10 @@ def in_order(names: Iterable[str]) -> list[str]:
 def read_image(path: Path) -> NDArray[np.uint8]:
     """Decode a JPEG or PNG file to (H, W, 3) uint8, BGR, turned according to its EXIF data.
 
-    Gray pictures get three equal channels.
+    Grey pictures get three equal channels.
 
     Raises PlacecatError if the file is missing, cannot be opened, is neither JPEG nor PNG, is damaged or cut
-    off, or is larger than `MOST_BYTES` or `MOST_PIXELS`. Depth pictures (gray, 16 bits) and transparent,
+    off, or is larger than `MOST_BYTES` or `MOST_PIXELS`. Depth pictures (grey, 16 bits) and transparent,
     animated and CMYK pictures are also refused.
     """
     try:
@@ -122,7 +122,7 @@ def read_image(path: Path) -> NDArray[np.uint8]:
             raise PlacecatError(f"{path}: the frame cannot be opened (not a file).")
         if status.st_size > MOST_BYTES:
             raise PlacecatError(
-                f"{path}: {status.st_size / 1e6:.0f} MB is too large for a frame; take it out or convert it."
+                f"{path}: {status.st_size / 1e6:.0f} MB is too large for a frame; remove or convert it."
             )
         content = path.read_bytes()
     except FileNotFoundError:
@@ -175,9 +175,7 @@ def check_size(path: Path | str, width: int, height: int) -> None:
 
 
 def _damaged(path: Path | str, size: int, why: str) -> PlacecatError:
-    return PlacecatError(
-        f"{path}: not a readable image ({size} bytes; {why}); restore the file, or take it out."
-    )
+    return PlacecatError(f"{path}: not a readable image ({size} bytes; {why}); restore or remove the file.")
 
 
 def _check_jpeg(path: Path | str, content: bytes) -> None:
@@ -187,7 +185,7 @@ def _check_jpeg(path: Path | str, content: bytes) -> None:
         check_size(path, width, height)
         if colors in ("CMYK", "YCCK"):
             raise PlacecatError(f"{path}: its colours are {colors}, for printing; convert it to RGB.")
-        # This decodes the file in gray at an eighth of its width and height, in a fifth of the time.
+        # This decodes the file in grey at an eighth of its width and height, in a fifth of the time.
         simplejpeg.decode_jpeg(content, "GRAY", min_height=1, min_width=1, min_factor=8)
     except PlacecatError:
         raise
@@ -212,10 +210,10 @@ def _check_png(path: Path | str, content: bytes) -> None:
     check_size(path, width, height)
     if depth == 16 and color in (0, 4):
         raise PlacecatError(
-            f"{path}: gray with 16 bits, like a depth picture; take it out of the folder, or convert it."
+            f"{path}: grey with 16 bits, like a depth picture; remove it from the folder, or convert it."
         )
     if b"acTL" in kinds:
-        raise PlacecatError(f"{path}: the picture is animated; take it out, or save its frames one by one.")
+        raise PlacecatError(f"{path}: the picture is animated; remove it, or save its frames one by one.")
     if (color in (4, 6) or b"tRNS" in kinds) and _is_transparent(content):
         raise PlacecatError(f"{path}: parts of it are transparent; save it without transparency.")
 

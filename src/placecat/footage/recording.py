@@ -232,7 +232,7 @@ class Recording:
         if not 1 / _FLATTEST <= self._flatness <= _FLATTEST:
             raise PlacecatError(
                 f"{self.path}: its header says that pixels are {self._flatness:.4g} times as wide as high, "
-                "which cannot be; convert it with square pixels."
+                "which is impossible; convert it with square pixels."
             )
         stream.codec_context.options = {"max_pixels": str(MOST_PIXELS)}
         # Processes of `placecat.parallel` have one thread; FFmpeg's threads would cost a fifth more CPU time.

@@ -49,7 +49,7 @@ def hold(
     `sequences` are uncut stretches that together cover all frames; the filter restarts at each.
     """
     if len(information) != len(proba):
-        raise PlacecatError(f"{len(proba)} distributions have {len(information)} measures of information")
+        raise PlacecatError(f"{len(proba)} distributions, but {len(information)} measures of information")
     said_by = np.arange(len(proba))
     for part in sequences:
         own = said_by[part]

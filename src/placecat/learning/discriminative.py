@@ -32,7 +32,7 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     [False, True, False]
     """
     if not 0.0 < keep <= 1.0:
-        raise PlacecatError(f"keep is {keep}: the share of codewords to keep lies above 0 and up to 1")
+        raise PlacecatError(f"keep is {keep}: give the share of codewords to keep, above 0 and at most 1")
     information = _information(active, np.asarray(y))
     kept = np.zeros(len(information), bool)
     number = max(1, round(keep * len(information)))

@@ -28,8 +28,8 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         p(l | x_1, ..., x_n) ~ 1 / f(l) * prod_k f(l, x_k),    f(l, x_k) = sum_j f(l, c_j) / |x_k - c_j|
 
     over the K centres nearest to x_k; for K = 1 this is equation (2). f(l, c) counts the training points of
-    class l in cluster c, f(l) those of class l. A centre at distance 0 has all the weight. Logarithms are
-    used for the computation.
+    class l in cluster c, f(l) those of class l. A centre at distance 0 has all the weight. The
+    computation uses logarithms.
 
     Parameters
     ----------
@@ -188,7 +188,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         matches = np.flatnonzero(self.classes_ == label)
         if len(matches) != 1:
             raise PlacecatError(
-                f"class {label!r} is not one of those trained: {', '.join(map(str, self.classes_))}"
+                f"class {label!r} was not trained: use one of {', '.join(map(str, self.classes_))}"
             )
         if self._pair_distances is None:
             self._pair_distances = np.empty((len(self.centers_), len(self.centers_)))

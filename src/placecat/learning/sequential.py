@@ -38,7 +38,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         (lowest first), which favours rare classes. Ties follow the order of `classes_`. The thesis says only
         "strongest".
     training
-        Training samples of a node: ``all``, so that the list shares its classifiers with the parallel scheme
+        Training samples of a node: ``all``, so the list shares its classifiers with the parallel scheme
         (thesis 4.8 compares combinations of their outputs), or only samples of the ``remaining`` classes,
         without the classes of earlier nodes. The thesis does not give this.
     decision

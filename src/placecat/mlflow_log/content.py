@@ -38,9 +38,9 @@ _ACCURACIES = (
     "and `home_1` here are of one home. `log_loss` (nats), `calibration_error` and `stay_accuracy` (percent) "
     "say how good the probabilities are, on average over the homes."
 )
-_CHART = "`chart.png` with the averages (a mark is one {point}), "
+_CHART = "`chart.png` with the averages (one mark per {point}), "
 _FIGURES = (
-    "The figures of the thesis, whose numbers they have, and added ones, drawn from this run's data and "
+    "The figures of the thesis, with the same numbers, and added figures, drawn from this run's data and "
     "models.\n\n"
 )
 

@@ -23,7 +23,7 @@ def params_of_results(results: Mapping[str, Made]) -> dict[str, str]:
     """Parameters of some results, by the names of the results; different values are listed once each.
 
     ``decides`` (a cue, an integration, an HMM), ``protocol``, ``cues``, ``system``, ``filter`` and
-    ``descriptor``; then the settings of a cue by itself (`params_of_cue`), of the integration and of the
+    ``descriptor``; then the settings of a single cue (`params_of_cue`), of the integration and of the
     smoothing.
     """
     return joined(_of_one(name, made) for name, made in results.items())

@@ -89,7 +89,7 @@ def connect(uri: str) -> MlflowClient:
         ) from None
     except (OSError, ValueError) as error:
         raise PlacecatError(
-            f"MLflow at {_shown(uri)}: {error}: let MLFLOW_TRACKING_URI be an address such as "
+            f"MLflow at {_shown(uri)}: {error}: set MLFLOW_TRACKING_URI to an address such as "
             "http://127.0.0.1:5000 or sqlite:///mlflow.db"
         ) from None
     return client

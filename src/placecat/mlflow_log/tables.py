@@ -1,7 +1,7 @@
 """MLflow: one run per table with nested runs for its rows; logging again never duplicates a run.
 
 Tags: ``placecat.kind`` is table, row, figures or findings; ``placecat.table`` the name of the table;
-``placecat.digest`` the checksum of all that a table shows; ``placecat.current`` is "true" for valid runs.
+``placecat.digest`` the checksum of the content of a table; ``placecat.current`` is "true" for valid runs.
 A run counts only if it is current and FINISHED. Writing has four steps: start the runs of the table and its
 rows; remove ``current`` from the superseded runs; finish the rows; finish the run of the table. If the
 process is killed, incomplete runs do not count, and no run counts twice; the next call deletes the incomplete

@@ -178,7 +178,7 @@ def _check(options: Options) -> None:
         raise PlacecatError(f"--every is {options.every}: give 1 to {MOST_EVERY}")
     is_home = options.source.startswith(PREFIX)
     if options.ignore and options.labels is None and not is_home:
-        raise PlacecatError("--ignore is for labels: give --labels as well")
+        raise PlacecatError("--ignore is for labels: give --labels too")
     if options.overrides and not is_home:
         raise PlacecatError("--set chooses the data set of home:NAME: give home:NAME as SOURCE")
     if options.labels is not None and is_home:

@@ -49,6 +49,6 @@ def _slow(prediction: Prediction, categorizer: Categorizer) -> str:
     if period * categorizer.frame_rate * SLOW <= 1:
         return ""
     return (
-        f"{1 / period:.3g} frames/s are taken, and the confidence for `unknown` was chosen at "
-        f"{categorizer.frame_rate:.3g}: each frame counts for more, so `unknown` comes too rarely"
+        f"{1 / period:.3g} frames/s are used, but the confidence for `unknown` was chosen at "
+        f"{categorizer.frame_rate:.3g}: each frame counts for more, so `unknown` is too rare"
     )

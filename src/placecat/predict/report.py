@@ -48,7 +48,7 @@ def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str
     widths = [max(len(name), *(len(row[column]) for row in rows)) for column, name in enumerate(classes)]
     first = max(len("label"), *map(len, classes))
     lines = [
-        f"Accuracy (mean over the places labelled): {agreement['accuracy']:.2f} %; "
+        f"Accuracy (mean over the labelled places): {agreement['accuracy']:.2f} %; "
         f"of each frame alone {agreement['frame_accuracy']:.2f} %",
         "  " + "  ".join([f"{'label':{first}}", *_cells(classes, widths), "correct"]),
     ]
@@ -60,7 +60,7 @@ def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str
         wrong = agreement["named_wrongly"]
         wrongly = "" if wrong is None else f", of which {wrong:.2f} % wrongly"
         lines.append(
-            f"Named (mean over the places labelled): {agreement['named']:.2f} %{wrongly}; the rest is unknown"
+            f"Named (mean over the labelled places): {agreement['named']:.2f} %{wrongly}; the rest is unknown"
         )
     return lines
 
@@ -70,12 +70,12 @@ def speed_text(speed: Speed, every: int, fps: float, *, dropped: int | None = No
 
     `dropped` is the number of camera frames that were not used.
     """
-    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} taken of the footage's"
+    footage = "footage's" if every == 1 else f"{speed.wanted:.4g} used of the footage's"
     text = (
         f"{speed.rate:.1f} frames/s (the categorizer alone {speed.categorizer_rate:.1f}), "
         f"{speed.rate / speed.wanted:.2f} times the {footage} {fps:.4g}"
     )
-    return text if dropped is None else f"{text}; {dropped} frames came meanwhile and were dropped"
+    return text if dropped is None else f"{text}; {dropped} frames arrived in between and were dropped"
 
 
 def segment_lines(prediction: Prediction, most: int) -> list[str]:

@@ -143,7 +143,7 @@ def run(
                 raise
             was_stopped = True
     if not rows:
-        raise PlacecatError("no frame was taken: give a longer --seconds")
+        raise PlacecatError("no frame was used: give a longer --seconds")
     numbers, seconds, names, proba, integrated = zip(*rows, strict=True)
     last = source.reached if wish.seconds is None else numbers[-1]
     timing = source.timing

@@ -144,6 +144,6 @@ class Folder(Source):
         if size != self.size:
             raise PlacecatError(
                 f"{self._path / name}: {size[0]}x{size[1]} pixels, but the first image has "
-                f"{self.size[0]}x{self.size[1]}; convert it or take it out"
+                f"{self.size[0]}x{self.size[1]}; convert or remove it"
             )
         return image

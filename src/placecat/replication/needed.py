@@ -101,7 +101,7 @@ def _claimed(text: str) -> Range | None:
         return Range(ends[0], np.inf)
     if text.startswith("below") and len(ends) == 1:
         return Range(-np.inf, ends[0])
-    raise PlacecatError(f"{COMPARISONS}: unknown range {text!r}; make it again with `placecat repro`")
+    raise PlacecatError(f"{COMPARISONS}: unknown range {text!r}; run `placecat repro` again")
 
 
 def _power(known: list[_Comparison], effects: list[float], homes: int, level: float) -> float:

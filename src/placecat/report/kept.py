@@ -1,4 +1,4 @@
-"""Differences of a run's tables from those kept in git."""
+"""Differences between the tables of two runs, an old and a new one."""
 
 import re
 from collections.abc import Mapping
@@ -28,13 +28,13 @@ class TableDifference:
     Attributes
     ----------
     cells
-        Number of compared cells: those with a number, now or kept.
+        Number of compared cells: cells with an old or a new number.
     differing
         Number of compared cells whose number or spread over seeds differs.
     largest, where
         The largest difference in points, and the labels of its cell; 0 and "" without a difference.
     appeared, disappeared
-        Number of cells with a number only now, and only in the kept table.
+        Number of cells with only a new number, and with only an old one.
     """
 
     name: str
@@ -54,7 +54,7 @@ class TableDifference:
 
 @dataclass(frozen=True)
 class Turned:
-    """A finding whose verdict differs from the kept one; `NONE` on a side without the finding."""
+    """A finding whose verdict has changed; `NONE` on a side without the finding."""
 
     finding: str
     kept: str
@@ -63,10 +63,10 @@ class Turned:
 
 @dataclass(frozen=True)
 class Comparison:
-    """The differences of all tables, in the order of their names, and of all verdicts from the kept ones.
+    """The differences of all tables, in the order of their names, and of all verdicts.
 
-    `data` are the data sets of kept and present cells, if they differ; these cells were not compared.
-    `findings` is the number of findings; the verdicts of those in `turned` have changed.
+    `data` are the data sets of old and new cells, if they differ; these cells were not compared.
+    `findings` is the number of findings, and `turned` lists those with a changed verdict.
     """
 
     tables: tuple[TableDifference, ...]
@@ -109,13 +109,13 @@ def compare(
     findings_now: pd.DataFrame | None = None,
     findings_kept: pd.DataFrame | None = None,
 ) -> Comparison:
-    """Compare a run's tables with the kept ones.
+    """Compare new tables with old ones.
 
     Cells whose two numbers come from different data sets are not compared; if there are any, verdicts are not
-    compared either. `now` and `kept` map names to tables; numbers may be text, and empty if missing. Columns
-    are measured (percent), spread (points, may be missing) and data, the data set ("" if unknown); and
-    columns that identify the cell of a row, e.g. group, row, column. Findings have one row each, with the
-    columns number and verdict; None if there are no findings.
+    compared either. `now` and `kept` map names to new and old tables; numbers may be text, and empty if
+    missing. Columns are measured (percent), spread (points, may be missing) and data, the data set ("" if
+    unknown); and columns that identify the cell of a row, e.g. group, row, column. Findings have one row
+    each, with the columns number and verdict; None if there are no findings.
     """
     pairs = {
         name: _pairs(_cells(now.get(name)), _cells(kept.get(name)))
@@ -147,7 +147,7 @@ def _cells(table: pd.DataFrame | None) -> pd.DataFrame:
 
 
 def _pairs(now: pd.DataFrame, kept: pd.DataFrame) -> pd.DataFrame:
-    """Cells of both tables, in order, with their present and kept content."""
+    """Cells of both tables, in order, with their new and old content."""
     labels = now.index.append(kept.index.difference(now.index, sort=False))
     sides = (now.reindex(labels).add_suffix("_now"), kept.reindex(labels).add_suffix("_kept"))
     both = pd.concat(sides, axis=1)
@@ -178,7 +178,7 @@ def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
 
 
 def _compare_verdicts(now: pd.DataFrame, kept: pd.DataFrame) -> tuple[int, tuple[Turned, ...]]:
-    """Count findings, and list those whose verdict changed."""
+    """Count findings, and list the changed verdicts."""
     new, old = (dict(zip(one["number"].astype(str), one["verdict"], strict=True)) for one in (now, kept))
     both = dict.fromkeys([*new, *old])
     turned = (Turned(finding, old.get(finding, NONE), new.get(finding, NONE)) for finding in both)

@@ -1,4 +1,4 @@
-"""Differences from the tables kept in git, as text."""
+"""Differences between two runs, as text."""
 
 from collections.abc import Sequence
 
@@ -11,24 +11,24 @@ _TABLES, _VERDICTS, _SETTINGS = 10, 10, 3
 def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Sequence[str] = ()) -> list[str]:
     """Describe line by line how a run differs, given a tolerance in points.
 
-    `kept` names the source of the kept tables, e.g. "git HEAD"; `settings` are the names of changed settings.
+    `kept` names the source of the old tables, e.g. "git HEAD"; `settings` are the names of changed settings.
     """
     grade = comparison.grade(tolerance)
     lines = []
     if comparison.data:
         what = "Tables" if grade is Grade.NOT_COMPARED else "Some cells of the tables"
         lines.append(
-            f"{what} are not compared: the kept ones ({kept}) were measured on {comparison.data[0]}, "
-            f"these on {comparison.data[1]}."
+            f"{what} are not compared: the old ones ({kept}) were measured on {comparison.data[0]}, "
+            f"the new ones on {comparison.data[1]}."
         )
     elif grade is Grade.NOT_COMPARED:
-        lines.append(f"Tables are not compared: neither these nor the kept ones ({kept}) have a number.")
+        lines.append(f"Tables are not compared: neither the new nor the old ones ({kept}) have a number.")
     if grade is not Grade.NOT_COMPARED:
         lines += _about_tables(comparison, tolerance, kept)
     if comparison.findings:
         lines += _about_findings(comparison)
     if settings and (comparison.differing or comparison.turned):
-        lines.append(f"Settings differ from the kept ones: {_some(settings, _SETTINGS)}. Expect differences.")
+        lines.append(f"Settings differ: {_some(settings, _SETTINGS)}. Expect differences.")
     elif grade is Grade.BEYOND:
         lines.append(
             "A different kind of processor does not explain this. If code or data were changed on purpose, "
@@ -40,7 +40,7 @@ def sentences(comparison: Comparison, tolerance: float, kept: str, settings: Seq
 
 def _about_tables(comparison: Comparison, tolerance: float, kept: str) -> list[str]:
     cells = comparison.cells
-    text = f"Tables: {cells - comparison.differing} of {cells} cells equal to the kept ones ({kept})"
+    text = f"Tables: {cells - comparison.differing} of {cells} cells equal the old ones ({kept})"
     worst = comparison.largest
     if worst is not None:
         side = "within" if worst.largest <= tolerance else "beyond"
@@ -49,8 +49,8 @@ def _about_tables(comparison: Comparison, tolerance: float, kept: str) -> list[s
             f"{side} the tolerance of {tolerance:g} points (reproducibility.tolerance)"
         )
     for count, what in (
-        (sum(table.appeared for table in comparison.tables), "have a number now and had none"),
-        (sum(table.disappeared for table in comparison.tables), "had a number and have none now"),
+        (sum(table.appeared for table in comparison.tables), "gained a number"),
+        (sum(table.disappeared for table in comparison.tables), "lost a number"),
     ):
         if count:
             text += f"; {count} {what}"
@@ -66,8 +66,8 @@ def _about_tables(comparison: Comparison, tolerance: float, kept: str) -> list[s
 
 def _about_findings(comparison: Comparison) -> list[str]:
     same = comparison.findings - len(comparison.turned)
-    text = f"Findings: {same} of {comparison.findings} verdicts equal to the kept ones"
-    turned = [f"finding {one.finding} was {one.kept!r}, is {one.now!r}" for one in comparison.turned]
+    text = f"Findings: {same} of {comparison.findings} verdicts equal the old ones"
+    turned = [f"finding {one.finding} was {one.kept!r} and is now {one.now!r}" for one in comparison.turned]
     return [f"{text}{'; ' if turned else ''}{_some(turned, _VERDICTS, '; ')}."]
 
 

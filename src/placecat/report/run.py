@@ -1,4 +1,4 @@
-"""Reads a finished run for figures, on demand: frames, maps, features, codebooks, distributions."""
+"""Read a finished run for figures, on demand: frames, maps, features, codebooks, distributions."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property

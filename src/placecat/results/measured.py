@@ -60,7 +60,7 @@ class Measured:
         return np.array([[class_accuracies(of_home) for of_home in of_seed] for of_seed in self.confusion])
 
     def plain(self) -> NDArray[np.float64]:
-        """(seeds, homes) percentages of right frames, regardless of the place."""
+        """(seeds, homes) percentages of correct frames, regardless of the place."""
         right = np.diagonal(self.confusion, axis1=2, axis2=3).sum(axis=2)
         frames = self.confusion.sum(axis=(2, 3))
         return np.divide(100.0 * right, frames, out=np.full(right.shape, np.nan), where=frames > 0)
@@ -98,7 +98,7 @@ class Quality:
         return values[:, there].mean(axis=1) if there.any() else np.empty(0)
 
     def stay_share(self) -> NDArray[np.float64]:
-        """(seeds,) percentages of stays in all homes that are named right; (0,) without stays."""
+        """(seeds,) percentages of correctly named stays in all homes; (0,) without stays."""
         stays = self.values["stays"].sum(axis=1)
         return 100.0 * self.values["stays_right"].sum(axis=1) / stays if stays.all() else np.empty(0)
 

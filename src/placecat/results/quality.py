@@ -1,4 +1,4 @@
-"""Quality of the distributions of all results: log-loss, calibration error, and stays named right."""
+"""Quality of the distributions of all results: log-loss, calibration error, and correctly named stays."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def quality_table(found: Mapping[str, Quality]) -> pd.DataFrame:
 
     Columns: result; homes and seeds, their numbers (0 seeds if nothing is random); log_loss (nats);
     calibration_error; stay_accuracy (percent, the mean over the places of a home and over homes); stays, the
-    number of stays; stay_share, the percentage of stays that were named right; and the ``spread`` of each,
+    number of stays; stay_share, the percentage of correctly named stays; and the ``spread`` of each,
     the largest minus the smallest number of the seeds, NaN if nothing is random.
     """
     rows = []

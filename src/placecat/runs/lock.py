@@ -50,7 +50,7 @@ def one_at_a_time(stage: str) -> Iterator[None]:
         yield
         return
     TEMPORARY.mkdir(exist_ok=True)
-    said = f"Another process runs the stage {stage} here: this one waits for it."
+    said = f"Another process is running the stage {stage} here: waiting for it."
     with waiting(TEMPORARY / f"placecat.{stage}.lock", said):
         yield
 

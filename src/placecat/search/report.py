@@ -70,12 +70,12 @@ def _text(
     if without:
         lines += ["", f"{without} of the experiments have no result: see summary.csv."]
     if found in starts.values():
-        lines += ["", "Nothing better was found. Its test on the test home:"]
+        lines += ["", "The search found nothing better. This command tests the settings on the test home:"]
     else:
         lines += [
             "",
-            f"The accuracy of the best of {count} is too high, since it was chosen by it. Test it once on "
-            "the test home, after all choices are made:",
+            f"The accuracy of the best of {count} is too optimistic, since it decided the choice. Test the "
+            "settings once on the test home, after all choices are made:",
         ]
     lines += ["", f"    {_command(found, common, home)}", ""]
     for name, one in starts.items():

@@ -138,6 +138,6 @@ def _distribution(
         except ValueError:
             raise PlacecatError(
                 f"{override.input_line} does not contain {found[name]}, the value of {name}. That value is "
-                "tried first, so that the result is at least as good: widen the range"
+                "tried first, so the result is at least as good: widen the range"
             ) from None
     return distribution, as_known

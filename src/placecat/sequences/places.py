@@ -71,9 +71,9 @@ def require_classes(labels: NDArray[np.int16], classes: Sequence[str], home: str
     absent = [name for name, there in zip(classes, present, strict=True) if not there]
     if absent:
         raise PlacecatError(
-            f"{home}: no frame is labelled {' or '.join(absent)}; label some, take the home out of "
-            "dataset.homes, or the class out of dataset.classes; dataset.require_all_classes=false scores it "
-            "over the classes that it has."
+            f"{home}: no frame is labelled {' or '.join(absent)}; label some, or remove the home "
+            "from dataset.homes or the class from dataset.classes; dataset.require_all_classes=false scores "
+            "the home over the classes that it has."
         )
 
 

@@ -60,7 +60,7 @@ def read_recorded(
             continue
         if size != first:
             raise PlacecatError(
-                f"{recording.path}: frame {frame.number} is {size[0]}x{size[1]}, earlier ones "
+                f"{recording.path}: frame {frame.number} is {size[0]}x{size[1]}, but earlier ones are "
                 f"{first[0]}x{first[1]} (was the camera turned?); a home needs one frame size: cut the "
                 f"{kind} there."
             )
@@ -78,7 +78,7 @@ def home_of(name: str, root: Path, camera: str, parts: Sequence[Recorded]) -> Ho
     for part in parts:
         if part.size != first.size:
             raise PlacecatError(
-                f"{part.recording.path}: frames are {part.size[0]}x{part.size[1]}, those of "
+                f"{part.recording.path}: frames are {part.size[0]}x{part.size[1]}, but in "
                 f"{first.recording.path.name} {first.size[0]}x{first.size[1]}; a home needs one frame size."
             )
     return Home(

@@ -167,7 +167,7 @@ def _observations(data: SqliteFile, file: Path, table: str, home: int, sensor: i
 
 def _known(named: Mapping[int, _Named], number: int, where: str, table: str) -> _Named:
     if number not in named:
-        raise PlacecatError(f"{where} refers to {number}, which rh_{table} does not have; restore the file.")
+        raise PlacecatError(f"{where} refers to {number}, which is not in rh_{table}; restore the file.")
     return named[number]
 
 

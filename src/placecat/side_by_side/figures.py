@@ -30,7 +30,7 @@ def read_figures(side: str) -> Figures:
 
     commit = kept_in_git.commit_of(side)
     remedy = (
-        f"DVC does not have the figures of git {side}: run `dvc fetch --all-commits {paths.FIGURES}` if a "
+        f"DVC has no figures of git {side}: run `dvc fetch --all-commits {paths.FIGURES}` if a "
         f"remote has them, or else `placecat repro` on {side} in a clone, and compare with that folder"
     )
     refused = (OSError, DvcException)

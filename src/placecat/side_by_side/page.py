@@ -133,7 +133,7 @@ def _cell(old: str, new: str) -> dict[str, Any]:
 
 
 def _verdicts(old: pd.DataFrame | None, new: pd.DataFrame | None) -> list[dict[str, str]]:
-    """Findings with another verdict, by number."""
+    """Findings with a changed verdict, by number."""
     rows = [
         {} if one is None else {record["number"]: record for record in one.to_dict("records")}
         for one in (old, new)

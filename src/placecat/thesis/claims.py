@@ -203,7 +203,7 @@ def _side(config: Mapping[str, Any], where: str) -> Side:
     if side.combine not in COMBINE:
         raise PlacecatError(f"{where} combines by {side.combine!r}; choose one of {', '.join(COMBINE)}")
     if published is not None and side.combine != "mean" and len(published) != len(results):
-        raise PlacecatError(f"{where} has {len(published)} published numbers of {len(results)} results")
+        raise PlacecatError(f"{where} has {len(published)} published numbers for {len(results)} results")
     return replace(side, published=published)
 
 

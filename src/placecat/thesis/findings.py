@@ -79,7 +79,7 @@ def _finding_row(finding: Finding, judged: Sequence[Judged], rules: Rules) -> di
             level = percent(corrected_level(rules.level, len(judged)))
             listed += f", allowing for {len(judged)} comparisons (Bonferroni: {level} intervals)"
         sides = f"{shown.comparison.left.label} against {_right_label(shown.comparison)}"
-        reasons.append(f"of {len(judged)} comparisons: {listed}; shown is {sides}")
+        reasons.append(f"{len(judged)} comparisons: {listed}; shown: {sides}")
     if not (about_cases and measured):
         reasons.append(shown.reason)
     return {

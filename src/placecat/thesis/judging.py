@@ -1,4 +1,4 @@
-"""Judges one comparison of the thesis by the measurements."""
+"""Judge one comparison of the thesis by the measurements."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ from placecat.thesis.rules import Rules, claimed_range
 _WHERE = {
     HOLDS: "the whole interval is {}",
     FAILS: "none of the interval is {}",
-    UNDECIDED: "only a part of the interval is {}",
+    UNDECIDED: "only part of the interval is {}",
 }
 
 
@@ -144,8 +144,8 @@ def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str
     verdict = judge_shares(shares[0], shares[1], rules.rare)
     texts = [f"{100 * one.estimate:.0f} % ({100 * one.low:.0f} to {100 * one.high:.0f})" for one in shares]
     return verdict, (
-        f"{counts}; by at least {rules.noticeable:g} points worse in {texts[0]}, better in {texts[1]} of all "
-        f"cases; both have to be above {100 * rules.rare:g} %"
+        f"{counts}; worse by at least {rules.noticeable:g} points in {texts[0]}, better in {texts[1]} of all "
+        f"cases; both must be above {100 * rules.rare:g} %"
     )
 
 
@@ -215,7 +215,7 @@ def _reason(verdict: str, measured: Measurement, claimed: Range, level: float) -
     if verdict == FAILS and wide:
         return f"none of the {percent(level)} interval is {claimed}"
     if verdict == UNDECIDED and judge(measured.interval, claimed) == FAILS:
-        return f"none of the interval is {claimed}, but a part of the {percent(level)} one"
+        return f"none of the interval is {claimed}, but part of the {percent(level)} interval is"
     return _WHERE[verdict].format(claimed)
 
 

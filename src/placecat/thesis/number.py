@@ -152,7 +152,7 @@ def over_homes(results: Results, name: str, numbers: Sequence[int]) -> Number:
 
 def only_some(there: Sequence[int], numbers: Sequence[int]) -> str:
     """Note on a mean over only some of the homes, given by their numbers (from 1); "" if it is over all."""
-    return "" if len(there) == len(numbers) else f"mean over {', '.join(map(home_label, there))} only"
+    return "" if len(there) == len(numbers) else f"mean over only {', '.join(map(home_label, there))}"
 
 
 def best_of(results: Results, names: Sequence[str]) -> str:

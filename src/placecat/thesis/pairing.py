@@ -163,7 +163,7 @@ def _values(one: Measured, side: Side, homes: Sequence[str], seeds: tuple[str, .
     elif side.place in one.classes:
         percent = one.by_class()[:, :, one.classes.index(side.place)]
     else:
-        raise NotComputable(f"this data has no place {side.place}")
+        raise NotComputable(f"the data set has no place {side.place}")
     percent = percent[:, [one.homes.index(home) for home in homes]]
     if side.error:
         percent = 100.0 - percent
@@ -182,7 +182,7 @@ def left_out(sides: Sequence[Side], used: Sequence[Side]) -> list[str]:
             asked = asked[asked.index(kept.results[-1]) :]
         gone = [name.rpartition("|")[2] or name for name in asked if name not in kept.results]
         if gone:
-            texts.append(f"{side.label} without {', '.join(gone)}, which this data cannot give")
+            texts.append(f"{side.label} without {', '.join(gone)}, which this data does not allow")
     return texts
 
 

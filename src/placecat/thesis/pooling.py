@@ -70,7 +70,7 @@ class Pooled:
         once = [self.names[place] for place in np.flatnonzero(np.bincount(self.places) == 1)]
         if len(self.frames) < minimum:
             return f"{self.units} are too few for a verdict"
-        return f"one stay only shows {' and '.join(once)}: too few for a verdict" if once else ""
+        return f"only one stay shows {' and '.join(once)}: too few for a verdict" if once else ""
 
     def overall(self) -> tuple[NDArray[np.float64], ...]:
         """Per side (results, 1) percent, mean over the seeds."""

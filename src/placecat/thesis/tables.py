@@ -124,7 +124,7 @@ def comparable(table: Mapping[str, Any], dataset: Mapping[str, Any]) -> bool:
 
 def not_comparable(thesis_data: str) -> Note:
     """Note on a published number that was measured on other data."""
-    return Note(Kind.NOT_COMPARABLE, f"the published number is from the {thesis_data} and does not compare")
+    return Note(Kind.NOT_COMPARABLE, f"the published number is from the {thesis_data} and is not comparable")
 
 
 def _why_missing(key: tuple[str, str, str], dataset: Mapping[str, Any]) -> str:

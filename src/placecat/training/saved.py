@@ -40,7 +40,7 @@ class CueResults:
             if not fold_file.has(place, name):
                 raise PlacecatError(
                     f"{place} has no {name}: add {self._scheme} to cues.{cue}.schemes, or set "
-                    f"cues.{cue}.extra where a system asks for extra training data, and run `dvc repro`"
+                    f"cues.{cue}.extra if a system uses extra training data, and run `dvc repro`"
                 )
             found.append(fold_file.read(place, name))
         return found
@@ -99,8 +99,8 @@ def smooth_home(source: Path, plan: Plan, model: Mapping[str, Any]) -> dict[str,
     """
     if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(
-            f"{source} has no cross_validated: a cue in smoothing.cues must have a classifier "
-            "that is cross-validated, such as nu_svm; take it out of the list, or run `dvc repro`"
+            f"{source} has no cross_validated: a cue in smoothing.cues needs a cross-validated classifier, "
+            "such as nu_svm; remove the cue from the list, or run `dvc repro`"
         )
     proba, held_out, truth = (
         fold_file.read(source, name) for name in ("test", "cross_validated", "cross_validated_truth")

@@ -67,7 +67,7 @@ def compute_maps(
     levels = check_scales(tuple(scales), width, height)
     sizes = tuple(radii)
     if not sizes or any(r < 1 for r in sizes):
-        raise PlacecatError(f"radii must be whole numbers from 1 on, such as (1, 3), not {sizes}")
+        raise PlacecatError(f"radii must be whole numbers of at least 1, such as (1, 3), not {sizes}")
     in_color = "color" in fields or "color_contrast" in fields
     total, planes = reduced_planes(frame, color=in_color, clip=clip_color)
     # The sum of the colours is a whole number, so a flat frame stays exactly flat. It is divided by 3 at the

@@ -26,7 +26,7 @@ from placecat.vision.variants import (
 SECTIONS = ("attention", "regions", "local", "holistic", "information", "variants")
 
 _Section = Mapping[str, Any]
-# From the name of an array to its module and settings.
+# Maps the name of an array to its module and settings.
 _Entries = dict[str, tuple[ModuleType, dict[str, Any]]]
 
 

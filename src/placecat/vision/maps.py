@@ -65,7 +65,7 @@ class FrameMaps:
         wanted = tuple(scale for scale in self.scales if scale in scales)
         if not wanted or len(wanted) < len(set(scales)):
             there = ", ".join(map(str, self.scales))
-            raise PlacecatError(f"there are maps of the scales {there} only, not of all of {list(scales)}")
+            raise PlacecatError(f"there are only maps of the scales {there}, not of all of {list(scales)}")
         some: dict[str, Any] = {
             name: {scale: own[scale] for scale in wanted if scale in own}
             for name, own in ((name, getattr(self, name)) for name in FIELDS)

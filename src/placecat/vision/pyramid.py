@@ -25,7 +25,7 @@ def check_scales(scales: tuple[int, ...], width: int, height: int) -> tuple[int,
     whole = all(isinstance(s, int | np.integer) and s >= 1 for s in given)
     if not given or not whole or any(a >= b for a, b in pairwise(given)):
         raise PlacecatError(
-            f"scales must be ascending whole numbers from 1 on, such as (2, 3, 4, 5), not {given}"
+            f"scales must be ascending whole numbers of at least 1, such as (2, 3, 4, 5), not {given}"
         )
     levels = tuple(int(s) for s in given)
     if min(level_size(width, height, levels[-1])) < 2:

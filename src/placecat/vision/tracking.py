@@ -85,7 +85,7 @@ class RegionTracker:
             raise PlacecatError(f"tracking.max_regions must be at least 1, not {max_regions}")
         if width < 16 or window < 3 or window % 2 == 0 or levels < 0 or iterations < 1:
             raise PlacecatError(
-                "tracking.width must be at least 16, window an odd number from 3 on, levels at least 0 and "
+                "tracking.width must be at least 16, window odd and at least 3, levels at least 0 and "
                 f"iterations at least 1, not {width}, {window}, {levels} and {iterations}"
             )
         if not (epsilon > 0 and min_eigenvalue >= 0 and forward_backward > 0):

@@ -1,4 +1,4 @@
-"""HOG of salient regions against OpenCV's, which is called for each region.
+"""HOG of salient regions against OpenCV's, called region by region.
 
 Both get the maps and regions of frames. For the peer, our function cuts the patches, which are then resized
 and described one at a time. The descriptors are identical.

@@ -26,7 +26,7 @@ def test_its_entries_and_targets(entries):
         part()
 
 
-def test_inertia_is_that_of_what_was_timed(monkeypatch):
+def test_inertia_is_of_the_timed_result(monkeypatch):
     points = hierarchical_kmeans.draw_descriptors(2000, SMALL["homes"])
     calls = []
 

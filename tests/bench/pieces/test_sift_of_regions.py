@@ -26,14 +26,14 @@ def test_its_entry_and_target():
 
 def test_the_peer_describes_the_same_squares():
     ((maps, regions),) = with_regions([frame(1280, 960)], 25)
-    # Regions near the border look different: OpenCV leaves out what lies beyond.
+    # Regions near the border differ: OpenCV leaves out the part beyond the border.
     margin = 1.5 * region_side(1280) * 2 ** regions[:, 2]
     inside = (regions[:, :2] >= margin[:, None]).all(axis=1) & (regions[:, 0] < 1280 - margin)
     regions = regions[inside & (regions[:, 1] < 960 - margin)]
     regions = regions[np.argsort(regions[:, 2], kind="stable")]
     assert len(regions) > 4
     (ours,) = sift_of_regions.ours([(maps, regions)])
-    # With next to no blur, as ours has none; 3 octave layers are the default.
+    # With almost no blur, since ours has none; 3 octave layers are the default.
     sharp = cv2.SIFT.create(sigma=0.5)
     points = sift_of_regions.keypoints(maps, regions)
     theirs = np.concatenate([sharp.compute(level, some)[1] for level, some in points])

@@ -1,4 +1,4 @@
-"""The whole command at a tiny size, on made features, with one cheap stage of the real ones."""
+"""The whole command at a tiny size, on made features, with one cheap real stage."""
 
 import copy
 import importlib
@@ -37,7 +37,7 @@ SCALE = {
 
 
 def run_here(words, folder, log):
-    """What `watch` does, without the time that a new process takes to import."""
+    """Like `watch`, without the import time of a new process."""
     python, option, module = words
     assert (python, option) == (sys.executable, "-m")
     with pytest.MonkeyPatch.context() as patch:
@@ -47,7 +47,7 @@ def run_here(words, folder, log):
 
 
 def make_variant(features):
-    """A variant of the regions in every third frame: those there are, with other descriptors."""
+    """A variant with the regions of every third frame and other descriptors."""
     folder = features / "variant_other"
     folder.mkdir()
     shutil.copy(features / "descriptors.json", folder)
@@ -114,7 +114,7 @@ def test_homes_have_the_size_and_the_walk_that_was_asked_for(ran):
         hog = np.load(made / kind / "a/local_hog.npy")
         assert hog.shape == (180, 6, 6) and hog.dtype == np.float32
         assert len(np.unique(hog, axis=0)) == 180
-    # Made descriptors tell the place: drawn ones are of the same place of the home in its position.
+    # Made descriptors reveal the place: drawn ones come from the same place of the home in its position.
     source = np.load(folder / f"data/features/{HOMES[1]}/holistic_gist.npy")
     own = pd.read_csv(folder / f"data/sequences/{HOMES[1]}/labels.csv")["class"].to_numpy()
     drawn = np.load(made / "features/b/holistic_gist.npy")
@@ -154,7 +154,7 @@ def test_times_and_growth_are_written(ran):
     ]
     facts = json.loads((folder / "reports/scale.json").read_text())
     assert facts["largest"]["frames"] == 720 and facts["largest"]["met"] is True
-    # Four homes instead of one; 720 frames instead of 360; what does not depend on homes as it is.
+    # Four homes instead of one, 720 frames instead of 360; stages that do not depend on homes are unchanged.
     assert facts["full_run"]["seconds"] == {"codebooks": 160.0, "features": 72.0, "figures": 5.0}
 
 

@@ -15,17 +15,17 @@ WALK = [
 OWN = [0, -1, 1, 2]
 
 
-def test_frames_are_of_the_same_label_or_class_and_those_of_a_stretch_go_on():
+def test_frames_have_the_same_label_or_class_and_a_stretch_is_continuous():
     chosen = drawing.draw_frames(WALK, LABELS, CLASSES, OWN, "a")
     assert len(chosen) == 37
     assert set(chosen[:20]) == {9, 10, 11, 12}
-    # No closet: what else has no class. No bathroom at all: anything.
+    # No closet: another frame without a class. No bathroom at all: any frame.
     assert set(chosen[20:29]) <= {6, 7, 8}
     assert set(chosen[29:34]) <= set(range(6))
     assert set(np.diff(chosen[:20])) <= {0, 1, -3}
 
 
-def test_frames_have_as_many_regions_as_wanted_of_their_own_class():
+def test_frames_have_the_wanted_number_of_regions_of_their_class():
     counts = np.array([3, 0, 2, 3, 1, 2, 1, 1, 1, 2, 3, 3, 0])
     chosen = np.array([0, 1, 9, 12, 6])
     frame, place = drawing.draw_regions(chosen, counts, CLASSES, 5, "a")

@@ -20,7 +20,7 @@ def test_bars_are_the_ratios_and_marks_the_targets():
     ]
 
 
-def test_a_missed_target_has_its_own_colour():
+def test_a_missed_target_has_another_colour():
     colors = [bar.get_facecolor()[:3] for bar in speed_chart(made_report.benchmarks()).axes[0].patches]
     missed = tuple(int(MISSED[place : place + 2], 16) / 255 for place in (1, 3, 5))
     np.testing.assert_allclose(colors[0], missed)

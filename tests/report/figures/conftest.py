@@ -15,6 +15,6 @@ def made_folder(tmp_path_factory):
 
 @pytest.fixture
 def made(made_folder, monkeypatch):
-    """Settings of that run, with its folder the current one."""
+    """Settings of that run, in its folder."""
     monkeypatch.chdir(made_folder)
     return parameters()

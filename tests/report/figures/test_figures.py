@@ -43,7 +43,7 @@ def test_figures_are_found_by_name():
     of_thesis = [name for name in names if re.fullmatch(r"figure_\d\d", name)]
     numbers = [figures.number(name) for name in of_thesis]
     assert numbers == sorted(numbers)
-    # Added ones have no number, and come last.
+    # Added figures have no number, and come last.
     assert names == [*of_thesis, "figure_reliability"]
     assert figures.number("figure_reliability") is None
     with pytest.raises(PlacecatError, match="there is no figure 'figure_99'"):
@@ -58,7 +58,7 @@ def test_every_figure_has_a_caption(name):
 @pytest.mark.parametrize(
     "number", ["13", *(pytest.param(one, marks=pytest.mark.slow) for one in MINE if one != "13")]
 )
-def test_bytes_repeat_whatever_the_users_style(number, run, made, tmp_path):
+def test_bytes_do_not_depend_on_the_users_style(number, run, made, tmp_path):
     first, second = tmp_path / "first.png", tmp_path / "second.png"
     figures.render(f"figure_{number}", run, first)
     with matplotlib.rc_context({"font.size": 30, "axes.facecolor": "red", "savefig.dpi": 30}):
@@ -123,7 +123,7 @@ def test_subchannels_stand_under_their_names_with_their_weights(number, channel,
         assert f"× 1/√{1 / weight**2:.0f}" in written
 
 
-def test_the_saliency_map_is_the_sum_of_what_figure_6_shows(run):
+def test_the_saliency_map_is_the_sum_of_the_maps_in_figure_6(run):
     figure = figures.draw("figure_06", run)
     planes = [axes.images[0].get_array() for axes in figure.axes]
     counts = [int(match[1]) for text in texts(figure) if (match := re.fullmatch(r"× 1/√(\d+)", text))]
@@ -152,12 +152,12 @@ def test_the_shares_of_figure_9_give_its_product(run):
     *regions, everything, product = np.array(rows)
     own = np.prod(regions, axis=0) / everything
     np.testing.assert_allclose(product, own / own.sum(), rtol=1e-6)
-    # The same from the estimator, on the frame that the figure names.
+    # The same from the estimator, on the frame named in the figure.
     named = next(text for text in texts(figure) if text.startswith("flat 1, frame "))
     frame = int(re.search(r"frame (\d+)", named)[1]) - 1
     train = training_regions(run, "hog_y", "flat_1")
     tree = run.codebook("hog_y", "without-flat_1").trees[0]
-    # The figure shows equation (2) as it is printed.
+    # The figure shows equation (2) as printed.
     model = ModifiedKNN(n_clusters=CLUSTERS, codebook=tree, class_weighting="once")
     model.fit(train.x, train.labels)
     query = run.descriptors("flat_1", "hog_y", [frame]).x[:, :3]
@@ -216,7 +216,7 @@ def test_of_a_moment_one_is_shown(places, count, apart, random):
     assert taken[0] == order[0] and len(taken) <= count and len(set(taken)) == len(taken)
     assert not any(near(one, other) for i, one in enumerate(taken) for other in taken[:i])
     assert taken == [one for one in order if one in taken]
-    # None was passed over without a reason.
+    # None was skipped without a reason.
     if len(taken) < count:
         assert all(any(near(one, other) for other in taken) or one in taken for one in order)
 
@@ -257,7 +257,7 @@ def test_without_a_mistake_there_is_no_figure_18(made):
         figures.draw("figure_18", Run(made))
 
 
-def test_figure_19_shows_the_limits_of_what_is_rejected(run, made):
+def test_figure_19_shows_the_limits_of_the_rejected_frames(run, made):
     rejected = {
         (home, index): run.information(home)[index]
         for home in HOMES
@@ -287,7 +287,7 @@ def grey(color):
     return float(np.dot(matplotlib.colors.to_rgb(color), (0.299, 0.587, 0.114)))
 
 
-def test_places_have_colours_of_their_own_in_print_too():
+def test_places_have_different_colours_in_print_too():
     thesis = ["bedroom", "bathroom", "kitchen", "living_room", "dining_room"]
     lightness = sorted(grey(color) for color in palette.place_colors(thesis).values())
     assert np.diff(lightness).min() > 0.1

@@ -1,4 +1,4 @@
-"""What the figures may ask of a run."""
+"""Data of a run for the figures."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ from placecat.errors import PlacecatError
 from placecat.report.run import Run
 
 
-def test_it_gives_what_the_stages_left(made):
+def test_it_reads_the_outputs_of_the_stages(made):
     run = Run(made)
     assert run.homes == HOMES and run.classes == made_run.CLASSES
     np.testing.assert_array_equal(run.labels("flat_2"), LABELS)

@@ -181,7 +181,7 @@ def test_without_unlabelled_frames_there_is_no_row_for_them():
     assert [label.get_text() for label in figure.axes[0].get_yticklabels()] == list(CLASSES)
 
 
-def test_the_greys_span_what_a_strip_has():
+def test_the_greys_span_the_values_of_a_strip():
     rng = np.random.default_rng(0)
     near_uniform = 1 / 3 + 0.01 * rng.uniform(-1, 1, (500, 3))
     low, high = strips.greys(near_uniform)
@@ -209,7 +209,7 @@ def test_figure_16_has_a_strip_a_cue_and_says_where_the_film_is_cut():
         "(e) Holistic Centrist",
     ]
     assert [text.get_text() for text in figure.legends[0].get_texts()][1:] == ["true place", "cut"]
-    # Ten of the thirty frames of the sauna are taken for the bedroom.
+    # Ten of the thirty frames of the sauna are confused with the bedroom.
     assert figure.axes[0].get_title(loc="right") == "accuracy 88.9 %"
     with pytest.raises(PlacecatError, match="there are no distributions of 'nothing'"):
         figures.draw("figure_16", Run(figure_16={"panels": {"Nothing": "nothing"}}))
@@ -236,8 +236,8 @@ def test_a_reliability_diagram_has_its_bins_where_they_belong_and_the_numbers_of
         "(d) Integration",
         "(e) Smoothing",
     ]
-    # All decisions have the probability 0.9. Of one of three places 10 frames of 30 are wrong in every home,
-    # of another one in one of the four.
+    # All decisions have the probability 0.9. One of three places has 10 of 30 frames wrong in every home,
+    # another one in one of the four homes.
     right = [(8 / 9 + 8 / 9 + 8 / 9 + 7 / 9) / 4] * 4 + [1.0]
     for axes, expected in zip(above, right, strict=True):
         np.testing.assert_allclose(axes.collections[-1].get_offsets(), [[0.9, expected]])

@@ -46,7 +46,7 @@ def test_seeds_are_compared_one_by_one():
     assert found["Average"].notes == ("minus Hog, the best on average",)
 
 
-def test_over_a_single_result_none_is_the_best_and_a_row_that_is_not_shown_has_its_own_name():
+def test_a_gain_over_a_single_result_names_only_it():
     found = gains(TABLE | {"gains": [GAIN | {"over": ["other"]}]}, other=measured(GIST))
     assert {cell.notes for cell in found.values()} == {("minus other",)}
 

@@ -39,13 +39,13 @@ def test_fewer_homes_than_there_are_are_named():
     one = RESULTS.quality[name]
     part = Quality(one.homes[1:3], one.seeds, {key: value[:, 1:3] for key, value in one.values.items()})
     found = probabilities(rows(name), replace(RESULTS, quality={name: part}))
-    assert {cell.notes for cell in found.values()} == {("mean over Home 2, Home 3 only",)}
+    assert {cell.notes for cell in found.values()} == {("mean over only Home 2, Home 3",)}
     assert found["g", name, "Log loss"].measured == pytest.approx(
         one.values["log_loss"][:, 1:3].mean(), abs=0.0051
     )
 
 
-def test_what_has_no_number_has_a_reason_and_what_does_not_exist_is_refused():
+def test_missing_numbers_have_a_reason_and_unknown_results_are_refused():
     name = "cues/gist/5-5-1"
     one = RESULTS.quality[name]
     empty = Quality(one.homes, one.seeds, {key: value * np.nan for key, value in one.values.items()})

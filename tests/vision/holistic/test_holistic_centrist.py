@@ -47,7 +47,7 @@ def test_reduced_to_width() -> None:
     assert (describe(picture, maps()) != describe(picture, maps(), width=None)).any()
 
 
-def test_narrow_frame_is_left_as_it_is() -> None:
+def test_narrow_frame_is_unchanged() -> None:
     picture = frame(200, 150)
     np.testing.assert_array_equal(describe(picture, maps()), describe(picture, maps(), width=None))
 

@@ -1,4 +1,4 @@
-"""Runs over every holistic descriptor that is found; a new one is tested without a new test."""
+"""Tests of every holistic descriptor; a new descriptor needs no new test."""
 
 import dataclasses
 import itertools

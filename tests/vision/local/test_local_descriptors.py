@@ -1,4 +1,4 @@
-"""Runs over every local descriptor that is found; a new one is tested without a new test."""
+"""Tests of every local descriptor; a new descriptor needs no new test."""
 
 import dataclasses
 

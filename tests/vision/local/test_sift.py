@@ -12,7 +12,7 @@ from placecat.vision.patches import cut, to_bytes
 
 
 def whole_levels(width: int, height: int) -> FrameMaps:
-    """Maps whose grey levels are whole numbers, so that OpenCV sees the same image."""
+    """Maps with whole grey levels, so OpenCV gets the same image."""
     made = maps(width, height)
     return dataclasses.replace(made, grey={s: to_bytes(g).astype(np.float32) for s, g in made.grey.items()})
 
@@ -27,7 +27,7 @@ def inner_regions(width: int, height: int) -> np.ndarray:
 
 
 def opencv(made: FrameMaps, chosen: np.ndarray, side: int, angles: np.ndarray) -> np.ndarray:
-    """OpenCV's descriptors on the levels, with next to no blurring before (sigma) and cells of side / 4."""
+    """OpenCV's descriptors on the levels, with almost no blur (sigma) and cells of side / 4."""
     sift = cv2.SIFT_create(sigma=0.5)
     rows = []
     for (x, y, scale, _), angle in zip(chosen.tolist(), angles, strict=True):

@@ -45,7 +45,7 @@ def stored_elsewhere(name: str, length: int, location: str) -> bytes:
 
 
 def value(name: str, shape: Sequence[int | str], kind: int = FLOAT) -> bytes:
-    """A named tensor; what its shape leaves open has a name."""
+    """A named tensor; open dimensions of its shape have names."""
     sides = b"".join(field(1, field(1 if isinstance(side, int) else 2, side)) for side in shape)
     return field(1, name) + field(2, field(1, field(1, kind) + field(2, sides)))
 

@@ -1,4 +1,4 @@
-"""What of an ONNX file is refused before it is run, and what its checksum covers."""
+"""Content of ONNX files that is refused before they run, and the scope of the checksum."""
 
 import hashlib
 import shutil
@@ -58,7 +58,7 @@ def test_random_and_endless_operators_are_refused(path, content, message):
 def test_usual_networks_are_taken(path):
     path.write_bytes(mean_color())
     onnx_content.check(path, None)
-    # As exporters leave it: for inference.
+    # As exporters write it: for inference.
     path.write_bytes(
         graph(node("Dropout", ["image", "ratio", ""], "same"), node("Dropout", ["image"], "also"))
     )
@@ -78,7 +78,7 @@ def test_the_checksum_covers_weights_in_other_files(path):
 
 
 @pytest.mark.skipif(shutil.which("sha256sum") is None, reason="there is no sha256sum")
-def test_the_checksum_is_that_of_the_shell(path):
+def test_the_checksum_equals_the_shell(path):
     path.write_bytes(mean_color())
     path.with_name("a.bin").write_bytes(b"weights")
     shell = "sha256sum net.onnx a.bin | sha256sum"
@@ -118,7 +118,7 @@ def test_damaged_files_give_one_message(path):
             assert "\n" not in str(error)
 
 
-def test_graphs_within_graphs_are_followed_however_deep(path):
+def test_graphs_within_graphs_are_followed_to_any_depth(path):
     inner = RANDOM
     for _ in range(3000):
         inner = node("If", ["yes"], "out", subgraph("branch", inner))

@@ -19,7 +19,7 @@ TAKES = ("tensor(float)", ["batch", 3, "height", "width"])
 
 
 def stand_in(monkeypatch, *, inputs=(TAKES,), outputs=("vector", "places"), run=None, broken=False):
-    """Put a module in the place of onnxruntime; gives the list of its sessions."""
+    """Replace onnxruntime by a module; returns the list of its sessions."""
     sessions = []
 
     class Session:
@@ -106,7 +106,7 @@ def test_a_network_of_something_else_than_an_image_is_refused(monkeypatch, file,
     one_message(message, onnx_file.load, file)
 
 
-def test_what_onnxruntime_says_comes_in_one_line(monkeypatch, file):
+def test_messages_of_onnxruntime_become_one_line(monkeypatch, file):
     stand_in(monkeypatch, broken=True)
     one_message(r"net\.onnx is not an ONNX file .*: Load model failed: Protobuf", onnx_file.load, file)
 

@@ -1,7 +1,7 @@
 """The Zillow Indoor Dataset: ``HOME/zind_data.json`` and the equirectangular pictures that it lists.
 
-A home is named ``zind_HOME``, because YAML would read a name of digits as a number. A room is a complete room
-with one label: an open kitchen with a dining area is one complete room there, but two rooms here.
+A home is named ``zind_HOME``, because YAML would read a name of digits as a number. A room is the part of a
+complete room with one label: an open kitchen with a dining area is one complete room, but two rooms here.
 
 References
 ----------

@@ -23,10 +23,10 @@ _CELL, _GAP, _MARGIN, _TEXT, _TITLE = 46, 28, 12, 12, 15
 # Pixels of a cell in the picture of a table, which has no numbers.
 _PIXEL = 13
 _INK, _PAPER = (0x22, 0x22, 0x22), (255, 255, 255)
-# Cells from this percentage on are dark, so their numbers are white.
+# Cells of at least this percentage are dark, so their numbers are white.
 _DARK = 55
 _CAPTION = "Rows are true places, columns decisions; numbers are percent of the true place."
-_SHEET = "Rows are true places, columns decisions; dark blue is all of the true place, white none."
+_SHEET = "Rows are true places, columns decisions; dark blue means all frames of the true place, white none."
 
 
 def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) -> None:

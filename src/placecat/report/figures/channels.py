@@ -48,14 +48,14 @@ FIGURES = {
     "figure_04": (
         "The colour channel on the example frame: the feature maps C' of red, green, blue and yellow, added "
         "across scales and neighbourhoods, and the conspicuity map C, which adds these with the weights 1/√m."
-        " Dark is strong; the half percent strongest of every map is black.",
+        " Dark is strong; the strongest half percent of every map is black.",
         lambda run: draw_channel(run, "color", "C", ("red", "green", "blue", "yellow")),
     ),
     "figure_05": (
         "The orientation channel on the example frame: the feature maps O' at 0°, 45°, 90° and 135° (the "
         "direction of the Gabor filter's wave: 0° responds to vertical edges), added across scales, "
-        "and the conspicuity map O, which adds these with the weights 1/√m. Dark is strong; the half percent "
-        "strongest of every map is black.",
+        "and the conspicuity map O, which adds these with the weights 1/√m. Dark is strong; the strongest "
+        "half percent of every map is black.",
         lambda run: draw_channel(run, "orientation", "O", [f"{angle:.0f}°" for angle in ANGLES]),
     ),
 }

@@ -190,20 +190,20 @@ FIGURES = {
     "figure_12": (
         "Salient regions in the largest cluster of the localized HOG descriptor, on the training frames of "
         "one fold; their edges have the colour of their frame's place. The bar gives the places of all its "
-        "regions in percent. Patches (a) nearest to its centre; the rest at random from the thirds of all its"
-        " patches with (b) most and (c) least contrast, the standard deviation of the grey levels.",
+        "regions in percent. Patches: (a) nearest to its centre; (b) and (c) at random from the third of its "
+        "patches with most and with least contrast (standard deviation of the grey levels).",
         lambda run: draw_cluster(run, 1, by_contrast=True),
     ),
     "figure_13": (
         "Salient regions in the second largest cluster of the localized HOG descriptor, on the training "
         "frames of one fold; their edges have the colour of their frame's place. The bar gives the places of "
-        "all its regions in percent. Patches (a) nearest to its centre and (b) at random.",
+        "all its regions in percent. Patches: (a) nearest to its centre, (b) at random.",
         lambda run: draw_cluster(run, 2, by_contrast=False),
     ),
     "figure_14": (
         "Salient regions in the third largest cluster of the localized HOG descriptor, on the training frames"
         " of one fold; their edges have the colour of their frame's place. The bar gives the places of all "
-        "its regions in percent. Patches (a) nearest to its centre and (b) at random.",
+        "its regions in percent. Patches: (a) nearest to its centre, (b) at random.",
         lambda run: draw_cluster(run, 3, by_contrast=False),
     ),
 }

@@ -8,8 +8,8 @@ from placecat.report.run import Run
 TITLE = (
     "The intensity channel on the example frame: the feature maps I'' of bright and of dark spots at "
     "every scale, for both neighbourhoods of the centre; their sums I' across scales and neighbourhoods; "
-    "and the conspicuity map I, which adds these with the weights 1/√m. Dark is strong; the half percent "
-    "strongest of every map is black."
+    "and the conspicuity map I, which adds these with the weights 1/√m. Dark is strong; the strongest "
+    "half percent of every map is black."
 )
 SUBCHANNELS = ("bright spots", "dark spots")
 SMALL, LARGE, GAP, LEFT, TOP, ARROW = 0.87, 1.24, 0.06, 0.42, 0.34, 0.62

@@ -8,7 +8,7 @@ from placecat.report.run import Run
 TITLE = (
     "The saliency map S of the example frame is the sum of the conspicuity maps of intensity, colour, "
     "orientation and spectral residual with the weights 1/√m; m counts a map's local maxima above their "
-    "median. The range of each map is given below it. Dark is strong; the half percent strongest of every"
+    "median. The range of each map is given below it. Dark is strong; the strongest half percent of every"
     " map is black."
 )
 NAMES = {

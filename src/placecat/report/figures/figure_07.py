@@ -11,8 +11,8 @@ from placecat.report.run import Run
 from placecat.vision.regions import radius
 
 TITLE = (
-    "The saliency map of the example frame with the salient points found (left), and the regions around "
-    "them (right): circles of radius width/128 · 2^s pixels, s the scale of the strongest response."
+    "The saliency map of the example frame with the salient points (left), and the regions around them "
+    "(right): circles of radius width/128 · 2^s pixels, where s is the scale of the strongest response."
 )
 WIDTH, GAP, FOOT = 3.5, 0.1, 0.3
 

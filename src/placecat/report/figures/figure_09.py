@@ -27,8 +27,8 @@ from placecat.vision.regions import radius
 TITLE = (
     "The modified nearest neighbours with K = 1. Dots are the descriptors of training regions in the "
     "colour of their cluster, in the plane of their two principal components; each cluster's pie gives "
-    "its class frequencies. The regions of a query frame (black rhombuses) take those of the nearest "
-    "centre, nearest in all dimensions. These are multiplied and divided by the class frequencies of all "
+    "its class frequencies. Each region of a query frame (black rhombus) gets the class frequencies of the "
+    "centre that is nearest in all dimensions. The product is divided by the class frequencies of all "
     "training regions, as in equation (2). Bars are in percent."
 )
 PLANE, RIGHT, GAP, PIE, ROW = 4.1, 2.75, 0.25, 0.13, 0.27

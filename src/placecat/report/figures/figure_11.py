@@ -16,9 +16,9 @@ from placecat.report.figures.segment import most_smoothed, stretches
 from placecat.report.run import Run, home_of
 
 TITLE = (
-    "The output of the integration, of the hidden Markov model, and of the delay behind it, where the model "
-    "removes most jumps of the decision, first seed: probabilities of the places over time. The bar under a "
-    "panel is the decision, the one on top the true place."
+    "Probabilities of the places over time, after the integration, the hidden Markov model and its delay, in "
+    "the window where the model removes most changes of the decision (first seed). The bar under each panel "
+    "shows the decision, the bar on top the true place."
 )
 
 # Line styles distinguish the places in grey print.
@@ -75,7 +75,7 @@ def figure(
 ) -> Figure:
     """Draw panels: title to (frames, classes) distributions; (frames,) true classes are -1 if unlabelled.
 
-    The frames are those of a home, beginning with `start`.
+    `start` is the first frame, counted in its home.
     """
     colors = list(palette.place_colors(classes).values())
     decided = [proba.argmax(axis=1) for proba in outputs.values()]

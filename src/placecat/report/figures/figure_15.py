@@ -20,7 +20,7 @@ TITLE = (
 )
 
 WIDTH = 6.5
-# Percentages from this one on are written in white.
+# Percentages of at least this are written in white.
 DARK = 55.0
 
 

@@ -14,10 +14,9 @@ from placecat.report.figures.shares import place_legend, share_rows
 from placecat.report.run import Run
 
 TITLE = (
-    "Frames of two places for which all cues output a wrong decision: of all such frames that the "
-    "information filter accepts, those on which the cues are most certain compared with "
-    "other frames. The bars are the cues' distributions over the places in percent, with the decision on"
-    " their right. First seed."
+    "Frames of two places that all cues get wrong. Among the frames that the information filter accepts, "
+    "these are the ones on which the cues are most certain, relative to other frames. The bars are the cues' "
+    "distributions over the places in percent, with the decision on their right. First seed."
 )
 SHOWN = 2
 WIDTH, LABELS, BARS, DECISIONS, FOOT = 2.6, 1.4, 2.25, 0.78, 0.34

@@ -8,8 +8,8 @@ from placecat.report.figures.panels import Sheet, show_frame
 from placecat.report.run import Run
 
 TITLE = (
-    "Uninformative views: of all labelled frames that the information filter rejects, the one with the "
-    "highest information measure, just below the threshold, and the one with the lowest."
+    "Uninformative views: among the labelled frames that the information filter rejects, the frame with the "
+    "highest information measure, just below the threshold, and the frame with the lowest."
 )
 WIDTH, GAP = 3.2, 0.15
 

@@ -14,13 +14,12 @@ from placecat.evaluation.probabilities import Reliability, pooled, reliability
 from placecat.report.run import Run
 
 TITLE = (
-    "Reliability diagrams: frames sorted into bins by the probability of their decided place. A point is a "
-    "bin, the larger the more frames it has (bins of less than 0.5 % are not drawn): on the dashed line "
-    "decisions are right as often as their probability says, below it they are overconfident, above it "
+    "Reliability diagrams: frames sorted into bins by the probability of their decided place. Each point is "
+    "a bin; its size grows with its share of frames (bins of less than 0.5 % are not drawn). On the dashed "
+    "line, decisions are right as often as their probability says; below it they are overconfident, above it "
     "underconfident. Below each diagram: shares of the frames. Places, test homes and seeds weigh the same. "
-    "Log loss and calibration error are those of the added table, means over homes and seeds; the error of "
-    "the pooled homes, as drawn, is smaller, since overconfidence in one home offsets underconfidence in "
-    "another."
+    "Log loss and calibration error are from the added table, means over homes and seeds. The error of the "
+    "pooled homes, as drawn, is smaller, since overconfidence in one home offsets underconfidence in another."
 )
 
 COLUMNS = 3
@@ -62,8 +61,8 @@ def draw(run: Run, *, panels: Mapping[str, str]) -> Figure:
             axes.remove()
     handles = [
         Line2D([], [], color=POINT, marker="o", label="bin of frames"),
-        Line2D([], [], color=GAP, linewidth=2.0, alpha=0.5, label="distance that the error averages"),
-        Line2D([], [], color=palette.MUTED, linewidth=0.8, linestyle="--", label="right as often as said"),
+        Line2D([], [], color=GAP, linewidth=2.0, alpha=0.5, label="distance averaged in the error"),
+        Line2D([], [], color=palette.MUTED, linewidth=0.8, linestyle="--", label="perfect calibration"),
     ]
     drawn.legend(handles=handles, loc="outside lower right", ncols=len(handles))
     return drawn

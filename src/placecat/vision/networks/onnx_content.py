@@ -22,7 +22,7 @@ _VALUES, _INDICES = 1, 2
 _EXTERNAL = 13
 _KEY, _VALUE = 1, 2
 
-# From the kind of a message to its nested message fields and their kinds.
+# Maps the kind of a message to its nested message fields and their kinds.
 _INSIDE = {
     "model": {_GRAPH: "graph", _FUNCTIONS: "function"},
     "function": {_FUNCTION_NODE: "node"},
