@@ -128,7 +128,8 @@ def findings() -> str:
         return f"{len(numbers)}" + (": " + ", ".join(map(str, numbers)) if len(numbers) < 10 else "")
 
     rows = (
-        [verdict, *(cell(one, verdict) for one in data)] for verdict in ("holds", "does not hold", "undecided")
+        [verdict, *(cell(one, verdict) for one in data)]
+        for verdict in ("holds", "does not hold", "undecided")
     )
     return _markdown(["verdict", "six rendered homes", "24 rendered homes", "six real homes"], rows, 4)
 
@@ -144,7 +145,9 @@ def replicated() -> str:
     power = _read(f"{MORE}/power.csv").set_index("number")
 
     def interval(one: pd.Series) -> str:
-        return "" if np.isnan(one["low"]) else f"{one['difference']:.2f} ({one['low']:.2f} to {one['high']:.2f})"
+        return (
+            "" if np.isnan(one["low"]) else f"{one['difference']:.2f} ({one['low']:.2f} to {one['high']:.2f})"
+        )
 
     def homes(number: int) -> str:
         needed_homes = power["needed_measured"].get(number, np.nan)
@@ -156,10 +159,26 @@ def replicated() -> str:
         return "" if np.isnan(one["shared"]) else f"{100 * one['shared']:.0f} %"
 
     rows = (
-        [str(number), few.at[number, "verdict"], one["verdict"], interval(one), str(one["units"]), shared(one), homes(number)]
+        [
+            str(number),
+            few.at[number, "verdict"],
+            one["verdict"],
+            interval(one),
+            str(one["units"]),
+            shared(one),
+            homes(number),
+        ]
         for number, one in more.iterrows()
     )
-    head = ["finding", "on 6 homes", "on 24 homes", "difference (98 % interval)", "units", "shared", "homes needed"]
+    head = [
+        "finding",
+        "on 6 homes",
+        "on 24 homes",
+        "difference (98 % interval)",
+        "units",
+        "shared",
+        "homes needed",
+    ]
     return _markdown(head, rows, len(head))
 
 
