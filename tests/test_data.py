@@ -7,7 +7,6 @@ import pytest
 import yaml
 
 from placecat import files
-from placecat.compose import compose
 from placecat.stages import sequences
 from placecat_homes import render
 from project import ROOT, rendered
@@ -37,7 +36,8 @@ def read(name, folder, patch):
     (folder / "data").mkdir()
     for out in rendered():
         (folder / out).symlink_to(ROOT / out)
-    Path("params.yaml").write_text(compose([f"dataset={name}"], conf=ROOT / "conf"))
+    # All that the stage reads. tests/test_compose.py composes with each data set.
+    Path("params.yaml").write_text(yaml.safe_dump({"dataset": settings()[name]}))
     sequences.main()
     found = {}
     for home in settings()[name]["homes"]:

@@ -1,11 +1,15 @@
 """Colour, brightness and file size do not reveal the rooms of the rendered homes; a shortcut is detected."""
 
+from types import SimpleNamespace
+
 import cv2
 import numpy as np
 import pytest
 
 from placecat import settings
 from placecat.errors import PlacecatError
+from placecat.footage.recording import Recording
+from placecat.sequences import video
 from placecat_homes import shortcuts
 from placecat_homes.drawn.rendering import dataset
 from placecat_homes.mp4 import frame_sizes
@@ -17,6 +21,15 @@ STAY = 30
 """Frames of each room of a made home."""
 
 
+class Undecoded(Recording):
+    """Lists the frames of a sound video without decoding them."""
+
+    def pictures(self, first=1):
+        shown = next(super().pictures())
+        for number in range(first, self.count + 1):
+            yield SimpleNamespace(number=number, size=shown.size)
+
+
 def data_set(name):
     """A data set of conf/dataset, with its root made absolute."""
     content = settings.read_yaml(ROOT / f"conf/dataset/{name}.yaml")
@@ -24,7 +37,9 @@ def data_set(name):
 
 
 @pytest.mark.slow
-def test_no_shortcut_tells_the_rooms_of_the_homes():
+def test_no_shortcut_tells_the_rooms_of_the_homes(monkeypatch):
+    # test_data.py reads every frame.
+    monkeypatch.setattr(video, "Recording", Undecoded)
     # Consecutive frames carry the same information.
     table = measure(data_set("homes"), every=9)
     assert table.shape == (5 * 6, 6 + 1)
@@ -106,15 +121,23 @@ def test_the_size_of_each_frame_is_read_in_the_order_of_showing(tmp_path):
     assert frame_sizes(path)[noisy].min() > frame_sizes(path)[1:][~noisy[1:]].max()
 
 
-def test_the_command_judges_the_homes_in_a_folder(tmp_path, capsys):
+def test_the_command_judges_the_homes_in_a_folder(tmp_path, capsys, monkeypatch):
     """Planted brightness ends it with status 1; the numbers equal `measure`."""
+    tables = []
+
+    def measured(*arguments):
+        assert arguments == (dataset(tmp_path),)
+        tables.append(measure(*arguments))
+        return tables[-1]
+
+    monkeypatch.setattr(shortcuts, "measure", measured)
     made_homes(tmp_path, lambda room: {"light": 20 * (room - 2)})
     for old in sorted(tmp_path.iterdir()):
         old.rename(old.with_name(f"home_{'abcd'.index(old.stem) + 1}{old.suffix}"))
     with pytest.raises(SystemExit) as ended:
         shortcuts.main([str(tmp_path)])
     assert "above 35 %" in str(ended.value)
-    assert capsys.readouterr().out.strip() == report(measure(dataset(tmp_path))).strip()
+    assert capsys.readouterr().out.strip() == report(*tables).strip()
 
 
 def test_a_folder_without_two_homes_cannot_be_judged(tmp_path):

@@ -26,7 +26,7 @@ def installed(tmp_path_factory):
     run(folder, *pip, "wheel", "-q", "--no-deps", "--no-build-isolation", "-w", ".", "./source")
     run(folder, sys.executable, "-m", "venv", "--without-pip", "own")
     (wheel,) = folder.glob("*.whl")
-    run(folder, *pip, "--python", own, "install", "-q", "--no-deps", "--no-index", wheel)
+    run(folder, *pip, "--python", own, "install", "-q", "--no-deps", "--no-compile", "--no-index", wheel)
     python = own / "bin/python"
     where = "import sysconfig; print(sysconfig.get_path('purelib'))"
     packages = Path(run(folder, python, "-c", where).stdout.strip())

@@ -51,8 +51,9 @@ def local(tmp_path_factory):
         patch.setenv("PLACECAT_WORKERS", "1")
         files.write_text(folder / "params.yaml", yaml.safe_dump(parameters()))
         # Home1, which is described on the cluster, has several tasks for each worker.
-        draw_homes(folder / "data/drawn", homes=1, frames_per_room=18)
-        draw_homes(folder / "data/small", homes=3, frames_per_room=4, width=320, height=180)
+        size = {"width": 320, "height": 180}
+        draw_homes(folder / "data/drawn", homes=1, frames_per_room=18, **size)
+        draw_homes(folder / "data/small", homes=3, frames_per_room=4, **size)
         for home in HOMES[1:]:
             (folder / "data/small" / home).rename(folder / "data/drawn" / home)
         sequences.main()

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from made_features import HOMES, PARAMS, make, run_stages
+from made_features import HOMES, PARAMS, make, ran_once, run_stages
 
 from placecat import files
 
@@ -13,12 +13,10 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture(scope="module")
 def runs(tmp_path_factory):
-    folders = {}
+    folders = {"plain": ran_once(tmp_path_factory), "marked": tmp_path_factory.mktemp("marked")}
     with pytest.MonkeyPatch.context() as patch:
-        for name, marked in (("plain", None), ("marked", MARKED)):
-            folders[name] = tmp_path_factory.mktemp(name)
-            make(folders[name], marked=marked)
-            run_stages(folders[name], patch)
+        make(folders["marked"], marked=MARKED)
+        run_stages(folders["marked"], patch)
     return folders
 
 
