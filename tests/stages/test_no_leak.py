@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from made_features import HOMES, PARAMS, make, run_stages
+from made_features import HOMES, PARAMS, make, ran_once, run_stages
 
 from placecat import files
 
@@ -13,13 +13,11 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture(scope="module")
 def runs(tmp_path_factory):
-    folders = {}
+    marked = tmp_path_factory.mktemp("marked")
     with pytest.MonkeyPatch.context() as patch:
-        for name, marked in (("plain", None), ("marked", MARKED)):
-            folders[name] = tmp_path_factory.mktemp(name)
-            make(folders[name], marked=marked)
-            run_stages(folders[name], patch)
-    return folders
+        make(marked, marked=MARKED)
+        run_stages(marked, patch)
+    return {"plain": ran_once(tmp_path_factory), "marked": marked}
 
 
 # What models say of the test home: its frames may change that.
