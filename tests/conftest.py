@@ -33,8 +33,8 @@ for _folder in (
 
 from number_of_examples import IN_FULL  # noqa: E402  in a folder that was just added
 
-# Fixtures that run DVC, a server, a browser or the renderer: what asks for one is slow.
-SLOW = {"clone", "committed", "experiments", "film", "ran", "reproduced", "server"}
+# Fixtures that run DVC, a server, a browser, the renderer or worker processes: what asks for one is slow.
+SLOW = {"clone", "committed", "experiments", "film", "ran", "reproduced", "server", "two_workers"}
 
 # No deadline: how long an example takes says how busy the machine is.
 hypothesis.settings.register_profile("placecat", max_examples=IN_FULL, deadline=None)

@@ -32,6 +32,7 @@ CHOICES = [
 
 
 # Only a few, since Hydra takes seconds for each.
+@pytest.mark.slow
 @pytest.mark.parametrize("choices", [[], CHOICES], ids=["as it is", "with choices"])
 def test_conf_is_merged_as_hydra_merges_it(choices):
     assert merged(CONF, choices) == by_hydra(CONF, choices)

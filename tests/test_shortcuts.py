@@ -90,6 +90,7 @@ def made_homes(root, planted):
             lambda room: {"grain": 4 * room},
             {"JPEG size", "video size of the frame", "video size of 5 s"},
             id="grain",
+            marks=pytest.mark.slow,
         ),
     ],
 )

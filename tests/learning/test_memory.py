@@ -66,9 +66,9 @@ def test_contents_differ_by_value_type_and_shape():
 )
 def test_schemes_that_share_machines_decide_as_those_that_do_not(base):
     rng = np.random.default_rng(2)
-    y = np.repeat([0, 1, 2], 24)
-    X = (y[:, None] + rng.normal(size=(72, 3))).astype(np.float32)
-    homes = np.tile(np.arange(4), 18)
+    y = np.repeat([0, 1, 2], 12)
+    X = (y[:, None] + rng.normal(size=(36, 3))).astype(np.float32)
+    homes = np.tile(np.arange(4), 9)
     schemes = [
         OneAgainstAll(base, calibration=kind, sigmoid="platt", exclusive=exclusive, folds=3)
         for kind in CALIBRATIONS

@@ -2,6 +2,7 @@
 
 import json
 import re
+import shutil
 from pathlib import Path
 
 import pandas as pd
@@ -18,10 +19,59 @@ from placecat.thesis.tables import tables_of
 LOCK = "stages:\n  sequences:\n    outs:\n    - md5: 00ff.dir\n"
 
 
+@pytest.fixture(scope="module")
+def prepared(tmp_path_factory):
+    """A folder with everything that the stage reads."""
+    folder = tmp_path_factory.mktemp("prepared")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        prepare()
+    return folder
+
+
+def copied(folder, destination):
+    """A copy to change; `conf` and the thesis's data stay links."""
+    return shutil.copytree(folder, destination, symlinks=True)
+
+
 @pytest.fixture
-def folder(tmp_path, monkeypatch):
-    """A folder with all inputs of the stage."""
-    monkeypatch.chdir(tmp_path)
+def folder(prepared, tmp_path, monkeypatch):
+    """A copy of the prepared folder, as the current folder."""
+    copy = copied(prepared, tmp_path / "copy")
+    monkeypatch.chdir(copy)
+    return copy
+
+
+def run_in(folder):
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        report.main()
+    return folder
+
+
+@pytest.fixture(scope="module")
+def written(prepared, tmp_path_factory):
+    """The stage has run here. Tests do not change it."""
+    return run_in(copied(prepared, tmp_path_factory.mktemp("written") / "copy"))
+
+
+@pytest.fixture(scope="module")
+def changed(prepared, tmp_path_factory):
+    """The stage has run here with a record of times and without the first figure."""
+    folder = copied(prepared, tmp_path_factory.mktemp("changed") / "copy")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        times = pd.DataFrame({"stage": ["sequences", "toy"], "runs": [1, 2], "seconds": [61.04, 2.0]})
+        files.write_csv(paths.KEPT_TIMES, times)
+        facts = {"data": "rendered homes", "stages": 2, "cores": 2, "total": 150.0}
+        files.write_json(paths.KEPT_TIMES_FACTS, facts)
+        entries = json.loads((paths.FIGURES / "figures.json").read_text())
+        files.write_json(paths.FIGURES / "figures.json", entries[1:])
+    return run_in(folder)
+
+
+def prepare():
+    """Write what the stage reads in the current folder."""
     paths.PARAMS.write_text((made_report.ROOT / "params.yaml").read_text())
     for name in ("conf", "data/thesis"):
         Path(name).parent.mkdir(exist_ok=True)
@@ -63,7 +113,6 @@ def folder(tmp_path, monkeypatch):
     files.write_json(paths.ORIGINS, origins | {in_text.NAME: measured(said, in_text.KEY)})
     files.write_csv(paths.FINDINGS, made_report.findings())
     files.write_csv(paths.COMPARISONS, made_report.comparisons())
-    return tmp_path
 
 
 def measured(cells, key):
@@ -79,13 +128,12 @@ def measured(cells, key):
     ]
 
 
-def page():
-    return paths.PAGE.read_text(encoding="utf-8")
+def page(folder):
+    return (folder / paths.PAGE).read_text(encoding="utf-8")
 
 
-def test_it_reads_everything_and_writes_the_page(folder):
-    report.main()
-    text = page()
+def test_it_reads_everything_and_writes_the_page(written):
+    text = page(written)
     assert re.findall(r'<section class="table" id="table-(\d+)"', text) == [str(n) for n in range(1, 32)]
     assert '<figure id="figure-2">\n<div class="sheet"><img src="data:image/' in text
     assert "Not drawn: there is no university." in text
@@ -105,29 +153,22 @@ def test_it_reads_everything_and_writes_the_page(folder):
     assert not re.search(r">\s*(?:nan|None)\s*<", text)
 
 
-def test_a_kept_record_of_times_is_shown(folder):
-    times = pd.DataFrame({"stage": ["sequences", "toy"], "runs": [1, 2], "seconds": [61.04, 2.0]})
-    files.write_csv(paths.KEPT_TIMES, times)
-    files.write_json(
-        paths.KEPT_TIMES_FACTS, {"data": "rendered homes", "stages": 2, "cores": 2, "total": 150.0}
-    )
-    report.main()
-    assert "2 min 30 s on 2 cores, on rendered homes" in page()
-    assert '<tr><th scope="row">sequences</th><td>1</td><td>61.0</td></tr>' in page()
+def test_a_kept_record_of_times_is_shown(changed):
+    assert "2 min 30 s on 2 cores, on rendered homes" in page(changed)
+    assert '<tr><th scope="row">sequences</th><td>1</td><td>61.0</td></tr>' in page(changed)
 
 
 def test_an_empty_record_of_times_is_none(folder):
     files.write_csv(paths.KEPT_TIMES, pd.DataFrame(columns=["stage", "runs", "seconds"]))
     files.write_json(paths.KEPT_TIMES_FACTS, {"data": "rendered homes", "cores": 2, "total": 0.0})
     report.main()
-    assert "No times are stored" in page()
+    assert "No times are stored" in page(folder)
 
 
-def test_it_writes_the_same_bytes_again(folder):
+def test_it_writes_the_same_bytes_again(written, folder):
     report.main()
-    first = paths.PAGE.read_bytes()
-    report.main()
-    assert paths.PAGE.read_bytes() == first
+    for path in (paths.PAGE, paths.RESULTS, paths.EXPLANATIONS):
+        assert path.read_bytes() == (written / path).read_bytes()
 
 
 @pytest.mark.parametrize("path", [paths.FINDINGS, paths.IN_TEXT, paths.TABLES / "table_07.csv"])
@@ -146,15 +187,13 @@ def test_a_missing_figure_or_list_is_named(folder):
         report.main()
 
 
-def test_figures_match_the_list(folder):
-    entries = json.loads((paths.FIGURES / "figures.json").read_text())
-    files.write_json(paths.FIGURES / "figures.json", entries[1:])
-    report.main()
-    assert 'figure-2"' not in page()
+def test_figures_match_the_list(written, changed):
+    assert 'figure-2"' in page(written)
+    assert 'figure-2"' not in page(changed)
 
 
-def test_every_number_has_an_explanation(folder):
-    report.main()
+def test_every_number_has_an_explanation(written, monkeypatch):
+    monkeypatch.chdir(written)
     table = results.load()
     cells = sum(len(pd.read_csv(path)) for path in paths.TABLES.glob("*.csv"))
     assert len(table) == cells + len(pd.read_csv(paths.IN_TEXT))
@@ -167,6 +206,3 @@ def test_every_number_has_an_explanation(folder):
     said = dict(lines_of(content, "table_26.9.3"))
     assert said["data"].endswith("checksum 00ff.dir")
     assert said["tested on"] == "3 frames of home_1"
-    before = [path.read_bytes() for path in (paths.RESULTS, paths.EXPLANATIONS)]
-    report.main()
-    assert [path.read_bytes() for path in (paths.RESULTS, paths.EXPLANATIONS)] == before

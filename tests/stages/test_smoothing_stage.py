@@ -1,10 +1,11 @@
 """The stage uses the frame rates from the stage `sequences`."""
 
 import json
+import shutil
 
 import numpy as np
 import pytest
-from made_features import HOMES, PARAMS, make
+from made_features import HOMES, PARAMS, ran_once
 
 from placecat import fold_file, listing
 from placecat.fusion.smoothing import smooth
@@ -17,16 +18,8 @@ MODEL = {name: value for name, value in PARAMS["smoothing"].items() if name not 
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory):
-    from placecat.stages import codebooks, cues
-
-    folder = tmp_path_factory.mktemp("project")
-    with pytest.MonkeyPatch.context() as patch:
-        make(folder)
-        patch.chdir(folder)
-        patch.setenv("PLACECAT_WORKERS", "1")
-        codebooks.main()
-        cues.main()
-    return folder
+    """A copy of the project after all stages, whose frame rates the tests change."""
+    return shutil.copytree(ran_once(tmp_path_factory), tmp_path_factory.mktemp("project") / "copy")
 
 
 def smoothed(rates):

@@ -264,6 +264,8 @@ def test_an_addition_has_no_number():
     assert [label(TABLES[name]) for name in ("table_12", "addition_rvm")] == ["Table 12", "Addition"]
 
 
+# With the tests of the additions, which compose the same settings.
+@pytest.mark.xdist_group("optional")
 def test_every_layout_is_used_and_read_from_the_source():
     extended = tables_of(with_optional("embedding"), ROOT)
     assert {table["layout"] for table in extended.values()} == set(layouts.LAYOUTS)
