@@ -14,7 +14,7 @@ def test_homes_may_have_names_that_a_shell_would_read(tmp_path):
     for number, name in enumerate(NAMES, 1):
         (folder / HOMES / f"Home{number}").rename(folder / HOMES / name)
     listed = ",".join(f'"{name}"' for name in NAMES)
-    overrides = [one for one in SMALL if not one.startswith("dataset.homes=")]
+    overrides = [one for one in SMALL if not one.startswith(("dataset.homes=", "protocol.test_homes="))]
     (folder / "params.yaml").write_text(compose([*overrides, f"dataset.homes=[{listed}]"], folder / "conf"))
     ran, _ = repro(folder, "features", PLACECAT_WORKERS="1")
     assert ran == ["sequences", "features"]

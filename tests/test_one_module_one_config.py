@@ -75,6 +75,7 @@ SETTINGS = [
     *SMALL,
     *(f"splits.{split}.dataset.homes=[Home1]" for split in SITES),
     "protocol.test_homes=[Home1]",
+    "protocol.seeds=[0]",
 ]
 
 
@@ -92,7 +93,7 @@ def before(tmp_path_factory):
     shutil.copytree(ROOT / "conf", folder / "conf")
     for name in ("dvc.yaml", ".dvcignore", ".gitignore"):
         shutil.copy(ROOT / name, folder / name)
-    draw_homes(folder / HOMES, homes=len(HOME_NAMES), frames_per_room=6, width=320, height=180)
+    draw_homes(folder / HOMES, homes=len(HOME_NAMES), frames_per_room=4, width=320, height=180)
     for root in SITES.values():
         draw_homes(folder / root, homes=1, frames_per_room=2, width=320, height=180)
     own(folder, "python", "-m", "placecat", "params", *SETTINGS)

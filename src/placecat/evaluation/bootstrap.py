@@ -5,7 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import stats
+
+# Quantiles of the normal and of Student's t distribution: the import of scipy.stats takes half a second.
+from scipy.special import ndtri, stdtrit
 
 
 @dataclass(frozen=True)
@@ -141,8 +143,7 @@ def stratified_bootstrap(
         weights[:, strata == stratum] = drawn / max(size - 1, 1)
     estimate = float(statistic((1.0 / sizes)[strata][None])[0])
     upper = (1.0 + level) / 2.0
-    factor = float(stats.t.ppf(upper, free) / stats.norm.ppf(upper))
-    return _stretched(estimate, statistic(weights), level, factor)
+    return _stretched(estimate, statistic(weights), level, float(stdtrit(free, upper) / ndtri(upper)))
 
 
 def _stretched(estimate: float, values: NDArray[np.float64], level: float, factor: float) -> Interval:
@@ -155,4 +156,4 @@ def _stretched(estimate: float, values: NDArray[np.float64], level: float, facto
 def stretch(n_units: int, level: float) -> float:
     """Return the stretch factor of a percentile interval's arms, sqrt(n / (n - 1)) t / z, at least 1."""
     upper = (1.0 + level) / 2.0
-    return float(np.sqrt(n_units / (n_units - 1.0)) * stats.t.ppf(upper, n_units - 1) / stats.norm.ppf(upper))
+    return float(np.sqrt(n_units / (n_units - 1.0)) * stdtrit(n_units - 1, upper) / ndtri(upper))
