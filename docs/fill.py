@@ -140,46 +140,46 @@ def power() -> str:
 
 
 def replicated() -> str:
-    """Verdicts on six and on 24 homes, and how many homes the others need."""
+    """Verdicts on six and on 24 homes, and how many homes the undecided findings need."""
     few, more = (_read(f"{folder}/findings.csv").set_index("number") for folder in ("reports", MORE))
-    power = _read(f"{MORE}/power.csv").set_index("number")
 
-    def interval(one: pd.Series) -> str:
-        return (
-            "" if np.isnan(one["low"]) else f"{one['difference']:.2f} ({one['low']:.2f} to {one['high']:.2f})"
-        )
-
-    def homes(number: int) -> str:
-        needed_homes = power["needed_measured"].get(number, np.nan)
-        if np.isnan(needed_homes) or more.at[number, "verdict"] != "undecided":
-            return ""
-        return f"over {needed.MOST}" if np.isinf(needed_homes) else f"{needed_homes:.0f}"
-
-    def shared(one: pd.Series) -> str:
-        return "" if np.isnan(one["shared"]) else f"{100 * one['shared']:.0f} %"
-
-    rows = (
-        [
+    def row(number: int, one: pd.Series) -> list[str]:
+        interval = f"{one['difference']:.2f} ({one['low']:.2f} to {one['high']:.2f})"
+        shared = "" if np.isnan(one["shared"]) else f"{100 * one['shared']:.0f} %"
+        homes = f"over {needed.MOST}" if np.isinf(_homes_needed(number)) else f"{_homes_needed(number):.0f}"
+        is_open = one["verdict"] == "undecided" and not np.isnan(_homes_needed(number))
+        return [
             str(number),
             few.at[number, "verdict"],
             one["verdict"],
-            interval(one),
+            interval,
             str(one["units"]),
-            shared(one),
-            homes(number),
+            shared,
+            homes if is_open else "",
         ]
-        for number, one in more.iterrows()
+
+    head = ["finding", "6 homes", "24 homes", "difference (interval)", "units", "shared", "homes needed"]
+    return _markdown(head, (row(int(number), one) for number, one in more.iterrows()), len(head))
+
+
+def _homes_needed(number: int) -> float:
+    """Homes for a power of 0.8, if what the 24 homes measured is the truth; NaN if unknown."""
+    of_findings = _read(f"{MORE}/power.csv").set_index("number")["needed_measured"]
+    return float(of_findings.get(number, np.nan))
+
+
+def too_small() -> int:
+    """Count the undecided findings that more than the largest number of homes would not decide."""
+    more = _read(f"{MORE}/findings.csv")
+    return sum(
+        np.isinf(_homes_needed(number)) for number in more.loc[more["verdict"] == "undecided", "number"]
     )
-    head = [
-        "finding",
-        "on 6 homes",
-        "on 24 homes",
-        "difference (98 % interval)",
-        "units",
-        "shared",
-        "homes needed",
-    ]
-    return _markdown(head, rows, len(head))
+
+
+def marked() -> int:
+    """Count the verdicts on 24 homes where groups share more variance than the rule allows for."""
+    more = _read(f"{MORE}/findings.csv")
+    return int(((more["verdict"] != "undecided") & (more["shared"] > 0.1)).sum())
 
 
 def averages(name: str) -> str:

@@ -121,9 +121,10 @@ def copy_project(folder, overrides=SMALL):
     draw_homes(university, homes=3, **DRAWN)
     shutil.copytree(university, apartments)
     shutil.copytree(ROOT / "reports/optional_tables", folder / "reports/optional_tables")
+    (folder / "reports/replication").mkdir()
     kept = ("benchmarks.csv", "benchmarks.json", "scale.csv", "scale.json", "scale_growth.csv")
-    for name in (*kept, "times.csv", "times.json"):
-        shutil.copy(ROOT / "reports" / name, folder / "reports")
+    for name in (*kept, "times.csv", "times.json", "replication/facts.json", "replication/findings.csv"):
+        shutil.copy(ROOT / "reports" / name, folder / "reports" / name)
     for name in ("dvc.yaml", ".dvcignore", ".gitignore"):
         shutil.copy(ROOT / name, folder / name)
     (folder / "params.yaml").write_text(compose(overrides, conf=folder / "conf"))
