@@ -71,6 +71,7 @@ def test_findings_on_other_data_are_those_of_the_six_homes(finished):
         files.read_csv(path).set_index("number")
         for path in (folder / paths.FINDINGS, folder / paths.REPLICATION / "findings.csv")
     )
+    assert new.index[~new["replicated"]].tolist() == [27, 28, 29]
     for number in (27, 28, 29):
         assert new.loc[number, old.columns].astype(str).tolist() == old.loc[number].astype(str).tolist()
     assert new.loc[26, "units"] == "12 homes" != old.loc[26, "units"]

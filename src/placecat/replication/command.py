@@ -91,11 +91,13 @@ def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options
 
 
 def _with_others(table: pd.DataFrame, path: Path, key: str) -> pd.DataFrame:
-    """Add the rows of the project's ledger on other data than homes: these do not depend on the homes."""
+    """Add the rows of the project's ledger on other data than homes, with ``replicated`` False."""
     text = table.select_dtypes(exclude="number").columns
     others = files.read_table(path, text)
-    others = others[~others[key].isin(table[key])]
-    return pd.concat([table, others], ignore_index=True).sort_values(key, kind="stable", ignore_index=True)
+    others = others[~others[key].isin(table[key])].assign(replicated=False)
+    return pd.concat([table.assign(replicated=True), others], ignore_index=True).sort_values(
+        key, kind="stable", ignore_index=True
+    )
 
 
 def _remove_other_groups(count: int) -> None:

@@ -73,7 +73,7 @@ class Report:
     replication
         The findings on many homes, or None: ``title`` of these homes, ``homes``, ``groups``, ``level``,
         ``verdicts`` (how many findings have each), and ``findings``, a table of number, difference, low,
-        high, units and verdict.
+        high, units, verdict, and ``replicated``, False for findings on other data than homes.
     times
         A stored record of a run's times, or None: ``stages``, a table of stage, runs (of a stage with several
         items, such as homes) and seconds; ``data``, the title of its data; ``cores`` of the machine; and
@@ -243,7 +243,8 @@ def _records(table: pd.DataFrame) -> list[dict[str, Any]]:
 
 
 def _by_number(findings: pd.DataFrame) -> dict[int, dict[str, Any]]:
-    return {int(record["number"]): record for record in _records(findings)}
+    """The rows of replicated findings by number."""
+    return {int(record["number"]): record for record in _records(findings[findings["replicated"]])}
 
 
 def _plain(table: pd.DataFrame) -> dict[str, Any]:
