@@ -83,6 +83,7 @@ def test_a_second_call_waits_and_has_nothing_to_do(folder):
     assert len(calls(folder)) == LINES_OF_ONE
 
 
+@pytest.mark.slow
 def test_a_moved_project_is_installed_again(folder):
     assert install(folder).wait(60) == 0
     assert run(folder, "make", "-q", ".venv/.installed", check=False).returncode == 0

@@ -36,6 +36,7 @@ def differences(one, other, where=""):
             yield name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in NAMES if name not in DATA])
 def test_everything_that_was_there_stays(name):
     extended = with_optional(name)
@@ -118,6 +119,7 @@ def test_every_room_of_cold_is_mapped_to_a_class():
     assert dataset["ignored"] == []
 
 
+@pytest.mark.slow
 def test_cold_on_disk_is_listed_as_the_university(tmp_path, monkeypatch):
     dataset = with_optional("cold")["splits"]["university"]["dataset"]
     for sequence in dataset["homes"]:

@@ -122,6 +122,7 @@ def test_the_size_of_each_frame_is_read_in_the_order_of_showing(tmp_path):
     assert frame_sizes(path)[noisy].min() > frame_sizes(path)[1:][~noisy[1:]].max()
 
 
+@pytest.mark.slow
 def test_the_command_judges_the_homes_in_a_folder(tmp_path, capsys, monkeypatch):
     """Planted brightness ends it with status 1; the numbers equal `measure`."""
     tables = []

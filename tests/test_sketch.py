@@ -62,6 +62,7 @@ def test_every_room_of_every_home_differs(drawn: Path) -> None:
     assert len(set(images)) == len(images)
 
 
+@pytest.mark.slow
 def test_colours_do_not_tell_classes() -> None:
     # The nearest mean colour of the other homes' classes names few walls correctly (chance 20 %).
     homes, rooms = 12, sorted(CLASSES)

@@ -50,6 +50,7 @@ def inside(project, monkeypatch):
     monkeypatch.setenv("PLACECAT_WORKERS", "1")
 
 
+@pytest.mark.slow
 def test_training_without_each_home_gives_the_bits_of_the_stages():
     trained = held_out.by_training(small(), SYSTEM, [], 0)
     left = held_out.of_stages(small(), SYSTEM, 0)

@@ -100,6 +100,7 @@ def test_an_experiment_on_a_split_is_the_cue_of_that_split(tmp_path, monkeypatch
     )
 
 
+@pytest.mark.slow
 def test_training_homes_are_judged_without_the_test_home(tmp_path, monkeypatch):
     """Neither a marker in it nor its absence changes anything; if it trains, the marker does."""
     found = {}

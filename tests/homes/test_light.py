@@ -70,6 +70,7 @@ def camera(scene, daylight, light, pose, size=(64, 36)):
     return Viewer(scene, light, daylight).frame(pose, Lens(*size, 60))
 
 
+@pytest.mark.slow
 def test_what_a_camera_sees_of_a_plain_wall_and_of_the_sky():
     wall = shapes.quad(20, 20).moved(0, 0, -10).of(GREY)
     scene = prepare(wall, edge=5)
@@ -105,6 +106,7 @@ def test_a_mirror_shows_what_is_behind_the_camera():
     assert picture[..., 0] == pytest.approx(0, abs=0.01)
 
 
+@pytest.mark.slow
 def test_glass_lets_most_light_through():
     pane = shapes.quad(8, 8).moved(0, 1, -4).of(Material((1, 1, 1), opacity=0.2))
     lamp = shapes.quad(8, 8).moved(0, 0, -4).of(Material((1, 1, 1), emission=1.0))

@@ -45,6 +45,7 @@ def test_an_unknown_setting_is_refused():
         render.film("apartments/webcam", edges=0.1)
 
 
+@pytest.mark.slow
 def test_without_the_extra_one_line_says_what_to_install():
     script = (
         "import sys; sys.modules['embreex'] = None\n"

@@ -65,6 +65,7 @@ def names(folder):
     return sorted(path.name for path in folder.iterdir())
 
 
+@pytest.mark.slow
 def test_every_frame_has_the_label_of_its_panorama(folder, capsys):
     run()
     assert names(folder) == ["conf", "homes", "source"]
@@ -212,6 +213,7 @@ def test_a_wrong_setting_is_refused(folder, change, message):
     assert names(folder) == ["conf", "source"]
 
 
+@pytest.mark.slow
 def test_a_home_without_a_class_and_too_few_homes_are_reported(folder, capsys):
     table = (folder / "source/rooms.csv").read_text()
     (folder / "source/rooms.csv").write_text(

@@ -339,6 +339,7 @@ def test_numbers_of_an_image_survive_the_coding_of_the_video(folder):
     assert np.array_equal(frames_of(folder / "walk.avi")[0][5] > 127, coded(5) > 127)
 
 
+@pytest.mark.slow
 def test_no_frame_waits_for_matplotlib():
     program = "import sys, placecat.predict.command; print('matplotlib' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)

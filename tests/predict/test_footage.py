@@ -62,6 +62,7 @@ def test_whole_footage_has_no_note(system, tmp_path, capsys):
     assert capsys.readouterr().err == ""
 
 
+@pytest.mark.slow
 def test_times_come_from_the_file(system, tmp_path):
     write_clip(tmp_path / "walk.mp4", UNEVEN)
     (tmp_path / "walk.csv").write_text("start_seconds,end_seconds,label\n0,1.5,kitchen\n1.5,16.2,bedroom\n")

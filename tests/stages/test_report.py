@@ -178,6 +178,7 @@ def test_missing_inputs_are_named(folder, path):
         report.main()
 
 
+@pytest.mark.slow
 def test_a_missing_figure_or_list_is_named(folder):
     (paths.FIGURES / "figure_02.png").unlink()
     with pytest.raises(PlacecatError, match=r"figure_02\.png is missing"):

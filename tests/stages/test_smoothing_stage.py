@@ -34,6 +34,7 @@ def smoothed(rates):
     return smooth_home(paths.CUES / f"gist/5-5-1/{plan.test}.no-seed.npz", plan, MODEL)
 
 
+@pytest.mark.slow
 def test_frame_rates_come_from_the_homes(project, monkeypatch):
     from placecat import listing, paths
 

@@ -56,6 +56,7 @@ def prepare(folder):
     files.write_csv(paths.TRIALS / "gist/facts.csv", facts)
 
 
+@pytest.mark.slow
 def test_every_table_is_written_in_three_forms_with_all_other_reports(run):
     names = set(tables_of(PARAMS, ROOT))
     assert {f"table_{number:02d}" for number in range(1, 32)} < names
@@ -104,6 +105,7 @@ def test_how_good_probabilities_are_has_a_row_a_result_and_two_of_them_are_in_th
     assert set(summary) == {"log_loss", *shown("metrics")["accuracy"]}
 
 
+@pytest.mark.slow
 def test_again_bytes_are_the_same_and_an_optional_table_of_another_run_stays(run, monkeypatch):
     """The same scores give the same bytes; a table without settings is removed."""
     monkeypatch.chdir(run)

@@ -51,6 +51,7 @@ def test_a_system_equals_the_stages(folder, monkeypatch, name, scheme):
         np.testing.assert_array_equal(tested[part], expected_array, err_msg=part)
 
 
+@pytest.mark.slow
 def test_the_page_prints_a_table_of_homes(tmp_path, monkeypatch, capsys):
     """The code of the page, on drawn homes and with small clusterings."""
     from sketch import draw_homes

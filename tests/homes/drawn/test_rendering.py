@@ -129,6 +129,7 @@ def test_a_folder_of_other_homes_is_refused(tmp_path, small):
         make(tmp_path, count=1)
 
 
+@pytest.mark.slow
 def test_another_run_in_the_folder_is_refused(tmp_path, small):
     with FileLock(tmp_path / ".lock"), pytest.raises(PlacecatError, match="another run renders into"):
         make(tmp_path)
