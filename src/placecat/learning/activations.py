@@ -15,8 +15,8 @@ def region_mask(counts: ArrayLike, max_regions: int) -> NDArray[np.bool_]:
     Parameters
     ----------
     counts : array-like of shape (frames,), integers in [0, max_regions]
-        Number of regions in each frame; they fill the first rows.
-        Raises PlacecatError for a count out of range.
+        Number of regions in each frame; they fill the first rows. Raises PlacecatError for a count out of
+        range.
     max_regions : int
 
     Returns

@@ -18,8 +18,8 @@ Task = tuple[NDArray[np.bool_], NDArray[np.intp] | None, str]
 class Boosting:
     """Boosted machines for several two-class problems on the same samples; more rounds can be added.
 
-    A machine is identical to the bit whatever the other machines, and its first stumps whatever the number
-    of rounds.
+    A machine's bits do not depend on the other machines, and its first stumps do not depend on the number of
+    rounds.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Count discrete variables' values, and compute mutual information and the maximum spanning tree."""
+"""Counts of discrete variables, mutual information between pairs, and the maximum spanning tree."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -44,7 +44,7 @@ class DependencyTree(DiscreteBayes):
     prior : {"uniform", "frequency"}
         p(l_i) in equation (10); see `NaiveBayes`.
     root : int
-        The variable r. It makes a difference only because of the smoothing. The thesis does not give it.
+        The variable r. Without smoothing, it would make no difference. The thesis does not give it.
 
     Attributes
     ----------

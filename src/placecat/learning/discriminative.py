@@ -8,7 +8,7 @@ from placecat.learning.contingency import value_counts
 
 
 def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: float) -> NDArray[np.bool_]:
-    """Mark the codewords whose presence in a frame says most about its class.
+    """Mark the codewords whose presence in a frame says most about the frame's class.
 
     Parameters
     ----------

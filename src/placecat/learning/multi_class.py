@@ -18,7 +18,7 @@ from placecat.learning.two_class import as_base, is_balanced, uses_own
 class MultiClass:
     """A scheme's K classifiers, fitted and calibrated together.
 
-    Schemes share the parameters and attributes annotated here, described in `OneAgainstAll`.
+    All schemes have the parameters and attributes annotated below; `OneAgainstAll` describes them.
     """
 
     base: Any

@@ -188,7 +188,7 @@ class _Mode:
     def impossible(
         cls, weights: NDArray[np.float64], alpha: NDArray[np.float64], error: NDArray[np.float64]
     ) -> Self:
-        """Return the mode of a model whose functions are too similar; it is never kept."""
+        """Return a placeholder for a model whose functions are too similar; it is never kept."""
         nothing = np.full((len(alpha), len(alpha)), np.nan)
         return cls(weights, alpha, error, np.full(len(error), np.nan), nothing, -np.inf)
 
