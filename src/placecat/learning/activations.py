@@ -1,11 +1,11 @@
-"""Padded arrays of salient regions, and the clusters that a frame's regions activate."""
+"""Handle padded arrays of salient regions and the clusters that a frame's regions activate."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from placecat.errors import PlacecatError
 
-# Bytes of padded descriptors in one block.
+# Size of one block of padded descriptors, in bytes.
 _BLOCK = 1 << 26
 
 
@@ -15,7 +15,8 @@ def region_mask(counts: ArrayLike, max_regions: int) -> NDArray[np.bool_]:
     Parameters
     ----------
     counts : array-like of shape (frames,), integers in [0, max_regions]
-        Number of regions in each frame; they fill the first rows. A count out of range raises PlacecatError.
+        Number of regions in each frame; they fill the first rows. Raises PlacecatError for a count out of
+        range.
     max_regions : int
 
     Returns
@@ -48,7 +49,7 @@ def activations(codewords: NDArray[np.integer], n_clusters: int, counts: ArrayLi
     n_clusters : int
         N, the number of codewords.
     counts : array-like of shape (frames,), integers
-        Regions of each frame.
+        Number of regions in each frame.
 
     Returns
     -------
@@ -79,7 +80,7 @@ def activations(codewords: NDArray[np.integer], n_clusters: int, counts: ArrayLi
 
 
 def check_regions(X: NDArray[np.floating], counts: ArrayLike) -> NDArray[np.bool_]:
-    """Return `region_mask` of padded descriptors, or raise PlacecatError where X and counts disagree."""
+    """Return the `region_mask` of padded descriptors; raises PlacecatError if X and counts disagree."""
     if X.ndim != 3 or len(X) != len(np.asarray(counts)):
         raise PlacecatError(
             f"X has shape {X.shape}, counts {np.shape(counts)}: "
@@ -89,6 +90,6 @@ def check_regions(X: NDArray[np.floating], counts: ArrayLike) -> NDArray[np.bool
 
 
 def frame_blocks(X: NDArray[np.floating]) -> list[slice]:
-    """Cut the frames of padded descriptors into blocks of about 64 MB."""
+    """Split the frames of padded descriptors into blocks of about 64 MB."""
     step = max(1, _BLOCK // max(1, X[:1].nbytes))
     return [slice(start, start + step) for start in range(0, len(X), step)]

@@ -8,26 +8,27 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 from placecat.learning.stumps import BinnedFeatures, Stump, best_stumps
 
-# Number of machines whose histograms are summed together: one pass over a sample's bins serves all.
+# Number of machines per pass over the samples' bins; one pass sums the histograms of them all.
 _TOGETHER = 8
 
-# A two-class problem: (n,) bool labels, indices of the training samples (None: all), its name in messages.
+# A two-class problem: (n,) bool labels, indices of the training samples (None: all), name in messages.
 Task = tuple[NDArray[np.bool_], NDArray[np.intp] | None, str]
 
 
 class Boosting:
-    """Boosted machines for several two-class problems on the same samples; boosting can always continue.
+    """Boosted machines for several two-class problems on the same samples; more rounds can be added.
 
-    The bits of a machine do not depend on the other machines, nor its first stumps on the number of rounds.
+    A machine's bits do not depend on the other machines, and its first stumps do not depend on the number of
+    rounds.
 
     Parameters
     ----------
     binned
         The n samples.
     tasks
-        Two-class problems. Raises PlacecatError if the training samples of a problem have only one class.
+        Two-class problems. Raises PlacecatError if a problem's training samples all have the same class.
     weight_trim
-        As in :class:`~placecat.learning.gentle_adaboost.GentleAdaBoost`.
+        See :class:`~placecat.learning.gentle_adaboost.GentleAdaBoost`.
     """
 
     def __init__(self, binned: BinnedFeatures, tasks: Sequence[Task], weight_trim: float) -> None:
@@ -37,14 +38,14 @@ class Boosting:
         self._groups = [self._machines[start::n_groups] for start in range(n_groups)]
 
     def stumps(self, n_rounds: int) -> list[list[Stump]]:
-        """Return the first stumps of each machine: at least one, at most `n_rounds`."""
+        """Return each machine's first stumps: at least one, at most `n_rounds`."""
         for group in self._groups:
             while boosted := [m for m in group if not m.ended and len(m.stumps) < n_rounds]:
                 self._boost(boosted)
         return [machine.first(n_rounds) for machine in self._machines]
 
     def _boost(self, machines: list["_Machine"]) -> None:
-        """Add a stump to each of some machines."""
+        """Add a stump to each of these machines."""
         weight = np.stack([machine.trimmed() for machine in machines], axis=1)
         signed = weight * np.stack([machine.target for machine in machines], axis=1)
         for machine, stump in zip(machines, best_stumps(self._binned, weight, signed), strict=True):
@@ -81,7 +82,7 @@ class _Machine:
         self._base_rate = Stump(0, -1, rate, rate)
 
     def trimmed(self) -> NDArray[np.float64]:
-        """The weights (n,), 0 for the lightest samples."""
+        """Return the weights (n,), with 0 for the lightest samples."""
         weight = self._weight
         if self._trim >= 1:
             return weight
@@ -95,12 +96,12 @@ class _Machine:
         f = np.where(binned.bins[stump.feature] > stump.cut, stump.high, stump.low)
         self._weight *= np.exp(-self.target * f)
         total = self._weight.sum()
-        # All weights are 0 if every margin exceeds the range of floats.
+        # All weights are 0 if exp underflows for every sample.
         if total > 0:
             self._weight /= total
         else:
             self.ended = True
 
     def first(self, n_rounds: int) -> list[Stump]:
-        """Return the first stumps, or the base rate if no feature can be cut."""
+        """Return the first stumps, or a constant stump if no feature can be cut."""
         return self.stumps[:n_rounds] or [self._base_rate]

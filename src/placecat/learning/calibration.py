@@ -1,4 +1,4 @@
-"""Held-out decision values of two-class classifiers, and probabilities from them."""
+"""Compute held-out decision values of two-class classifiers, and turn them into probabilities."""
 
 import logging
 from collections.abc import Sequence
@@ -32,9 +32,9 @@ Fold = tuple[NDArray[np.intp], NDArray[np.intp]]
 class Calibration:
     """Conversion of decision values to probabilities.
 
-    Machines that each leave out a different home have values that are not comparable: if a home has many
-    positives, the machine that judges it saw few positives, so its values are low. They are never pooled
-    unchanged: a sigmoid fitted to them can fall where it should rise.
+    If each machine leaves out a different home, the machines' values are not comparable: if a home has many
+    positives, the machine that judges it saw few, so its values are low. Such values are never pooled
+    unchanged, because a sigmoid fitted to them can fall where it should rise.
 
     Attributes
     ----------
@@ -42,14 +42,14 @@ class Calibration:
         Which samples are held out, and how their values are used. ``samples``: `folds` random parts of each
         class, as dlib does for the thesis (3.3.1.2). ``consecutive``: `folds` parts of consecutive samples,
         as dlib does without shuffling. Both fit one sigmoid to all values. ``homes_centred``: one home at a
-        time; the mean of each home's values is replaced by the mean of all, then one sigmoid is fitted.
-        ``homes_averaged``: one home at a time, one sigmoid per machine; their probabilities are averaged.
+        time; each home's values are shifted to a common mean, then one sigmoid is fitted to all.
+        ``homes_averaged``: one home at a time; one sigmoid per machine, whose probabilities are averaged.
     folds
-        Number of parts, at least 2; ignored if homes are held out.
+        Number of parts, at least 2. Ignored if homes are held out.
     own
-        Use the sigmoid of the base classifier instead of Platt's.
+        Use the base classifier's sigmoid instead of Platt's.
     balanced
-        Weighting in Platt's sigmoid, see :func:`placecat.learning.platt.fit_sigmoid`.
+        Weight the classes equally in Platt's sigmoid, see :func:`placecat.learning.platt.fit_sigmoid`.
     """
 
     kind: str = SAMPLES
@@ -66,7 +66,7 @@ class Calibration:
 
 @dataclass(frozen=True)
 class Problem:
-    """One two-class problem among the samples.
+    """A two-class problem on the samples.
 
     Attributes
     ----------
@@ -75,7 +75,7 @@ class Problem:
     positive
         (n,) bool.
     member
-        (n,) bool: the samples for training and calibration.
+        (n,) bool: marks the samples for training and calibration.
     """
 
     name: str
@@ -90,15 +90,15 @@ class FittedProblem:
     Attributes
     ----------
     machines
-        Fitted bases whose probabilities are averaged: one on all members, or one for each home left out.
+        Fitted bases whose probabilities are averaged: one for all members, or one per home left out.
     sigmoids
-        (machines, 2) A <= 0 and B of p = 1 / (1 + exp(A d + B)).
+        (machines, 2): A <= 0 and B in p = 1 / (1 + exp(A d + B)).
     outputs
         (n,) held-out p(o|x).
     nu
-        nu of the machine for each held-out part; NaN for a base without nu.
+        nu of each held-out part's machine; NaN if the base has no nu.
     flat
-        Number of sigmoids that are flat because they would have fallen.
+        Number of flat sigmoids, where decision values were uninformative or reversed.
     """
 
     machines: list[Any]
@@ -116,12 +116,12 @@ def make_folds(y: NDArray[np.intp], groups: ArrayLike | None, kind: str, folds: 
     y
         (n,) class indices; each class occurs at least twice.
     groups
-        (n,) the home of each sample, or None. Raises PlacecatError if `kind` needs homes and they are missing
-        or not one per sample.
+        (n,) the home of each sample, or None. Raises PlacecatError if `kind` needs homes and there is not
+        exactly one per sample.
     kind
-        Kind of :class:`Calibration`. With a single home, consecutive samples are held out instead of homes.
+        Kind of :class:`Calibration`. If there is only one home, consecutive samples are held out instead.
     folds
-        Number of stratified parts, fewer if a class is smaller.
+        Number of stratified parts; reduced to the size of the smallest class.
 
     Returns
     -------
@@ -163,11 +163,11 @@ def fit_problems(
 ) -> list[FittedProblem]:
     """Fit, cross-validate and calibrate two-class problems that share samples.
 
-    Threads run over (problem, fold).
+    Each (problem, fold) pair is a task for the threads.
 
-    If the training part of a fold lacks positives or negatives (e.g. only one home has the class), stratified
-    consecutive samples are held out instead, with a warning. `shared` comes from ``base.prepare``, `folds`
-    from :func:`make_folds`; `base` itself is not fitted.
+    If a fold's training part lacks positives or negatives (e.g. only one home has the class), a warning is
+    logged and stratified parts of consecutive samples are held out instead. `shared` comes from
+    ``base.prepare`` and `folds` from :func:`make_folds`; `base` itself is not fitted.
     """
     n = len(problems[0].positive)
     everything = np.arange(n)
@@ -195,7 +195,7 @@ def fit_problems(
         fitted.append(FittedProblem(kept, sigmoids, outputs, nu, flat))
     flat_names = [problem.name for problem, one in zip(problems, fitted, strict=True) if one.flat]
     if flat_names:
-        # A stage has thousands of these, so the caller sums the counts and warns.
+        # A stage has thousands of these, so the caller warns once with their total.
         logger.info(
             "held-out decision values of %s are uninformative or reversed: its sigmoid is flat",
             ", ".join(flat_names),
@@ -204,11 +204,11 @@ def fit_problems(
 
 
 def _fit_all(base: TwoClassBase, shared: Any, tasks: Sequence[Task], n_jobs: int | None) -> list[Any]:
-    """Fit a machine for each task; within a memory, equal tasks on the same samples are fitted once."""
+    """Fit a machine for each task; inside `remembering`, equal tasks on the same samples are fitted once."""
     settings = base.get_params()
     if not all(isinstance(value, str | int | float | None) for value in settings.values()):
         return _fit_missing(base, shared, tasks, n_jobs)
-    # Keep the machines of one preparation only, since it may be large.
+    # Keep the machines of only the latest preparation, since it may be large.
     machines: dict[Any, Any] = remembered("machines", (shared,), dict, latest=True)
     of_base = type(base).__name__, tuple(sorted(settings.items()))
     keys = [(of_base, positive.tobytes(), bytes_of(rows)) for positive, rows, _ in tasks]
@@ -227,8 +227,8 @@ def _fit_missing(base: TwoClassBase, shared: Any, tasks: Sequence[Task], n_jobs:
 def centre(values: Sequence[NDArray[np.float64]]) -> list[NDArray[np.float64]]:
     """Make decision values comparable between machines that each leave out a different home.
 
-    `values` and the result have one array per home. The mean of each array is replaced by the mean of these
-    means, which is the average value expected on an unseen home.
+    `values` and the result have one array per home. Each array is shifted so that its mean is the mean of all
+    the arrays' means, which is the expected mean on an unseen home.
 
     Examples
     --------
@@ -275,7 +275,7 @@ def _sigmoid(
         return base.own_sigmoid, False
     positive = positive[member]
     sigmoid = fit_sigmoid(decided[member], positive, calibration.balanced)
-    # A home with only one of the classes does not determine a slope.
+    # A home with only one of the two classes does not determine a slope.
     return sigmoid, bool(sigmoid[0] == 0.0 and positive.any() and not positive.all())
 
 

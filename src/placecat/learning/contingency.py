@@ -1,11 +1,11 @@
-"""Counts of discrete variables, mutual information of pairs, and the maximum spanning tree."""
+"""Counts of discrete variables, mutual information between pairs, and the maximum spanning tree."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-# Up to this many cells per sample, bincount counts the table of a pair; above it, sorting does.
+# Up to this many cells per sample, bincount fills a pair's table; beyond it, sorting is used.
 CELLS_PER_SAMPLE = 16
-# float32 is exact for whole numbers up to this one.
+# float32 represents every whole number up to this one.
 _EXACT_FLOAT32 = 1 << 24
 
 
@@ -43,11 +43,11 @@ def value_counts(
 
 
 def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.float64]:
-    """Mutual information of every pair of variables, from their relative frequencies.
+    """Compute the mutual information of every pair of variables from relative frequencies.
 
-    With counts n_ab of a pair, n I = n log n + sum n_ab log n_ab - sum n_a log n_a - sum n_b log n_b. One
-    matrix product counts binary pairs, bincount counts wide tables, and sorting counts tables with far more
-    cells than samples, so memory does not grow with the square of `n_values`.
+    If n_ab are a pair's counts, n I = n log n + sum n_ab log n_ab - sum n_a log n_a - sum n_b log n_b. One
+    matrix product counts all binary pairs, and bincount counts larger tables. Tables with far more cells than
+    samples are counted by sorting, so memory does not grow with the square of `n_values`.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.
     Returns
     -------
     ndarray of shape (V, V), float64
-        In nats, symmetric, not negative; 0 on the diagonal.
+        In nats; symmetric, non-negative, and 0 on the diagonal.
 
     Examples
     --------
@@ -71,7 +71,7 @@ def mutual_information(codes: NDArray[np.integer], n_values: int) -> NDArray[np.
 
 
 def both_ones(codes: NDArray[np.integer]) -> NDArray[np.int64]:
-    """Count the samples where both variables of a pair are 1.
+    """Count, for each pair of variables, the samples where both are 1.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def both_ones(codes: NDArray[np.integer]) -> NDArray[np.int64]:
     Returns
     -------
     ndarray of shape (V, V), int64
-        The diagonal has the number of ones of each variable.
+        The diagonal holds each variable's number of ones.
 
     Examples
     --------
@@ -88,23 +88,23 @@ def both_ones(codes: NDArray[np.integer]) -> NDArray[np.int64]:
     [[2, 1], [1, 1]]
     """
     ones = codes.astype(_exact_dtype(len(codes)))
-    # BLAS computes only half of the product of an array with itself.
+    # BLAS computes only half of a product of an array with itself.
     return (ones.T @ ones).astype(np.int64)
 
 
 def binary_information(both: NDArray[np.int64], n: int) -> NDArray[np.float64]:
-    """Compute `mutual_information` of binary variables in `n` samples from the counts of `both_ones`."""
+    """Compute the `mutual_information` of binary variables from the `both_ones` counts of `n` samples."""
     weighted_log = _weighted_logs(n)
     ones = np.diagonal(both)
     first_only = ones[:, None] - both
     only_logs = weighted_log[first_only]
-    # This grouping makes the sum independent of the order of a pair.
+    # This grouping makes the sum independent of the order of the pair's variables.
     joint = (weighted_log[both] + weighted_log[n - ones - first_only]) + (only_logs + only_logs.T)
     return _information(joint, weighted_log[ones] + weighted_log[n - ones], weighted_log)
 
 
 def _weighted_logs(n: int) -> NDArray[np.float64]:
-    """m log m for each count up to `n`."""
+    """Return m log m for each m from 0 to `n`."""
     number = np.arange(n + 1, dtype=np.float64)
     return number * np.log(np.maximum(number, 1))
 
@@ -112,7 +112,7 @@ def _weighted_logs(n: int) -> NDArray[np.float64]:
 def _information(
     joint: NDArray[np.float64], marginal: NDArray[np.float64], weighted_log: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Mutual information from the sums of m log m over the cells of each pair and each variable."""
+    """Compute mutual information from sums of m log m over each pair's and each variable's cells."""
     information = weighted_log[-1] + joint
     information -= marginal[:, None] + marginal
     information /= len(weighted_log) - 1
@@ -124,7 +124,7 @@ def _information(
 def maximum_spanning_tree(weights: NDArray[np.float64], root: int) -> NDArray[np.int32]:
     """Find the spanning tree of greatest total weight (Prim's algorithm), directed away from a root.
 
-    Among equal weights, the lowest variable joins first, below the parent that joined first.
+    If weights are equal, the lowest variable joins first, under the parent that joined first.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ def maximum_spanning_tree(weights: NDArray[np.float64], root: int) -> NDArray[np
     Returns
     -------
     ndarray of shape (V,), int32
-        Parent of each variable; -1 for the root.
+        Each variable's parent; -1 for the root.
 
     Examples
     --------
@@ -162,7 +162,7 @@ def maximum_spanning_tree(weights: NDArray[np.float64], root: int) -> NDArray[np
 def _wide_sums(
     codes: NDArray[np.integer], n_values: int, weighted_log: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Sum m log m over the cells of each pair, and over the values of each variable."""
+    """Sum m log m over each pair's cells and over each variable's values."""
     columns = np.ascontiguousarray(codes.T, dtype=np.int64)
     if n_values * n_values <= CELLS_PER_SAMPLE * len(codes):
         joint = _joint_by_tables(columns, n_values, weighted_log)
@@ -182,7 +182,7 @@ def _joint_by_tables(
     for first, rows in enumerate(columns * n_values):
         for second in range(first + 1, n_variables):
             count_into(counts, np.add(rows, columns[second], out=cells))
-            # Counts 0 and 1 have m log m = 0.
+            # m log m is 0 for counts of 0 and 1.
             joint[first, second] = weighted_log[counts[counts > 1]].sum()
     return joint
 
@@ -207,8 +207,8 @@ def _joint_by_sorting(
 def count_into(counts: NDArray[np.int32], cells: NDArray[np.int64]) -> None:
     """Count cells like ``np.bincount``, but into an existing array.
 
-    A new array per table would cost several times as much as the counting, since the system clears its
-    memory.
+    Allocating an array per table would take several times as long as the counting, since the system clears
+    new memory.
 
     Parameters
     ----------
@@ -228,13 +228,13 @@ def count_into(counts: NDArray[np.int32], cells: NDArray[np.int64]) -> None:
 
 
 def run_lengths(values: NDArray[np.integer]) -> tuple[NDArray[np.integer], NDArray[np.int64]]:
-    """Return the distinct values of a sorted, non-empty array and how often each occurs."""
+    """Return the distinct values of a sorted, non-empty array, and the number of times each occurs."""
     starts = np.flatnonzero(np.r_[True, values[1:] != values[:-1]])
     return values[starts], np.diff(starts, append=len(values))
 
 
 def _exact_product(left: NDArray[np.generic], right: NDArray[np.generic]) -> NDArray[np.int64]:
-    """Matrix product of zeros and ones, exact in any order of summation."""
+    """Multiply matrices of zeros and ones exactly, whatever the order of summation."""
     dtype = _exact_dtype(left.shape[1])
     return (left.astype(dtype) @ right.astype(dtype)).astype(np.int64)
 

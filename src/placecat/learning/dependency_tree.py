@@ -19,32 +19,32 @@ from placecat.learning.contingency import (
 from placecat.learning.discrete_bayes import PRIORS, DiscreteBayes
 from placecat.ranges import Index, OneOf, Positive
 
-# Largest table of pair counts stored in full (32 MB); larger tables hold only pairs that occur.
+# Largest table of pair counts stored in full (32 MB); larger tables store only the pairs that occur.
 _DENSE_CELLS = 1 << 22
-# Table look-ups in one block.
+# Table look-ups per block.
 _BLOCK = 1 << 18
 
 
 class DependencyTree(DiscreteBayes):
-    """p(c_1, ..., c_V | l_i) by the optimal dependency tree of each class (equation 11).
+    """Model of p(c_1, ..., c_V | l_i) by each class's optimal dependency tree (equation 11).
 
-    It is p(c_r | l_i) of the root r times p(c_k | c_parent(k), l_i) of all other variables. The tree of a
-    class is the maximum spanning tree of the mutual information within the class; among all trees it
-    maximises the likelihood of the class's samples (Chow and Liu). The mutual information uses relative
-    frequencies; only the conditional probabilities are smoothed.
+    It is p(c_r | l_i) for the root r times p(c_k | c_parent(k), l_i) for all other variables. A class's tree
+    is the maximum spanning tree of the mutual information within the class; it maximises the likelihood of
+    the class's samples among all trees (Chow and Liu). The mutual information uses relative frequencies; only
+    the conditional probabilities are smoothed.
 
     Parameters
     ----------
     alpha : float
-        Added to every count of a (parent value, value) pair (Laplace smoothing), above 0. The thesis does not
-        give this.
+        Added to every (parent value, value) count (Laplace smoothing), above 0. The thesis does not give
+        this.
     n_values : int, optional
-        Number of values of a variable: the cluster number, or 2 for activations. Default: the largest code in
-        the training data plus 1.
+        Number of values per variable: the number of clusters, or 2 for activations. Default: the largest
+        training code plus 1, at least 2.
     prior : {"uniform", "frequency"}
         p(l_i) in equation (10); see `NaiveBayes`.
     root : int
-        The variable r. It matters only with smoothing. The thesis does not give it.
+        The variable r. Without smoothing, it would make no difference. The thesis does not give it.
 
     Attributes
     ----------
@@ -102,12 +102,12 @@ class DependencyTree(DiscreteBayes):
             counts = value_counts(codes, labels, n_classes, n_values)
             self._fit_pairs(members)
         parent_counts = np.take_along_axis(counts, self.parents_[:, :, None].astype(np.intp), axis=1)
-        # The root has a constant parent with the value 0.
+        # The root is treated as having a constant parent of value 0.
         parent_counts[:, self.root, 0] = self.class_count_
         self._log_parents = np.log(parent_counts + self.alpha * n_values)
 
     def _fit_binary(self, members: list[NDArray[np.integer]]) -> NDArray[np.int64]:
-        """Fit trees and tables with one product per class; return value counts (n_classes, V, 2)."""
+        """Fit trees and tables with one matrix product per class; return value counts (n_classes, V, 2)."""
         parents, counts = [], []
         for part in members:
             both, n = both_ones(part), len(part)
@@ -125,7 +125,7 @@ class DependencyTree(DiscreteBayes):
         return np.array(counts)
 
     def _fit_pairs(self, members: list[NDArray[np.integer]]) -> None:
-        """Store log(count + alpha) of each (variable, parent value, value), in full or sparsely."""
+        """Store log(count + alpha) for each (variable, parent value, value), in full or sparsely."""
         table = self.n_values_**2
         n_cells = self.n_features_in_ * table
         for label, part in enumerate(members):
@@ -149,10 +149,10 @@ class DependencyTree(DiscreteBayes):
     def _pairs(
         self, codes: NDArray[np.integer], label: int
     ) -> tuple[NDArray[np.integer], NDArray[np.integer]]:
-        """Number the cell of each (variable, parent value, value), and of each (variable, parent value)."""
+        """Return cell numbers of each (variable, parent value, value) and each (variable, parent value)."""
         narrow = self.n_features_in_ * self.n_values_**2 < 2**31
         wide_codes: NDArray[np.integer] = codes.astype(np.int32 if narrow else np.int64)
-        # An index list would return a column-ordered array, whose rows numpy sums in another order.
+        # Indexing with a list would return a column-ordered array, whose rows numpy sums in another order.
         parent_cells = np.take(wide_codes, self.parents_[label], axis=1)
         parent_cells[:, self.root] = 0
         parent_cells += np.arange(self.n_features_in_, dtype=wide_codes.dtype) * self.n_values_
@@ -180,7 +180,7 @@ class DependencyTree(DiscreteBayes):
 def _log_tables(
     pairs: NDArray[np.integer], table: int, log_counts: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Look up log(count + alpha) of all cells, one variable's table of counts at a time."""
+    """Look up log(count + alpha) for all cells, one variable's count table at a time."""
     n_variables = pairs.shape[1]
     logs = np.empty((n_variables, table))
     counts = np.empty(table, np.int32)

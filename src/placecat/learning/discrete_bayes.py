@@ -1,4 +1,4 @@
-"""Common base of the two joint-probability models: Bayes' rule on codes."""
+"""Common base class of the two joint-probability models, which applies Bayes' rule to codes."""
 
 from abc import abstractmethod
 from typing import Any, Self
@@ -32,7 +32,7 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
     n_features_in_: int
 
     def __sklearn_tags__(self) -> Any:
-        """Tell scikit-learn that samples are codes."""
+        """Tell scikit-learn that the samples are codes."""
         tags = super().__sklearn_tags__()
         tags.input_tags.categorical = True
         tags.input_tags.positive_only = True
@@ -44,14 +44,14 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         Parameters
         ----------
         X : array-like of shape (n, V), integers in [0, n_values)
-            Codewords of V cells, or the activations (0 or 1) of V clusters.
+            Codewords of V cells, or activations (0 or 1) of V clusters.
         y : array-like of shape (n,)
             Classes: strings or whole numbers.
 
         Raises
         ------
         PlacecatError
-            If a setting is impossible or a code is out of range.
+            If a setting is invalid or a code is out of range.
         """
         if not self.alpha > 0:
             raise PlacecatError(
@@ -76,8 +76,8 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
     def predict_joint_log_likelihood(self, X: ArrayLike) -> NDArray[np.float64]:
         """Return log p(codes, class), the numerator of equation (10): (n, n_classes) float64.
 
-        Raises PlacecatError if a code of X, (n, V) integers in [0, n_values_), is out of range, or if V
-        differs from the training data.
+        X holds (n, V) integers. Raises PlacecatError if a code is outside [0, n_values_), or V differs from
+        the training data.
         """
         check_is_fitted(self)
         codes = self._read_codes(X)
@@ -116,7 +116,7 @@ class DiscreteBayes(ClassifierMixin, BaseEstimator):
         return codes.astype(np.int64)
 
     def _narrow(self, codes: NDArray[np.integer]) -> NDArray[np.integer]:
-        """Check the range of the codes and store them in the smallest dtype."""
+        """Check the codes' range and convert them to a small dtype."""
         if codes.min() >= 0 and codes.max() < self.n_values_:
             return codes.astype(np.uint8 if self.n_values_ <= 256 else np.int32, copy=False)
         sample, variable = np.argwhere((codes < 0) | (codes >= self.n_values_))[0]

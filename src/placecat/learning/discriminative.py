@@ -1,4 +1,4 @@
-"""Selection of codewords that tell classes apart."""
+"""Select the codewords that tell classes apart."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -8,7 +8,7 @@ from placecat.learning.contingency import value_counts
 
 
 def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: float) -> NDArray[np.bool_]:
-    """Mark the codewords whose presence in a frame says most about its class.
+    """Mark the codewords whose presence in a frame says most about the frame's class.
 
     Parameters
     ----------
@@ -18,12 +18,12 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     y
         (frames,) classes.
     keep
-        Share of codewords to mark, in (0, 1], else PlacecatError. At least one codeword is marked. Lower
-        numbers win ties.
+        Share of codewords to mark; raises PlacecatError outside (0, 1]. At least one codeword is marked.
+        Lower numbers win ties.
 
     Returns
     -------
-    (N,) bool, selected by the mutual information of presence and class.
+    (N,) bool, true for the codewords whose presence has the greatest mutual information with the class.
 
     Examples
     --------
@@ -36,13 +36,13 @@ def discriminative_codewords(active: NDArray[np.uint8], y: ArrayLike, keep: floa
     information = _information(active, np.asarray(y))
     kept = np.zeros(len(information), bool)
     number = max(1, round(keep * len(information)))
-    # Round, because the last bits of sums must not decide.
+    # Round, so that the last bits of the sums do not decide.
     kept[np.argsort(-information.round(12), kind="stable")[:number]] = True
     return kept
 
 
 def _information(active: NDArray[np.uint8], y: NDArray[np.generic]) -> NDArray[np.float64]:
-    """Mutual information (N,) of each column's presence and the class, in nats, from relative frequencies."""
+    """Compute mutual information (N,) of codeword presence and class from relative frequencies, in nats."""
     classes, labels = np.unique(y, return_inverse=True)
     joint = value_counts(active, labels, len(classes), 2) / len(labels)
     independent = joint.sum(axis=0) * joint.sum(axis=2, keepdims=True)

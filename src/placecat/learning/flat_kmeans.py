@@ -15,25 +15,25 @@ from placecat.ranges import Count
 
 
 class FlatKMeans(BaseEstimator):
-    """Lloyd's k-means with k-means++ seeds (from scikit-learn), one clustering per cluster number.
+    """scikit-learn's k-means (k-means++ seeds, Lloyd's iterations), run once per cluster number.
 
-    For classifiers it has the same interface as
+    Classifiers use it through the same interface as
     :class:`~placecat.learning.hierarchical_kmeans.HierarchicalKMeans`.
 
     Parameters
     ----------
     numbers : sequence of int
-        The cluster numbers to serve.
+        Numbers of clusters to compute.
     max_iter : int
-        Maximum of Lloyd iterations (not given in the thesis); 11 as in the hierarchical clustering, so only
-        the hierarchy differs.
+        Maximum number of Lloyd iterations (not given in the thesis); 11 as in the hierarchical clustering, so
+        that only the hierarchy differs.
     seed : int
-        Seed, at least 0. Clusterings with different numbers draw independently.
+        Random seed, at least 0. Clusterings with different numbers of clusters draw independently.
 
     Attributes
     ----------
     centers_ : dict of int to ndarray of shape (number, D), float32
-        Numbers larger than the number of training points are missing.
+        Lacks numbers of clusters that exceed the number of training points.
     n_points_ : int
         Number of training points.
     n_features_in_ : int
@@ -53,13 +53,13 @@ class FlatKMeans(BaseEstimator):
 
     @staticmethod
     def settings_for(numbers: Sequence[int]) -> dict[str, Any]:
-        """Settings of an estimator that serves these cluster numbers."""
+        """Return the settings of an estimator that provides these numbers of clusters."""
         return {"numbers": tuple(sorted(set(numbers)))}
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
-        """Cluster (n, D) finite descriptors once for each number, in float32.
+        """Cluster finite (n, D) descriptors in float32, once per number of clusters.
 
-        Raises PlacecatError for an impossible setting.
+        Raises PlacecatError if a setting is invalid.
         """
         from sklearn.cluster import KMeans
 
@@ -85,14 +85,14 @@ class FlatKMeans(BaseEstimator):
         return self
 
     def centers(self, n_clusters: int) -> NDArray[np.float32]:
-        """Centres of one clustering, (n_clusters, D) float32.
+        """Return the centres of one clustering, (n_clusters, D) float32.
 
         Raises
         ------
         NotComputable
             If there are fewer training points than clusters.
         PlacecatError
-            If the number is not one of `numbers`.
+            If `n_clusters` is not one of `numbers`.
         """
         check_is_fitted(self)
         if n_clusters in self.centers_:
@@ -104,7 +104,7 @@ class FlatKMeans(BaseEstimator):
         )
 
     def assign(self, X: ArrayLike, n_clusters: int) -> NDArray[np.int32]:
-        """Nearest centre of each of (n, D) points: (n,) int32 in [0, n_clusters)."""
+        """Find the nearest centre of each of the (n, D) points: (n,) int32 in [0, n_clusters)."""
         points = check_array(X, dtype=np.float32, order="C", ensure_min_samples=0, estimator=self)
         return nearest_centers(points, self.centers(n_clusters))[:, 0]
 
@@ -122,7 +122,7 @@ class FlatKMeans(BaseEstimator):
 
     @classmethod
     def from_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Self:
-        """Rebuild the clusterings from the arrays of `to_arrays` or the result of ``numpy.load``."""
+        """Rebuild the clusterings from the arrays that `to_arrays` or ``numpy.load`` returns."""
         numbers = tuple(arrays["numbers"].tolist())
         model = cls(numbers, int(arrays["max_iter"]), int(arrays["seed"]))
         model.n_points_, model.n_features_in_ = int(arrays["n_points"]), int(arrays["n_features"])

@@ -21,7 +21,7 @@ from placecat.ranges import Count, PositiveShare
 
 @dataclass(frozen=True)
 class StumpEnsembles:
-    """K boosted sums of stumps: F_k(x) = sum_t (high[k, t] if x[feature] > threshold else low[k, t]).
+    """K boosted sums of stumps, F_k(x) = sum_t (high[k, t] if x[feature] > threshold else low[k, t]).
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class StumpEnsembles:
     width: int
 
     def decisions(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Evaluate all K sums for finite X (n, D): (n, K) float64. Other input raises PlacecatError."""
+        """Evaluate all K sums for finite X (n, D): (n, K) float64. Raises PlacecatError for other input."""
         samples = check_samples(X)
         if samples.shape[1] != self.width:
             raise PlacecatError(
@@ -51,7 +51,7 @@ class StumpEnsembles:
         result = np.empty((len(samples), len(self.feature)))
         for k in range(len(self.feature)):
             above = np.take(samples, self.feature[k], axis=1) > self.threshold[k]
-            # Add stump by stump, as in `decide_rows`: a sum over rows may use another order.
+            # Add stump by stump as `decide_rows` does; a sum along the axis may use another order.
             result[:, k] = np.cumsum(np.where(above, self.high[k], self.low[k]), axis=1)[:, -1]
         return result
 
@@ -59,26 +59,26 @@ class StumpEnsembles:
 class GentleAdaBoost(ClassifierMixin, BaseEstimator):
     """Two-class Gentle AdaBoost with regression stumps (thesis 3.3.1.2 and 4.2, [20]).
 
-    Each round picks the stump with the lowest weighted squared error on the labels +-1, adds its two means to
-    F and multiplies each weight by exp(-y f(x)).
+    Each round finds the stump f with the lowest weighted squared error on the labels y = +-1, adds f to F and
+    multiplies each sample's weight by exp(-y f(x)).
 
     Parameters
     ----------
     n_rounds
         Number of weak classifiers (thesis Table 2: 20, 50, 100).
     max_bins
-        Bins per feature. A feature with fewer distinct values has a cut between all of them, as in exact
-        boosting. The thesis does not give this.
+        Maximum number of bins per feature. If a feature has no more distinct values than this, it can be cut
+        between any two adjacent ones, as in exact boosting. The thesis does not give this.
     weight_trim
-        Each round leaves out the lightest samples, which together have 1 - weight_trim of the weight; 1 keeps
-        all samples. 0.95 is OpenCV's default, which the thesis uses.
+        Each round leaves out the lightest samples, whose weights add up to 1 - weight_trim; 1 keeps all
+        samples. 0.95 is the default in OpenCV, which the thesis uses.
 
     Attributes
     ----------
     classes_
-        The two labels, sorted; the second is the positive one. Set by `fit`.
+        The two labels, sorted; the second is the positive class. Set by `fit`.
     feature_, threshold_, low_, high_
-        (T,) feature and cut of each stump, and its values at or below, and above, the cut; T <= n_rounds.
+        (T,) each stump's feature and cut, and its values up to the cut and above it; T <= n_rounds.
     n_features_in_
         D.
 
@@ -108,7 +108,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
         self.weight_trim = weight_trim
 
     def check_parameters(self) -> None:
-        """Raise PlacecatError for an impossible setting."""
+        """Raise PlacecatError if a setting is invalid."""
         if self.n_rounds < 1:
             raise PlacecatError(f"n_rounds = {self.n_rounds}; boosting needs at least 1 weak classifier")
         if not 2 <= self.max_bins <= 65536:
@@ -125,7 +125,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
     def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
         """Fit on real samples (n, D) and labels (n,) of exactly two classes.
 
-        Raises PlacecatError for another number of classes, or an impossible setting.
+        Raises PlacecatError if there are not two classes, or a setting is invalid.
         """
         samples = check_samples(X)
         self.classes_, positive = encode_two_classes(y, len(samples))
@@ -134,7 +134,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
     def prepare(
         self, X: NDArray[np.float32], gram: object = None, n_jobs: int | None = None
     ) -> BinnedFeatures:
-        """Bin the features once for all classes and folds, without labels. Ignores `gram` and `n_jobs`."""
+        """Bin the features without labels, once for all classes and folds. Ignores `gram` and `n_jobs`."""
         self.check_parameters()
         return remembered("bins", (X, self.max_bins), lambda: bin_features(X, self.max_bins), latest=True)
 
@@ -145,14 +145,14 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
         rows: NDArray[np.intp] | None = None,
         context: str = "this class",
     ) -> Self:
-        """Fit on some samples of a shared binning.
+        """Fit on some of the samples in a shared binning.
 
         Parameters
         ----------
         shared
-            Of n samples, from `prepare`.
+            The binned features of n samples, from `prepare`.
         positive
-            (n,) bool. Raises PlacecatError if only one class is among the rows.
+            (n,) bool. Raises PlacecatError if the rows have only one class.
         rows
             Indices of the training samples; all by default.
         context
@@ -163,7 +163,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
         return self._set(stumps, shared)
 
     def fit_together(self, shared: BinnedFeatures, tasks: Sequence[Task]) -> list["GentleAdaBoost"]:
-        """Fit one copy per problem; results (to the bit) and parameters are as in `fit_rows`."""
+        """Fit one copy per problem, with the same results to the bit as `fit_rows`."""
         self.check_parameters()
         contents = (
             content for positive, rows, _ in tasks for content in (positive.tobytes(), bytes_of(rows))
@@ -189,7 +189,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
         return self
 
     def decide_rows(self, shared: BinnedFeatures, rows: NDArray[np.intp]) -> NDArray[np.float64]:
-        """F of samples of a shared binning, (len(rows),) float64."""
+        """Evaluate F for some of the samples in a shared binning: (len(rows),) float64."""
         result = np.zeros(len(rows))
         for feature, cut, low, high in zip(self.feature_, self.cut_, self.low_, self.high_, strict=True):
             result += np.where(shared.bins[feature, rows] > cut, high, low)
@@ -197,7 +197,7 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
 
     @staticmethod
     def collect(machines: Sequence["GentleAdaBoost"], X: object = None) -> StumpEnsembles:
-        """Join machines fitted on the same features, padding shorter ones with zeros. `X` is ignored."""
+        """Combine machines fitted on the same features, padding shorter ones with zeros. Ignores `X`."""
         length = max(len(machine.feature_) for machine in machines)
 
         def stack(name: str) -> NDArray[Any]:
@@ -209,18 +209,18 @@ class GentleAdaBoost(ClassifierMixin, BaseEstimator):
         )
 
     def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
-        """F(x) of samples (n, D), (n,) float64, positive for ``classes_[1]``."""
+        """Evaluate F(x) for samples (n, D): (n,) float64, positive for ``classes_[1]``."""
         check_is_fitted(self, "feature_")
         samples = check_samples(X)
         check_width(samples, self)
         return self.collect([self]).decisions(samples)[:, 0]
 
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Certainty (n, 2) by equation (8)."""
+        """Return certainties (n, 2) from equation (8)."""
         positive = apply_sigmoid(self.decision_function(X), -2.0, 0.0)
         return np.stack([1.0 - positive, positive], axis=1)
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Labels (n,) of samples (n, D)."""
+        """Return the labels (n,) of samples (n, D)."""
         positive = self.decision_function(X) > 0
         return self.classes_[positive.astype(int)]

@@ -17,10 +17,10 @@ from placecat.ranges import Count, Two
 
 
 def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
-    """Refuse a cluster number that a tree with this branching cannot be cut to.
+    """Raise PlacecatError if a tree with this branching cannot be cut to `n_clusters` clusters.
 
     Each split replaces one cluster by `branching`, so a cut has (branching - 1) k + 1 clusters, k = 0, 1, ...
-    The PlacecatError names the two nearest valid numbers.
+    The message names the two nearest valid numbers.
 
     Examples
     --------
@@ -43,46 +43,48 @@ def check_cluster_number(n_clusters: int, branching: int = 16) -> None:
 
 
 class HierarchicalKMeans(BaseEstimator):
-    """Hierarchical k-means as in FLANN: the codebook of the thesis (sections 3.3.2 and 4.2).
+    """Hierarchical k-means as in FLANN, the thesis's codebook (sections 3.3.2 and 4.2).
 
     K-means (k-means++ seeds, then Lloyd's iterations) splits the points into `branching` clusters, splits
     each cluster into `branching` more, and so on. A cut of this tree starts at the root and always splits the
-    node that lowers the total variance (the sum of squared distances to the centres) most. The cut to fewer
-    clusters is a prefix of the cut to more, so one tree serves every cluster number (branching - 1) k + 1.
+    node whose split most reduces the total variance (the sum of squared distances to the centres). A cut's
+    splits are the first splits of every larger cut, so one tree provides every number of clusters
+    (branching - 1) k + 1.
 
-    A node needs at least `branching` distinct points to be split. An empty cluster receives the point
-    farthest from its centre. A node's centre is the mean of its points. Distances are computed in float32
-    about the node's centre, so a split resolves about 1/1000 of the node's radius.
+    A node can be split only if it has at least `branching` distinct points. An empty cluster receives the
+    point that is farthest from its own cluster's centre. A node's centre is the mean of its points. Distances
+    are computed in float32 relative to the node's centre, so a split resolves about 1/1000 of the node's
+    radius.
 
-    The tree grows lazily, which does not change the result: a split gains at most the node's sum of squares,
-    so a node is split only when that bound reaches the best known gain. The random draws of a node depend on
-    its position in the tree, not on the order of splits.
+    The tree is grown lazily, which does not change the result: a split gains at most the node's sum of
+    squares, so a node is split only when this bound reaches the best known gain. A node's random draws depend
+    on its position in the tree, not on the order of the splits.
 
     Parameters
     ----------
     branching : int
         Children per node; 16 in the thesis.
     max_clusters : int
-        Size of the largest cut that the tree is grown to, (branching - 1) k + 1; at most 991 in the thesis.
+        Number of clusters in the largest cut, (branching - 1) k + 1; at most 991 in the thesis.
     max_iter : int
-        Maximum of Lloyd iterations per split. The thesis does not give this; 11 is FLANN's default.
+        Maximum number of Lloyd iterations per split. The thesis does not give this; 11 is FLANN's default.
     seed : int
         Seed of the k-means++ draws, at least 0.
 
     Attributes
     ----------
     max_clusters_ : int
-        The largest possible cut: `max_clusters`, or less if the data have too few distinct points.
+        Size of the largest possible cut: `max_clusters`, or less if there are too few distinct points.
     node_centers_ : ndarray of shape (n_nodes, D), float32
         Node 0 is the root; the children of split k start at node 1 + branching k.
     node_sizes_ : ndarray of shape (n_nodes,), int64
         Number of training points in each node.
     node_sse_ : ndarray of shape (n_nodes,), float64
-        Sum of squared distances of a node's training points to its centre.
+        Sum of squared distances from each node's training points to its centre.
     split_nodes_ : ndarray of shape (n_splits,), int32
-        Node that each step of the cut splits.
+        The node split at each step of the cut.
     training_nodes_ : ndarray of shape (n,), int32 or None
-        The node of each training point in the largest cut; None in a tree made by `from_arrays`.
+        Each training point's node in the largest cut; None if the tree comes from `from_arrays`.
     n_features_in_ : int
         D.
 
@@ -116,23 +118,23 @@ class HierarchicalKMeans(BaseEstimator):
 
     @staticmethod
     def settings_for(numbers: Sequence[int]) -> dict[str, Any]:
-        """Settings of an estimator that serves these cluster numbers."""
+        """Return the settings of an estimator that provides these numbers of clusters."""
         return {"max_clusters": max(numbers)}
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
-        """Grow the tree until it can be cut to `max_clusters`, with two copies of X as float32 in memory.
+        """Grow the tree until it can be cut to `max_clusters`, using memory for two float32 copies of X.
 
-        The bytes of the result do not depend on the number of threads. `y` is ignored.
+        The result is the same to the byte for any number of threads. `y` is ignored.
 
         Parameters
         ----------
         X : array-like of shape (n, D)
-            Descriptors, finite; computed in float32.
+            Finite descriptors, converted to float32.
 
         Raises
         ------
         PlacecatError
-            If a setting is impossible.
+            If a setting is invalid.
         ValueError
             If X is empty or not finite.
         """
@@ -154,7 +156,7 @@ class HierarchicalKMeans(BaseEstimator):
     def _grow(self, points: NDArray[np.float32], n_splits: int) -> None:
         root = make_root(points)
         nodes = [root]
-        # (-gain or its bound, whether the gain is known, node): a bound precedes an equal known gain.
+        # (minus the gain or its bound, is the gain known, node); a bound precedes an equal known gain.
         queue: list[tuple[float, bool, int]] = [(-root.sse, False, 0)]
         split_nodes: list[int] = []
         while queue and len(split_nodes) < n_splits:
@@ -182,26 +184,26 @@ class HierarchicalKMeans(BaseEstimator):
             training_nodes[nodes[index].members] = index
 
     def centers(self, n_clusters: int) -> NDArray[np.float32]:
-        """Return a copy of the cut's centres, (n_clusters, D) float32, in the order of the tree's nodes.
+        """Return a copy of a cut's centres, (n_clusters, D) float32, in the order of the tree's nodes.
 
-        Raises PlacecatError if no cut has this number (the message names the two nearest), if the tree was
-        not grown that far, or if the training data yield fewer clusters (the message names the maximum).
+        Raises PlacecatError if no cut has this size (the message names the two nearest), the tree was not
+        grown that far, or the training data yield fewer clusters (the message names the maximum).
         """
         cut = self._cut(n_clusters)
         return self.node_centers_[cut]
 
     def assign(self, X: ArrayLike, n_clusters: int) -> NDArray[np.int32]:
-        """Find the nearest centre of the cut for each point: its codeword.
+        """Find each point's codeword, the nearest centre in the cut.
 
         All centres are compared (see `nearest_centers`); the lowest index wins ties. The thesis does not say
-        if it descends the tree instead.
+        whether it descends the tree instead.
 
         Parameters
         ----------
         X : array-like of shape (n, D)
-            Finite descriptors; n may be 0. PlacecatError if D differs from training.
+            Finite descriptors; n may be 0. Raises PlacecatError if D differs from the training data.
         n_clusters : int
-            As in `centers`, with the same errors.
+            See `centers`, which raises the same errors.
 
         Returns
         -------
@@ -218,24 +220,24 @@ class HierarchicalKMeans(BaseEstimator):
         return nearest_centers(points, centers)[:, 0]
 
     def labels(self, n_clusters: int) -> NDArray[np.int32]:
-        """Return the tree cell of each training point in the cut, (n,) int32, indices into `centers`.
+        """Return each training point's cluster in the cut, as (n,) int32 indices into `centers`.
 
-        This is the partition from k-means; near cluster borders it differs from `assign`. Raises
-        PlacecatError like `centers`, and for a tree from `from_arrays`.
+        This is the partition that k-means found; near cluster borders it differs from `assign`. Raises
+        PlacecatError like `centers`, and also if the tree comes from `from_arrays`.
         """
         cut = self._cut(n_clusters)
         if self.training_nodes_ is None:
             raise PlacecatError("a loaded codebook does not know its training points: use assign")
         code = np.full(len(self.node_centers_), -1, np.int32)
         code[cut] = np.arange(n_clusters, dtype=np.int32)
-        # A node is split after its parent, so one ordered pass reaches every node below the cut.
+        # A node is split after its parent, so one pass in order reaches every node below the cut.
         for step, node in enumerate(self.split_nodes_):
             if code[node] >= 0:
                 code[1 + self.branching * step : 1 + self.branching * (step + 1)] = code[node]
         return code[self.training_nodes_]
 
     def _cut(self, n_clusters: int) -> NDArray[np.intp]:
-        """Return the nodes of a cut in ascending order."""
+        """Return a cut's nodes in ascending order."""
         check_is_fitted(self)
         check_cluster_number(n_clusters, self.branching)
         if n_clusters > self.max_clusters_:
@@ -254,7 +256,7 @@ class HierarchicalKMeans(BaseEstimator):
         return np.flatnonzero(in_cut)
 
     def to_arrays(self) -> dict[str, NDArray[Any]]:
-        """Return the tree as plain arrays for ``numpy.savez``, without the training points' cells."""
+        """Return the tree as plain arrays for ``numpy.savez``, without the training points' nodes."""
         check_is_fitted(self)
         return {
             "branching": np.array(self.branching, np.int64),
@@ -269,9 +271,9 @@ class HierarchicalKMeans(BaseEstimator):
 
     @classmethod
     def from_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Self:
-        """Rebuild a tree from the arrays of `to_arrays` or the result of ``numpy.load``.
+        """Rebuild a tree from the arrays that `to_arrays` or ``numpy.load`` returns.
 
-        Raises PlacecatError if an array is missing or their sizes disagree.
+        Raises PlacecatError if an array is missing or the arrays' sizes disagree.
         """
         names = ("branching", "max_clusters", "max_iter", "seed")
         arrays_needed = (*names, "node_centers", "node_sizes", "node_sse", "split_nodes")

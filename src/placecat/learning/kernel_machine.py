@@ -1,4 +1,4 @@
-"""Common base of the two-class classifiers that use a Gram matrix."""
+"""Common base class of the two-class classifiers that use a Gram matrix."""
 
 from abc import abstractmethod
 from collections.abc import Sequence
@@ -27,9 +27,9 @@ class KernelMachine:
     Attributes
     ----------
     classes_, support_vectors_
-        The two labels, and (s, D) float32; set by `fit` only.
+        The two labels, and (s, D) float32. Set only by `fit`.
     support_
-        (s,) indices into the samples of the Gram matrix, ascending.
+        (s,) ascending indices into the Gram matrix's samples.
     dual_coef_
         (s,) float64.
     intercept_
@@ -42,7 +42,7 @@ class KernelMachine:
     intercept_: float
     classes_: NDArray[Any]
     support_vectors_: NDArray[np.float32]
-    #: dtype of the Gram matrix that the machine uses without a copy.
+    #: The Gram matrix dtype that the machine can use without copying.
     gram_dtype: DTypeLike = np.float32
 
     def __sklearn_tags__(self) -> Any:
@@ -54,7 +54,7 @@ class KernelMachine:
     def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
         """Fit on real samples (n, D) and labels (n,) of exactly two classes.
 
-        Raises PlacecatError for another number of classes, or an impossible setting.
+        Raises PlacecatError if there are not two classes, or a setting is invalid.
         """
         samples = check_samples(X)
         self.classes_, positive = encode_two_classes(y, len(samples))
@@ -73,12 +73,12 @@ class KernelMachine:
     ) -> Self:
         """Fit on some rows of a Gram matrix.
 
-        Raises PlacecatError if the rows have only one class, or a setting is impossible.
+        Raises PlacecatError if the rows have only one class, or a setting is invalid.
 
         Parameters
         ----------
         shared
-            (n, n) of `gram_dtype`, from `prepare`.
+            (n, n) matrix of `gram_dtype`, from `prepare`.
         positive
             (n,) bool.
         rows
@@ -97,13 +97,13 @@ class KernelMachine:
         X
             (n, D) float32.
         gram
-            Precomputed (n, n) matrix for the same samples and gamma. Another shape raises PlacecatError.
+            Precomputed (n, n) matrix for the same samples and gamma. Raises PlacecatError for another shape.
         n_jobs
-            Threads.
+            Number of threads.
 
         Returns
         -------
-        (n, n) of `gram_dtype`, C-contiguous; `gram` itself if it is both.
+        (n, n) C-contiguous matrix of `gram_dtype`; `gram` itself if it is one.
         """
         if gram is None:
             return remembered(
@@ -119,10 +119,10 @@ class KernelMachine:
         return np.ascontiguousarray(gram, dtype=self.gram_dtype)
 
     def decide_rows(self, shared: NDArray[Any], rows: NDArray[np.intp]) -> NDArray[np.float64]:
-        """Evaluate on rows of the Gram matrix `shared` (n, n): (len(rows),) float64."""
+        """Evaluate for rows of the Gram matrix `shared` (n, n): (len(rows),) float64."""
         weights = np.zeros(len(shared), dtype=shared.dtype)
         weights[self.support_] = self.dual_coef_
-        # A slice of the matrix is a view, an index list a copy.
+        # A slice of the matrix is a view; an index list would make a copy.
         contiguous = (
             len(rows) > 0 and rows[-1] - rows[0] + 1 == len(rows) and bool(np.all(np.diff(rows) == 1))
         )
@@ -130,7 +130,7 @@ class KernelMachine:
         return (block @ weights).astype(np.float64) + self.intercept_
 
     def decision_function(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Signed decision values (n,) of samples (n, D); positive for ``classes_[1]``. Needs `fit`."""
+        """Return decision values (n,) of samples (n, D), positive for ``classes_[1]``. Needs `fit`."""
         check_is_fitted(self, "support_vectors_")
         samples = check_samples(X)
         check_width(samples, self)
@@ -141,11 +141,11 @@ class KernelMachine:
         return expansion.decisions(samples)[:, 0]
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Labels (n,) of samples (n, D). Needs `fit`."""
+        """Return the labels (n,) of samples (n, D). Needs `fit`."""
         positive = self.decision_function(X) > 0
         return self.classes_[positive.astype(int)]
 
     @staticmethod
     def collect(machines: Sequence["KernelMachine"], X: NDArray[np.float32]) -> KernelExpansion:
-        """Join machines fitted on the same samples `X` (n, D) for prediction."""
+        """Combine machines fitted on the same samples `X` (n, D) for prediction."""
         return KernelExpansion.union(machines, X)

@@ -1,4 +1,4 @@
-"""The RBF kernel in cache-sized blocks, and kernel expansions that several classifiers share."""
+"""Compute the RBF kernel in cache-sized blocks, and kernel expansions that several classifiers share."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,19 +16,19 @@ from placecat.errors import PlacecatError
 from placecat.learning.products import RowProducts, row_products, squared_lengths
 from placecat.learning.single_thread import single_blas_thread
 
-# Rows and columns of one tile: 2 MiB of float32.
+# Rows and columns per tile: 2 MiB of float32.
 ROW_TILE = 512
 COLUMN_TILE = 1024
-# The same for predictions, where the bits of a row do not depend on other rows.
+# The same for predictions, where a row's bits must not depend on other rows.
 PREDICTION_ROWS = 480
 PREDICTION_COLUMNS = 912
 
 
 def check_samples(X: ArrayLike, name: str = "X") -> NDArray[np.float32]:
-    """Return `X` as a finite, C-contiguous (n, D) float32 matrix, without a copy if it is one.
+    """Return `X` as a finite, C-contiguous (n, D) float32 matrix, without copying if it already is one.
 
-    Raises PlacecatError, which calls `X` by its `name`, if `X` is sparse, complex, not two-dimensional or
-    empty, or holds NaN or infinite values.
+    Raises PlacecatError if `X` is sparse, complex, not two-dimensional or empty, or holds NaN or infinite
+    values; the message calls it `name`.
     """
     if issparse(X):
         raise PlacecatError(f"{name} is sparse, but must be dense: use {name}.toarray()")
@@ -39,7 +39,7 @@ def check_samples(X: ArrayLike, name: str = "X") -> NDArray[np.float32]:
         shape = f"{name} has shape {samples.shape}; give a non-empty matrix (samples, features)"
         raise PlacecatError(shape + _short_of(samples))
     samples = np.ascontiguousarray(samples, dtype=np.float32)
-    # A finite sum proves that all values are finite; an overflow proves nothing.
+    # A finite sum proves that all values are finite; an infinite sum may only be an overflow.
     with np.errstate(over="ignore", invalid="ignore"):
         finite = bool(np.isfinite(samples.sum()))
     if not finite and not np.isfinite(samples).all():
@@ -51,7 +51,7 @@ def check_samples(X: ArrayLike, name: str = "X") -> NDArray[np.float32]:
 
 
 def _short_of(samples: NDArray[Any]) -> str:
-    """Describe the wrong shape of a matrix in the words that scikit-learn's checks expect."""
+    """Describe a matrix's wrong shape in the words that scikit-learn's checks expect."""
     if samples.ndim != 2:
         return ". Reshape your data"
     what = "sample" if len(samples) == 0 else "feature"
@@ -59,7 +59,7 @@ def _short_of(samples: NDArray[Any]) -> str:
 
 
 def check_width(X: NDArray[Any], estimator: Any) -> None:
-    """Refuse samples whose number of features differs from the training data."""
+    """Raise PlacecatError if the samples' number of features differs from the training data."""
     expected = estimator.n_features_in_
     if X.shape[1] != expected:
         raise PlacecatError(
@@ -69,10 +69,10 @@ def check_width(X: NDArray[Any], estimator: Any) -> None:
 
 
 def check_labels(y: ArrayLike | None, n: int) -> NDArray[Any]:
-    """Return class labels (n,).
+    """Return `y` as class labels (n,).
 
-    Raises PlacecatError if labels are missing, if there are not `n`, or if they are not classes, such as 0.5
-    and NaN.
+    Raises PlacecatError if labels are missing, if there are not `n` of them, or if they cannot be classes,
+    such as 0.5 and NaN.
     """
     if y is None:
         raise PlacecatError("a classifier requires y to be passed, but the target y is None")
@@ -91,9 +91,9 @@ def check_labels(y: ArrayLike | None, n: int) -> NDArray[Any]:
 
 
 def encode_two_classes(y: ArrayLike | None, n: int) -> tuple[NDArray[Any], NDArray[np.bool_]]:
-    """Split labels (n,) into the two sorted classes and (n,) bool, true for the second.
+    """Return the two classes of labels (n,), sorted, and (n,) bool, true for the second class.
 
-    Raises PlacecatError like `check_labels`, or for another number of classes.
+    Raises PlacecatError like `check_labels`, and if there are not two classes.
     """
     classes, index = np.unique(check_labels(y, n), return_inverse=True)
     if len(classes) != 2:
@@ -105,7 +105,7 @@ def encode_two_classes(y: ArrayLike | None, n: int) -> tuple[NDArray[Any], NDArr
 
 
 # One product of rows [2 gamma x, -gamma x.x, 1] and columns [y, 1, -gamma y.y] gives -gamma ||x - y||^2.
-# The origin is the mean of y: it leaves distances alone and reduces cancellation.
+# The origin is the mean of y, which leaves distances unchanged and reduces cancellation.
 def _columns(Y: NDArray[np.float32], gamma: float) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Return the origin (D,) and the columns (m, D + 2)."""
     origin = Y.mean(axis=0, dtype=np.float64).astype(np.float32)
@@ -117,7 +117,7 @@ def _columns(Y: NDArray[np.float32], gamma: float) -> tuple[NDArray[np.float32],
 
 
 def _rows(X: NDArray[np.float32], origin: NDArray[np.float32], gamma: float) -> NDArray[np.float32]:
-    """Return the rows (n, D + 2), each with the bits that it has alone."""
+    """Return the rows (n, D + 2); a row's bits do not depend on other rows."""
     rows = np.empty((len(X), X.shape[1] + 2), dtype=np.float32)
     np.subtract(X, origin, out=rows[:, :-2])
     rows[:, -2] = -gamma * squared_lengths(rows[:, :-2])
@@ -127,8 +127,8 @@ def _rows(X: NDArray[np.float32], origin: NDArray[np.float32], gamma: float) -> 
 
 
 def _to_kernel(products: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Turn the products into exp of -gamma ||x - y||^2, in place."""
-    # Rounding may make a distance negative.
+    """Replace the products by exp(-gamma ||x - y||^2), in place."""
+    # Rounding may make a squared distance negative.
     np.minimum(products, 0.0, out=products)
     return np.exp(products, out=products)
 
@@ -142,24 +142,24 @@ def _check_gamma(gamma: float) -> float:
 def rbf_gram(
     X: ArrayLike, gamma: float, dtype: DTypeLike = np.float32, n_jobs: int | None = None
 ) -> NDArray[Any]:
-    """Compute the Gram matrix exp(-gamma ||x_i - x_j||^2) of one training set, for all classes and folds.
+    """Compute a training set's Gram matrix exp(-gamma ||x_i - x_j||^2), for all classes and folds.
 
-    It is computed in float32, block by block, and is exactly symmetric with ones on the diagonal.
+    It is computed block by block, and is exactly symmetric with ones on the diagonal.
 
     Parameters
     ----------
     X
         (n, D) finite, converted to float32.
     gamma
-        Inverse squared width, > 0, in units of 1 / X^2 (thesis 4.2: 2.0; the scale of X is open there).
+        Inverse squared width, > 0, in units of 1 / X^2 (thesis 4.2: 2.0, without the scale of X).
     dtype
-        dtype of the result: float32, or float64 for libsvm. The values are computed in float32.
+        dtype of the result: float32, or float64 for libsvm. Values are always computed in float32.
     n_jobs
-        Threads. The result does not depend on it.
+        Number of threads. The result does not depend on it.
 
     Returns
     -------
-    (n, n), values in [0, 1]. Raises PlacecatError for another gamma or X.
+    (n, n) matrix of values in [0, 1]. Raises PlacecatError if gamma or X is invalid.
 
     Examples
     --------
@@ -191,10 +191,10 @@ def rbf_gram(
 
 
 def rbf_cross(X: ArrayLike, Y: ArrayLike, gamma: float) -> NDArray[np.float32]:
-    """Kernel values exp(-gamma ||x_i - y_j||^2) between X (n, D) and Y (m, D): (n, m) float32 in [0, 1].
+    """Compute exp(-gamma ||x_i - y_j||^2) between X (n, D) and Y (m, D): (n, m) float32 in [0, 1].
 
     Raises PlacecatError if the widths differ, gamma is not above 0, or an input is not a finite matrix.
-    `KernelExpansion` never builds this whole matrix.
+    `KernelExpansion` avoids building this whole matrix.
     """
     rows, columns = check_samples(X), check_samples(Y, "Y")
     if rows.shape[1] != columns.shape[1]:
@@ -211,13 +211,13 @@ class KernelExpansion:
     Attributes
     ----------
     support_vectors
-        (S, D) float32, the union over the K functions. S may be 0.
+        (S, D) float32, the union of the K functions' vectors. S may be 0.
     coef
         (S, K) float64.
     intercept
         (K,) float64.
     gamma
-        As in `rbf_gram`.
+        See `rbf_gram`.
     """
 
     support_vectors: NDArray[np.float32]
@@ -230,7 +230,7 @@ class KernelExpansion:
 
     @classmethod
     def union(cls, machines: Sequence[Any], X: NDArray[np.float32]) -> Self:
-        """Join `KernelMachine`s fitted on rows of the same `X` (n, D) into one expansion."""
+        """Combine `KernelMachine`s fitted on rows of the same `X` (n, D) into one expansion."""
         support = np.unique(np.concatenate([machine.support_ for machine in machines])).astype(np.intp)
         coef = np.zeros((len(support), len(machines)))
         for k, machine in enumerate(machines):
@@ -240,7 +240,7 @@ class KernelExpansion:
 
     @cached_property
     def _prepared(self) -> tuple[NDArray[np.float32], list[tuple[RowProducts, RowProducts]]]:
-        """Return the origin and, for each block of vectors, the factors of rows and of kernels."""
+        """Return the origin and, for each block of vectors, the products that give kernels and sums."""
         origin, right = _columns(self.support_vectors, self.gamma)
         coef = self.coef.astype(np.float32)
         parts = [
@@ -249,10 +249,9 @@ class KernelExpansion:
         return origin, [(RowProducts(right[part]), RowProducts(coef[part].T)) for part in parts]
 
     def decisions(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Evaluate all K functions for finite X (n, D): (n, K) float64. Other matrices raise PlacecatError.
+        """Evaluate all K functions for finite X (n, D): (n, K) float64. Raises PlacecatError for other X.
 
-        One matrix product computes the kernel, another the sums. The bits of a row do not depend on other
-        rows.
+        One matrix product computes the kernel and another the sums. A row's bits do not depend on other rows.
         """
         samples = check_samples(X)
         width = self.support_vectors.shape[1]

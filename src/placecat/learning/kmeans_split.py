@@ -1,19 +1,19 @@
-"""One split of hierarchical k-means: k-means++ seeds, then Lloyd's iterations."""
+"""Split one node in hierarchical k-means: k-means++ seeds, then Lloyd's iterations."""
 
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
-# Floats of one block of points: 1 MB of float32, half a level-2 cache.
+# Number of floats per block of points: 1 MB of float32, half a level-2 cache.
 _BLOCK = 1 << 18
-# Below this fraction of |x|^2 + |c|^2, a float32 |x|^2 - 2xc + |c|^2 has lost its digits.
+# Below this fraction of |x|^2 + |c|^2, |x|^2 - 2xc + |c|^2 in float32 has lost its significant digits.
 _CANCELLATION = 1e-4
 
 
 @dataclass
 class Node:
-    """A cluster of the growing tree; its path is its place in the tree."""
+    """A cluster in the growing tree; `path` is its position there."""
 
     path: tuple[int, ...]
     members: NDArray[np.int32]
@@ -25,16 +25,16 @@ class Node:
 
 
 def make_root(points: NDArray[np.float32]) -> Node:
-    """Make the node of all (n, D) points."""
+    """Make the root node, which holds all (n, D) points."""
     center = _sums(points, np.zeros(len(points), np.uint8), 1)[0] / len(points)
     centred = points - center.astype(np.float32)
-    # Points are relative to the rounded centre.
+    # The centred points are relative to the rounded centre.
     origin = center.astype(np.float32).astype(np.float64)
     return Node((), np.arange(len(points), dtype=np.int32), centred, origin, _sum_of_squares(centred))
 
 
 def split_node(node: Node, branching: int, max_iter: int, rng: np.random.Generator) -> list[Node]:
-    """Split a node by k-means; without `branching` distinct points it gets no children."""
+    """Split a node by k-means; return no children if it has fewer than `branching` distinct points."""
     points, node.points = node.points, node.points[:0]
     if len(points) < branching:
         return []
@@ -62,7 +62,10 @@ def split_node(node: Node, branching: int, max_iter: int, rng: np.random.Generat
 def seed_clusters(
     points: NDArray[np.float32], n_clusters: int, rng: np.random.Generator
 ) -> NDArray[np.uint16] | None:
-    """Draw k-means++ seeds one by one (one try each, like FLANN); assign each point to its nearest seed."""
+    """Draw k-means++ seeds (one try each, like FLANN) and return the index of each point's nearest seed.
+
+    Returns None if there are too few distinct points.
+    """
     n = len(points)
     norms = np.einsum("ij,ij->i", points, points)
     labels = np.zeros(n, np.uint16)
@@ -89,7 +92,7 @@ def seed_clusters(
 def _squared_distances(
     points: NDArray[np.float32], norms: NDArray[np.float32], seed: int
 ) -> NDArray[np.float32]:
-    """Squared distances from all points to one of them; exactly 0 for its duplicates."""
+    """Compute squared distances from all points to one of them, exactly 0 for its duplicates."""
     distances = points @ points[seed]
     distances *= -2
     distances += norms
@@ -103,7 +106,7 @@ def _squared_distances(
 def lloyd(
     points: NDArray[np.float32], labels: NDArray[np.uint16], n_clusters: int, max_iter: int
 ) -> NDArray[np.uint16]:
-    """Iterate k-means from given labels; every cluster keeps at least one point."""
+    """Iterate k-means from initial labels; every cluster keeps at least one point."""
     sums = _sums(points, labels, n_clusters)
     for _ in range(max_iter):
         counts = np.bincount(labels, minlength=n_clusters)
@@ -131,7 +134,7 @@ def _block_rows(points: NDArray[np.float32]) -> int:
 
 
 def nearest(points: NDArray[np.float32], centers: NDArray[np.float64]) -> NDArray[np.uint16]:
-    """Index of the nearest of a few centres (K, D) for each of (n, D) points; the lowest wins ties."""
+    """Find the nearest of a few centres (K, D) for each of (n, D) points; the lowest index wins ties."""
     # For a handful of centres, the transposed product is faster than nearest_centers.
     half_norms = (0.5 * np.einsum("ij,ij->i", centers, centers))[:, None].astype(np.float32)
     centers32 = centers.astype(np.float32)
@@ -140,13 +143,13 @@ def nearest(points: NDArray[np.float32], centers: NDArray[np.float64]) -> NDArra
     for start in _blocks(points):
         scores = centers32 @ points[start : start + rows].T
         scores -= half_norms
-        # argmax along the first axis, lowest index on ties; twice as fast as scores.argmax(axis=0).
+        # The argmax along the first axis, but twice as fast as scores.argmax(axis=0).
         labels[start : start + rows] = (scores == scores.max(axis=0)).argmax(axis=0)
     return labels
 
 
 def _sums(points: NDArray[np.float32], labels: NDArray[np.integer], n_clusters: int) -> NDArray[np.float64]:
-    """Sum the points of each label: float32 products inside a block, float64 over blocks."""
+    """Sum each label's points, in float32 within a block and in float64 over blocks."""
     numbers = np.arange(n_clusters, dtype=labels.dtype)[:, None]
     sums = np.zeros((n_clusters, points.shape[1]))
     rows = _block_rows(points)
@@ -156,7 +159,7 @@ def _sums(points: NDArray[np.float32], labels: NDArray[np.integer], n_clusters: 
 
 
 def fill_empty(points: NDArray[np.float32], labels: NDArray[np.uint16], centers: NDArray[np.float64]) -> None:
-    """Fill each empty cluster, in place, with the point farthest from its centre in a larger cluster."""
+    """Move to each empty cluster the point farthest from its centre in a larger cluster, in place."""
     counts = np.bincount(labels, minlength=len(centers))
     empty = np.flatnonzero(counts == 0)
     if len(empty) == 0:

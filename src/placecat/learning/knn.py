@@ -1,4 +1,4 @@
-"""The thesis's modified K-nearest neighbours: class frequencies of clusters (section 3.3.1.1)."""
+"""The thesis's modified K-nearest neighbours, which uses clusters' class frequencies (section 3.3.1.1)."""
 
 from typing import Annotated, Any, Self
 
@@ -16,38 +16,38 @@ from placecat.learning.nearest import nearest_centers
 from placecat.ranges import Count, NonNegative, OneOf
 
 CLASS_WEIGHTINGS = ("once", "per_region")
-# Floats of one block of differences between points and their neighbours.
+# Number of floats per block of differences between points and their neighbours.
 _BLOCK = 1 << 20
 
 
 class ModifiedKNN(ClassifierMixin, BaseEstimator):
-    """Modified K-nearest neighbours: the neighbours are cluster centres with class frequencies.
+    """Modified K-nearest neighbours, where the neighbours are cluster centres with class frequencies.
 
     For a set of n points x_k, equations (4) and (5) are
 
         p(l | x_1, ..., x_n) ~ 1 / f(l) * prod_k f(l, x_k),    f(l, x_k) = sum_j f(l, c_j) / |x_k - c_j|
 
     over the K centres nearest to x_k; for K = 1 this is equation (2). f(l, c) counts the training points of
-    class l in cluster c, f(l) those of class l. A centre at distance 0 has all the weight. The
+    class l in cluster c, and f(l) all those of class l. A centre at distance 0 receives all the weight. The
     computation uses logarithms.
 
     Parameters
     ----------
     n_clusters : int
-        Clusters, (branching - 1) k + 1 of the codebook.
+        Number of clusters, (branching - 1) k + 1 for the codebook's branching.
     n_neighbors : int
         K.
     smoothing : float
-        Added to every f(l, c), hence n_clusters times to f(l). The thesis does not give this. With 0, a
-        cluster vetoes every class that it has not seen; if all classes are vetoed, the result is uniform.
+        Added to every f(l, c), hence n_clusters times to f(l). The thesis does not give this. If 0, a cluster
+        vetoes every class that it does not contain; if all classes are vetoed, the result is uniform.
     class_weighting : {"once", "per_region"}
         "once" divides by f(l) once, like equations (2) and (4) and the text. "per_region" divides by f(l)^n,
         which follows from equation (1) with p(c_k | l) = f(c_k, l) / f(l). They agree for single points and
-        balanced classes. Otherwise "once" favours frequent classes, more so if a frame has many regions.
+        balanced classes. Otherwise "once" favours frequent classes, and more so the more regions a frame has.
     codebook : HierarchicalKMeans, optional
-        A fitted tree to cut. Default: a new one, grown to `n_clusters` on the training points.
+        A fitted tree to cut. Default: a new tree, grown to `n_clusters` on the training points.
     seed : int
-        Seed of the new tree.
+        Random seed of the new tree.
 
     Attributes
     ----------
@@ -92,19 +92,19 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         self.seed = seed
 
     def fit(self, X: ArrayLike, y: ArrayLike) -> Self:
-        """Count the classes of the training points nearest to each centre.
+        """Count the classes of the training points in each cluster.
 
         Parameters
         ----------
         X : array-like of shape (n, D)
-            Single descriptors, finite.
+            Finite descriptors, one per sample.
         y : array-like of shape (n,)
             Classes: strings or whole numbers.
 
         Raises
         ------
         PlacecatError
-            If a setting is impossible, or for the reasons in `HierarchicalKMeans.centers`.
+            If a setting is invalid, or if `HierarchicalKMeans.centers` raises it.
         """
         self._check_settings()
         points = check_array(X, dtype=np.float32, order="C", estimator=self)
@@ -138,20 +138,20 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
             )
 
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return p(class | x) of single descriptors (n, D): (n, n_classes) float64, rows sum to 1."""
+        """Return p(class | x) for single descriptors (n, D): (n, n_classes) float64; rows sum to 1."""
         check_is_fitted(self)
         points = self._read_points(X)
         return self._normalize(self._log_frequencies(points), np.ones(len(points), np.int64))
 
     def predict_proba_sets(self, X: NDArray[np.floating], counts: ArrayLike) -> NDArray[np.float64]:
-        """Return p(class | x_1, ..., x_n) of each frame's set of descriptors.
+        """Return p(class | x_1, ..., x_n) for each frame's set of descriptors.
 
         Parameters
         ----------
         X : ndarray of shape (frames, max_regions, D)
             Descriptors; rows beyond a frame's count are ignored.
         counts : array-like of shape (frames,), integers in [0, max_regions]
-            Regions of each frame. Raises PlacecatError if they do not fit X.
+            Number of regions in each frame. Raises PlacecatError if the counts do not fit X.
 
         Returns
         -------
@@ -169,19 +169,19 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         return self._normalize(logs, mask.sum(axis=1))
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Return the most probable class of each descriptor, of shape (n,)."""
+        """Return the most probable class (n,) of each descriptor."""
         best = self.predict_proba(X).argmax(axis=1)
         return self.classes_[best]
 
     def update(self, x: ArrayLike, label: object) -> Self:
         """Learn one more labelled point x (D,) at run time; `label` is one of `classes_`.
 
-        A point at least as close to some centre as the two closest centres are to each other joins its
-        cluster, whose centre moves to the centre of mass. If a point is farther from all centres, the two
-        closest clusters merge and the point starts a new cluster. The number of clusters and the codebook do
-        not change. Only distances to changed centres are recomputed.
+        If the point is at least as close to its nearest centre as the two closest centres are to each other,
+        it joins that centre's cluster, and the centre moves to the cluster's mean. Otherwise the two closest
+        clusters merge and the point starts a new cluster. The number of clusters and the codebook do not
+        change. Only the distances to centres that moved are recomputed.
 
-        Raises PlacecatError if the class is unknown, or D differs from the training data.
+        Raises PlacecatError if the class is unknown or D differs from the training data.
         """
         check_is_fitted(self)
         point = self._read_points(np.asarray(x)[None])[0].astype(np.float64)
@@ -205,7 +205,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
             return self
         kept, freed = (int(cluster) for cluster in closest)
         sizes = self.frequencies_[[kept, freed]].sum(axis=1)
-        # Two empty clusters weigh the same.
+        # Two empty clusters have equal weight.
         weights = sizes if sizes.any() else np.ones(2)
         self.centers_[kept] = np.average(self.centers_[[kept, freed]], axis=0, weights=weights)
         self.frequencies_[kept] += self.frequencies_[freed]
@@ -217,7 +217,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         return self
 
     def _measure(self, cluster: int) -> None:
-        """Update one centre's distances to all others; infinite to itself."""
+        """Update one centre's distances to all others; its distance to itself is infinite."""
         assert self._pair_distances is not None
         distances = np.linalg.norm(self.centers_ - self.centers_[cluster], axis=1)
         distances[cluster] = np.inf
@@ -234,7 +234,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
         return points
 
     def _log_frequencies(self, points: NDArray[np.float32]) -> NDArray[np.float64]:
-        """log f(l, x_k) of equation (5), of shape (n, n_classes), up to a term that all classes share."""
+        """Return log f(l, x_k) of equation (5), (n, n_classes), up to a term that all classes share."""
         frequencies = self.frequencies_ + self.smoothing
         neighbors = nearest_centers(points, self.centers_, self.n_neighbors)
         with np.errstate(divide="ignore"):
@@ -253,7 +253,7 @@ class ModifiedKNN(ClassifierMixin, BaseEstimator):
             return np.log(interpolated)
 
     def _normalize(self, logs: NDArray[np.float64], n_regions: NDArray[np.int64]) -> NDArray[np.float64]:
-        """Divide by f(l) once or per region, then by the sum over classes."""
+        """Divide by f(l), once or per region, and then by the sum over classes."""
         log_class = np.log((self.frequencies_ + self.smoothing).sum(axis=0))
         powers = np.minimum(n_regions, 1) if self.class_weighting == "once" else n_regions
         logs = logs - powers[:, None] * log_class

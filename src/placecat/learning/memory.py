@@ -1,4 +1,4 @@
-"""Cache of intermediate results for classifiers that are trained on the same data one after another."""
+"""Cache intermediate results for classifiers that are trained one after another on the same data."""
 
 import hashlib
 from collections.abc import Callable, Iterator
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 _Result = TypeVar("_Result")
 _by_value = (str, bytes, int, float, type(None))
-# Maps each kind of result to its keys, and each key to its objects (to keep them alive) and the result.
+# Maps each kind of result to its keys, and each key to the key's objects (kept alive) and the result.
 _memory: ContextVar[dict[str, dict[Any, tuple[Any, Any]]] | None] = ContextVar("memory", default=None)
 
 
@@ -19,7 +19,7 @@ _memory: ContextVar[dict[str, dict[Any, tuple[Any, Any]]] | None] = ContextVar("
 def remembering() -> Iterator[None]:
     """Keep the results of :func:`remembered` until the end of the block. Other threads do not see them.
 
-    It saves time only; results are identical with and without it.
+    This only saves time; results are identical without it.
     """
     token = _memory.set({})
     try:
@@ -31,19 +31,19 @@ def remembering() -> Iterator[None]:
 def remembered(
     name: str, key: tuple[Any, ...], compute: Callable[[], _Result], *, latest: bool = False
 ) -> _Result:
-    """Return a result from the cache, or compute and store it. Without a cache it is always computed.
+    """Return a result from the cache, or compute and store it. Outside `remembering`, always compute it.
 
     Parameters
     ----------
     name
-        Name of the kind of result.
+        Name of this kind of result.
     key
-        Everything that the result depends on. Text, bytes and numbers are compared by value, other objects,
-        such as arrays, by identity. Do not change them or the result in place.
+        Everything that the result depends on. Text, bytes and numbers are compared by value; other objects,
+        such as arrays, are compared by identity. Do not change these objects or the result in place.
     compute
-        Computes the result.
+        Function that computes the result.
     latest
-        Keep only the latest result of this name, since it is large.
+        Keep only the latest result with this name; for large results.
 
     Examples
     --------
@@ -60,7 +60,7 @@ def remembered(
     results = memory.setdefault(name, {})
     if parts not in results:
         if latest:
-            # Delete it before computing the new result, so only one takes up memory.
+            # Delete the old result before computing the new one, so that only one takes up memory.
             results.clear()
         results[parts] = (key, compute())
     result: _Result = results[parts][1]
@@ -68,12 +68,12 @@ def remembered(
 
 
 def bytes_of(array: NDArray[Any] | None) -> bytes | None:
-    """Content of an array of known dtype and shape, for use in a key."""
+    """Return the content of an array with a known dtype and shape, for use in a key."""
     return None if array is None else np.ascontiguousarray(array).tobytes()
 
 
 def content(array: NDArray[Any]) -> bytes:
-    """Checksum of an array, for use in a key if the array is created repeatedly; b"" without a cache."""
+    """Return a checksum for use in a key if the array is created repeatedly; b"" outside `remembering`."""
     if _memory.get() is None:
         return b""
     head = f"{array.dtype.str}{array.shape}".encode()

@@ -1,4 +1,4 @@
-"""Common base of the multi-class schemes: one two-class classifier per class, with its p(o_k|x)."""
+"""Common base class of the multi-class schemes, with one two-class classifier p(o_k|x) per class."""
 
 from collections.abc import Callable, Sequence
 from typing import Any, Self
@@ -16,9 +16,9 @@ from placecat.learning.two_class import as_base, is_balanced, uses_own
 
 
 class MultiClass:
-    """The K classifiers of a scheme, fitted and calibrated together.
+    """A scheme's K classifiers, fitted and calibrated together.
 
-    A scheme has the first parameters of `OneAgainstAll`, and sets its first attributes.
+    All schemes have the parameters and attributes annotated below; `OneAgainstAll` describes them.
     """
 
     base: Any
@@ -52,16 +52,16 @@ class MultiClass:
         y
             (n,) labels; every class occurs at least twice.
         groups
-            (n,) the home of each sample, for a calibration by home.
+            (n,) the home of each sample, needed if the calibration holds out homes.
         gram
-            (n, n) Gram matrix of X at the base's gamma, to share it between fits.
+            (n, n) Gram matrix of X for the base's gamma, if several fits share it.
         class_names
-            Names by integer label, for messages only.
+            Name of each integer label, for messages only.
 
         Raises
         ------
         PlacecatError
-            If there are fewer than 2 classes, a class has only 1 sample, a setting is impossible, or nu is
+            If there are fewer than 2 classes, a class has only 1 sample, a setting is invalid, or nu is
             infeasible under the policy ``refuse``.
         """
         base = as_base(self.base)
@@ -91,7 +91,7 @@ class MultiClass:
         return self
 
     def outputs(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return p(o_k|x) (n, K) for samples (n, D): the mean over the machines of each class."""
+        """Return p(o_k|x) (n, K) for samples (n, D), the mean over each class's machines."""
         check_is_fitted(self, "scorer_")
         samples = check_samples(X)
         check_width(samples, self)
@@ -102,7 +102,7 @@ class MultiClass:
         return np.add.reduceat(proba, starts, axis=1) / np.bincount(self.machine_class_)
 
     def _check_settings(self) -> None:
-        """Refuse impossible settings of the combination."""
+        """Raise PlacecatError if a setting of the combination is invalid."""
 
     def _arrange(
         self,
@@ -111,17 +111,17 @@ class MultiClass:
         index: NDArray[np.intp],
         fit_some: Callable[[Sequence[Problem]], list[FittedProblem]],
     ) -> list[FittedProblem]:
-        """Return the final problems; some may be refitted."""
+        """Return the final fits; a subclass may fit some problems again."""
         return fitted
 
     def _fit_combination(self, index: NDArray[np.intp]) -> None:
-        """Fit the combination; `index` is the class of each sample."""
+        """Fit the combination; `index` holds each sample's class index."""
 
 
 def encode_classes(
     X: ArrayLike, y: ArrayLike, class_names: Sequence[str] | None
 ) -> tuple[NDArray[np.float32], NDArray[Any], NDArray[np.intp], list[str]]:
-    """Check training data; return float32 samples, classes, class indices, and names for messages."""
+    """Check training data and return float32 samples, classes, class indices, and names for messages."""
     samples = check_samples(X)
     classes, index = np.unique(check_labels(y, len(samples)), return_inverse=True)
     names = [str(c) for c in classes] if class_names is None else [str(class_names[int(c)]) for c in classes]

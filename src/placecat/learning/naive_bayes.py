@@ -10,26 +10,26 @@ from placecat.learning.discrete_bayes import PRIORS, DiscreteBayes
 from placecat.learning.products import row_products
 from placecat.ranges import OneOf, Positive
 
-# Table look-ups in one block.
+# Table look-ups per block.
 _BLOCK = 1 << 18
 
 
 class NaiveBayes(DiscreteBayes):
-    """p(c_1 = q_1, ..., c_V = q_V | l_i) as the product of all p(c_k = q_k | l_i) (equation 12).
+    """Model of p(c_1 = q_1, ..., c_V = q_V | l_i) as the product of all p(c_k = q_k | l_i) (equation 12).
 
-    The variables are the codewords of the 16 image cells (section 4.2), or the activations of all clusters in
-    a codebook (3.3.2). With activations, a *missing* cluster is evidence too.
+    The variables are the codewords of the 16 image cells (section 4.2), or the activations of a codebook's
+    clusters (3.3.2). With activations, a *missing* cluster is evidence too.
 
     Parameters
     ----------
     alpha : float
         Added to every count (Laplace smoothing), above 0. The thesis does not give this.
     n_values : int, optional
-        Number of values of a variable: the cluster number, or 2 for activations. Default: the largest code in
-        the training data plus 1.
+        Number of values per variable: the number of clusters, or 2 for activations. Default: the largest
+        training code plus 1, at least 2.
     prior : {"uniform", "frequency"}
-        p(l_i) in equation (10). The thesis does not give this; uniform matches its KNN (3.3.1.1) and its
-        measure, the mean accuracy over classes.
+        p(l_i) in equation (10). The thesis does not give this; "uniform" matches its KNN (3.3.1.1) and its
+        accuracy measure, the mean over classes.
 
     Attributes
     ----------
@@ -73,7 +73,7 @@ class NaiveBayes(DiscreteBayes):
             gain = self.feature_log_prob_[:, :, 1] - absent
             return row_products(codes, gain) + absent.sum(axis=1)
         n, n_variables = codes.shape
-        # One row per (variable, value): a look-up reads all classes at once.
+        # One row per (variable, value), so that a look-up reads all classes at once.
         table = np.ascontiguousarray(self.feature_log_prob_.reshape(len(self.classes_), -1).T)
         offsets = np.arange(n_variables) * self.n_values_
         result = np.empty((n, len(self.classes_)))

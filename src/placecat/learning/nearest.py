@@ -1,4 +1,4 @@
-"""Exact nearest centres of points, by blocked matrix products."""
+"""Find points' exact nearest centres by blocked matrix products."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -6,21 +6,20 @@ from numpy.typing import ArrayLike, NDArray
 from placecat.learning.memory import content, remembered
 from placecat.learning.products import RowProducts
 
-# Floats of one block of scores: 4 MB of float32, about a level-2 cache and a level-3 slice.
+# Number of floats per block of scores: 4 MB of float32, about a level-2 cache plus a level-3 slice.
 _BLOCK = 1 << 20
 
 
 def nearest_centers(X: ArrayLike, centers: NDArray[np.floating], n_neighbors: int = 1) -> NDArray[np.int32]:
-    """Find the nearest centres of each point, nearest first.
+    """Find each point's nearest centres, nearest first.
 
-    All centres are compared, in float32, after the mean of the centres is subtracted. Distances that float32
-    cannot distinguish count as equal; the lowest index wins ties. A point's result does not depend on the
-    other points.
+    All centres are compared in float32, after subtracting their mean. Distances that float32 cannot
+    distinguish count as equal; the lowest index wins ties. A point's result does not depend on other points.
 
     Parameters
     ----------
     X : array-like of shape (n, D), float32
-        Points, finite.
+        Finite points.
     centers : ndarray of shape (N, D)
     n_neighbors : int
         In [1, N].

@@ -17,7 +17,7 @@ POLICIES = ("lower", "refuse")
 
 
 def largest_feasible_nu(n_positive: int, n_negative: int) -> float:
-    """Return 2 min(n+, n-) / n; for a larger nu the nu-SVM has no solution.
+    """Return 2 min(n+, n-) / n, above which the nu-SVM has no solution.
 
     References
     ----------
@@ -32,10 +32,10 @@ def largest_feasible_nu(n_positive: int, n_negative: int) -> float:
 
 
 def accepted_nu(nu: float, n_positive: int, n_negative: int) -> float:
-    """Return `nu`, or a value just below the largest feasible nu if `nu` reaches it.
+    """Return `nu`, limited to just below the largest feasible nu.
 
-    At the limit, every sample of the smaller class is at its bound. libsvm computes the margin from a sample
-    that is not at its bound, and would divide by zero or infinity.
+    At the limit, every sample of the smaller class is at its bound. libsvm needs a sample that is not at its
+    bound to compute the margin, and would divide by zero or infinity.
     """
     return min(nu, largest_feasible_nu(n_positive, n_negative) * (1.0 - 1e-7))
 
@@ -43,30 +43,31 @@ def accepted_nu(nu: float, n_positive: int, n_negative: int) -> float:
 class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     """Binary nu-SVM (thesis 3.3.1.2, [66]) with the kernel exp(-gamma ||x - y||^2).
 
-    The solver is libsvm, called through scikit-learn's NuSVC. `fit` takes samples; `prepare` and `fit_rows`
-    let many fits share one Gram matrix.
+    The solver is libsvm, called through scikit-learn's NuSVC. `fit` takes samples, while `prepare` and
+    `fit_rows` let many fits share one Gram matrix.
 
     Parameters
     ----------
     gamma
-        Kernel width, > 0 (thesis 4.2: 2.0). `KernelScaling` sets the scale of X.
+        Inverse squared kernel width, > 0 (thesis 4.2: 2.0). `KernelScaling` sets the scale of X.
     nu
         Share of margin errors, in (0, 1] (thesis 4.2: 0.2).
     nu_policy
-        If nu exceeds 2 min(n+, n-) / n: ``lower`` nu to this limit (thesis 4.2 and 4.3), or ``refuse``.
+        What to do if nu exceeds 2 min(n+, n-) / n: ``lower`` nu to this limit (thesis 4.2 and 4.3), or
+        ``refuse`` to fit.
     tol
         libsvm's stopping tolerance. The thesis does not give this.
     cache_mb
-        libsvm's cache per fit in MB; it affects only speed.
+        libsvm's cache size per fit in MB; affects only speed.
 
     Attributes
     ----------
     classes_
-        The two labels, sorted; the second is the positive one. Set by `fit`.
+        The two labels, sorted; the second is the positive class. Set by `fit`.
     nu_
-        The nu in use: `nu`, or the largest feasible nu if that is lower, doubled until there is a margin.
+        The nu in use: the lower of `nu` and the largest feasible nu, doubled until there is a margin.
     support_, dual_coef_, intercept_
-        As in `KernelMachine`.
+        See `KernelMachine`.
     support_vectors_
         (s, D) float32. Set by `fit`.
 
@@ -81,7 +82,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
     ['a', 'b']
     """
 
-    #: The sigmoid of the base's own probability; None: Platt's is fitted.
+    #: Sigmoid that gives the base's own probability; None: a Platt sigmoid is fitted.
     own_sigmoid: tuple[float, float] | None = None
     gram_dtype = np.float64
 
@@ -100,7 +101,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
         self.cache_mb = cache_mb
 
     def check_parameters(self) -> None:
-        """Raise PlacecatError for a setting that is impossible for any data."""
+        """Raise PlacecatError if a setting is invalid whatever the data."""
         if not 0 < self.nu <= 1:
             raise PlacecatError(f"nu = {self.nu} is outside (0, 1]; the thesis uses 0.2")
         if self.nu_policy not in POLICIES:
@@ -113,7 +114,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
         rows: NDArray[np.intp] | None = None,
         context: str = "this class",
     ) -> Self:
-        """Fit on some rows of a Gram matrix, without a copy; see `KernelMachine.fit_rows`.
+        """Fit on some rows of a Gram matrix without copying it; see `KernelMachine.fit_rows`.
 
         Also raises PlacecatError if, under the policy ``refuse``, nu is infeasible or leaves no margin.
         """
@@ -155,7 +156,7 @@ class NuSVM(KernelMachine, ClassifierMixin, BaseEstimator):
                     machine.fit(shared, positive, sample_weight=weights)
                 break
             except ValueError as error:
-                # If samples of both classes coincide, a small nu leaves no margin, and libsvm divides by it.
+                # If samples of both classes coincide, a small nu leaves a 0 margin, and libsvm divides by it.
                 if "not finite" not in str(error):
                     raise
                 if self.nu_policy == "refuse" or nu >= largest:

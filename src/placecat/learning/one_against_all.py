@@ -1,4 +1,4 @@
-"""Parallel probabilistic scheme: one two-class classifier per class, and their combination."""
+"""Parallel probabilistic scheme, which combines one two-class classifier per class."""
 
 from typing import Annotated, Any
 
@@ -29,9 +29,9 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
     ----------
     base
         Two-class classifier: `NuSVM` (the default), `RVM`, `GentleAdaBoost`, or any scikit-learn classifier
-        (without shared preparation).
+        (without sharing the preparation).
     calibration
-        Which samples are held out for the sigmoids and the reliabilities, see
+        Which samples are held out for the sigmoids and reliabilities, see
         :class:`~placecat.learning.calibration.Calibration`: ``samples`` (the default), ``consecutive``,
         ``homes_centred`` or ``homes_averaged``.
     sigmoid
@@ -39,56 +39,57 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
         probability: equation (8) for boosting, the logistic likelihood for the RVM. ``auto`` uses equation
         (8) for boosting and Platt for nu-SVM and RVM, like dlib and therefore the thesis.
     sigmoid_weights
-        ``balanced`` weighs positives and negatives equally in Platt's sigmoid; ``none`` does not (Platt).
+        ``balanced`` gives positives and negatives equal total weight in Platt's sigmoid; ``none``, as in
+        Platt's paper, does not.
     combination
         ``parallel``: equation (6). ``certainty``: the normalised p(o_k|x), so the most certain classifier
-        decides, the simpler method of 3.3.1.2.
+        decides (the simpler method of 3.3.1.2).
     exclusive
-        Divide the p(o_k|x) of a sample by their sum before equations (6) and (7): (6) is the law of total
+        Divide each sample's p(o_k|x) by their sum before equations (6) and (7), since (6) is the law of total
         probability only if exactly one o_k occurs.
     reliability
-        p(o_k|l_i) over held-out samples of class i: ``soft``, the mean of p(o_k|x); ``hard``, the share with
-        p(o_k|x) >= 0.5 or, with `exclusive`, the share where it is the largest. The thesis says only
-        "statistics from cross-validating".
+        How to compute p(o_k|l_i) from held-out samples of class i: ``soft``, the mean of p(o_k|x); ``hard``,
+        the share with p(o_k|x) >= 0.5 or, if `exclusive`, the share where p(o_k|x) is the largest. The thesis
+        says only "statistics from cross-validating".
     reliability_smoothing
-        Added to each count. With 0, a classifier that never says yes is ignored. The thesis does not give
-        this.
+        Added to each count. With 0, a classifier that never says yes has a uniform p(l_i|o_k). The thesis
+        does not give this.
     prior
         p(l_i): ``training`` for the training frequencies, as in the thesis, or ``uniform``, as in its nearest
-        neighbours (3.3.1.1). Uniform suits the measure, a mean over places.
+        neighbours (3.3.1.1). ``uniform`` suits the accuracy measure, which is a mean over places.
     uncertainty
-        gamma of equation (9). beta = gamma (1 / max_k p(o_k|x) - 1) is spread evenly over the classes before
-        normalisation. 0 is off.
+        gamma in equation (9). beta = gamma (1 / max_k p(o_k|x) - 1) is spread evenly over the classes before
+        normalisation. 0 turns this off.
     folds
-        Number of held-out parts of the samples. The thesis does not give this.
+        Number of parts for cross-validation. The thesis does not give this.
     n_jobs
-        Threads over (class, fold) pairs. The result does not depend on it.
+        Number of threads for the (class, fold) pairs. The result does not depend on it.
 
     Attributes
     ----------
     classes_
         (K,) labels, sorted.
     reliability_
-        (K, K) float64, row i, column k: p(o_k|l_i).
+        (K, K) float64: p(o_k|l_i) in row i and column k.
     prior_
         (K,) p(l_i).
     posterior_
-        (K, K), row i, column k: p(l_i|o_k). Columns sum to 1.
+        (K, K): p(l_i|o_k) in row i and column k. Columns sum to 1.
     sigmoid_
-        (M, 2) A <= 0 and B of p = 1 / (1 + exp(A d + B)) of each machine.
+        (M, 2): each machine's A <= 0 and B in p = 1 / (1 + exp(A d + B)).
     machine_class_
-        (M,) the k of each machine, ascending; p(o_k|x) is the mean over the class's machines. Only
-        ``homes_averaged`` has several per class.
+        (M,) each machine's class index k, ascending; p(o_k|x) is the mean over the class's machines. Only
+        ``homes_averaged`` has several machines per class.
     flat_
-        (K,) number of flat sigmoids per class, see `FittedProblem`.
+        (K,) number of flat sigmoids per class; see `FittedProblem`.
     cv_outputs_
         (n, K) held-out p(o_k|x) of the training samples.
     nu_
-        (K,) nu in use for each class; NaN for a base without nu.
+        (K,) smallest nu in use for each class; NaN if the base has no nu.
     fold_nu_
-        K arrays: nu for each held-out part.
+        K arrays with the nu for each held-out part.
     scorer_
-        All M decision functions in one object.
+        One object that evaluates all M decision functions.
     n_features_in_
         D.
 
@@ -172,7 +173,7 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
         return np.divide(outputs, total, out=np.full_like(outputs, 1.0 / outputs.shape[1]), where=total > 0)
 
     def combine(self, outputs: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Combine outputs p(o_k|x) (n, K) into distributions p(l_i|x) (n, K), equations (6), (7), (9)."""
+        """Combine outputs p(o_k|x) (n, K) into distributions p(l_i|x) (n, K), by equations (6), (7), (9)."""
         proba = outputs
         if self.combination == "parallel":
             proba = sum_products(self._exclude(outputs), self.posterior_)
@@ -188,6 +189,6 @@ class OneAgainstAll(MultiClass, ClassifierMixin, BaseEstimator):
         return self.combine(self.outputs(X))
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Most probable class (n,) of samples (n, D)."""
+        """Return the most probable class (n,) of samples (n, D)."""
         decided = self.predict_proba(X).argmax(axis=1)
         return self.classes_[decided]

@@ -1,4 +1,4 @@
-"""Probabilities from decision values, by a fitted sigmoid."""
+"""Turn decision values into probabilities with a fitted sigmoid."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,27 +17,28 @@ def fit_sigmoid(
     """Fit p(positive | d) = 1 / (1 + exp(A d + B)), A <= 0, by maximum likelihood on smoothed targets.
 
     The targets are (n+ + 1) / (n+ + 2) and 1 / (n- + 2). Newton's method with step halving solves the convex
-    problem. The thesis (3.3.1.2) uses this method as dlib's probabilistic decision function.
+    problem. The thesis (3.3.1.2) uses this method through dlib's probabilistic decision function.
 
     A larger decision value never makes the positive class less probable: if the best sigmoid falls, the
-    result is flat, A = 0.
+    result is flat (A = 0). It is also flat if all decision values are equal.
 
     Parameters
     ----------
     decisions
-        (n,) real and finite, n at least 1, else PlacecatError; preferably held out by cross-validation.
+        (n,) real values, preferably held out by cross-validation. Raises PlacecatError if n is 0 or a value
+        is not finite.
     positive
         (n,) bool.
     balanced
-        Weight positives and negatives so that each total n / 2: the probability for equally frequent classes.
+        Give positives and negatives a total weight of n / 2 each, so p holds for equally frequent classes.
     tol
-        Stop when the gradient, per sample and in units of the standardised decisions, falls below it.
+        Stop when the gradient per sample, in units of the standardised decisions, falls below this.
     max_iter
-        Maximum of Newton steps.
+        Maximum number of Newton steps.
 
     Returns
     -------
-    A, at most 0, and B.
+    A (at most 0) and B.
 
     References
     ----------
@@ -64,7 +65,7 @@ def fit_sigmoid(
     if balanced and n_positive and n_negative:
         weights = np.where(is_positive, 0.5 * len(d) / n_positive, 0.5 * len(d) / n_negative)
 
-    # Standardised decisions make the Hessian well conditioned in any units.
+    # Standardising the decisions makes the Hessian well conditioned in any units.
     shift, scale = float(d.mean()), float(d.std())
     rate = float(np.average(target, weights=weights))
     flat = 0.0, float(np.log((1.0 - rate) / rate))
@@ -101,13 +102,13 @@ def fit_sigmoid(
         else:
             break
         slope, offset, value = slope + step * d_slope, offset + step * d_offset, new
-    # By convexity, if the best sigmoid falls, the best one that does not fall is at the boundary.
+    # By convexity, if the best sigmoid falls, the best sigmoid that does not fall is flat.
     return flat if slope > 0.0 else (slope / scale, offset - slope * shift / scale)
 
 
 def apply_sigmoid(decisions: NDArray[np.float64], a: ArrayLike, b: ArrayLike) -> NDArray[np.float64]:
     """Return 1 / (1 + exp(a d + b)) without overflow, in [0, 1]; NaN stays NaN.
 
-    `decisions` are (...,) float64; `a` and `b`, from `fit_sigmoid`, broadcast against them.
+    `decisions` has shape (...,); `a` and `b` come from `fit_sigmoid` and are broadcast against it.
     """
     return expit(-(np.asarray(a) * decisions + np.asarray(b)))

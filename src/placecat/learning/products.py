@@ -1,10 +1,10 @@
-"""Matrix products where each row of the result depends only on the matching input row, to the bit.
+"""Matrix products in which each result row depends only on the matching input row, to the bit.
 
-BLAS does not guarantee this. It multiplies in tiles, sums in a different order at the edges of a matrix, and
-uses different routines for one row and for many. So the last bits for a frame would depend on the other
+BLAS does not guarantee this: it multiplies in tiles, sums in a different order at a matrix's edges, and uses
+different routines for one row and for many. The last bits of a frame's result would depend on the other
 frames. Here every product has one of a few fixed row counts (the last product is padded with zeros), and zero
-margins surround the columns. Whether this works depends on the processor's kernels: each shape is tested
-once, and if it fails, rows are multiplied one by one.
+margins surround the columns. Whether this works depends on the processor's kernels, so each shape is tested
+once; if the test fails, rows are multiplied one by one.
 """
 
 from collections.abc import Iterator
@@ -16,23 +16,23 @@ from numpy.typing import ArrayLike, NDArray
 
 from placecat.learning.single_thread import single_blas_thread
 
-# Columns of one product without margins; with margins 320, one block of OpenBLAS's AVX2 float32 kernels.
+# Columns per product without margins. With margins: 320, one block of OpenBLAS's AVX2 float32 kernels.
 _COLUMNS = 304
-# Zero columns on the two sides: the tile size of these kernels (8), and twice that.
+# Zero columns on each side (these kernels' tile size), and the multiple that columns are padded to.
 _MARGIN, _TILE = 8, 16
-# Row counts of one product, preferred first: multiples of 12, the tile height of these kernels.
+# Row counts per product, preferred first: multiples of 12, the tile height of these kernels.
 _ROWS = (48, 240, 12)
-# Minimum of random columns to test a shape with.
+# Minimum number of random columns for testing a shape.
 _TRIED = 256
 
 
 class RowProducts:
-    """Compute left @ right.T for one `right`; the bits of a row do not depend on other rows.
+    """Compute left @ right.T for a fixed `right`; a row's bits do not depend on other rows.
 
     Parameters
     ----------
     right
-        (m, k) float32 or float64; copied. m may be 0.
+        (m, k) float32 or float64, copied; m may be 0.
 
     Examples
     --------
@@ -52,7 +52,7 @@ class RowProducts:
             self._tiles.append(padded)
 
     def __call__(self, left: ArrayLike) -> NDArray[Any]:
-        """Multiply (n, k) rows, converted to the dtype of `right`: (n, m). n may be 0."""
+        """Multiply (n, k) rows, converted to `right`'s dtype, and return (n, m); n may be 0."""
         rows = np.ascontiguousarray(left, dtype=self.dtype)
         m, k = self.shape
         result = np.empty((len(rows), m), self.dtype)
@@ -68,14 +68,14 @@ class RowProducts:
 
 
 def row_products(left: ArrayLike, right: ArrayLike) -> NDArray[Any]:
-    """Multiply (n, k) rows by (m, k) rows: (n, m), in the dtype of `right`. See :class:`RowProducts`."""
+    """Multiply (n, k) rows by (m, k) rows: (n, m) in `right`'s dtype. See :class:`RowProducts`."""
     return RowProducts(right)(left)
 
 
 def sum_products(left: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64]:
     """Multiply (n, k) by (m, k) rows of float64 as :func:`row_products` does: (n, m) float64.
 
-    It is meant for small k, at least 1, and adds term by term without BLAS.
+    It is meant for small k (at least 1), and adds term by term without BLAS.
     """
     result = left[:, :1] * right[:, 0]
     for term in range(1, right.shape[1]):
@@ -84,10 +84,10 @@ def sum_products(left: NDArray[np.float64], right: NDArray[np.float64]) -> NDArr
 
 
 def squared_lengths(X: NDArray[np.floating]) -> NDArray[np.float64]:
-    """Sum of squares of each row of (n, k), as (n,) float64; rows do not affect each other."""
+    """Sum the squares in each row of (n, k): (n,) float64. Rows do not affect each other."""
     result = np.empty(len(X))
     for start in range(0, len(X), _ROWS[0]):
-        # Convert first: einsum's conversion buffers may end within a row.
+        # Convert first, because einsum's conversion buffers may end in the middle of a row.
         part = np.ascontiguousarray(X[start : start + _ROWS[0]], np.float64)
         np.einsum("ij,ij->i", part, part, out=result[start : start + _ROWS[0]])
     return result
@@ -103,9 +103,9 @@ def _padded(columns: int) -> int:
 
 @cache
 def _numbers_of_rows(k: int, columns: int, dtype: str) -> tuple[int, ...]:
-    """Return the row counts, descending, whose products agree in every row; empty if no count works.
+    """Return, in descending order, the row counts whose products agree in every row; empty if none do.
 
-    The test repeats one row of random numbers: all rows of the product must be equal to the bit.
+    The test repeats one row of random numbers; all rows of the product must be equal to the bit.
     """
     rng = np.random.default_rng(0)
     agreeing = list(_ROWS)
@@ -122,11 +122,11 @@ def _numbers_of_rows(k: int, columns: int, dtype: str) -> tuple[int, ...]:
 
 
 def _blocks(n: int, sizes: tuple[int, ...]) -> Iterator[tuple[int, int]]:
-    """First row and row count of the products that cover n rows; the last product may extend past the end."""
+    """Yield first rows and row counts of products that cover n rows; the last may extend past the end."""
     start = 0
     while start < n:
         rest = n - start
-        # The largest block that is at least half full.
+        # Choose the largest block that would be more than half full.
         size = next((size for size in sizes if 2 * rest > size), sizes[-1])
         yield start, size
         start += size
@@ -144,7 +144,7 @@ def _by_blocks(rows: NDArray[Any], tile: NDArray[Any], columns: NDArray[Any], si
 
 
 def _one_by_one(rows: NDArray[Any], tile: NDArray[Any], columns: NDArray[Any]) -> None:
-    # Always use the same address: the kernel may depend on it.
+    # Always use the same address, because the kernel may depend on it.
     row = np.empty(rows.shape[1], rows.dtype)
     for number in range(len(rows)):
         row[:] = rows[number]

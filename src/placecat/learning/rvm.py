@@ -1,4 +1,4 @@
-"""Two-class relevance vector machine, by fast marginal likelihood maximisation on a shared Gram matrix."""
+"""Two-class relevance vector machine: fast marginal likelihood maximisation on a shared Gram matrix."""
 
 import logging
 from typing import Self
@@ -17,7 +17,7 @@ from placecat.ranges import Count, Positive
 
 logger = logging.getLogger(__name__)
 
-# Rows of the Gram matrix squared at a time: 4 MiB at 8000 samples.
+# Number of Gram matrix rows squared at a time: 4 MiB for 8000 samples.
 SQUARE_ROWS = 128
 # Number of functions whose sparsity factors each round updates.
 SHORTLIST = 1024
@@ -26,31 +26,31 @@ SHORTLIST = 1024
 class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     """Binary relevance vector machine (thesis 3.3.1.2) with the kernel exp(-gamma ||x - y||^2).
 
-    Weights w ~ N(0, diag(1/alpha)) on one basis function per training sample and a bias, logistic likelihood.
-    The evidence is maximised over alpha by adding, re-estimating and deleting one basis function at a time
-    (Tipping and Faul 2003). The Laplace approximation at the mode of w makes the problem Gaussian. Many such
-    steps follow each Laplace approximation, on the functions in the model and the most promising others. Each
-    approximation updates the statistics of all functions.
+    The model has a basis function per training sample and a bias, with weights w ~ N(0, diag(1/alpha)) and a
+    logistic likelihood. It maximises the evidence over alpha by adding, re-estimating or deleting one basis
+    function at a time (Tipping and Faul 2003). The Laplace approximation at the mode of w makes the problem
+    Gaussian. Each approximation is followed by many such steps on the functions in the model and the most
+    promising others, and updates statistics that rank all functions.
 
     Parameters
     ----------
     gamma
-        Kernel width, > 0. The thesis gives no value for the RVM; the default is the nu-SVM's 2.0.
+        Inverse squared kernel width, > 0. The thesis gives none for the RVM; the default is the nu-SVM's 2.0.
     tol
-        Stop if another round raises the log evidence by less than this, in nats per sample.
+        Stop when further rounds raise the log evidence by less than this, in nats per sample.
     max_iter
-        Maximum of Laplace approximations; a warning is logged if it is reached.
+        Maximum number of Laplace approximations; a warning is logged if it is reached.
     candidates
-        Number of basis functions outside the model that one round considers.
+        Maximum number of basis functions outside the model that each round considers.
 
     Attributes
     ----------
     classes_
-        The two labels, sorted; the second is the positive one. Set by `fit`.
+        The two labels, sorted; the second is the positive class. Set by `fit`.
     support_, dual_coef_, intercept_
-        The relevance vectors, their weights, and the weight of the bias (0 if not in the model).
+        The relevance vectors' indices and weights, and the bias's weight (0 if it is not in the model).
     alpha_
-        (s,) precisions of `dual_coef_`.
+        (s,) prior precisions of `dual_coef_`.
     evidence_
         Log marginal likelihood in the Laplace approximation.
     support_vectors_
@@ -73,7 +73,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     ([False, True], True)
     """
 
-    #: The sigmoid of the logistic likelihood; see `prefers_own_sigmoid` for the setting ``auto``.
+    #: Sigmoid of the logistic likelihood; the setting ``auto`` uses it only if `prefers_own_sigmoid`.
     own_sigmoid: tuple[float, float] | None = (-1.0, 0.0)
     prefers_own_sigmoid = False
     gram_dtype = np.float32
@@ -87,7 +87,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
         self.candidates = candidates
 
     def check_parameters(self) -> None:
-        """Raise PlacecatError for an impossible setting."""
+        """Raise PlacecatError if a setting is invalid."""
         if not self.tol > 0 or self.max_iter < 1 or self.candidates < 1:
             raise PlacecatError(
                 f"RVM settings tol = {self.tol}, max_iter = {self.max_iter}, candidates = {self.candidates} "
@@ -124,7 +124,7 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
     def _maximise(
         self, gram: NDArray[np.float32], target: NDArray[np.float64], context: str
     ) -> tuple[NDArray[np.intp], NDArray[np.float64], NDArray[np.float64]]:
-        """Maximise the evidence over alpha; basis function n is the bias. Returns active, weights, alpha."""
+        """Maximise the evidence over alpha; return active functions (n: the bias), weights and alpha."""
         tol = self.tol * len(target)
         active = np.array([len(target)])
         basis = _basis(gram, active)
@@ -142,13 +142,13 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
                 mode = _laplace_mode(new_basis, target, alpha, start)
                 risen = mode.evidence - best.evidence
                 if risen <= 0 and steps > 1:
-                    # The steps on the Gaussian problem went too far: go back, and change less.
+                    # The steps on the Gaussian problem went too far, so go back and take fewer.
                     steps = max(steps // 4, 1)
                     continue
                 if risen > 0:
                     active, basis, best = new_active, new_basis, mode
                     steps = min(2 * steps, most)
-            # A small rise may come from few changes, so convergence needs several.
+            # A small rise may be due to few steps, so convergence needs several small rises.
             small_rises = small_rises + 1 if risen < tol else 0
             if statistics.current and (expected < tol or small_rises > 2):
                 break
@@ -160,13 +160,13 @@ class RVM(KernelMachine, ClassifierMixin, BaseEstimator):
         return active, best.weights, best.alpha
 
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Probabilities (n, 2) of the two classes for samples (n, D)."""
+        """Return the two classes' probabilities (n, 2) for samples (n, D)."""
         positive = apply_sigmoid(self.decision_function(X), -1.0, 0.0)
         return np.stack([1.0 - positive, positive], axis=1)
 
 
 class _Mode:
-    """Laplace approximation of the posterior of the weights in the model."""
+    """Laplace approximation of the posterior over the model's weights."""
 
     def __init__(
         self,
@@ -181,20 +181,20 @@ class _Mode:
         self.alpha = alpha
         self.error = error  # (n,) target minus prediction
         self.curvature = curvature  # (n,) p (1 - p)
-        self.factor = factor  # lower Cholesky factor of basis' B basis + diag(alpha)
+        self.factor = factor  # lower Cholesky factor of basis B basis' + diag(alpha)
         self.evidence = evidence
 
     @classmethod
     def impossible(
         cls, weights: NDArray[np.float64], alpha: NDArray[np.float64], error: NDArray[np.float64]
     ) -> Self:
-        """Model whose functions are too similar for a posterior; it is never kept."""
+        """Return a placeholder for a model whose functions are too similar; it is never kept."""
         nothing = np.full((len(alpha), len(alpha)), np.nan)
         return cls(weights, alpha, error, np.full(len(error), np.nan), nothing, -np.inf)
 
 
 def _basis(gram: NDArray[np.float32], active: NDArray[np.intp]) -> NDArray[np.float64]:
-    """Values of basis functions at the n samples, (m, n); function n is the bias."""
+    """Return basis functions' values at the n samples, (m, n); function n is the bias."""
     n = len(gram)
     basis = np.ones((len(active), n))
     kernels = active < n
@@ -208,7 +208,7 @@ def _laplace_mode(
     alpha: NDArray[np.float64],
     start: NDArray[np.float64],
 ) -> _Mode:
-    """Newton's method for the mode of w; basis (m, n), target (n,) 0 or 1, alpha and start (m,)."""
+    """Find the mode of w by Newton's method; basis (m, n), target (n,) 0 or 1, alpha and start (m,)."""
     narrow = basis.astype(np.float32)
     diagonal = np.diag_indices(len(alpha))
 
@@ -220,7 +220,7 @@ def _laplace_mode(
     value, f = penalised(weights)
     for _ in range(50):
         p = expit(f)
-        # Only the direction may be approximate, not the gradient or the value.
+        # The direction may be approximate, but not the gradient or the value.
         rough = narrow * np.sqrt(p * (1.0 - p)).astype(np.float32)
         hessian = (rough @ rough.T).astype(np.float64)
         hessian[diagonal] += alpha
@@ -228,7 +228,7 @@ def _laplace_mode(
         try:
             factor = cho_factor(hessian, lower=True)
         except LinAlgError:
-            # Too inaccurate if functions are nearly identical.
+            # The approximation is too inaccurate if functions are nearly identical.
             factor = _factor(basis, p * (1.0 - p), alpha)
             if factor is None:
                 return _Mode.impossible(weights, alpha, target - p)
@@ -257,7 +257,7 @@ def _laplace_mode(
 def _factor(
     basis: NDArray[np.float64], curvature: NDArray[np.float64], alpha: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], bool] | None:
-    """Cholesky factor of basis B basis' + diag(alpha), as of `cho_factor`; None if rounding prevents one."""
+    """Return `cho_factor` of basis B basis' + diag(alpha), or None if rounding prevents it."""
     scaled = basis * np.sqrt(curvature)
     hessian = scaled @ scaled.T
     hessian[np.diag_indices(len(alpha))] += alpha
@@ -269,10 +269,10 @@ def _factor(
 
 
 class _Statistics:
-    """Sparsity and quality factors of all n kernels and the bias, used to find promising functions.
+    """Sparsity and quality factors of the n kernels and the bias, for finding promising functions.
 
-    The quality factors are always current. Sparsity factors cost a product of Gram matrix rows with all
-    functions in the model: they are current for the most promising functions, and updated for all before
+    The quality factors are always current. The sparsity factors require a product of Gram matrix rows with
+    all functions in the model, so they are updated only for the most promising functions, and for all before
     convergence is declared.
     """
 
@@ -282,7 +282,7 @@ class _Statistics:
         self.current = False
 
     def promising(self, basis: NDArray[np.float64], mode: _Mode, count: int, renew: bool) -> NDArray[np.intp]:
-        """Return the `count` functions, ascending, that would each raise the evidence most if added."""
+        """Return up to `count` functions, ascending, that would each raise the evidence most if added."""
         gram, n = self.gram, len(self.gram)
         squared_quality = np.empty(n + 1)
         squared_quality[:n] = gram @ mode.error.astype(np.float32)
@@ -309,17 +309,17 @@ class _Statistics:
 
 
 class _Surrogate:
-    """The Gaussian problem at a Laplace mode, for the functions in the model and promising ones outside it.
+    """Gaussian problem at a Laplace mode, for the model's functions and promising others.
 
-    With C = B^-1 + sum_a phi_a phi_a' / alpha_a, a change of 1/alpha_i by d is a rank-one change of
-    R = Phi' C^-1 Phi and of Q = Phi' C^-1 z for the pool's functions Phi:
+    With C = B^-1 + sum_a phi_a phi_a' / alpha_a, changing 1/alpha_i by d is a rank-one change of
+    R = Phi' C^-1 Phi and Q = Phi' C^-1 z for the pool's functions Phi:
     R -= R_i R_i' d / (1 + d R_ii), Q -= R_i Q_i d / (1 + d R_ii), and the log evidence gains
-    (Q_i^2 d / (1 + d R_ii) - log(1 + d R_ii)) / 2. Adding, re-estimating and deleting differ in d only.
+    (Q_i^2 d / (1 + d R_ii) - log(1 + d R_ii)) / 2. Adding, re-estimating and deleting differ only in d.
 
     Attributes
     ----------
     pool
-        (u,) basis functions, those in the model first.
+        (u,) basis functions, the model's first.
     r, q
         (u, u) and (u,) float64.
     """
@@ -350,23 +350,23 @@ class _Surrogate:
     def ascend(
         self, alpha: NDArray[np.float64], steps: int
     ) -> tuple[NDArray[np.intp], NDArray[np.float64], NDArray[np.float64], float]:
-        """Change alphas one by one, greatest gain first.
+        """Change one alpha after another, each time the one with the greatest gain.
 
         Parameters
         ----------
         alpha
-            (m,) of the functions in the model.
+            (m,) precisions of the functions in the model.
         steps
-            Maximum of changes.
+            Maximum number of changes.
 
         Returns
         -------
         active, alpha, weights
-            (m',) functions in the new model, their precisions and their mean weights in the Gaussian problem.
+            (m',) the new model's functions, their precisions, and their mean weights in the Gaussian problem.
         gain
             Sum of the gains, in nats.
         """
-        # A step needs only the diagonal of R and one column.
+        # A step needs only R's diagonal and one column.
         q, r_diagonal = self.q.copy(), self.r.diagonal().copy()
         columns, scaled, terms = (np.empty((steps + 1, len(q))) for _ in range(3))
         inverse = np.zeros(len(self.pool))
@@ -374,7 +374,7 @@ class _Surrogate:
         total = 0.0
         for step in range(steps):
             diagonal = np.maximum(r_diagonal, 1e-12)
-            # Without each function's own contribution: s = R / (1 - R / alpha), q likewise.
+            # Remove each function's own contribution: s = R / (1 - R / alpha), and likewise q.
             own = np.maximum(1.0 - diagonal * inverse, 1e-12)
             sparsity, quality = diagonal / own, q / own
             best = np.maximum(quality**2 - sparsity, 0.0) / sparsity**2

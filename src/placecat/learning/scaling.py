@@ -1,4 +1,4 @@
-"""Scaling of descriptors before the kernel, which sets the scale for gamma."""
+"""Scale descriptors before the kernel, which fixes the unit of gamma."""
 
 from typing import Annotated, Self
 
@@ -16,26 +16,26 @@ KINDS = ("none", "minmax", "standard", "root", "distance", "unit")
 
 
 class KernelScaling(TransformerMixin, BaseEstimator):
-    """Scale descriptors so that one gamma fits descriptors of any unit and length.
+    """Scale descriptors so that the same gamma fits descriptors of any unit and length.
 
-    The thesis gives gamma = 2 but not its scale. The kinds, with the resulting mean of ||x - y||^2 over
-    distinct training pairs (D: number of dimensions that vary):
+    The thesis gives gamma = 2 but not its scale. These are the kinds, with the resulting mean of ||x - y||^2
+    over distinct training pairs (D: number of dimensions that vary):
 
-    - ``none``: x is unchanged.
-    - ``minmax``: each dimension to [0, 1] on the training data; the mean depends on the data.
-    - ``standard``: each dimension to mean 0 and variance 1 / D; mean 2 n / (n - 1).
-    - ``root``: each dimension to mean 0 and divided by the root of its deviation, halfway between
-      ``standard`` and ``distance``; then as ``distance``; mean 1.
-    - ``distance``: all of x minus the mean, divided by the root of that mean; mean 1. Keeps the dimensions'
-      relative weight.
-    - ``unit``: each sample to Euclidean length 1 (a zero sample stays zero); at most 4.
+    - ``none``: leave x unchanged.
+    - ``minmax``: scale each dimension to [0, 1] on the training data; the mean depends on the data.
+    - ``standard``: scale each dimension to mean 0 and variance 1 / D; the mean is 2 n / (n - 1).
+    - ``root``: divide each dimension by the root of its standard deviation, halfway between ``standard`` and
+      ``distance``, then scale like ``distance``; the mean is 1.
+    - ``distance``: subtract the mean of x, then divide by the root of the mean ||x - y||^2, which keeps the
+      dimensions' relative weights; the mean is 1.
+    - ``unit``: scale each sample to Euclidean length 1 (a zero sample stays zero); the mean is at most 4.
 
-    Test samples may fall outside the training range; nothing is clipped.
+    Test samples outside the training range are not clipped.
 
     Parameters
     ----------
     kind
-        One of the above.
+        One of the kinds above.
     gamma_scale
         Additional factor for squared distances, > 0; 1 keeps the means above.
 
@@ -44,8 +44,8 @@ class KernelScaling(TransformerMixin, BaseEstimator):
     offset_
         (D,) float64, subtracted first.
     factor_
-        (D,) float64, multiplied next. 0 for a dimension that is constant in training, because its test values
-        could dominate; but ``none``, ``distance`` and ``unit`` keep the factor of constant dimensions.
+        (D,) float64, multiplied next. It is 0 for a dimension that is constant in training, because its test
+        values could dominate; but ``none``, ``distance`` and ``unit`` keep constant dimensions.
     n_features_in_
         D.
 
@@ -60,9 +60,9 @@ class KernelScaling(TransformerMixin, BaseEstimator):
         self.gamma_scale = gamma_scale
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
-        """Learn offset and factor from the training data X, (n, D) real and finite. `y` is ignored.
+        """Learn the offset and factor from training data X, (n, D) real and finite. `y` is ignored.
 
-        Raises PlacecatError if the kind is unknown or X is invalid.
+        Raises PlacecatError if a setting or X is invalid.
         """
         if self.kind not in KINDS:
             raise PlacecatError(f"unknown scaling {self.kind!r}; choose one of {', '.join(KINDS)}")
@@ -94,7 +94,7 @@ class KernelScaling(TransformerMixin, BaseEstimator):
         return self
 
     def transform(self, X: ArrayLike) -> NDArray[np.float32]:
-        """Scale finite (n, D) samples to (n, D) float32. Other input raises PlacecatError."""
+        """Scale finite (n, D) samples to (n, D) float32. Raises PlacecatError for other input."""
         check_is_fitted(self)
         samples = check_samples(X)
         check_width(samples, self)

@@ -1,4 +1,4 @@
-"""Sequential multi-class scheme of Mozos: a list of two-class decisions, strongest first."""
+"""Mozos's sequential multi-class scheme: a list of two-class decisions, strongest first."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -24,41 +24,41 @@ OUTPUTS = ("product", "decision")
 class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
     """Decision list over two-class classifiers, the baseline of thesis 4.8.
 
-    The node of the strongest class decides first. If it rejects a sample, the next node decides; if all nodes
-    reject it, it gets the last class. The probability-like output for the class at position k is p(o_k|x)
-    prod_{j before k} (1 - p(o_j|x)); the last class gets the remainder.
+    The strongest class's node decides first. If it rejects a sample, the next node decides; if all nodes
+    reject the sample, it is assigned the last class. The probability-like output for the class at position k
+    is p(o_k|x) prod_{j before k} (1 - p(o_j|x)); the last class receives the remainder.
 
     Parameters
     ----------
     base, calibration, sigmoid, sigmoid_weights, folds, n_jobs
-        As in `OneAgainstAll`.
+        See `OneAgainstAll`.
     order
-        Strength of a class's classifier against all others, from its held-out decisions:
-        ``balanced_accuracy``, the mean of its two per-class rates, or ``error``, the share of wrong decisions
-        (lowest first), which favours rare classes. Ties follow the order of `classes_`. The thesis says only
-        "strongest".
+        How to measure the strength of a class's one-against-all classifier from held-out decisions:
+        ``balanced_accuracy``, the mean of its two per-class accuracies, or ``error``, the share of wrong
+        decisions (lowest first), which favours rare classes. Ties follow the order of `classes_`. The thesis
+        says only "strongest".
     training
-        Training samples of a node: ``all``, so the list shares its classifiers with the parallel scheme
-        (thesis 4.8 compares combinations of their outputs), or only samples of the ``remaining`` classes,
-        without the classes of earlier nodes. The thesis does not give this.
+        Training samples of a node: ``all``, so that both schemes use the same classifiers (thesis 4.8
+        compares combinations of their outputs), or only samples of the ``remaining`` classes, which exclude
+        those of earlier nodes. The thesis does not give this.
     decision
         Rule of `predict`. ``sign`` and ``probability`` pick the first node that says yes, else the last
         class; yes is a positive two-class decision value, or p(o_k|x) above 0.5. ``product`` picks the
-        largest probability-like output. The thesis mentions negative decisions, which means the sign.
+        largest probability-like output. The thesis mentions negative decisions, which implies the sign.
     output
         Result of `predict_proba`: the probability-like ``product``, whose largest entry may differ from
-        `predict`, or ``decision``, 1 for the class from `predict`.
+        `predict`, or ``decision``, 1 for the class that `predict` returns and 0 for the others.
 
     Attributes
     ----------
     classes_
-        (K,) labels, sorted. Columns of all outputs follow it.
+        (K,) labels, sorted. All outputs have their columns in this order.
     order_
         (K,) indices into `classes_`, strongest first. The last class has no node.
     strength_
-        (K,) the measure of `order` of each class, larger is stronger.
+        (K,) each class's strength; larger is stronger.
     sigmoid_, machine_class_, flat_, cv_outputs_, nu_, fold_nu_, scorer_, n_features_in_
-        As in `OneAgainstAll`.
+        See `OneAgainstAll`.
 
     References
     ----------
@@ -105,7 +105,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         index: NDArray[np.intp],
         fit_some: Callable[[Sequence[Problem]], list[FittedProblem]],
     ) -> list[FittedProblem]:
-        """Order the nodes; if `training` says so, fit those after the first on the remaining classes."""
+        """Order the nodes; if `training` is ``remaining``, fit later nodes on the remaining classes."""
         self.strength_ = np.array(
             [
                 self._strength(f.outputs, self._threshold(f.sigmoids), p.positive)
@@ -138,8 +138,8 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
                 raise PlacecatError(f"unknown {name} {value!r}; choose one of {', '.join(known)}")
 
     def _threshold(self, sigmoids: NDArray[np.float64]) -> float:
-        # For the sign: p at decision value 0. A flat sigmoid returns exactly this for every sample, so never
-        # says yes.
+        # For the sign: p at decision value 0. A flat sigmoid returns exactly this for every sample, so it
+        # never says yes.
         return float(expit(-sigmoids[:, 1]).mean()) if self.decision == "sign" else 0.5
 
     def _strength(self, outputs: NDArray[np.float64], threshold: float, positive: NDArray[np.bool_]) -> float:
@@ -149,7 +149,7 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         return float((right[positive].mean() + right[~positive].mean()) / 2.0)
 
     def combine(self, outputs: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Combine outputs p(o_k|x) (n, K) into `output`, (n, K); rows sum to 1."""
+        """Combine outputs p(o_k|x) (n, K) into the `output` (n, K); rows sum to 1."""
         if self.output == "decision":
             return np.eye(len(self.order_))[self.decide(outputs)]
         return self._product(outputs)
@@ -164,11 +164,11 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         return proba
 
     def predict_proba(self, X: ArrayLike) -> NDArray[np.float64]:
-        """Return `output` (n, K) float64 over `classes_` for samples (n, D); rows sum to 1."""
+        """Return the `output` (n, K) float64 over `classes_` for samples (n, D); rows sum to 1."""
         return self.combine(self.outputs(X))
 
     def decide(self, outputs: NDArray[np.float64]) -> NDArray[np.intp]:
-        """Return the index into `classes_` (n,) that `decision` picks from outputs p(o_k|x) (n, K)."""
+        """Return the indices (n,) into `classes_` that `decision` picks from outputs p(o_k|x) (n, K)."""
         if self.decision == "product":
             return self._product(outputs).argmax(axis=1)
         of_class = [self.sigmoid_[self.machine_class_ == k] for k in range(len(self.order_))]
@@ -177,6 +177,6 @@ class Sequential(MultiClass, ClassifierMixin, BaseEstimator):
         return self.order_[yes.argmax(axis=1)]
 
     def predict(self, X: ArrayLike) -> NDArray[Any]:
-        """Class (n,) of samples (n, D), by `decision`."""
+        """Return the class (n,) of samples (n, D), picked by `decision`."""
         decided = self.decide(self.outputs(X))
         return self.classes_[decided]

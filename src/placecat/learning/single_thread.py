@@ -1,4 +1,4 @@
-"""A limit of one thread for BLAS."""
+"""Limit BLAS to one thread."""
 
 import threading
 from collections.abc import Iterator
@@ -6,7 +6,7 @@ from contextlib import contextmanager
 from functools import cache
 from typing import Any
 
-# numpy's and scipy's BLAS must be loaded before the libraries are listed.
+# numpy's and scipy's BLAS libraries must be loaded before they are listed.
 import numpy as np  # noqa: F401
 import scipy.linalg  # noqa: F401
 from threadpoolctl import ThreadpoolController
@@ -18,7 +18,7 @@ _limit: Any = None
 
 @cache
 def _libraries() -> ThreadpoolController:
-    # Listing the libraries takes 30 times as long as setting their threads.
+    # Listing the libraries takes 30 times as long as setting their thread numbers.
     return ThreadpoolController()
 
 
@@ -26,7 +26,7 @@ def _libraries() -> ThreadpoolController:
 def single_blas_thread() -> Iterator[None]:
     """Limit BLAS to one thread, so that sums do not depend on the number of cores.
 
-    The limit is per process: the first of several concurrent users sets it, the last restores it.
+    The limit is per process: the first of several concurrent users sets it, and the last one removes it.
     """
     global _users, _limit
     with _lock:

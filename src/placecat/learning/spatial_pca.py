@@ -1,4 +1,4 @@
-"""PCA per image cell; one cell is plain PCA."""
+"""PCA per image cell; with one cell, plain PCA."""
 
 from typing import Self
 
@@ -15,19 +15,19 @@ from placecat.ranges import AtLeastOne, Count
 
 
 class SpatialPCA(TransformerMixin, BaseEstimator):
-    """Reduce each cell's part of a descriptor by its own PCA (spatial PACT, thesis 4.3).
+    """Reduce each cell's part of a descriptor by a separate PCA (spatial PACT, thesis 4.3).
 
-    With 16 cells, 4096 Centrist dimensions become 16 x 64 = 1024. With one cell and a factor this is the PCA
-    reduction of thesis 4.2 (Table 2). Fit it on training homes only.
+    With 16 cells, 4096 Centrist dimensions become 16 x 64 = 1024. With one cell and a factor, this is the PCA
+    reduction of thesis 4.2 (Table 2). Fit it only on training homes.
 
     Parameters
     ----------
     cells
-        Number of equal, consecutive parts of the D dimensions.
+        Number of equal, consecutive parts into which the D dimensions are divided.
     components
-        Dimensions kept per cell. 256 -> 64 in the thesis.
+        Number of dimensions kept per cell; 64 of 256 in the thesis.
     factor
-        Alternative to `components`: keep 1 / factor of each cell's dimensions, rounded.
+        Alternative to `components`: keep 1 / factor of each cell's dimensions, rounded to a whole number.
     whiten
         Divide each component by its standard deviation. Off by default; the thesis does not give this.
 
@@ -36,12 +36,12 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
     mean_
         (cells, D / cells) float64.
     components_
-        (cells, components, D / cells) float64, orthonormal rows in falling order of variance. The entry
-        largest in magnitude of each row is positive.
+        (cells, components, D / cells) float64, orthonormal rows in order of decreasing variance. Each row's
+        largest entry in magnitude is positive.
     explained_variance_
         (cells, components) float64.
     explained_variance_ratio_
-        (cells, components) float64, share of the cell's variance.
+        (cells, components) float64, shares of the cell's variance.
     n_features_in_
         D.
 
@@ -82,10 +82,10 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
         return self.factor
 
     def fit(self, X: ArrayLike, y: object = None) -> Self:
-        """Learn one PCA per cell from X, (n, D) real. `y` is ignored.
+        """Learn one PCA per cell from real X (n, D). `y` is ignored.
 
-        Raises PlacecatError if D is not divisible by `cells`, the number of components is impossible, or n is
-        not larger than it.
+        Raises PlacecatError if D is not divisible by `cells`, the number of components is invalid, or n does
+        not exceed it.
         """
         samples = check_samples(X)
         n, total = samples.shape
@@ -118,9 +118,9 @@ class SpatialPCA(TransformerMixin, BaseEstimator):
         return self
 
     def transform(self, X: ArrayLike) -> NDArray[np.float32]:
-        """Project finite (n, D) samples: (n, cells * components) float32, cell after cell.
+        """Project finite samples (n, D) to (n, cells * components) float32, cell after cell.
 
-        Other matrices raise PlacecatError.
+        Raises PlacecatError for other input.
         """
         check_is_fitted(self)
         samples = check_samples(X)

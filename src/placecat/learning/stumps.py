@@ -1,4 +1,4 @@
-"""Binned features, and the regression stumps that fit weighted samples best."""
+"""Bin features, and find the regression stumps that best fit weighted samples."""
 
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -6,26 +6,26 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-# Number of features per block; the histograms of a few machines stay in the level-2 cache.
+# Number of features per block, so that the histograms of a few machines fit in the level-2 cache.
 BLOCK_FEATURES = 32
 
 
 @dataclass(frozen=True)
 class BinnedFeatures:
-    """Binned features, and the sparse matrices that sum samples by bin.
+    """Binned features, with sparse matrices that sum samples by bin.
 
     Attributes
     ----------
     bins
-        (D, n) uint8 or uint16, the bin of each sample in each feature: the number of thresholds below it.
+        (D, n) uint8 or uint16, each sample's bin in each feature: the number of thresholds below its value.
     thresholds
         D ascending float32 arrays of at most max_bins - 1 values; x > thresholds[d][b] means bin > b.
     blocks
-        scipy CSR matrices of ones, one for each `BLOCK_FEATURES` features. For B features the shape is (width
-        * B, n), with the first bin of every feature first. Its product with weights (n, m) contains all
+        scipy CSR matrices of ones, one per `BLOCK_FEATURES` features. A matrix for B features has the shape
+        (width * B, n), starting with every feature's first bin. Its product with weights (n, m) contains all
         weighted histograms of these features.
     width
-        Bins per feature in `blocks`.
+        Number of bins per feature in `blocks`.
     """
 
     bins: NDArray[Any]
@@ -35,7 +35,7 @@ class BinnedFeatures:
 
 
 class Stump(NamedTuple):
-    """A cut of one feature: `low` up to bin `cut`, `high` above."""
+    """A function of one feature: `low` up to bin `cut`, `high` above it."""
 
     feature: int
     cut: int
@@ -44,14 +44,14 @@ class Stump(NamedTuple):
 
 
 def bin_features(X: NDArray[np.float32], max_bins: int) -> BinnedFeatures:
-    """Cut each feature at the midpoints between its distinct values, or at quantiles if these are too many.
+    """Cut each feature at the midpoints between its distinct values, or at quantiles if there are too many.
 
     Parameters
     ----------
     X
         (n, D) float32.
     max_bins
-        2 to 65536.
+        Maximum number of bins per feature, 2 to 65536.
     """
     n, n_features = X.shape
     bins = np.empty((n_features, n), dtype=np.uint8 if max_bins <= 256 else np.uint16)
@@ -62,7 +62,7 @@ def bin_features(X: NDArray[np.float32], max_bins: int) -> BinnedFeatures:
         if len(distinct) <= max_bins:
             cuts = _midpoints(distinct[:-1], distinct[1:])
         else:
-            # Use midpoints between the neighbours of each quantile: a threshold is never a training value.
+            # Use midpoints next to each quantile, so that thresholds lie between training values.
             first = (np.arange(1, max_bins) * n) // max_bins
             place = np.unique(np.searchsorted(distinct, values[first]))
             place = place[place > 0]
@@ -78,7 +78,7 @@ def bin_features(X: NDArray[np.float32], max_bins: int) -> BinnedFeatures:
 
 def _midpoints(below: NDArray[np.float32], above: NDArray[np.float32]) -> NDArray[np.float32]:
     middle = (below.astype(np.float64) + above) / 2.0
-    # Rounding must not move the threshold onto the upper value.
+    # Rounding must not move a threshold onto the upper value.
     return np.where(middle.astype(np.float32) < above, middle.astype(np.float32), below)
 
 
@@ -90,7 +90,7 @@ def _sums(bins: NDArray[Any], width: int) -> Any:
     order = np.argsort(bins, axis=1, kind="stable").astype(np.int32)
     counts = np.stack([np.bincount(row, minlength=width) for row in bins], axis=1)
     pointers = np.concatenate([[0], np.cumsum(counts.ravel())])
-    # Row (bin, feature) contains the samples of one run of `order`.
+    # Row (bin, feature) contains the samples in one run of `order`.
     starts = (np.cumsum(counts, axis=0) - counts) + n * np.arange(n_features)
     sizes = counts.ravel()
     places = np.repeat(starts.ravel() - pointers[:-1], sizes) + np.arange(order.size)
@@ -100,19 +100,19 @@ def _sums(bins: NDArray[Any], width: int) -> Any:
 def best_stumps(
     binned: BinnedFeatures, weight: NDArray[np.float64], signed: NDArray[np.float64]
 ) -> list[Stump | None]:
-    """Find the cut with the smallest weighted squared error for each of G weightings of the samples.
+    """Find the stump with the smallest weighted squared error for each of G weightings of the samples.
 
     Parameters
     ----------
     binned
-        Of n samples.
+        The binned features of n samples.
     weight, signed
-        (n, G) C-contiguous weights, at least 0, and weights times labels of -1 or 1.
+        (n, G) C-contiguous: weights of at least 0, and weights times labels of -1 or 1.
 
     Returns
     -------
     list of G
-        The first of equal cuts; None if no feature can be cut.
+        The best stumps; the first wins ties. None if no feature can be cut.
     """
     machines = range(weight.shape[1])
     highest = np.full(len(machines), -np.inf)
@@ -123,7 +123,7 @@ def best_stumps(
         below_signed = _cumulated(sums @ signed, binned.width)
         total, total_signed = below[-1], below_signed[-1]
         if dust is None:
-            # Differences of sums leave rounding errors in empty bins.
+            # Differences between sums leave rounding errors in empty bins.
             dust = np.tile(1e-12 * total[: len(machines)], len(total) // len(machines))
         dust = dust[: len(total)]
         gain = _gain(below[:-1], below_signed[:-1], total, total_signed, dust)
@@ -145,9 +145,9 @@ def best_stumps(
 
 
 def _cumulated(histogram: NDArray[np.float64], width: int) -> NDArray[np.float64]:
-    """Cumulate the bins of (width * B, G) histograms: (width, B * G)."""
+    """Cumulate the bins of histograms (width * B, G) in place, and return them as (width, B * G)."""
     bins = histogram.reshape(width, -1)
-    # Row by row: several times faster than a cumulated sum along the first axis.
+    # Adding row by row is several times faster than a cumulative sum along the first axis.
     for number in range(1, width):
         np.add(bins[number - 1], bins[number], out=bins[number])
     return bins
@@ -160,7 +160,7 @@ def _gain(
     total_signed: NDArray[np.float64],
     dust: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Reduction of the weighted squared error by each cut; -inf for a cut with an empty side."""
+    """Return each cut's weighted squared error reduction, up to a constant; -inf if one side is empty."""
     above = total - below
     impossible = np.minimum(below, above) <= dust
     above_signed = total_signed - below_signed

@@ -1,4 +1,4 @@
-"""Toy problem of thesis 4.8: four disjoint circles in the plane and the area around them."""
+"""The toy problem of thesis 4.8: four disjoint circles in the plane, and the area around them."""
 
 import math
 
@@ -7,36 +7,36 @@ from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 
-# Names of the classes, in order.
+# Class names, in the order of the labels.
 NAMES = ("circle_1", "circle_2", "circle_3", "circle_4", "around")
-# In half side lengths of the square, in the order of the classes.
+# The circles' centres in half sides of the square, in the order of the classes.
 _MIDDLES = ((-0.5, -0.5), (-0.5, 0.5), (0.5, -0.5), (0.5, 0.5))
 
 
 def toy_circles(
     n: int, seed: int, radius: float = 1.0, inside: float = 0.5
 ) -> tuple[NDArray[np.float64], NDArray[np.int16]]:
-    """Draw points uniformly from a square with a circle in the middle of each quarter.
+    """Draw points uniformly from a square that has a circle in the middle of each quarter.
 
-    The thesis gives no centres, radii, area or counts; conf/toy explains our choice.
+    The thesis does not give the centres, radii, area or counts; conf/toy explains our choices.
 
     Parameters
     ----------
     n
-        Points, at least 1.
+        Number of points, at least 1.
     seed
         Seed of the random generator.
     radius
         Radius of each circle, above 0.
     inside
-        Share of the square that the circles cover, above 0 and below pi / 4, where they touch. Half a side of
-        the square is ``radius sqrt(pi / inside)``.
+        Share of the square that the circles cover, above 0 and below pi / 4 (where they touch). Half the
+        square's side is ``radius sqrt(pi / inside)``.
 
     Returns
     -------
     X, y
-        (n, 2) float64, and (n,) int16: 0 to 3 the circles from the lower left upwards, 4 the area around.
-        Raises PlacecatError for a radius or a share out of its range.
+        (n, 2) float64, and (n,) int16: 0 to 3 for the circles (lower left, upper left, lower right, upper
+        right), 4 for the area around them. Raises PlacecatError if `radius` or `inside` is out of range.
 
     Examples
     --------

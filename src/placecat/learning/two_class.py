@@ -1,4 +1,4 @@
-"""Interface between two-class classifiers and the multi-class schemes."""
+"""Interface between two-class classifiers and multi-class schemes."""
 
 from collections.abc import Sequence
 from typing import Any, Protocol, Self, cast
@@ -16,15 +16,15 @@ SIGMOID_WEIGHTS = ("none", "balanced")
 
 
 class TwoClassBase(Protocol):
-    """Base classifier whose preparation is shared by all classes and folds."""
+    """Base classifier whose preparation all classes and folds share."""
 
     own_sigmoid: tuple[float, float] | None
 
     def get_params(self, deep: bool = True) -> dict[str, Any]:
-        """Return the settings by name."""
+        """Return a mapping from each setting's name to its value."""
 
     def check_parameters(self) -> None:
-        """Raise PlacecatError for an impossible setting."""
+        """Raise PlacecatError if a setting is invalid."""
 
     def prepare(
         self, X: NDArray[np.float32], gram: NDArray[Any] | None = None, n_jobs: int | None = None
@@ -38,17 +38,17 @@ class TwoClassBase(Protocol):
         rows: NDArray[np.intp] | None = None,
         context: str = "",
     ) -> Any:
-        """Fit on some of the samples."""
+        """Fit on some of the prepared samples."""
 
     def decide_rows(self, shared: Any, rows: NDArray[np.intp]) -> NDArray[np.float64]:
-        """Decision values of some of the samples."""
+        """Return decision values for some of the prepared samples."""
 
     def collect(self, machines: Sequence[Any], X: NDArray[np.float32]) -> Any:
-        """Join fitted machines into one function with `decisions`."""
+        """Combine fitted machines into one object with a method `decisions`."""
 
 
 class _GenericBase:
-    """Adapter that turns any scikit-learn two-class classifier into a base, without sharing."""
+    """Adapter that turns any scikit-learn two-class classifier into a base that shares nothing."""
 
     def __init__(self, estimator: Any) -> None:
         self.estimator = estimator
@@ -101,7 +101,7 @@ class _GenericScorer:
 
 
 def as_base(base: Any) -> TwoClassBase:
-    """Return `base` if it shares its preparation, else wrap the scikit-learn classifier in an adapter."""
+    """Return `base` if it shares its preparation, or else a scikit-learn classifier in an adapter."""
     base = NuSVM() if base is None else base
     adapted: Any = base if hasattr(base, "fit_rows") else _GenericBase(base)
     adapted.check_parameters()
@@ -109,7 +109,7 @@ def as_base(base: Any) -> TwoClassBase:
 
 
 def uses_own(sigmoid: str, base: TwoClassBase) -> bool:
-    """Whether to use the sigmoid of the base instead of Platt's."""
+    """Return whether to use the base's sigmoid instead of Platt's."""
     if sigmoid not in SIGMOIDS:
         raise PlacecatError(f"unknown sigmoid {sigmoid!r}; choose one of {', '.join(SIGMOIDS)}")
     if sigmoid == "own" and base.own_sigmoid is None:
@@ -120,7 +120,7 @@ def uses_own(sigmoid: str, base: TwoClassBase) -> bool:
 
 
 def is_balanced(sigmoid_weights: str) -> bool:
-    """Read the setting `sigmoid_weights`."""
+    """Return whether `sigmoid_weights` is ``balanced``."""
     if sigmoid_weights not in SIGMOID_WEIGHTS:
         raise PlacecatError(f"unknown sigmoid_weights {sigmoid_weights!r}; choose 'none' or 'balanced'")
     return sigmoid_weights == "balanced"
