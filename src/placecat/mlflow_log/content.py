@@ -1,4 +1,4 @@
-"""Content of a table in MLflow: parameters, metrics, a description, files, and the same for its rows."""
+"""What MLflow stores for a table and for each of its rows: parameters, metrics, a description and files."""
 
 import hashlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -25,9 +25,9 @@ from placecat.thesis.decisions import decisions_of
 from placecat.thesis.number import AVERAGE
 from placecat.thesis.tables import COLUMNS, comparable, in_percent, label
 
-# MLflow accepts 8000 characters; an id is longer than its placeholder.
+# MLflow accepts 8000 characters; the margin is for the run's id, which is longer than its placeholder.
 _LONGEST_DESCRIPTION = 7900
-# The user interface shows line breaks in the text.
+# No line breaks within a paragraph, since the user interface would show them.
 _READING = (
     "\n**How to read it.** Each row of the table is a nested run: open this run with the plus on its left"
     " in the list, select its rows and press *Compare*, or see *Model metrics* here. {metrics} *Artifacts* "
@@ -54,13 +54,13 @@ def table_run(
     written: Sequence[Path],
     made: Callable[[str], Made],
 ) -> TableRun:
-    """Gather the content of one table, from its definition and its filled `cells`.
+    """Gather one table's content from its definition and its filled `cells`.
 
-    `dataset` is the table's data (:func:`placecat.thesis.tables.dataset_of`); `settings` are flat, and only
-    those that affect its numbers; `written` are the table's files, e.g. its CSV; `made` maps the name of a
-    result to a description of how it was made.
+    `dataset` describes the table's data (:func:`placecat.thesis.tables.dataset_of`); `settings` are the flat
+    settings that affect its numbers; `written` are the table's files, e.g. its CSV; `made` takes a result's
+    name and describes how the result was made.
     """
-    # The title of an addition already starts with this label.
+    # An addition's title already starts with this label.
     title = f"{label(table)}: {table['title'].removeprefix(f'{label(table)}: ')}"
     beside = comparable(table, dataset)
     decisions = decisions_of(table, results)
@@ -103,7 +103,7 @@ def table_run(
 
 
 def figures_run(folder: Path) -> TableRun:
-    """All figures of the stage `figures` in a folder, as one run."""
+    """Gather the figures that the stage `figures` wrote to a folder into one run."""
     entries = files.read_json(folder / "figures.json")
     drawn = [folder / Path(entry["file"]).name for entry in entries if entry["file"]]
     lines = [
@@ -125,7 +125,7 @@ def figures_run(folder: Path) -> TableRun:
 
 
 def findings_run(findings: Path, comparisons: Path) -> TableRun:
-    """The files of the stage `findings` as one run: one metric per verdict, also for each reading."""
+    """Gather the files of the stage `findings` into one run, with a metric per verdict and reading."""
     table = files.read_table(findings, ["claim"])
     readings = readings_of(table)
     names = [name.replace("_", " ") for name in readings.values()]
@@ -157,7 +157,7 @@ def _row_run(
     quality: Mapping[str, float],
     how: Mapping[str, Made],
 ) -> RowRun:
-    # The list shows runs of many tables.
+    # The name includes the table, since MLflow's list mixes runs of many tables.
     of_table = table["name"].replace("_0", "_").replace("_", " ").capitalize()
     name = ": ".join(filter(None, (of_table, ", ".join(filter(None, labels)))))
     shown = {"table": label(table), "group": labels[0], "row": labels[1], "result": ", ".join(how)}
@@ -184,7 +184,7 @@ def _write_row(folder: Path, name: str, decisions: Mapping[str, Measured]) -> li
 
 
 def _write_counts(folder: Path, parts: Sequence[pd.DataFrame], labels: list[str]) -> list[Path]:
-    """Write tables of counts to one file, labels first; returns its path, or nothing without tables."""
+    """Write all tables of counts to one file, labels first; return a list with its path, if any."""
     if not parts:
         return []
     whole = pd.concat(parts)
@@ -211,9 +211,9 @@ def _results(
 
 
 def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, float]]:
-    """Quality of the probabilities of each row's result, by group and row; both are "" for a single result.
+    """Map each (group, row) to the quality of its probabilities; both are "" if the table has one result.
 
-    Empty for a table that already shows these numbers, and for trials, which do not have them.
+    The mapping is empty for tables that already show these numbers, and for trials, which lack them.
     """
     if not in_percent(table):
         return {}
@@ -225,9 +225,9 @@ def _quality(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str]
 
 
 def _metrics(cells: pd.DataFrame, percent: bool) -> dict[str, float]:
-    """Metrics by column, so the user interface has a section of charts for the averages of all rows.
+    """Name metrics by column first, so that MLflow charts the averages of all rows in one section.
 
-    It lists the metrics in this order, averages first.
+    Averages come first, since the user interface keeps this order.
     """
     measured = cells[np.isfinite(cells["measured"])]
     measured = measured.sort_values("column", key=lambda column: column != AVERAGE, kind="stable")
@@ -236,13 +236,13 @@ def _metrics(cells: pd.DataFrame, percent: bool) -> dict[str, float]:
 
 
 def _measure(column: str, percent: bool) -> str:
-    """E.g. "Home 1" as ``accuracy/home_1``, "Average" as ``accuracy``; ``log_loss`` if not in percent."""
+    """Name a column's metric, e.g. ``accuracy/home_1`` for "Home 1"; only percentages have ``accuracy``."""
     section = _section(column, percent)
     return key("accuracy", section) if percent and section != "accuracy" else section
 
 
 def _section(column: str, percent: bool) -> str:
-    """E.g. "Home 1" as ``home_1``, "Average" as ``accuracy``."""
+    """Name a column's section of metrics: ``home_1`` for "Home 1", ``accuracy`` for "Average"."""
     if percent and column in (AVERAGE, ""):
         return "accuracy"
     return key(column).lower().replace(" ", "_")
@@ -261,13 +261,13 @@ def _description(
         point = "home" if table["layout"] != "pooled_by_class" else "place"
         chart = f"![Chart of the averages](get-artifact?path=chart.png&run_uuid={RUN_ID})\n"
         reading = _READING.format(metrics=_ACCURACIES, chart=_CHART.format(point=point))
-    # Omit the heading, which is the run's name.
+    # Omit the heading, since it repeats the run's name.
     text = table_markdown(table, cells, dataset).partition("\n")[2].lstrip()
     return _cut(f"{text}\n{chart}{reading}")
 
 
 def _cut(text: str) -> str:
-    """As many complete lines as MLflow accepts."""
+    """Shorten a description to the complete lines that MLflow accepts."""
     if len(text) <= _LONGEST_DESCRIPTION:
         return text
     return text[: text.rindex("\n", 0, _LONGEST_DESCRIPTION - 40)] + "\n\n*The rest is in the artifacts.*\n"

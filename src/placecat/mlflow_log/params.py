@@ -1,4 +1,4 @@
-"""Parameters that distinguish runs: how a result was made, with the same names for tables and experiments."""
+"""Parameters that tell runs apart by how results were made, named alike for tables and experiments."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -7,7 +7,7 @@ from placecat.explain.made import Made
 from placecat.mlflow_log.store import key
 from placecat.settings import flatten
 
-# Kind of the deciding part, by the prefix in the name of a result.
+# Maps the prefix of a result's name to the kind of part that decides.
 _DECIDES = {
     "cues": "cue",
     "tempered": "tempered cue",
@@ -20,11 +20,10 @@ _DECIDES = {
 
 
 def params_of_results(results: Mapping[str, Made]) -> dict[str, str]:
-    """Parameters of some results, by the names of the results; different values are listed once each.
+    """Return the parameters of several results; each parameter lists its distinct values.
 
-    ``decides`` (a cue, an integration, an HMM), ``protocol``, ``cues``, ``system``, ``filter`` and
-    ``descriptor``; then the settings of a single cue (`params_of_cue`), of the integration and of the
-    smoothing.
+    They are ``decides`` (a cue, an integration, an HMM), ``protocol``, ``cues``, ``system``, ``filter`` and
+    ``descriptor``; then the settings of a single cue (`params_of_cue`), the integration and the smoothing.
     """
     return joined(_of_one(name, made) for name, made in results.items())
 
@@ -32,9 +31,9 @@ def params_of_results(results: Mapping[str, Made]) -> dict[str, str]:
 def params_of_cue(
     descriptor: Mapping[str, Any], classifier: Mapping[str, Any], codebook: Mapping[str, Any] | None
 ) -> dict[str, str]:
-    """Parameters of one cue, from its settings.
+    """Return one cue's parameters, from its settings.
 
-    ``descriptor``, ``classifier`` and ``scheme`` name the choices; the others have the names of the settings,
+    ``descriptor``, ``classifier`` and ``scheme`` name the choices; the others are named after the settings,
     e.g. ``y_pos``, ``clusters``, ``nu``, ``scheme.calibration``, ``codebook.cells``.
     """
     kind, name = (str(descriptor.get(one, "")) for one in ("kind", "name"))
@@ -43,7 +42,7 @@ def params_of_cue(
 
 
 def joined(several: Iterable[Mapping[str, str]]) -> dict[str, str]:
-    """Join the parameters of some runs: the different values of each, in order."""
+    """Join the parameters of several runs; each lists its distinct values in order."""
     values: dict[str, dict[str, None]] = {}
     for params in several:
         for name, value in params.items():
@@ -75,7 +74,7 @@ def _of_one(result: str, made: Made) -> dict[str, str]:
         elif part == "toy":
             params |= _of_toy(parts, settings)
         else:
-            # The name in "filter informative" is a parameter already.
+            # In "filter informative", the filter's name is already a parameter.
             params |= _under(part.split()[0], settings)
     if "classifier" in own and not made.system:
         params |= params_of_cue(own["descriptor"], own["classifier"], own.get("codebook"))
@@ -83,7 +82,7 @@ def _of_one(result: str, made: Made) -> dict[str, str]:
 
 
 def _of_toy(parts: list[str], settings: Mapping[str, Any]) -> dict[str, str]:
-    """Parameters of the toy problem; the name of a result contains those that vary."""
+    """Return the toy problem's parameters; those that vary come from the result's name."""
     rest = {name: value for name, value in settings.items() if name not in ("scheme", "sensitivity")}
     params = _of_classifier(settings["scheme"]) | _under("toy", rest)
     if "sensitivity" in settings:
@@ -92,7 +91,7 @@ def _of_toy(parts: list[str], settings: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _of_classifier(settings: Mapping[str, Any]) -> dict[str, str]:
-    """Settings of a classifier or an integration; the settings of its base have no prefix."""
+    """Return the parameters of a classifier or an integration; those of its base have no prefix."""
     base, scheme = (settings.get(one) or {} for one in ("base", "scheme"))
     params = {"classifier": str(base.get("name") or settings.get("model") or settings.get("method", ""))}
     if "combination" in scheme:

@@ -1,4 +1,4 @@
-"""Writing to MLflow: any tracking server, or a SQLite database that many processes share."""
+"""Write to MLflow: to any tracking server, or to a SQLite database that many processes share."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from urllib.request import url2pathname
 
 from placecat.errors import PlacecatError
 
-# Functions import MLflow when they need it: that takes 5 s.
+# Functions import MLflow only when they need it, since the import takes 5 s.
 if TYPE_CHECKING:
     from contextlib import AbstractContextManager
 
     from mlflow import MlflowClient
 
-# Tags that the user interface knows.
+# Tags that MLflow's user interface recognizes.
 DESCRIPTION = "mlflow.note.content"
 COMMIT = "mlflow.source.git.commit"
 PARENT = "mlflow.parentRunId"
@@ -40,39 +40,39 @@ _LONGEST_KEY = 250
 
 
 def queued_in() -> Path | None:
-    """The project's folder, if this folder is DVC's temporary copy for a queued experiment."""
+    """Return the project's folder if the current folder is DVC's temporary copy for a queued experiment."""
     here = Path.cwd()
     copies = [folder for folder in here.parents if folder.parts[-3:] == _QUEUED]
     return copies[-1].parents[2] if copies else None
 
 
 def queued_experiment() -> str:
-    """Name of the queued DVC experiment that runs this, "" if none does."""
+    """Return the name of the queued DVC experiment that runs this process, or ""."""
     return os.environ.get("DVC_EXP_NAME", "queued") if queued_in() else ""
 
 
 def tracking_uri() -> str:
-    """The tracking server in MLFLOW_TRACKING_URI (environment), or mlflow.db in the project's folder."""
+    """Return MLFLOW_TRACKING_URI from the environment, or else the URI of the project's mlflow.db."""
     project = queued_in()
     own = "sqlite:///mlflow.db" if project is None else f"sqlite:///{project / 'mlflow.db'}"
     return os.environ.get("MLFLOW_TRACKING_URI") or own
 
 
 def connect(uri: str) -> MlflowClient:
-    """Connect to a tracking server, e.g. ``http://127.0.0.1:5000``, or a database, made if there is none.
+    """Connect to a tracking server, e.g. ``http://127.0.0.1:5000``, or a database, created if missing.
 
-    A database is e.g. ``sqlite:///mlflow.db`` (relative to this folder). If several processes connect at
-    once, one makes it and the others wait. Raises PlacecatError if `uri` is not an address, if no compatible
-    MLflow answers there, or if the driver of the database is missing.
+    A database is e.g. ``sqlite:///mlflow.db`` (relative to the current folder). If several processes connect
+    at once, one creates it and the others wait. Raises PlacecatError if `uri` is not an address, if no
+    compatible MLflow answers there, or if the database's driver is missing.
     """
     os.environ.setdefault("MLFLOW_DISABLE_TELEMETRY", "true")
     # MLflow would print a line per run.
     os.environ.setdefault("MLFLOW_SUPPRESS_PRINTING_URL_TO_STDOUT", "true")
-    # By default MLflow tries for minutes before it reports that no server answers.
+    # By default, MLflow retries for minutes before it reports that no server answers.
     os.environ.setdefault("MLFLOW_HTTP_REQUEST_MAX_RETRIES", "3")
     from mlflow import MlflowClient
 
-    # A new database logs its 50 migrations.
+    # MLflow logs the 50 migrations of a new database.
     for talkative in ("mlflow.store.db.utils", "alembic"):
         logging.getLogger(talkative).setLevel(logging.WARNING)
     try:
@@ -96,12 +96,12 @@ def connect(uri: str) -> MlflowClient:
 
 
 def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path, description: str) -> str:
-    """Find an experiment by name, or make it; several processes may do so at once.
+    """Return the id of an experiment, created if missing; several processes may call this at once.
 
-    `artifacts` is the folder for the files of a new experiment, unless a server stores them. After a project
-    was moved or copied with its database, MLflow looks for the files of earlier runs in the new folder.
-    `description` (Markdown) replaces an earlier one. Raises PlacecatError if the experiment was deleted but
-    not purged, since MLflow then reserves its name.
+    `artifacts` is the folder for a new experiment's files, unless a server stores them. If the project was
+    moved or copied with its database, MLflow then looks for earlier runs' files in the new folder.
+    `description` (Markdown) replaces any earlier description. Raises PlacecatError if the experiment was
+    deleted but not purged, since MLflow still reserves its name.
     """
     from mlflow.exceptions import MlflowException
 
@@ -116,7 +116,7 @@ def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path,
                 )
                 return str(made)
             except MlflowException:
-                # A server cannot be locked: another process was quicker, or this is another error.
+                # A server cannot be locked: either another process was quicker, or this is a real error.
                 found = client.get_experiment_by_name(name)
                 if found is None:
                     raise
@@ -133,7 +133,7 @@ def experiment_id(client: MlflowClient, uri: str, name: str, *, artifacts: Path,
 
 
 def _follow(uri: str, before: str, artifacts: Path) -> None:
-    """Update the paths in a database in the project's folder after the folder was moved.
+    """Update the paths in the project folder's database after the folder was moved.
 
     MLflow stores absolute paths and has no command to change them. A database elsewhere is left alone, since
     several projects may share it.
@@ -153,9 +153,9 @@ def _follow(uri: str, before: str, artifacts: Path) -> None:
 
 
 class Content(TypedDict, total=False):
-    """Content of a run except its files, each part a mapping of names to values; every part is optional.
+    """A run's content except its files; each part is optional and maps names to values.
 
-    Parameters are cut at 6000 characters, since MLflow refuses longer ones.
+    Parameter values are cut at 6000 characters, since MLflow refuses longer ones.
     """
 
     params: Mapping[str, str]
@@ -173,10 +173,10 @@ def start_run(
     files: Sequence[Path] = (),
     **content: Unpack[Content],
 ) -> str:
-    """Start a run with some :class:`Content` and return its id; its status is RUNNING until `finish_run`.
+    """Start a run with some :class:`Content` and return its id; the run is RUNNING until `finish_run`.
 
-    `parent` is the id of the run to nest this one in; `description` is Markdown; `files` are copied under
-    their names.
+    `parent` is the id of the enclosing run; `description` is Markdown; `files` are copied and keep their
+    names.
     """
     tags = dict(content.pop("tags", {}))
     if parent is not None:
@@ -193,16 +193,16 @@ def start_run(
 def finish_run(
     client: MlflowClient, run_id: str, *, status: str = "FINISHED", **content: Unpack[Content]
 ) -> None:
-    """Log more (:class:`Content`) to a run, then end it with the status FINISHED, FAILED or KILLED."""
+    """Log more :class:`Content` to a run, then end it with the status FINISHED, FAILED or KILLED."""
     log(client, run_id, **content)
     with writing(client):
         client.set_terminated(run_id, status)
 
 
 def key(*parts: str) -> str:
-    """A name of a metric or parameter that MLflow accepts: a path of letters, digits and ``_-. /``.
+    """Return a metric or parameter name that MLflow accepts: a path of letters, digits and ``_-. /``.
 
-    The parts of the path are neither empty nor dots only, and it has at most 250 characters.
+    The path has at most 250 characters, and no part of it is empty or only dots.
     """
     text = "/".join(part for part in parts if part).replace("+", "and")
     allowed = re.sub(r"[^\w\-. /]", "", text).split("/")
@@ -211,10 +211,10 @@ def key(*parts: str) -> str:
 
 @contextmanager
 def writing(client: MlflowClient) -> Iterator[None]:
-    """Lock the database if it is SQLite: one process writes, others wait. May be nested.
+    """Lock a SQLite database, so that one process writes while others wait; may be nested.
 
-    Every writing function of this module locks; a block around several calls keeps the lock between them.
-    Raises PlacecatError for errors of MLflow or its database in the block.
+    Every function of this module that writes takes the lock; a block around several calls holds it
+    throughout. Raises PlacecatError if MLflow or its database fails in the block.
     """
     with _told_plainly(client.tracking_uri), _lock(client.tracking_uri):
         yield
@@ -222,7 +222,7 @@ def writing(client: MlflowClient) -> Iterator[None]:
 
 @contextmanager
 def alone(uri: str) -> Iterator[None]:
-    """Wait for other processes of this user on this machine that hold the same tracking server."""
+    """Hold a tracking server's lock, after waiting for this user's other processes on this machine."""
     from filelock import FileLock
 
     user = os.getuid() if hasattr(os, "getuid") else ""
@@ -232,7 +232,7 @@ def alone(uri: str) -> Iterator[None]:
 
 
 def log(client: MlflowClient, run_id: str, **content: Unpack[Content]) -> None:
-    """Log more (:class:`Content`) to a run."""
+    """Log more :class:`Content` to a run."""
     from mlflow.entities import Metric, Param, RunTag
     from mlflow.utils.time import get_current_time_millis
 
@@ -247,7 +247,7 @@ def log(client: MlflowClient, run_id: str, **content: Unpack[Content]) -> None:
 
 
 def _store(client: MlflowClient, run_id: str, place: str, paths: Sequence[Path]) -> None:
-    """Copy files to a run: directly if its folder is on this machine, since the client is slower."""
+    """Copy files to a run, bypassing MLflow's slower client if the run's folder is on this machine."""
     parts = urlparse(place)
     if parts.scheme != "file":
         with _told_plainly(client.tracking_uri):
@@ -262,9 +262,9 @@ def _store(client: MlflowClient, run_id: str, place: str, paths: Sequence[Path])
 
 @contextmanager
 def _quick_if_new(uri: str) -> Iterator[None]:
-    """In the block, connections to a new SQLite database do not wait for the disk.
+    """Within the block, let connections to a new SQLite database skip waiting for the disk.
 
-    A new database has nothing to lose: if the power fails, it is removed and written again.
+    A new database has nothing to lose: after a power failure, it can be deleted and created again.
     """
     path = _database(uri)
     if path is None or path.exists():
@@ -284,19 +284,19 @@ def _quick_if_new(uri: str) -> Iterator[None]:
 
 
 def _lock(uri: str) -> AbstractContextManager[object]:
-    """A lock that all processes with this SQLite database share; nothing for other URIs."""
+    """Return a lock that all users of this SQLite database share; it does nothing for other URIs."""
     path = _database(uri)
     if path is None:
         return nullcontext()
     from filelock import FileLock
 
     path.parent.mkdir(parents=True, exist_ok=True)
-    # One object per path, so that a thread may take the lock twice.
+    # One object per path, so that a thread may acquire the lock twice.
     return FileLock(path.with_name(f"{path.name}.lock"), is_singleton=True)
 
 
 def _database(uri: str) -> Path | None:
-    """The file of a SQLite database; None for other URIs."""
+    """Return the file of a SQLite database, or None for other URIs."""
     if not uri.startswith("sqlite"):
         return None
     from sqlalchemy.engine import make_url
@@ -311,7 +311,7 @@ def _database(uri: str) -> Path | None:
 
 @contextmanager
 def _told_plainly(uri: str) -> Iterator[None]:
-    """Turn errors of MLflow, its database and its server into one clear message."""
+    """Turn errors from MLflow, its database or its server into a PlacecatError of one line."""
     from mlflow.exceptions import MlflowException
     from requests.exceptions import RequestException
     from sqlalchemy.exc import SQLAlchemyError
@@ -326,5 +326,5 @@ def _told_plainly(uri: str) -> Iterator[None]:
 
 
 def _shown(text: str) -> str:
-    """A text without the passwords of its URIs."""
+    """Hide the passwords in a text's URIs."""
     return re.sub(r"(://[^/:@\s]*):[^/@\s]*@", r"\1:***@", text)

@@ -1,12 +1,12 @@
-"""MLflow: one run per table with nested runs for its rows; logging again never duplicates a run.
+"""Log tables to MLflow: a run per table, with nested runs for its rows; logging again never duplicates one.
 
-Tags: ``placecat.kind`` is table, row, figures or findings; ``placecat.table`` the name of the table;
-``placecat.digest`` the checksum of the content of a table; ``placecat.current`` is "true" for valid runs.
-A run counts only if it is current and FINISHED. Writing has four steps: start the runs of the table and its
-rows; remove ``current`` from the superseded runs; finish the rows; finish the run of the table. If the
-process is killed, incomplete runs do not count, and no run counts twice; the next call deletes the incomplete
-runs and writes the table again. Processes on one machine take turns. Several machines may write at once: at
-the end each checks for tables with several current runs, and keeps the latest.
+Tags: ``placecat.kind`` is table, row, figures or findings; ``placecat.table`` is the table's name;
+``placecat.digest`` is the checksum of its content; ``placecat.current`` is "true" for valid runs, or the name
+of the queued DVC experiment that logged them. A run counts only if it is current and FINISHED. Writing has
+four steps: start the runs of the table and its rows; set ``current`` to "false" in the superseded runs;
+finish the rows; finish the table's run. If the process is killed, its incomplete runs do not count, and no
+table counts twice; the next call deletes these runs and writes the table again. Processes on one machine take
+turns. Several machines may write at once: at the end, each keeps only the latest of a table's current runs.
 """
 
 from __future__ import annotations
@@ -31,18 +31,18 @@ KIND, TABLE, DIGEST = "placecat.kind", "placecat.table", "placecat.digest"
 CURRENT, SUPERSEDED_BY = "placecat.current", "placecat.superseded_by"
 # Name of the training protocol, e.g. "5-5-1"; a table lists the protocols of all its rows.
 PROTOCOL = "protocol"
-# Name of the queued DVC experiment that logged a run. Its runs are current in addition to the project's.
+# Name of the queued DVC experiment that logged a run. Its runs are current alongside the project's.
 DVC_EXPERIMENT = "placecat.dvc_experiment"
-# The machine that logs a run: another machine cannot know whether an unfinished run is still being written.
+# The machine that logs a run; other machines cannot tell whether an unfinished run is still being written.
 MACHINE = "placecat.machine"
 # Milliseconds after which an unfinished run counts as abandoned.
 _TORSO = 24 * 3600 * 1000
-# Change this when the content of runs changes but their numbers do not: they are then logged again.
+# Change this to log all runs again when their content changes but their numbers do not.
 _FORM = "4"
-# Where a description shows its run's id.
+# Placeholder for the run's id in a description.
 RUN_ID = "{run_id}"
 ARTIFACTS = Path("mlartifacts")
-# Of the experiment of a data set.
+# Description of a data set's experiment.
 DESCRIPTION = (
     "Visual place categorization, measured on {title}: every table of the thesis is a run, every row of a "
     "table a nested run. Current runs have the tag placecat.current: filter by "
@@ -53,7 +53,7 @@ DESCRIPTION = (
 
 @dataclass(frozen=True)
 class RowRun:
-    """Content of one row for MLflow, with a readable name, e.g. "5-5-1, all cues, Gist".
+    """One row's content for MLflow, with a readable name, e.g. "Table 26: 5-5-1, all cues, Gist".
 
     Attributes
     ----------
@@ -75,22 +75,22 @@ class RowRun:
 
 @dataclass(frozen=True)
 class TableRun:
-    """Content of one table for MLflow: its name, e.g. "table_26", its title, and the rest.
+    """One table's content for MLflow, with its name, e.g. "table_26", and its title.
 
     Attributes
     ----------
     content
-        Everything that the table shows, as text; `digest` is the checksum of `content` and `params`.
+        Everything that the table shows, as text; part of its `digest`.
     params
         Flat settings that affect the numbers.
     metrics
-        Name to number, in percent unless the name says otherwise.
+        Maps each name to a number, in percent unless the name says otherwise.
     description
         Markdown; `RUN_ID` in it becomes the run's id.
     rows, files
-        Nested runs; a function that writes the table's files, as for a row.
+        Nested runs, and a function that writes the table's files, as for a row.
     kind
-        "table"; "figures" and "findings" for the two runs that are not tables.
+        "table", or "figures" or "findings" for the two runs that are not tables.
     """
 
     name: str
@@ -104,7 +104,7 @@ class TableRun:
     kind: str = "table"
 
     def digest(self, data_version: str) -> str:
-        """Checksum of everything that the run shows: numbers, settings, version of the data."""
+        """Return a checksum of everything that the run shows: title, numbers, settings and data version."""
         content = [_FORM, self.title, self.content, repr(sorted(self.params.items())), data_version]
         return hashlib.sha256("\n".join(content).encode()).hexdigest()
 
@@ -121,27 +121,28 @@ def log_tables(
     artifacts: Path,
     dvc_experiment: str = "",
 ) -> dict[str, str]:
-    """Log every table whose content is new; mark the runs that it supersedes.
+    """Log every table whose content is new, and mark the runs that it supersedes.
 
-    Returns the digest of each table's content, which does not depend on time or earlier runs. Raises
-    PlacecatError if MLflow does not answer or refuses.
+    Returns each table's digest by name; it does not depend on time or earlier runs. Raises PlacecatError if
+    MLflow does not answer or refuses a request.
 
     Parameters
     ----------
     runs
-        All tables of the experiment, in the order of the user interface, which shows the latest on top.
+        All tables of the experiment in display order; the last is logged first, since the user interface
+        shows the latest on top.
     uri
         MLflow tracking URI.
     experiment, description
-        Name of the experiment, made if it does not exist, and its description (Markdown).
+        Name of the experiment, created if missing, and its description (Markdown).
     data, data_version
         Title of the data set, and the checksum of its files.
     commit
         Git commit, or "" if there is none.
     artifacts
-        Folder for the files of a new experiment on a local database.
+        Folder for a new experiment's files, unless a server stores them.
     dvc_experiment
-        Name of the queued experiment that logs, if any: it supersedes only runs of that experiment.
+        Name of the queued DVC experiment that logs, if any; only that experiment's runs are superseded.
     """
     with store.alone(uri):
         client = store.connect(uri)
@@ -170,7 +171,7 @@ def _log_new(
 ) -> None:
     known: dict[str, list[Run]] = {}
     scope = common.get(DVC_EXPERIMENT, "")
-    # Runs not superseded: complete and incomplete ones.
+    # Runs that are not superseded, complete or not.
     for one in search(client, experiment_id, f"tags.`{DIGEST}` LIKE '%'"):
         if SUPERSEDED_BY not in one.data.tags and one.data.tags.get(DVC_EXPERIMENT, "") == scope:
             known.setdefault(one.data.tags.get(TABLE, ""), []).append(one)
@@ -193,13 +194,13 @@ def _log_new(
 
 
 def _is_torso(run: Run) -> bool:
-    """Whether an unfinished run is abandoned: on this machine another process would hold the lock."""
+    """Whether an unfinished run is abandoned; any on this machine is, since this process holds the lock."""
     is_own = run.data.tags.get(MACHINE, platform.node()) == platform.node()
     return is_own or run.info.start_time < time.time() * 1000 - _TORSO
 
 
 def _settle(client: MlflowClient, experiment_id: str, scope: str) -> None:
-    """Keep only the latest run of each table current, if other machines logged in the meantime."""
+    """Keep only each table's latest run current, in case other machines logged in the meantime."""
     current: dict[str, list[Run]] = {}
     condition = f"tags.`{DIGEST}` LIKE '%' and tags.`{CURRENT}` = '{scope or 'true'}'"
     for one in search(client, experiment_id, f"{condition} and attributes.status = 'FINISHED'"):
@@ -215,7 +216,7 @@ def _settle(client: MlflowClient, experiment_id: str, scope: str) -> None:
 def _log(
     client: MlflowClient, experiment_id: str, run: TableRun, digest: str, common: Mapping[str, str]
 ) -> list[str]:
-    """Log a table and its rows but do not end the runs; returns their ids, with the table's last."""
+    """Log a table and its rows without ending the runs; return their ids, the table's last."""
     tags = {**common, TABLE: run.name, CURRENT: common.get(DVC_EXPERIMENT, "true"), MACHINE: platform.node()}
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
@@ -230,7 +231,7 @@ def _log(
         )
         store.log(client, run_id, tags={store.DESCRIPTION: run.description.replace(RUN_ID, run_id)})
         rows = []
-        # The user interface shows the last one on top.
+        # Last row first, since the user interface shows the latest run on top.
         for number, row in reversed(list(enumerate(run.rows))):
             (own := folder / str(number)).mkdir()
             nested = store.start_run(
@@ -249,7 +250,7 @@ def _log(
 
 
 def _protocols(rows: Sequence[RowRun]) -> dict[str, str]:
-    """The tag to filter by, from the rows' parameters."""
+    """Return a tag with the rows' protocols, for filtering runs."""
     names = dict.fromkeys(row.params["protocol"] for row in rows if "protocol" in row.params)
     return {PROTOCOL: ", ".join(names)} if names else {}
 
@@ -257,7 +258,7 @@ def _protocols(rows: Sequence[RowRun]) -> dict[str, str]:
 def _make_current(
     client: MlflowClient, experiment_id: str, new: Sequence[str], old: Sequence[str], chosen: str
 ) -> None:
-    # Other processes see all changes or none.
+    # Locked, so that other processes see all of these changes or none.
     with store.writing(client):
         for one in old:
             _supersede(client, experiment_id, one, chosen)
@@ -266,13 +267,13 @@ def _make_current(
 
 
 def _supersede(client: MlflowClient, experiment_id: str, run_id: str, by: str) -> None:
-    # End the table's run last: an interrupted call is then repeated.
+    # Mark the table's run last, so that an interrupted call is repeated.
     for each in [*_nested(client, experiment_id, run_id), run_id]:
         store.log(client, each, tags={CURRENT: "false", SUPERSEDED_BY: by})
 
 
 def delete(client: MlflowClient, experiment_id: str, run_id: str) -> None:
-    """Delete a run and its nested runs, as the user interface does: `mlflow gc` removes them for good."""
+    """Delete a run and its nested runs, as the user interface does; `mlflow gc` removes them for good."""
     with store.writing(client):
         for each in [*_nested(client, experiment_id, run_id), run_id]:
             client.delete_run(each)
@@ -284,7 +285,7 @@ def _nested(client: MlflowClient, experiment_id: str, run_id: str) -> list[str]:
 
 
 def search(client: MlflowClient, experiment_id: str, condition: str) -> list[Run]:
-    """Find all runs of an experiment that match a filter in MLflow's syntax, page by page."""
+    """Find all of an experiment's runs that match a filter in MLflow's syntax."""
     found: list[Run] = []
     token = None
     with store.writing(client):

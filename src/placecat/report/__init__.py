@@ -1,1 +1,1 @@
-"""Reports for people: figures, charts, the page, LaTeX and Markdown."""
+"""Reports for readers: figures, charts, the page, LaTeX and Markdown."""

@@ -1,21 +1,21 @@
-"""Benchmarks in the report."""
+"""Prepare benchmarks for the report."""
 
 from collections.abc import Mapping
 from typing import Any
 
 import pandas as pd
 
-# Columns of text.
+# Text columns of the benchmarks.
 TEXT = ("module", "piece", "input", "quantity", "peer", "peer_version", "target", "met", "spent")
 _SECONDS = "seconds"
 _NUMBER = r"(\d+(?:\.\d+)?(?:e[+-]?\d+)?)"
 
 
 def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
-    """The rows of :func:`placecat_bench.run.run` that have a ratio; missing numbers are NaN.
+    """Return the rows of :func:`placecat_bench.run.run` that have a ratio; missing numbers are NaN.
 
-    The columns are the same, with ``met`` as a bool and ``target`` as a number, plus ``is_faster``: whether
-    the target is a minimum speed-up instead of a maximum share of the peer's time.
+    ``met`` becomes a bool and ``target`` a number; the new column ``is_faster`` says whether the target is a
+    minimum speed-up instead of a maximum share of the peer's time.
     """
     rows = benchmarks[benchmarks["ratio"].notna()]
     return rows.assign(
@@ -26,11 +26,11 @@ def ratios_of(benchmarks: pd.DataFrame) -> pd.DataFrame:
 
 
 def shown_speed(benchmarks: pd.DataFrame, facts: Mapping[str, str]) -> dict[str, Any]:
-    """The benchmarks of :func:`placecat_bench.run.run` as text for a page; empty cells of text are "".
+    """Format the rows of :func:`placecat_bench.run.run` for a page; their empty text cells must be "".
 
-    Returns the ``facts`` (``processor``, ``python`` and ``packages`` of the measurement), and in ``rows`` the
-    piece, input, ours, peer, theirs, ratio, target, met and spent of each row. Quantities other than
-    seconds are named next to the piece.
+    Returns ``facts`` (the measurement's ``processor``, ``python`` and ``packages``), and ``rows``, each with
+    piece, input, ours, peer, theirs, ratio, target, met and spent. A quantity other than seconds follows the
+    piece's name.
     """
     return {"facts": facts, "rows": [_shown_row(row) for row in benchmarks.to_dict("records")]}
 
@@ -52,12 +52,12 @@ def _shown_row(row: Mapping[Any, Any]) -> dict[str, Any]:
 
 
 def times(ratio: float) -> str:
-    """A ratio with three digits, or with all digits before the point."""
+    """Format a ratio with three significant digits, or from 1000 on as a whole number."""
     return f"{ratio:,.0f}" if ratio >= 1000 else f"{ratio:.3g}"
 
 
 def _amount(value: float, quantity: str) -> str:
-    """A number as text; times with a unit, milliseconds below a second."""
+    """Format a number; times have a unit, milliseconds below one second."""
     if pd.isna(value):
         return ""
     if quantity != _SECONDS:

@@ -1,4 +1,4 @@
-"""Pictures inside a page."""
+"""Embed pictures in a page."""
 
 import base64
 from dataclasses import dataclass
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-# Our choice: figures look the same as PNG at a tenth of the size.
+# Our choice: figures look the same as in PNG, at a tenth of the size.
 QUALITY = 90
 
 
@@ -20,9 +20,9 @@ class Picture:
 
 
 def embed(png: bytes, quality: int = QUALITY) -> Picture:
-    """Turn a PNG into a data URI, as WebP with a quality of 1 to 100 if that is shorter.
+    """Turn a PNG into a data URI, as WebP of `quality` 1 to 100 if that is shorter.
 
-    Raises ValueError if it is not a picture.
+    Raises ValueError if `png` is not a picture.
     """
     pixels = cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_UNCHANGED) if png else None
     if pixels is None:

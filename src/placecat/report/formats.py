@@ -1,4 +1,4 @@
-"""Filled tables as Markdown and LaTeX: measured numbers first, published ones below."""
+"""Write filled tables as Markdown and LaTeX, with published numbers below the measured ones."""
 
 from collections.abc import Callable, Mapping
 from functools import cache
@@ -45,20 +45,21 @@ def latex(text: str) -> str:
 
 
 def table_markdown(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]) -> str:
-    """Write one filled table as Markdown; parameters as for :func:`placecat.report.grid.shown_table`."""
+    """Write one filled table as Markdown; for parameters, see :func:`placecat.report.grid.shown_table`."""
     return _in_markdown().get_template("table.md.j2").render(**shown_table(settings, table, dataset))
 
 
 def table_latex(settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]) -> str:
     """Write one filled table as a LaTeX ``table`` environment, which needs ``\\usepackage{booktabs}``.
 
-    Published numbers are in italics below each row of measured ones, like standard errors under coefficients;
-    footnotes state the reasons for empty cells. Parameters as for :func:`placecat.report.grid.shown_table`.
+    Published numbers are in italics below each row of measured numbers, like standard errors under
+    coefficients; footnotes give the reasons for empty cells. For parameters, see
+    :func:`placecat.report.grid.shown_table`.
     """
     return _in_latex().get_template("table.tex.j2").render(**shown_table(settings, table, dataset))
 
 
-# Created once, since an environment compiles each template at its first use.
+# Cached, since an environment compiles each template at its first use.
 @cache
 def _in_markdown() -> Environment:
     return environment("placecat.report").overlay(finalize=_only_text(markdown))
@@ -66,7 +67,7 @@ def _in_markdown() -> Environment:
 
 @cache
 def _in_latex() -> Environment:
-    """Delimiters that do not clash with LaTeX's braces."""
+    """Return an environment whose delimiters do not clash with LaTeX's braces."""
     return environment("placecat.report").overlay(
         variable_start_string="<<",
         variable_end_string=">>",

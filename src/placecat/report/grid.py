@@ -1,4 +1,4 @@
-"""Filled tables as grids for display: rows and columns in order, numbers as text, notes as footnotes."""
+"""Arrange filled tables as grids for display, with numbers as text and notes as footnotes."""
 
 from collections import Counter
 from collections.abc import Hashable, Mapping, Sequence
@@ -18,7 +18,7 @@ NUMBERS = ("measured", "published", "spread", "seeds")
 
 @dataclass(frozen=True)
 class Cell:
-    """One cell.
+    """One cell of a table.
 
     Attributes
     ----------
@@ -27,11 +27,11 @@ class Cell:
     difference
         Measured minus published in points; None unless both exist.
     spread
-        The largest minus the smallest value over the seeds, in points; None if nothing is random.
+        Largest minus smallest value over the seeds, in points; None if nothing is random.
     seeds
         Number of seeds, 0 if nothing is random.
     mark, published_mark
-        Letters of the footnotes on the two numbers, "" for none.
+        Letters of the footnotes on each of the two numbers, "" for none.
     """
 
     measured: str = ""
@@ -71,7 +71,7 @@ class Group:
 
 @dataclass(frozen=True)
 class Footnote:
-    """A letter, its text, and the number of its cells."""
+    """A footnote's letter, its text, and the number of cells that it marks."""
 
     mark: str
     text: str
@@ -80,16 +80,16 @@ class Footnote:
 
 @dataclass(frozen=True)
 class Grid:
-    """A table.
+    """A table arranged for display.
 
     Attributes
     ----------
     columns
-        Names of the columns in order, the average last.
+        Column names in order, with the average last.
     groups
-        Rows in groups, in the table's order.
+        Groups of rows, in the table's order.
     footnotes
-        Reasons for empty cells and notes on single cells, in order of their letters.
+        Reasons for empty cells and notes on single cells, in the order of their letters.
     """
 
     columns: tuple[str, ...]
@@ -131,10 +131,10 @@ def make_grid(table: pd.DataFrame) -> Grid:
 def shown_table(
     settings: Mapping[str, Any], table: pd.DataFrame, dataset: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """The content of one filled table for a template: its grid, title and sentences about its numbers.
+    """Return one filled table's content for a template: its grid, its title and sentences about its numbers.
 
-    `settings` are its definition (``name``; ``number``, None if it is not in the thesis; ``title``,
-    ``thesis_data``; ``caption``, if the numbers are not percentages); `table` is from
+    `settings` define the table: ``name``, ``number`` (None if it is not in the thesis), ``title``,
+    ``thesis_data``, and ``caption`` if the numbers are not percentages. `table` is from
     :func:`placecat.thesis.tables.fill_table`; `dataset` has ``title``, ``homes`` and ``thesis_data``.
     """
     return {
@@ -149,7 +149,7 @@ def shown_table(
 
 
 def make_cell(row: Mapping[Any, Any]) -> Cell:
-    """A cell from the `NUMBERS` of a row: two in percent, the spread in points, the seeds; NaN if missing."""
+    """Make a cell from a row's `NUMBERS`: two percentages, the spread in points, seeds; NaN if missing."""
     measured, published, spread, seeds = (row[name] for name in NUMBERS)
     difference = round(float(measured - published), 2) + 0.0
     return Cell(
@@ -162,12 +162,12 @@ def make_cell(row: Mapping[Any, Any]) -> Cell:
 
 
 def number_text(value: float | None) -> str:
-    """A number with two decimals, "" for None or NaN."""
+    """Format a number with two decimals; "" for None or NaN."""
     return "" if value is None or pd.isna(value) else f"{value:.2f}"
 
 
 def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
-    """Name the data set's home behind each "Home 1" that labels a row or a column; "" for none."""
+    """Say which home each row or column label, e.g. "Home 1", stands for; "" if that is obvious."""
     named = {*table["row"], *table["column"]}
     pairs = [(home_label(number), home) for number, home in enumerate(homes, start=1)]
     pairs = [(label, home) for label, home in pairs if label in named]
@@ -178,10 +178,10 @@ def homes_sentence(table: pd.DataFrame, homes: Sequence[str]) -> str:
 
 
 def seeds_sentence(table: pd.DataFrame) -> str:
-    """State the number of seeds behind the numbers, and their spread; "" if nothing is random.
+    """State how many seeds the numbers average, and how far apart these lie; "" if nothing is random.
 
-    The table has the columns measured, spread (points) and seeds; its columns among group, row and column
-    locate the largest spread.
+    The table has the columns measured, spread (points) and seeds; any columns group, row and column locate
+    the largest spread.
     """
     random = table[(table["seeds"] > 1) & table["spread"].notna() & table["measured"].notna()]
     if random.empty:
@@ -198,7 +198,7 @@ def seeds_sentence(table: pd.DataFrame) -> str:
 
 
 def _mark(notes: Notes, kind: Kind, footnotes: Counter[str]) -> str:
-    """Letters of the notes of one kind, e.g. "a,c"; counts them in `footnotes`."""
+    """Return the letters of all notes of one kind, e.g. "a,c", and count the notes in `footnotes`."""
     texts = [note.text for note in notes if note.kind is kind]
     footnotes.update(texts)
     order = list(footnotes)
@@ -206,7 +206,7 @@ def _mark(notes: Notes, kind: Kind, footnotes: Counter[str]) -> str:
 
 
 def _letters(number: int) -> str:
-    """A, b, ..., z, aa, ab, ..."""
+    """Return the letters of a footnote by its number from 0: a, b, ..., z, aa, ab, ..."""
     rest, last = divmod(number, 26)
     return (_letters(rest - 1) if rest else "") + chr(ord("a") + last)
 

@@ -1,4 +1,4 @@
-"""Differences between the tables of two runs, an old and a new one."""
+"""Compare the tables and verdicts of an old and a new run."""
 
 import re
 from collections.abc import Mapping
@@ -8,7 +8,7 @@ from enum import Enum
 import pandas as pd
 
 NONE = "none"
-# Content columns of a row; the others, except the table's number, identify its cell.
+# A row's content columns and the table's number; the other columns identify its cell.
 _SAID = ("table", "published", "measured", "spread", "seeds", "note", "data")
 
 
@@ -23,7 +23,7 @@ class Grade(Enum):
 
 @dataclass(frozen=True)
 class TableDifference:
-    """The differences of one table, e.g. ``table_26``.
+    """The differences in one table, e.g. ``table_26``.
 
     Attributes
     ----------
@@ -32,7 +32,7 @@ class TableDifference:
     differing
         Number of compared cells whose number or spread over seeds differs.
     largest, where
-        The largest difference in points, and the labels of its cell; 0 and "" without a difference.
+        The largest difference in points, and the labels of its cell; 0 and "" if no number differs.
     appeared, disappeared
         Number of cells with only a new number, and with only an old one.
     """
@@ -54,7 +54,7 @@ class TableDifference:
 
 @dataclass(frozen=True)
 class Turned:
-    """A finding whose verdict has changed; `NONE` on a side without the finding."""
+    """A finding whose verdict has changed; the verdict is `NONE` on a side without the finding."""
 
     finding: str
     kept: str
@@ -63,9 +63,9 @@ class Turned:
 
 @dataclass(frozen=True)
 class Comparison:
-    """The differences of all tables, in the order of their names, and of all verdicts.
+    """The differences in all tables, sorted by name, and in all verdicts.
 
-    `data` are the data sets of old and new cells, if they differ; these cells were not compared.
+    `data` names the data sets of the old and the new cells if they differ; such cells were not compared.
     `findings` is the number of findings, and `turned` lists those with a changed verdict.
     """
 
@@ -94,7 +94,7 @@ class Comparison:
         """Judge the differences by a tolerance in points.
 
         A number that appeared or disappeared exceeds any tolerance. Changed verdicts do not, since a small
-        change of a number may change a verdict.
+        change in a number may change a verdict.
         """
         if not self.cells:
             return Grade.NOT_COMPARED
@@ -112,10 +112,10 @@ def compare(
     """Compare new tables with old ones.
 
     Cells whose two numbers come from different data sets are not compared; if there are any, verdicts are not
-    compared either. `now` and `kept` map names to new and old tables; numbers may be text, and empty if
-    missing. Columns are measured (percent), spread (points, may be missing) and data, the data set ("" if
-    unknown); and columns that identify the cell of a row, e.g. group, row, column. Findings have one row
-    each, with the columns number and verdict; None if there are no findings.
+    compared either. `now` and `kept` map names to new and old tables, whose numbers may be text, empty if
+    missing. Their columns are measured (percent), spread (points, optional), data (the data set, "" if
+    unknown), and those that identify a row's cell, e.g. group, row, column. Tables of findings have a row per
+    finding with the columns number and verdict; None if there are none.
     """
     pairs = {
         name: _pairs(_cells(now.get(name)), _cells(kept.get(name)))
@@ -136,7 +136,7 @@ def compare(
 
 
 def _cells(table: pd.DataFrame | None) -> pd.DataFrame:
-    """Numbers, spreads (NaN for none) and data sets ("" without a number) of cells, by their labels."""
+    """Index each cell's number, spread (NaN for none) and data set ("" without a number) by its labels."""
     if table is None:
         table = pd.DataFrame(columns=["measured", "data"])
     labels = table[[column for column in table.columns if column not in _SAID]].fillna("").astype(str)
@@ -147,7 +147,7 @@ def _cells(table: pd.DataFrame | None) -> pd.DataFrame:
 
 
 def _pairs(now: pd.DataFrame, kept: pd.DataFrame) -> pd.DataFrame:
-    """Cells of both tables, in order, with their new and old content."""
+    """Join the cells of both tables, in order, with their new and old content."""
     labels = now.index.append(kept.index.difference(now.index, sort=False))
     sides = (now.reindex(labels).add_suffix("_now"), kept.reindex(labels).add_suffix("_kept"))
     both = pd.concat(sides, axis=1)
@@ -162,7 +162,7 @@ def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
         | (cells[f"{kind}_now"].isna() & cells[f"{kind}_kept"].isna())
         for kind in ("measured", "spread")
     ]
-    # Both have two decimals; their floating-point difference has more.
+    # Both numbers have two decimals, but their floating-point difference has more.
     distance = (new - old).abs().round(2).dropna()
     largest = float(distance.max()) if len(distance) else 0.0
     where = ", ".join(filter(None, distance.index[int(distance.argmax())])) if largest else ""
@@ -178,7 +178,7 @@ def _compare_table(name: str, cells: pd.DataFrame) -> TableDifference:
 
 
 def _compare_verdicts(now: pd.DataFrame, kept: pd.DataFrame) -> tuple[int, tuple[Turned, ...]]:
-    """Count findings, and list the changed verdicts."""
+    """Count the findings, and list the changed verdicts."""
     new, old = (dict(zip(one["number"].astype(str), one["verdict"], strict=True)) for one in (now, kept))
     both = dict.fromkeys([*new, *old])
     turned = (Turned(finding, old.get(finding, NONE), new.get(finding, NONE)) for finding in both)

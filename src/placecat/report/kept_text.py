@@ -1,10 +1,10 @@
-"""Differences between two runs, as text."""
+"""Describe the differences between two runs."""
 
 from collections.abc import Sequence
 
 from placecat.report.kept import Comparison, Grade
 
-# Maximum number of differing tables, verdicts and settings to name.
+# How many differing tables, verdicts and settings to name at most.
 _TABLES, _VERDICTS, _SETTINGS = 10, 10, 3
 
 

@@ -25,16 +25,16 @@ from placecat.report.summary import (
 from placecat.templates import environment
 from placecat.thesis.notes import joined
 
-# CSS pixels per pixel of a figure: 200 pixels per inch are then shown at 125 %.
+# CSS pixels per figure pixel; figures of 200 pixels per inch then appear at 125 %.
 _FIGURE_SCALE = 0.6
 
 
 @dataclass(frozen=True)
 class Figure:
-    """One figure: its number in the thesis (None for an added one), caption, and name, e.g. "figure_02".
+    """One figure: its number in the thesis (None if added), its caption and its name, e.g. "figure_02".
 
-    A missing figure has a reason instead of a `png`. `pdf` is the path of its PDF relative to the page, or
-    ""; `settings` are the figure's settings, e.g. "frames=300, home=2".
+    A missing figure has a `reason` instead of a `png`. `pdf` is the PDF's path relative to the page, or "";
+    `settings` are the figure's settings, e.g. "frames=300, home=2".
     """
 
     number: int | None
@@ -55,35 +55,36 @@ class Report:
     dataset
         The run's data set: ``title``, ``homes``, ``classes`` and ``thesis_data``.
     frames
-        For each home the number of frames of each place, and ``unlabelled``.
+        Maps each home to its number of frames in each place, and ``unlabelled``.
     data_version
         Checksum of the data.
     tables, figures
         In any order.
     in_text
-        Numbers that appear only in the thesis's text: columns name, section, quantity, home, published,
-        measured, spread, seeds, notes.
+        Numbers that appear only in the thesis's text, with the columns name, section, quantity, home,
+        published, measured, spread, seeds, notes.
     findings
-        From :func:`placecat.thesis.findings.ledger`: number, section, claim, published, measured, difference,
-        low, high, units, verdict, one ``verdict_...`` per reading, reason.
+        From :func:`placecat.thesis.findings.ledger`, with the columns number, section, claim, published,
+        measured, difference, low, high, units, verdict, one ``verdict_...`` per reading, reason.
     comparisons
-        From the same function; shown without the names of the results.
+        From the same function; the page omits the names of the results.
     settings
         Content of params.yaml.
     replication
         The findings on many homes, or None: ``title`` of these homes, ``homes``, ``groups``, ``level``,
-        ``verdicts`` (how many findings have each), and ``findings``, a table of number, difference, low,
-        high, units, verdict, and ``replicated``, False for findings on other data than homes.
+        ``verdicts`` (how many findings have each), and ``findings``, a table with the columns number,
+        difference, low, high, units, verdict, and ``replicated``, which is False for findings on data other
+        than homes.
     times
-        A stored record of a run's times, or None: ``stages``, a table of stage, runs (of a stage with several
-        items, such as homes) and seconds; ``data``, the title of its data; ``cores`` of the machine; and
-        ``total``, the seconds of the run.
+        A stored record of a run's times, or None: ``stages``, a table with the columns stage, runs (a stage
+        may run once per item, e.g. per home) and seconds; ``data``, the data set's title; ``cores``, the
+        machine's number of cores; and ``total``, the whole run's seconds.
     speed, scale
         Stored records from :func:`placecat.report.benchmarks.shown_speed` and
-        :func:`placecat.report.scale.shown_scale`, or None; each with ``chart``, a PNG or None.
+        :func:`placecat.report.scale.shown_scale`, or None; each also has ``chart``, a PNG or None.
     explanations
         From :func:`placecat.explain.text.explanations`, with ``stages``
-        (:func:`placecat.explain.lines.stage_texts`); None for a page without explanations of cells.
+        (:func:`placecat.explain.lines.stage_texts`); None if the page does not explain cells.
     """
 
     dataset: Mapping[str, Any]
@@ -146,13 +147,13 @@ def page_html(report: Report) -> str:
 
 
 def anchor(settings: Mapping[str, Any]) -> str:
-    """Anchor of a table on the page: ``table-26``, or its name with hyphens if it has no number."""
+    """Return a table's anchor on the page, ``table-26``, or ``addition-some-name`` if it has no number."""
     number = settings["number"]
     return f"addition-{settings['name']}".replace("_", "-") if number is None else f"table-{number}"
 
 
 def duration(seconds: float) -> str:
-    """Seconds as e.g. "2 h 5 min", "4 min 3 s" or "0.8 s"."""
+    """Format seconds, e.g. as "2 h 5 min", "4 min 3 s" or "0.8 s"."""
     if seconds < 9.95:
         return f"{seconds:.1f} s"
     minutes, rest = divmod(round(seconds), 60)
@@ -162,7 +163,7 @@ def duration(seconds: float) -> str:
 
 
 def page_templates() -> Any:
-    """Templates of pages, with their filters."""
+    """Return the environment of the page templates, with their filters."""
     templates = environment("placecat.report").overlay()
     templates.filters = templates.filters | {
         "at": _at,
@@ -194,21 +195,21 @@ def _shown_figure(figure: Figure) -> dict[str, Any]:
 
 
 def shown_picture(png: bytes) -> dict[str, Any]:
-    """A picture as a data URI, ``source``, with its displayed ``width`` and ``height`` in CSS pixels."""
+    """Return a picture's data URI, ``source``, and its displayed ``width`` and ``height`` in CSS pixels."""
     picture = embed(png)
     width, height = (round(pixels * _FIGURE_SCALE) for pixels in (picture.width, picture.height))
     return {"source": picture.source, "width": width, "height": height}
 
 
 def _with_chart(record: Mapping[str, Any] | None) -> dict[str, Any] | None:
-    """A record whose chart is ready for display."""
+    """Return a record with its chart ready for display."""
     if record is None:
         return None
     return {**record, "chart": None if record["chart"] is None else shown_picture(record["chart"])}
 
 
 def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
-    """Numbers in the text, grouped by subject."""
+    """Group the numbers in the text by subject."""
     entries = []
     for name, part in in_text.groupby("name", sort=False):
         rows = [
@@ -226,7 +227,7 @@ def _entries(in_text: pd.DataFrame) -> list[dict[str, Any]]:
 
 
 def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
-    """The cell of a number in the text; numbers that are not percentages may have more than two decimals."""
+    """Make the cell of a number in the text; numbers other than percentages may have over two decimals."""
     cell, values = make_cell(record), (record["measured"], record["published"])
     if all(pd.isna(value) or value == round(value, 2) for value in values):
         return cell
@@ -235,7 +236,7 @@ def _cell_of_text(record: Mapping[Any, Any]) -> Cell:
 
 
 def _records(table: pd.DataFrame) -> list[dict[str, Any]]:
-    """Rows as dictionaries, None for missing values."""
+    """Turn rows into dictionaries, with None for missing values."""
     return [
         {str(name): None if pd.isna(value) else value for name, value in record.items()}
         for record in table.to_dict("records")
@@ -243,12 +244,12 @@ def _records(table: pd.DataFrame) -> list[dict[str, Any]]:
 
 
 def _by_number(findings: pd.DataFrame) -> dict[int, dict[str, Any]]:
-    """The rows of replicated findings by number."""
+    """Map the number of each replicated finding to its row."""
     return {int(record["number"]): record for record in _records(findings[findings["replicated"]])}
 
 
 def _plain(table: pd.DataFrame) -> dict[str, Any]:
-    """A table with any columns: which columns are numeric, and all cells as text."""
+    """Return any table's columns, with whether each is numeric, and its cells as text."""
     numeric = {name: pd.api.types.is_numeric_dtype(table[name]) for name in table.columns}
     columns = [{"name": str(name).replace("_", " "), "numeric": numeric[name]} for name in table.columns]
     rows = [[_number(value) for value in row] for row in table.itertuples(index=False)]
@@ -256,7 +257,7 @@ def _plain(table: pd.DataFrame) -> dict[str, Any]:
 
 
 def _number(value: Any) -> str:
-    """Whole numbers without decimals, others with two, None and NaN as "", text unchanged."""
+    """Format integers without decimals, floats with two, None and NaN as ""; leave text unchanged."""
     if value is None or isinstance(value, float):
         return number_text(value)
     return str(value)
@@ -268,23 +269,23 @@ def _breakable(text: str) -> Markup:
 
 
 def _signed(value: float) -> str:
-    """Points with a sign, e.g. "−1.20" with a true minus."""
+    """Format points with a sign and a true minus, e.g. "−1.20"."""
     return f"{value:+.2f}".replace("-", "−")
 
 
 def _at(points: float, limit: float) -> str:
-    """Position of a value on an axis of 100 pixels from -limit to limit; values beyond are at the end."""
+    """Return a value's position on a 100-pixel axis from -limit to limit; values beyond go to its ends."""
     return f"{50 + 46 * max(-limit, min(limit, points)) / limit:.1f}"
 
 
 def _interval_limit(findings: pd.DataFrame) -> float:
-    """Points at the ends of the axis for the ledger's intervals: at most 25, a multiple of 5."""
+    """Choose the limit of the axis for the ledger's intervals: a multiple of 5 points, at most 25."""
     bounds = findings[["difference", "low", "high"]].apply(pd.to_numeric, errors="coerce").abs().max().max()
     return 5.0 if pd.isna(bounds) else float(min(25.0, 5.0 * max(1.0, -(-bounds // 5))))
 
 
 def _json(content: Mapping[str, Any] | None) -> Markup | None:
-    """Compact JSON, safe in a script element."""
+    """Write compact JSON that is safe in a script element."""
     if content is None:
         return None
     text = json.dumps(content, ensure_ascii=False, separators=(",", ":"))
@@ -292,7 +293,7 @@ def _json(content: Mapping[str, Any] | None) -> Markup | None:
 
 
 def _blocks(settings: str) -> list[dict[str, str]]:
-    """The settings split at their outermost names, with the lines of each."""
+    """Split the settings into blocks of lines at their outermost names."""
     blocks: list[dict[str, str]] = []
     for line in settings.splitlines():
         if not blocks or (line and not line.startswith((" ", "-", "#"))):

@@ -1,4 +1,4 @@
-"""Read a finished run for figures, on demand: frames, maps, features, codebooks, distributions."""
+"""Read what figures need from a finished run: frames, maps, features, codebooks and distributions."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
@@ -30,14 +30,14 @@ KEPT_FRAMES = 8
 class Run:
     """A finished run, read from the project's folder; only this class opens files for figures.
 
-    Missing data raises PlacecatError, e.g. a result that was not computed.
+    Missing data, e.g. a result that was not computed, raises PlacecatError.
 
     Attributes
     ----------
     params
         The composed settings.
     homes, classes
-        Names of the homes and of the places of the main data set, in order.
+        Names of the main data set's homes and places, in order.
     """
 
     def __init__(self, params: Mapping[str, Any]) -> None:
@@ -47,7 +47,7 @@ class Run:
         self._frames: dict[tuple[str, int], Frame] = {}
 
     def threshold(self, name: str) -> float:
-        """The threshold of an information filter.
+        """Return an information filter's threshold.
 
         Raises PlacecatError if the filter does not exist or has a share of frames instead.
         """
@@ -57,28 +57,28 @@ class Run:
         return float(value)
 
     def options(self, figure: str) -> Mapping[str, Any]:
-        """The settings of one figure, ``figures.<figure>``, or an empty mapping."""
+        """Return one figure's settings, ``figures.<figure>``, or an empty mapping."""
         return settings.get(self.params, "figures").get(figure) or {}
 
     @cached_property
     def results(self) -> Results:
-        """All measurements."""
+        """All results that were measured."""
         return read_results(self.params)
 
     @cached_property
     def sources(self) -> dict[str, Source]:
-        """The files of each result's distributions."""
+        """The files of each result's distributions, by the result's name."""
         return sources(self.params)
 
     def source(self, result: str) -> Source:
-        """The files of one result's distributions."""
+        """Return the files of one result's distributions."""
         if result not in self.sources:
             known = ", ".join(sorted(self.sources)) or "none"
             raise PlacecatError(f"there are no distributions of {result!r} in this run, only of {known}")
         return self.sources[result]
 
     def proba(self, result: str, home: str, seed: str | None = None) -> NDArray[np.float64]:
-        """(frames, classes) distributions of a result on a test home, for a seed ("seed-0") or the first."""
+        """Return a result's (frames, classes) distributions on a home, for a seed ("seed-0") or the first."""
         source = self.source(result)
         if home not in source.homes:
             raise PlacecatError(f"{result} has no test home {home!r}, only {', '.join(source.homes)}")
@@ -91,22 +91,22 @@ class Run:
         return np.asarray(source.array(home, seed), np.float64)
 
     def labels(self, home: str) -> NDArray[np.int16]:
-        """(frames,) class indices of a home in order of time, -1 for unlabelled."""
+        """Return a home's (frames,) class indices in order of time, -1 for unlabelled frames."""
         return listing.read_labels(home)
 
     def sequence_slices(self, home: str) -> list[slice]:
-        """The stretches of a home's frames without a cut."""
+        """Return the stretches between the cuts in a home's frames."""
         return listing.sequence_slices(home)
 
     def home_facts(self, home: str) -> Mapping[str, Any]:
-        """``fps``, ``camera``, ``width`` and ``height`` of a home."""
+        """Return a home's ``fps``, ``camera``, ``width`` and ``height``."""
         return files.read_json(paths.sequences(home) / "home.json")
 
     def frames(self, home: str, indices: Iterable[int]) -> Iterator[tuple[int, Frame]]:
         """Decode some frames of a home in one pass.
 
-        `home` is from the main data set or another one, e.g. ``university/north_2_cloudy_2``; `indices` count
-        from 0, in any order. Yields index and frame, (H, W, 3) uint8 BGR, once per index, ascending.
+        `home` is in the main data set or another one, e.g. ``university/north_2_cloudy_2``; `indices` count
+        from 0, in any order. Yields each index once, ascending, with its frame, (H, W, 3) uint8 BGR.
         """
         rows = sorted({int(index) for index in indices})
         self._need(paths.sequences(home) / "frames.csv")
@@ -120,7 +120,7 @@ class Run:
         yield from zip(rows, decoded, strict=True)
 
     def frame(self, home: str, index: int) -> Frame:
-        """One frame of a home, (H, W, 3) uint8 BGR; do not write to it."""
+        """Return one frame of a home, (H, W, 3) uint8 BGR; it is cached, so do not write to it."""
         key = (home, int(index))
         if key not in self._frames:
             if len(self._frames) >= KEPT_FRAMES:
@@ -129,52 +129,53 @@ class Run:
         return self._frames[key]
 
     def maps(self, home: str, index: int) -> FrameMaps:
-        """The pyramids and feature maps of one frame."""
+        """Return one frame's pyramids and feature maps."""
         return compute_maps(self.frame(home, index), **settings.get(self.params, "attention"))
 
     def saliency(self, home: str, index: int) -> Saliency:
-        """The saliency map of one frame and its parts."""
+        """Return one frame's saliency map and the map's parts."""
         known, options = settings_of(saliency), settings.get(self.params, "regions")
         return saliency(self.maps(home, index), **{name: options[name] for name in options if name in known})
 
     def regions(self, home: str, index: int) -> NDArray[np.float32]:
-        """(n, 4) salient regions of one frame: x, y (pixels), scale, saliency; the most salient first."""
+        """Return one frame's (n, 4) salient regions: x, y (pixels), scale, saliency; most salient first."""
         count = int(self._feature(home, "count")[index])
         return np.array(self._feature(home, "regions")[index, :count])
 
     def information(self, home: str) -> NDArray[np.float32]:
-        """(frames,) information measure of a home's frames (thesis 4.6)."""
+        """Return the (frames,) information measure of a home (thesis 4.6)."""
         return np.array(self._feature(home, "information"))
 
     def descriptors(
         self, home: str, name: str, rows: Sequence[int] | NDArray[np.int64] | None = None
     ) -> Descriptors:
-        """Descriptors of a home's frames (None for all) as a codebook clusters them, e.g. ``hog_y``."""
+        """Return the descriptors behind a codebook, e.g. ``hog_y``, on a home's `rows` (None for all)."""
         descriptor = settings.get(self.params, f"codebooks.{name}.descriptor")
         return store.read_descriptors(home, descriptor, None if rows is None else np.asarray(rows, np.int64))
 
     def codebook(self, name: str, training_set: str, seed: int = 0) -> Codebook:
-        """The clusters of one training set, e.g. ``without-home_1``."""
+        """Return a codebook's clusters from one training set, e.g. ``without-home_1``."""
         path = paths.codebook(name, training_set, seed)
         self._need(path)
         return Codebook.from_arrays(files.read_arrays(path))
 
     def fold(self, home: str, scheme: str = "5-5-1") -> protocol.Fold:
-        """The training plan of a test home."""
+        """Return a test home's training plan."""
         for fold in protocol.folds(self.homes, scheme):
             if fold.test == home:
                 return fold
         raise PlacecatError(f"there is no home {home!r} in dataset.homes: {', '.join(self.homes)}")
 
     def training_frames(self, home: str) -> NDArray[np.int64]:
-        """Indices of the frames of a home that train cues and codebooks (thesis 4.2)."""
+        """Return the indices of a home's frames that train cues and codebooks (thesis 4.2)."""
         return protocol.select_frames(self.labels(home), **settings.get(self.params, "protocol.cue_frames"))
 
     @cached_property
     def example(self) -> tuple[str, int]:
-        """Home and frame of Figures 2 to 7, from ``figures.example``.
+        """The home and the frame that Figures 2 to 7 show, from ``figures.example``.
 
-        By default it is the labelled frame with the largest information measure, in the given or any home.
+        The default is the labelled frame with the largest information measure, in the home set there or else
+        in any home.
         """
         asked = self.options("example")
         settings.refuse_unknown(asked, ["home", "frame"], "figures.example")

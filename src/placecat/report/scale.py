@@ -1,4 +1,4 @@
-"""Runs at the scale of the real home database, in the report."""
+"""Prepare measurements at the scale of the real home database for the report."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -11,10 +11,9 @@ ALL = "all"
 
 
 def seconds_by_size(measured: pd.DataFrame) -> pd.DataFrame:
-    """Sum the items of each stage of reports/scale.csv.
+    """Sum the CPU seconds of each stage's items in reports/scale.csv.
 
-    The index is the stage, in order of time, and ``all``; each column has the CPU seconds for a number of
-    frames.
+    The index has the stages, in the order in which they ran, and ``all``; each column is a number of frames.
     """
     table = measured.pivot_table("cpu_seconds", "stage", "frames", aggfunc="sum", sort=False)
     table = table.reindex(columns=sorted(table.columns))
@@ -23,10 +22,11 @@ def seconds_by_size(measured: pd.DataFrame) -> pd.DataFrame:
 
 
 def shown_scale(measured: pd.DataFrame, growth: pd.DataFrame, facts: Mapping[str, Any]) -> dict[str, Any]:
-    """reports/scale.csv, scale_growth.csv and scale.json as text for a page.
+    """Format reports/scale.csv, scale_growth.csv and scale.json for a page.
 
-    ``sizes`` are numbers of frames; ``rows`` have the stage, CPU seconds by size, and wall seconds, peak and
-    exponent of the largest size; further facts describe the machine, the largest size and a full run.
+    ``sizes`` are numbers of frames; ``rows`` have the stage, its CPU seconds by size, its wall seconds and
+    peak memory at the largest size, and the exponents of its growth; the other entries describe the machine,
+    the largest size and a full run.
     """
     by_size = seconds_by_size(measured)
     of_stage = growth[growth["item"] == ""].set_index("stage")

@@ -32,7 +32,7 @@ THESIS = (
 def arrange(tables: Collection[int], figures: Collection[int]) -> tuple[list[Section], Section]:
     """Distribute the numbers of existing tables and figures over the sections.
 
-    Returns the non-empty sections of `THESIS`, and the numbers without a section.
+    Returns the non-empty sections of `THESIS`, and an untitled section with all other numbers.
     """
 
     def present(wanted: Iterable[int], there: Collection[int]) -> tuple[int, ...]:

@@ -1,16 +1,16 @@
-"""Shades of cells by the difference between measured and published numbers."""
+"""Shade cells by the difference between measured and published numbers."""
 
 import itertools
 
-# Points; our choice: smaller differences may be due to the seed.
+# In points. Our choice: smaller differences may be due to the seed.
 STEPS = (2.0, 5.0, 10.0, 20.0)
 
 
 def shade(difference: float | None) -> str:
-    """Name of a cell's shade by measured minus published in points; None means no comparison.
+    """Return the name of a cell's shade for measured minus published in points; None means no comparison.
 
-    "above-1" to "above-4" or "below-1" to "below-4", higher for larger differences; "" for a small or missing
-    difference.
+    The name is "above-1" to "above-4" or "below-1" to "below-4", higher for larger differences, or "" for a
+    small or missing difference.
     """
     if difference is None:
         return ""
@@ -19,7 +19,7 @@ def shade(difference: float | None) -> str:
 
 
 def legend() -> list[tuple[str, str]]:
-    """(shade, meaning) of every shade, from far below to far above."""
+    """List (shade, meaning) for every shade, from far below to far above."""
     bounds = [f"{low:g} to {high:g}" for low, high in itertools.pairwise(STEPS)]
     bounds.append(f"{STEPS[-1]:g} or more")
     below = [(f"below-{level}", f"{text} below") for level, text in enumerate(bounds, start=1)]

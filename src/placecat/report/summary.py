@@ -1,4 +1,4 @@
-"""The report's headline: the best cue, its integration and smoothing, and counts of verdicts."""
+"""The report's headlines: the best cues, integration, smoothing and counts of verdicts."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -13,8 +13,8 @@ from placecat.thesis.number import AVERAGE
 INTEGRATION, SMOOTHED = "Integration", "HMM"
 VERDICTS = ("holds", "does not hold", "undecided")
 
-# Accuracies on the VPC-2009 home database in percent, published by Wu et al. according to the thesis:
-# the holistic Centrist of single frames (4.2), filtered over time (4.2), and SIFT instead (2.3).
+# Accuracies of Wu et al. on the VPC-2009 home database in percent, as cited in the thesis: holistic Centrist
+# on single frames (4.2), filtered over time (4.2), and SIFT instead (2.3).
 WU_FRAMES, WU_FILTERED, WU_SIFT = 41.87, 46.78, 39.8
 
 
@@ -43,7 +43,7 @@ class Best:
 
 
 def best_system(table: pd.DataFrame) -> Best | None:
-    """Find the best system in Table 26 (:func:`placecat.thesis.tables.fill_table`); None without numbers."""
+    """Find the best system in Table 26 (:func:`placecat.thesis.tables.fill_table`); None if unmeasured."""
     averages = table[(table["column"] == AVERAGE) & table["measured"].notna()]
     if averages.empty:
         return None
@@ -52,7 +52,7 @@ def best_system(table: pd.DataFrame) -> Best | None:
 
 
 def headlines(table: pd.DataFrame) -> list[Headline]:
-    """Condense Table 26 (:func:`placecat.thesis.tables.fill_table`) to headlines of its groups, in order."""
+    """Condense Table 26 (:func:`placecat.thesis.tables.fill_table`) to a headline per group, in order."""
     averages = table[table["column"] == AVERAGE]
     return [_headline(str(group), part) for group, part in averages.groupby("group", sort=False)]
 
@@ -72,18 +72,18 @@ def _headline(group: str, part: pd.DataFrame) -> Headline:
 
 
 def _first(rows: pd.DataFrame) -> Mapping[Any, Any]:
-    """The first row, or a row without numbers."""
+    """Return the first row, or a row without numbers if there is none."""
     return next(iter(rows.to_dict("records")), {"row": "", **dict.fromkeys(NUMBERS, np.nan)})
 
 
 def readings_of(findings: pd.DataFrame) -> dict[str, str]:
-    """Verdict columns of other readings of the thesis, mapped to the names of the readings."""
+    """Map the verdict column of each other reading of the thesis to the reading's name."""
     first = "verdict_"
     return {name: name.removeprefix(first) for name in findings.columns if name.startswith(first)}
 
 
 def count_verdicts(findings: pd.DataFrame) -> dict[str, int]:
-    """Number of findings for each verdict, the usual three first."""
+    """Count the findings with each verdict, the usual three first."""
     counts = findings["verdict"].value_counts()
     names = [*VERDICTS, *sorted(set(counts.index) - set(VERDICTS))]
     return {str(name): int(counts.get(name, 0)) for name in names}

@@ -1,4 +1,4 @@
-"""The figures of a run, from a folder or, for a git revision, from DVC."""
+"""Read a run's figures from a folder or, for a git revision, from DVC."""
 
 import json
 from collections.abc import Callable
@@ -12,7 +12,7 @@ _LIST = (paths.FIGURES / "figures.json").as_posix()
 
 @dataclass(frozen=True)
 class Figures:
-    """Figures of one side: name to PNG and to caption; without any, `missing` is a reason and a remedy."""
+    """One side's PNGs and captions by figure name; without figures, `missing` is a reason and a remedy."""
 
     pictures: dict[str, bytes] = field(default_factory=dict)
     captions: dict[str, str] = field(default_factory=dict)
@@ -20,11 +20,11 @@ class Figures:
 
 
 def read_figures(side: str) -> Figures:
-    """Read the figures of a side (see :func:`placecat.kept_in_git.read`)."""
+    """Read one side's figures (see :func:`placecat.kept_in_git.read`)."""
     if not side or kept_in_git.is_folder(side):
         remedy = f"there are no figures in {Path(side) / paths.FIGURES}: run `dvc repro figures` there"
         return _read(lambda name: (Path(side) / name).read_bytes(), remedy, (OSError,))
-    # Its import takes a second.
+    # Imported only here, since the import takes a second.
     from dvc.api import DVCFileSystem
     from dvc.exceptions import DvcException
 

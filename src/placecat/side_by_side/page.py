@@ -1,4 +1,4 @@
-"""Two runs on one page: tables, verdicts, figures and settings that differ."""
+"""Show two runs on one page: the tables, verdicts, figures and settings that differ."""
 
 import re
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ _NOT_SHOWN = ("compute", "reproducibility")
 
 
 def write(target: Path, old: str, new: str, lines: Sequence[str]) -> list[str]:
-    """Write the page to an HTML file; returns lines that name the file and the missing figures.
+    """Write the page to an HTML file; return lines that name the file and explain missing figures.
 
     `old` and `new` are the sides, as in :func:`placecat.kept_in_git.read`; `lines` come from
     :func:`placecat.kept_in_git.compare`.
@@ -44,8 +44,8 @@ def page_html(
 ) -> str:
     """Render the page from the old and the new side.
 
-    `names` has for each side its ``name`` and ``about``, a line about its commit or ""; `kept` and `drawn`
-    are their results and figures; `lines` come first on the page.
+    `names` has each side's ``name`` and ``about``, a line about its commit or ""; `kept` and `drawn` are the
+    sides' results and figures; `lines` come first on the page.
     """
     templates = page_templates()
     templates.loader = ChoiceLoader([PackageLoader("placecat.side_by_side"), templates.loader])
@@ -80,11 +80,11 @@ def page_html(
 
 
 def _titles(one: Kept) -> dict[str, str]:
-    """Name of a table to its label and title."""
+    """Map each table's name to its label and title."""
     try:
         defined = {} if one.settings is None else tables_of(one.settings)
     except (PlacecatError, KeyError):
-        # An older revision may use another name for a setting.
+        # An older revision may name a setting differently.
         defined = {}
     titles = {
         name: table["title"] if table["number"] is None else f"{label(table)}: {table['title']}"
@@ -98,7 +98,7 @@ def _data(one: Kept) -> str:
 
 
 def _table(old: pd.DataFrame | None, new: pd.DataFrame | None) -> dict[str, Any]:
-    """Both numbers of each cell: columns, groups of rows of cells, and how many cells changed."""
+    """Return the columns, the grouped rows with both numbers of each cell, and how many cells changed."""
     before, now = _cells(old), _cells(new)
     keys = dict.fromkeys([*now, *before])
     columns = list(dict.fromkeys(column for *_, column in keys))
@@ -113,7 +113,7 @@ def _table(old: pd.DataFrame | None, new: pd.DataFrame | None) -> dict[str, Any]
 
 
 def _cells(table: pd.DataFrame | None) -> dict[tuple[str, str, str], str]:
-    """Group, row and column to the number as text; for numbers in the text, name, quantity and home."""
+    """Map group, row and column (in the text: name, quantity and home) to each number as text."""
     if table is None:
         return {}
     key = ["name", "quantity", "home"] if "quantity" in table.columns else ["group", "row", "column"]
@@ -133,7 +133,7 @@ def _cell(old: str, new: str) -> dict[str, Any]:
 
 
 def _verdicts(old: pd.DataFrame | None, new: pd.DataFrame | None) -> list[dict[str, str]]:
-    """Findings with a changed verdict, by number."""
+    """List the findings with a changed verdict."""
     rows = [
         {} if one is None else {record["number"]: record for record in one.to_dict("records")}
         for one in (old, new)
@@ -149,7 +149,7 @@ def _verdicts(old: pd.DataFrame | None, new: pd.DataFrame | None) -> list[dict[s
 
 
 def _figures(old: Figures, new: Figures) -> list[dict[str, Any]]:
-    """Each figure of both sides; `pictures` only of those that differ, None for a side without it."""
+    """List the figures of both sides; only those that differ have `pictures`, None for a side without one."""
     found = []
     for name in sorted(old.pictures | new.pictures):
         pair = [one.pictures.get(name) for one in (old, new)]

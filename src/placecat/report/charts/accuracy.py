@@ -1,4 +1,4 @@
-"""A bar chart of a table's averages."""
+"""Draw a bar chart of a table's averages."""
 
 from typing import Any
 
@@ -14,9 +14,9 @@ _WIDTH, _LINE, _ROUND = 6.5, 0.19, 0.85
 
 
 def accuracy_chart(title: str, cells: pd.DataFrame, *, published: bool) -> Figure | None:
-    """Draw the averages of a filled table (see `bars_of`); None if there are none.
+    """Draw a filled table's averages (see `bars_of`); return None if there are none.
 
-    `published` says whether the published numbers are from the same data and are drawn too.
+    `published` says whether to draw the published numbers too; they must be from the same data.
     """
     bars = bars_of(cells)
     if not bars:

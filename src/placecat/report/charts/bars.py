@@ -1,4 +1,4 @@
-"""Data of a table's bar chart: one bar per result, its homes as points."""
+"""Data for a table's bar chart: one bar per result, with its homes or places as points."""
 
 from dataclasses import dataclass
 
@@ -14,7 +14,7 @@ _HOME = r"Home \d+"
 class Bar:
     """One bar: the name of its group ("" for none), its name, and numbers in percent.
 
-    `published` is NaN if missing; `points` are the numbers in the table that `measured` averages.
+    `published` is NaN if missing; `points` are the table's numbers that `measured` averages.
     """
 
     section: str
@@ -25,7 +25,7 @@ class Bar:
 
 
 def bars_of(cells: pd.DataFrame) -> list[Bar]:
-    """A filled table's averages over homes, else over places; without either, every cell is a bar.
+    """Turn a filled table's averages over homes, or else over places, or else all its cells, into bars.
 
     Bars are in the table's order; cells that were not measured have no bar.
     """
@@ -59,7 +59,7 @@ def point_name(cells: pd.DataFrame) -> str:
 
 
 def _averaged(cells: pd.DataFrame) -> str | None:
-    """The column of labels that a table averages over."""
+    """Return the label column that a table averages over, or None."""
     for axis in ("row", "column"):
         if cells[axis].str.fullmatch(_HOME).any():
             return axis

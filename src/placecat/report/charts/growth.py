@@ -1,4 +1,4 @@
-"""Growth of the stages' times with the number of frames."""
+"""Chart how the stages' times grow with the number of frames."""
 
 import pandas as pd
 from matplotlib.figure import Figure
@@ -6,12 +6,12 @@ from matplotlib.ticker import NullLocator
 
 from placecat.report.scale import ALL, seconds_by_size
 
-# Stages with fewer CPU seconds are left out: imports take most of their time.
+# Stages with fewer CPU seconds are left out, since imports take most of their time.
 _LEAST = 10.0
 
 
 def growth_chart(measured: pd.DataFrame) -> Figure | None:
-    """Draw the CPU seconds of each stage over the number of frames, both logarithmic; None without two sizes.
+    """Plot each stage's CPU seconds against the frames on log axes; return None for fewer than two sizes.
 
     `measured` is as for :func:`placecat.report.scale.seconds_by_size`.
     """

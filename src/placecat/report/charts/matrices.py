@@ -1,4 +1,4 @@
-"""Pictures of confusion matrices: the matrices of one row with numbers, or all matrices of a table.
+"""Draw confusion matrices: one row's matrices with numbers, or all of a table's matrices without.
 
 NumPy paints them, since Matplotlib takes ten times as long.
 """
@@ -20,20 +20,20 @@ from placecat.results.measured import Measured
 _MAP = "Blues"
 # Pixels: a cell, the gap between matrices, the margin, and the sizes of text.
 _CELL, _GAP, _MARGIN, _TEXT, _TITLE = 46, 28, 12, 12, 15
-# Pixels of a cell in the picture of a table, which has no numbers.
+# Pixels of a cell in a table's picture, which has no numbers.
 _PIXEL = 13
 _INK, _PAPER = (0x22, 0x22, 0x22), (255, 255, 255)
-# Cells of at least this percentage are dark, so their numbers are white.
+# Cells above this percentage are dark, so their numbers are white.
 _DARK = 55
 _CAPTION = "Rows are true places, columns decisions; numbers are percent of the true place."
 _SHEET = "Rows are true places, columns decisions; dark blue means all frames of the true place, white none."
 
 
 def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) -> None:
-    """Write matrices of the same places side by side as PNG, with their captions.
+    """Write matrices of the same places side by side to a PNG, with their captions.
 
-    A number is the percentage of a true place (row) decided as a place (column), over all homes and seeds.
-    The same matrices give the same bytes.
+    Each number is the percentage of the true place's frames (row) decided as a place (column), over all homes
+    and seeds. The same matrices give the same bytes.
     """
     names = [place_title(place) for place in next(iter(matrices.values())).classes]
     side = _CELL * len(names)
@@ -62,7 +62,7 @@ def draw_matrices(target: Path, title: str, matrices: Mapping[str, Measured]) ->
 
 
 def draw_sheet(target: Path, title: str, rows: Mapping[tuple[str, str], Mapping[str, Measured]]) -> bool:
-    """Write all matrices of a table as PNG: one line per row, with each column or each home.
+    """Write all of a table's matrices to a PNG: one line per row, with a matrix per column or per home.
 
     `rows` are from :func:`placecat.thesis.decisions.decisions_of`; without rows, the function writes no
     picture and returns False.
@@ -108,7 +108,7 @@ def _blocks(of_row: Mapping[str, Measured]) -> dict[str, NDArray[np.float64]]:
 
 
 def _paper(height: int, width: int) -> NDArray[np.uint8]:
-    # White needs one value only: a colour takes 90 times as long to fill in.
+    # White needs only one value; filling in a colour takes 90 times as long.
     return np.full((height, width, 3), _PAPER[0], np.uint8)
 
 
@@ -118,14 +118,14 @@ def _save(picture: NDArray[np.uint8], target: Path) -> None:
 
 
 def _colors(percent: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """(n, n, 3) uint8, BGR; white for NaN, a place without frames."""
+    """Return (n, n, 3) uint8 BGR colours; white for NaN, i.e. a place without frames."""
     colors = colormaps[_MAP](percent / 100.0, bytes=True)[:, :, 2::-1].copy()
     colors[np.isnan(percent)] = _PAPER
     return colors
 
 
 def _paint(picture: NDArray[np.uint8], percent: NDArray[np.float64]) -> None:
-    """Fill (side, side, 3) with one matrix; rows without frames stay white."""
+    """Fill a (side, side, 3) picture with one matrix; rows without frames stay white."""
     picture[:] = _colors(percent).repeat(_CELL, axis=0).repeat(_CELL, axis=1)
     for (i, k), value in np.ndenumerate(percent):
         if np.isnan(value):
@@ -141,7 +141,7 @@ def _width(text: str, size: int = _TEXT, *, bold: bool = False) -> int:
 
 
 def _slanted(text: str) -> NDArray[np.float32]:
-    """How much of each pixel is covered by a line of text that rises at 45 degrees."""
+    """Return how much of each pixel is covered by a line of text rising at 45 degrees."""
     cover = mask(text, _TEXT)
     height, width = cover.shape
     size = int(np.ceil((height + width) / np.sqrt(2)))

@@ -1,4 +1,4 @@
-"""Ratios of benchmarks beside their targets."""
+"""Chart the ratios of benchmarks beside their targets."""
 
 from typing import Any
 
@@ -16,9 +16,9 @@ _BOUND = 1.25
 
 
 def speed_chart(benchmarks: pd.DataFrame) -> Figure | None:
-    """Draw the median ratio of each comparison, the range of its pairs and its target; None without any.
+    """Draw each comparison's median ratio, the range of its pairs and its target; None without comparisons.
 
-    Two panels: speed-up (more is better), and share of the peer's time (less is better).
+    There are up to two panels: speed-up (more is better), and share of the peer's time (less is better).
     """
     ratios = ratios_of(benchmarks)
     panels = [

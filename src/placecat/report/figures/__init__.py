@@ -1,8 +1,8 @@
 """The thesis's figures, and added ones, drawn from a run.
 
-A module with figures has `FIGURES`: a name (``figure_NN`` in the thesis, ``figure_NAME`` for an added one) to
-its caption and its function. The function takes the run and the settings ``figures.<name>``, and returns the
-figure, or raises PlacecatError if this run lacks its data.
+A module with figures has `FIGURES`, which maps a name (``figure_NN`` in the thesis, ``figure_NAME`` for an
+added one) to a caption and a function. The function takes the run and the settings ``figures.<name>``, and
+returns the figure, or raises PlacecatError if this run lacks its data.
 """
 
 import importlib
@@ -24,23 +24,23 @@ _WITHOUT_EFFECT = ("compute", "reproducibility")
 
 
 def names() -> list[str]:
-    """Names of the figures: ``figure_NN`` in order, then added ones."""
+    """Return the names of the figures: ``figure_NN`` in order, then added ones."""
     return sorted(_all())
 
 
 def number(name: str) -> int | None:
-    """Number of a figure in the thesis; None for an added one."""
+    """Return a figure's number in the thesis, or None for an added one."""
     rest = name.removeprefix(_PREFIX)
     return int(rest) if rest.isdigit() else None
 
 
 def caption(name: str) -> str:
-    """Caption of a figure."""
+    """Return a figure's caption."""
     return _all()[name][0]
 
 
 def draw(name: str, run: Run) -> Figure:
-    """Draw the figure of a name in `names`.
+    """Draw the figure with one of the `names`.
 
     Raises PlacecatError if there is no such figure, or this run lacks its data.
     """
@@ -54,9 +54,10 @@ def draw(name: str, run: Run) -> Figure:
 
 
 def render(name: str, run: Run, target: Path) -> None:
-    """Draw one figure (see `draw`) in the project's style and write it as PNG; an error writes nothing.
+    """Draw one figure (see `draw`) in the project's style and write it to a PNG.
 
-    A PDF with the same name has all settings of the run in its properties.
+    Also writes a PDF of the same name, with the settings behind the figure in its properties. If drawing
+    fails, nothing is written.
     """
     with house_style():
         figure = draw(name, run)
@@ -65,7 +66,7 @@ def render(name: str, run: Run, target: Path) -> None:
 
 
 def _made_by(name: str, run: Run) -> str:
-    """The settings behind a figure: first the figure's, then all others except those of other figures."""
+    """List the settings that may affect a figure: first the figure's, then all but those of other figures."""
     of_all = {key: value for key, value in run.params.items() if key not in _WITHOUT_EFFECT}
     flat = settings.flatten(of_all | {"figures": {"example": run.options("example")}})
     own = settings.flatten(run.options(name), f"figures.{name}.")
@@ -74,7 +75,7 @@ def _made_by(name: str, run: Run) -> str:
 
 @cache
 def _all() -> dict[str, tuple[str, Callable[..., Figure]]]:
-    """Name to caption and function of every figure."""
+    """Map each figure's name to its caption and function."""
     modules = [
         importlib.import_module(f"{__name__}.{module.name}") for module in pkgutil.iter_modules(__path__)
     ]

@@ -14,7 +14,7 @@ WIDTH, GAP, ARROW, HEAD = 1.55, 0.14, 0.95, 0.2
 def draw_channel(run: Run, channel: str, symbol: str, subchannels: Sequence[str]) -> Figure:
     """Draw the feature maps of one channel's four sub-channels, added across scales, and their weighted sum.
 
-    `subchannels` are their names in order; `symbol` names the conspicuity map, e.g. "C".
+    `subchannels` names them in order; `symbol` names the conspicuity map, e.g. "C".
     """
     home, index = run.example
     fused = run.saliency(home, index)

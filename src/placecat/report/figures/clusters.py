@@ -58,10 +58,10 @@ class Cluster:
 
 
 def draw_cluster(run: Run, rank: int, *, by_contrast: bool) -> Figure:
-    """Draw patches of one cluster, of rank 1 (the largest) to `SHOWN`; settings in ``figures.clusters``.
+    """Draw patches of the cluster of rank 1 (the largest) to `SHOWN`; settings in ``figures.clusters``.
 
-    With `by_contrast`, samples are drawn from the third of the patches with the most contrast and the third
-    with the least; otherwise from all.
+    With `by_contrast`, random samples come from the third of the patches with the most contrast and the third
+    with the least; otherwise, from all patches.
     """
     return settings.call(
         _draw, run, rank, by_contrast, settings=run.options("clusters"), where="figures.clusters"
@@ -95,10 +95,10 @@ def _draw(
 def spread(
     order: NDArray[np.integer], home: NDArray[np.int64], frame: NDArray[np.int64], count: int, apart: int
 ) -> list[int]:
-    """Take the first `count` in order, skipping regions from the same moment as an earlier one.
+    """Take the first `count` regions in order, skipping those from the same moment as one already taken.
 
-    `order` has indices into `home` and `frame`. Frames of one home that are less than `apart` from each other
-    belong to the same moment.
+    `order` has indices into `home` and `frame`. Two frames of a home belong to the same moment if they are
+    less than `apart` frames from each other.
     """
     taken: list[int] = []
     for one in order.tolist():
@@ -113,7 +113,7 @@ def spread(
 def cut_patch(frame: NDArray[np.uint8], region: NDArray[np.float32]) -> NDArray[np.uint8]:
     """Cut the square around a salient region (4,) (x, y, scale, saliency) from a frame (H, W, 3) uint8 BGR.
 
-    The square is (PIXELS, PIXELS, 3) uint8 BGR; the frame's outermost pixels continue beyond its border.
+    The square is (PIXELS, PIXELS, 3) uint8 BGR; the frame's outermost pixels are repeated beyond its border.
     """
     x, y, scale = (float(value) for value in region[:3])
     side = max(2, round(2 * float(radius(scale, frame.shape[1]))))

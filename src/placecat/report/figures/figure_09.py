@@ -33,7 +33,7 @@ TITLE = (
 )
 PLANE, RIGHT, GAP, PIE, ROW = 4.1, 2.75, 0.25, 0.13, 0.27
 LABEL_GAP = 0.025
-# Text style of a region's number.
+# Text style of the regions' numbers.
 NUMBER: dict[str, Any] = {
     "fontsize": 8,
     "fontweight": "bold",
@@ -43,10 +43,10 @@ NUMBER: dict[str, Any] = {
 
 @dataclass(frozen=True)
 class Query:
-    """A frame of the test home, by its index.
+    """A frame of the test home, with its index.
 
-    The regions of the frame have the (n, D) descriptors `x` and the (n,) nearest `clusters`; `proba`
-    (classes,) is their joint distribution.
+    The frame's regions have the (n, D) descriptors `x` and the (n,) nearest `clusters`; `proba` (classes,) is
+    their joint distribution.
     """
 
     index: int
@@ -69,7 +69,7 @@ def draw(
     test = home_of(run, home)
     train = training_regions(run, codebook, test)
     tree = run.codebook(codebook, run.fold(test).training_set).trees[0]
-    # Equation (2) as printed, as in the thesis's figure.
+    # Use equation (2) as printed, like the thesis's figure.
     model = ModifiedKNN(n_clusters=clusters, codebook=tree, class_weighting="once")
     model.fit(train.x, train.labels)
     pca = _plane(train)
@@ -108,12 +108,12 @@ def draw(
 def _query(
     run: Run, model: ModifiedKNN, pca: Any, codebook: str, home: str, frame: int | None, regions: int
 ) -> Query:
-    """Take the given frame, or find one that shows the principle.
+    """Take `frame`, or if it is None, find one that shows the principle.
 
-    A suitable frame is labelled, has its regions in different clusters, is decided correctly, and has more
-    information than half of the frames; its clusters are also the nearest in the plane. The suitable frame
-    with the largest probability is taken. If no frame meets all conditions, they are dropped, the last one
-    first.
+    The frame must have a label and enough regions. If possible, its regions are in different clusters, it is
+    decided correctly, it has at least the median information, and its clusters are also the nearest in the
+    plane; each of these conditions outweighs all later ones. Of equal frames, the one with the largest
+    probability is taken.
     """
     found = run.descriptors(home, codebook)
     assert found.counts is not None
@@ -145,7 +145,7 @@ def _query(
 def _plane(train: TrainingRegions) -> Any:
     from sklearn.decomposition import PCA
 
-    # One thread, since the last bits of sums depend on their number.
+    # One thread, since the last bits of sums depend on the number of threads.
     with threadpool_limits(limits=1, user_api="blas"):
         return PCA(2, svd_solver="full").fit(train.x)
 

@@ -23,9 +23,9 @@ TITLE = (
 
 # Line styles distinguish the places in grey print.
 LINES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)), (0, (1, 2)), (0, (3, 3)))
-# Heights of the decision's bar, below the curves.
+# Bottom and top of the decision's bar, below the curves.
 BAR = (-0.22, -0.09)
-# Smallest share of the window with room for the place's name.
+# Smallest share of the window that has room for the place's name.
 NAMED = 0.12
 LUMINANCE = np.array([0.299, 0.587, 0.114])
 
@@ -46,11 +46,12 @@ def draw(
 def choose(
     run: Run, classifier: str, hmm: str, *, home: int | None, start: int | None, frames: int
 ) -> tuple[str, slice]:
-    """Choose the home and the frames to show: those where smoothing removes most changes of the decision.
+    """Choose the home and the frames in which smoothing removes the most changes of the decision.
 
-    `home` counts from 1; None selects the home in which most changes vanish (the first one in a tie), or the
-    first home if `start` is set. `start` is the first frame, from 0; None selects the window in which most
-    changes vanish. `frames` is the length of the window, limited by the length of the home.
+    `home` counts from 1; None selects the home in which the most changes vanish (the first one in a tie), or
+    the first home if `start` is set. `start` is the first frame, from 0; None selects the window in which the
+    most changes vanish. `frames` is the window's maximum length; the window ends with the home, and without
+    `start` contains no cut.
     """
     homes = run.source(classifier).homes if home is None else (home_of(run, home),)
     if start is not None:
@@ -73,9 +74,10 @@ def figure(
     home: str,
     start: int,
 ) -> Figure:
-    """Draw panels: title to (frames, classes) distributions; (frames,) true classes are -1 if unlabelled.
+    """Draw one panel per title in `outputs`, which maps titles to (frames, classes) distributions.
 
-    `start` is the first frame, counted in its home.
+    `truth` has the (frames,) true classes, -1 if unlabelled; `start` is the index of the first frame in its
+    home.
     """
     colors = list(palette.place_colors(classes).values())
     decided = [proba.argmax(axis=1) for proba in outputs.values()]
@@ -115,7 +117,7 @@ def figure(
 def _bar(
     axes: Axes, places: NDArray[np.integer], start: int, span: tuple[float, float], colors: Sequence[str]
 ) -> None:
-    """Draw the places over time as a bar of their colours between two heights; white if unlabelled."""
+    """Draw places over time as a bar of their colours between two heights; unlabelled frames stay white."""
     for part in stretches(places):
         if places[part.start] >= 0:
             axes.fill_between(
@@ -134,7 +136,7 @@ def _name(
     classes: Sequence[str],
     colors: Sequence[str],
 ) -> None:
-    """Write the place into a stretch of the bar if there is room."""
+    """Write a stretch's place on the bar if there is room."""
     if part.stop - part.start < NAMED * len(truth):
         return
     place = truth[part.start]

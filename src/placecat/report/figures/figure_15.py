@@ -20,7 +20,7 @@ TITLE = (
 )
 
 WIDTH = 6.5
-# Percentages of at least this are written in white.
+# Percentages from this value up are written in white.
 DARK = 55.0
 
 
@@ -43,7 +43,7 @@ def draw(run: Run, *, home: Count, panels: Mapping[str, str]) -> Figure:
 
 
 def matrix(axes: Axes, confusion: NDArray[np.int64], classes: Sequence[str]) -> None:
-    """Draw (classes, classes) counts, rows true; a place without frames has a row of dashes."""
+    """Draw (classes, classes) counts, true places in rows; a place without frames has a row of dashes."""
     totals = confusion.sum(axis=1, keepdims=True)
     percent = 100.0 * confusion / np.maximum(totals, 1)
     axes.imshow(percent, cmap=palette.AMOUNT, vmin=0.0, vmax=100.0)

@@ -63,9 +63,9 @@ def draw(run: Run, *, cues: Mapping[str, str], filter: str) -> Figure:
 
 
 def failures(run: Run, results: list[str], least: float = 0.0) -> list[Failure]:
-    """Find for each place the frame that all cues get wrong with the most certainty, most certain first.
+    """For each place, find the frame that all cues get wrong with the most certainty; most certain first.
 
-    Frames need an information measure of at least `least`; `results` are the results of the cues.
+    Frames need an information measure of at least `least`; `results` are the cues' results.
     """
     homes = run.source(results[0]).homes
     labels = [run.labels(home) for home in homes]
@@ -89,10 +89,10 @@ def failures(run: Run, results: list[str], least: float = 0.0) -> list[Failure]:
 
 
 def surety(largest: NDArray[np.float64], labelled: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """(frames,) share of the `labelled` frames on which a cue is at most as certain, the mean over the cues.
+    """Return the (frames,) share of `labelled` frames where a cue is at most as certain, averaged over cues.
 
-    `largest` are the (cues, frames) probabilities of the decisions. They are not directly comparable: some
-    cues always have nearly even distributions, others never.
+    `largest` are the decisions' (cues, frames) probabilities. These are not directly comparable: some cues
+    always have nearly even distributions, others never.
     """
     shares = [
         np.searchsorted(np.sort(of_cue[labelled]), of_cue, side="right") / labelled.sum()

@@ -23,12 +23,12 @@ TITLE = (
 )
 
 COLUMNS = 3
-# In inches.
+# Sizes in inches.
 WIDTH, ROW, LEGEND = 6.5, 2.65, 0.25
 POINT, GAP = "#0072b2", "#d55e00"
 # Bins with a smaller share of the frames are not drawn, since a few frames say little.
 LEAST = 0.005
-# Points squared: area of a bin of all frames, and of the smallest bin.
+# Marker areas in points squared: for a bin with all frames, and for the smallest bins.
 LARGEST, SMALLEST = 150.0, 5.0
 
 
@@ -69,13 +69,13 @@ def draw(run: Run, *, panels: Mapping[str, str]) -> Figure:
 
 
 def diagram_of(run: Run, result: str) -> Reliability:
-    """The diagram of all test homes and seeds of a result, with equal weights; needs a labelled frame."""
+    """Pool a result's diagrams over all test homes and seeds, equally weighted; needs a labelled frame."""
     source = run.source(result)
     bins = settings.get(run.params, "probabilities.bins")
     found = [
         reliability(run.labels(source.listed(home)), run.proba(result, home, seed), bins=bins)
         for home in source.homes
-        # If there are no seeds, reading raises the error that the result was not computed.
+        # Without seeds, reading raises an error that says that the result was not computed.
         for seed in source.seeds() or (None,)
     ]
     there = [one for one in found if one.weight.any()]
@@ -85,7 +85,7 @@ def diagram_of(run: Run, result: str) -> Reliability:
 
 
 def numbers(run: Run, result: str) -> str:
-    """Log-loss and calibration error as in the added table."""
+    """Format a result's log loss and calibration error as in the added table."""
     averages = run.results.quality[result].averages()
     return f"log loss {averages['log_loss']:.2f}, error {averages['calibration_error']:.1f} %"
 
@@ -105,7 +105,7 @@ def points(axes: Axes, diagram: Reliability) -> None:
 
 
 def bars(axes: Axes, diagram: Reliability) -> None:
-    """Draw the shares of the frames."""
+    """Draw each bin's share of the frames."""
     count = len(diagram.weight)
     axes.bar((np.arange(count) + 0.5) / count, 100.0 * diagram.weight, 0.9 / count, color=palette.MUTED)
     axes.set_yticks([0, round(100.0 * float(diagram.weight.max()))])

@@ -18,7 +18,7 @@ DARKEST = 99.5
 def show_frame(axes: Axes, frame: NDArray[np.uint8], *, width: int = 960) -> None:
     """Show a frame, (H, W, 3) uint8 BGR, without axes; data coordinates are pixels of the frame.
 
-    The figure stores a picture of at most `width` pixels.
+    The figure stores a picture at most `width` pixels wide.
     """
     height, full = frame.shape[:2]
     shown = cv2.cvtColor(frame, cv2.COLOR_BGR2RGB)
@@ -30,9 +30,9 @@ def show_frame(axes: Axes, frame: NDArray[np.uint8], *, width: int = 960) -> Non
 
 
 def show_map(axes: Axes, plane: NDArray[np.floating], *, frame_size: tuple[int, int] | None = None) -> None:
-    """Show a map (h, w) >= 0, strong responses dark; the `DARKEST` percentile and above are darkest.
+    """Show a non-negative (h, w) map, strong responses dark; values from percentile `DARKEST` up are darkest.
 
-    Data coordinates are pixels of a frame of `frame_size` (width, height), or, for None, of the map.
+    Data coordinates are pixels of a frame of `frame_size` (width, height), or of the map if that is None.
     """
     width, height = frame_size or plane.shape[::-1]
     extent = (-0.5, width - 0.5, height - 0.5, -0.5)
@@ -45,9 +45,9 @@ def show_map(axes: Axes, plane: NDArray[np.floating], *, frame_size: tuple[int, 
 def draw_regions(
     axes: Axes, regions: NDArray[np.float32], width: int, colors: list[str], *, linewidth: float = 1.0
 ) -> None:
-    """Draw circles around salient regions (n, 4) (x, y, scale, saliency; thesis 3.1.1.3), one colour each.
+    """Draw a circle around each of (n, 4) salient regions (x, y, scale, saliency; thesis 3.1.1.3).
 
-    `width` is the width of their frame in pixels.
+    `width` is the frame's width in pixels; `colors` has a colour per region.
     """
     for (x, y, scale, _), color in zip(regions.tolist(), colors, strict=True):
         size = float(radius(scale, width))
@@ -57,7 +57,7 @@ def draw_regions(
 
 
 class Sheet:
-    """A figure of `width` and `height` inches, with panels placed by hand from the upper left corner."""
+    """A figure of `width` and `height` inches, with panels positioned from its upper left corner."""
 
     def __init__(self, width: float, height: float) -> None:
         self.width, self.height = width, height
@@ -65,7 +65,7 @@ class Sheet:
         self.figure.set_layout_engine("none")
 
     def panel(self, left: float, top: float, width: float, height: float) -> Axes:
-        """Add axes."""
+        """Add axes; positions and sizes are in inches."""
         box = (left / self.width, 1 - (top + height) / self.height, width / self.width, height / self.height)
         return self.figure.add_axes(box)
 
@@ -97,17 +97,17 @@ class Sheet:
 
 
 def peaks(weight: float) -> int:
-    """Number m of local maxima behind a map's weight 1 / sqrt(m) (thesis 3.1.1.1); 0 for weight 0."""
+    """Return the number m of maxima behind a map's weight 1 / sqrt(m) (thesis 3.1.1.1); 0 for weight 0."""
     return round(weight**-2) if weight else 0
 
 
 def weight_text(weight: float) -> str:
-    """A map's weight in a figure: "× 1/√m" in numbers."""
+    """Format a map's weight for a figure, e.g. as "× 1/√3"."""
     return f"× 1/√{peaks(weight)}" if weight else "× 0"
 
 
 def frame_in(axes: Axes, color: str = "#999999", linewidth: float = 0.5) -> None:
-    """Draw only a line around the axes."""
+    """Show only a line around the axes."""
     axes.set_xticks([])
     axes.set_yticks([])
     axes.spines[:].set(visible=True, color=color, linewidth=linewidth)

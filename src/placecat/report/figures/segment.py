@@ -1,4 +1,4 @@
-"""The stretch of a film that best shows the effect of smoothing (Figure 11)."""
+"""Find the stretch of a film that best shows the effect of smoothing (Figure 11)."""
 
 from collections.abc import Sequence
 
@@ -14,10 +14,10 @@ def most_smoothed(
     *,
     frames: int,
 ) -> tuple[int, slice]:
-    """Find the window in which smoothing removes most changes of the decision; the first one in a tie.
+    """Find the window in which smoothing removes the most changes of the decision; the first one in a tie.
 
-    Returns the number of changes before minus the number after, and the window. Changes count between two
-    labelled frames without a cut between them.
+    Returns the number of changes before minus the number after, and the window. A change counts only between
+    two labelled frames without a cut between them.
 
     Parameters
     ----------
@@ -26,12 +26,12 @@ def most_smoothed(
     truth
         (n,) class indices, -1 for unlabelled.
     sequences, frames
-        Stretches without a cut, and the length of a window within one; a shorter stretch is one window.
+        Stretches without a cut, and the length of a window within them; a shorter stretch is one window.
     """
     removed = changes(before, truth) - changes(after, truth)
     best: tuple[int, slice] | None = None
     for part in sequences:
-        # `removed[i]` is the change from frame i to frame i + 1.
+        # `removed[i]` belongs to the step from frame i to frame i + 1.
         total = np.r_[0, np.cumsum(removed[part.start : part.stop - 1])]
         length = min(frames, part.stop - part.start)
         sums = total[length - 1 :] - total[: len(total) - length + 1]
@@ -42,14 +42,14 @@ def most_smoothed(
 
 
 def changes(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> NDArray[np.int64]:
-    """(n - 1,) 1 where the decision changes between two successive labelled frames."""
+    """Return (n - 1,) numbers: 1 where the decision changes between successive labelled frames, else 0."""
     decision = proba.argmax(axis=1)
     labelled = truth >= 0
     return ((decision[1:] != decision[:-1]) & labelled[1:] & labelled[:-1]).astype(np.int64)
 
 
 def stretches(places: NDArray[np.integer]) -> list[slice]:
-    """Stretches of equal values in (n,) places, in order."""
+    """Return the stretches of equal values in (n,) places, in order."""
     if not len(places):
         return []
     starts = np.flatnonzero(np.r_[True, places[1:] != places[:-1]]).tolist()

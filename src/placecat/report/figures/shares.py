@@ -1,4 +1,4 @@
-"""Distributions over places as divided bars (Figures 9, 12 to 14)."""
+"""Draw distributions over places as divided bars (Figures 9, 12 to 14 and 18)."""
 
 from collections.abc import Mapping, Sequence
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from placecat.drawing.palette import INK, place_colors, place_title
 
-# Smallest share with room for its percentage.
+# Smallest share that has room for its percentage.
 LEAST_WRITTEN = 0.07
 LEGEND_COLUMNS = 5
 
@@ -19,7 +19,7 @@ LEGEND_COLUMNS = 5
 def share_bar(
     axes: Axes, y: float, shares: NDArray[np.floating], classes: Sequence[str], *, height: float = 0.7
 ) -> None:
-    """Draw (classes,) shares of 1 as a horizontal bar around `y`, with percentages if there is room."""
+    """Draw (classes,) shares, 0 to 1, as a horizontal bar around `y`, with percentages if there is room."""
     left = 0.0
     for share, color in zip(shares.tolist(), place_colors(classes).values(), strict=True):
         axes.barh(y, share, height, left, color=color, edgecolor="white", linewidth=0.6)
@@ -34,7 +34,7 @@ def share_bar(
 def share_rows(
     axes: Axes, rows: Mapping[str, NDArray[np.floating]], classes: Sequence[str], *, height: float = 0.7
 ) -> None:
-    """Draw one distribution (classes,) per row, its name on the left; the first is at 0, the next at -1."""
+    """Draw one (classes,) distribution per row, its name on the left; the first is at 0, the next at -1."""
     for row, shares in enumerate(rows.values()):
         share_bar(axes, -row, shares, classes, height=height)
     axes.set_yticks([-row for row in range(len(rows))], list(rows))

@@ -22,11 +22,11 @@ from placecat.ranges import Count
 from placecat.report.figures.segment import stretches
 from placecat.report.run import Run, home_of
 
-# Pixels of a strip; more frames are averaged.
+# Maximum width of a strip in pixels; more frames are averaged.
 MAX_COLUMNS = 1000
 # Percentiles of a strip's probabilities that are drawn white and black.
 WHITE, BLACK = 1.0, 99.0
-# In inches.
+# Sizes in inches.
 WIDTH = 6.5
 ROW = 0.13
 TITLE_LINE = 0.16
@@ -45,10 +45,10 @@ def of_tests(run: Run, *, panels: Mapping[str, str]) -> Figure:
 
 
 def figure(run: Run, homes: Sequence[str], panels: Mapping[str, str]) -> Figure:
-    """Draw strips, one below the other, each with its homes side by side; the greys span a strip's values.
+    """Draw strips below one another, each with the homes side by side and with greys that span its values.
 
-    `homes` are test homes of all the results. `panels` has, from top to bottom, the title and the result of
-    each strip; the first seed is drawn. A missing result raises PlacecatError.
+    `homes` are test homes of every result. `panels` maps each strip's title to its result, from top to
+    bottom; the first seed is drawn. A missing result raises PlacecatError.
     """
     listed = {home: run.source(next(iter(panels.values()))).listed(home) for home in homes}
     truths = {home: run.labels(listed[home]) for home in homes}
@@ -97,9 +97,9 @@ def draw(
     cuts: Sequence[int],
     span: tuple[float, float],
 ) -> AxesImage:
-    """Draw one strip: one row per place, the true place as a blue line, the accuracy (thesis 4.2) above.
+    """Draw one strip: a row per place, the true place as a blue line, and the accuracy (thesis 4.2) above.
 
-    For unlabelled frames the line runs through an additional row. `proba` is (frames, len(classes)); `truth`
+    For unlabelled frames, the line runs through an additional row. `proba` is (frames, len(classes)); `truth`
     (frames,) has class indices, -1 for unlabelled; `cuts` are the frames that follow a cut of the film;
     `span` has the probabilities that are drawn white and black.
     """
@@ -134,9 +134,9 @@ def draw(
 
 
 def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
-    """Draw the line of the true place, thick within rows, thin between them, from (frames,) class indices.
+    """Draw the (frames,) true places as a line, thick within rows and thin between them.
 
-    Unlabelled frames, -1, are in row `n_classes`.
+    Unlabelled frames (-1) are in row `n_classes`.
     """
     row = np.where(truth < 0, n_classes, truth)
     parts = stretches(row)
@@ -151,7 +151,7 @@ def draw_truth(axes: Axes, truth: NDArray[np.int16], n_classes: int) -> None:
 
 
 def greys(proba: NDArray[np.float64]) -> tuple[float, float]:
-    """The probabilities drawn white and black: percentiles `WHITE` and `BLACK`, 0 and 1 if these are equal.
+    """Return the probabilities drawn white and black: percentiles `WHITE` and `BLACK`, or 0 and 1 if equal.
 
     With 0 and 1 for every strip, the nearly uniform distributions of some classifiers would be invisible.
     """
@@ -160,7 +160,7 @@ def greys(proba: NDArray[np.float64]) -> tuple[float, float]:
 
 
 def columns(proba: NDArray[np.float64], limit: int) -> NDArray[np.float64]:
-    """Average (frames, classes) over neighbours to (min(frames, limit), classes), with equal weights."""
+    """Average neighbours in (frames, classes), equally weighted, to at most (limit, classes)."""
     if len(proba) <= limit:
         return proba
     edges = np.arange(limit + 1) * len(proba) // limit

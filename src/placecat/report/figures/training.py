@@ -37,7 +37,7 @@ class TrainingRegions:
 
 
 def training_regions(run: Run, codebook: str, test_home: str) -> TrainingRegions:
-    """Read the training regions of a codebook, e.g. ``hog_y``, in the fold of 5-5-1 without the test home."""
+    """Read the training regions of a codebook, e.g. ``hog_y``, in the 5-5-1 fold that tests `test_home`."""
     homes = run.fold(test_home).cue_homes
     parts = []
     for position, home in enumerate(homes):
