@@ -51,7 +51,7 @@ def home_quality(
 
     `truth` is (frames,) class indices in temporal order, -1 for unlabelled frames; `proba` is
     (frames, n_classes) distributions; `sequences` are uncut stretches that together cover all frames. `bins`,
-    x `placecat.evaluation.probabilities`.
+    `smallest` and their errors are as in `reliability` and `log_loss` of `placecat.evaluation.probabilities`.
     """
     counts = stays_by_class(truth, proba.argmax(axis=1), sequences, proba.shape[1])
     stays, right = (int(count) for count in counts.sum(axis=0))
