@@ -1,4 +1,4 @@
-"""Plan a replication: how many homes decide each finding, and how often the rule errs.
+"""Plan and run a replication of the findings on more homes.
 
-It is used before a run; no stage uses it.
+Before a run it computes how many homes decide each finding, and how often the rule errs. No stage uses it.
 """
