@@ -20,7 +20,7 @@ class Interval:
 
     def rounded(self, decimals: int = 2) -> "Interval":
         """Return the interval with its numbers rounded, and 0 instead of -0."""
-        # Round twice, since numbers that differ only in their last bits may lie on both sides of a half.
+        # Round twice, since numbers that differ only in their last bits may lie on different sides of a half.
         return Interval(
             *(round(round(x, decimals + 6), decimals) + 0.0 for x in (self.estimate, self.low, self.high))
         )

@@ -60,7 +60,8 @@ def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability
 
     `truth` is (n,) integers, -1 for frames that are not scored, and `proba` is (n, n_classes) distributions.
     The decision is the most probable class (the first in a tie), and its probability is the confidence.
-    Confidences in ((m - 1) / `bins`, m / `bins`] share a bin. Raises PlacecatError if `bins` is below 1.
+    Confidences in ((m - 1) / `bins`, m / `bins`] share a bin. Raises PlacecatError unless `bins` is an
+    integer of at least 1.
 
     References
     ----------
