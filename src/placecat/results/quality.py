@@ -20,7 +20,7 @@ _SHOWN = DECIMALS | {STAY_SHARE: 2}
 
 
 def gather(homes: Sequence[str], seeds: Sequence[str], measured: Sequence[Sequence[HomeQuality]]) -> Quality:
-    """Collect the quality measures of a result; `measured` holds one list per seed, of one item per home."""
+    """Collect the quality measures of a result; `measured` is indexed by seed, then by home."""
     values = np.array(measured, np.float64).reshape(len(seeds), len(homes), -1)
     return Quality(
         tuple(homes), tuple(seeds), {field: values[..., k] for k, field in enumerate(HomeQuality._fields)}
