@@ -110,7 +110,7 @@ class Finding:
         Other readings of the thesis. Maps each reading's name, e.g. ``as_printed``, to replacements for parts
         of the results' names.
     filters
-        Information filters; the verdict's reason states how many frames each drops.
+        Information filters; the verdict's reason states the share of frames that each drops.
     """
 
     name: str

@@ -82,8 +82,8 @@ def by_home_with_gains(table: Mapping[str, Any], results: Results) -> Cells:
     """Like `by_home`, but with the gains of some results over the best of others, in points.
 
     Groups are in the order of the rows, with gains last. Each of ``table["gains"]`` has `group`, `row`,
-    `result` and `over`, a list of results. In every home, the gain is the result minus the same one of these
-    results, which has the highest average over homes; a note names it.
+    `result` and `over`, a list of results. A gain is `result` minus the result in `over` with the highest
+    average over homes, which is the same one in every home; a note names it.
     """
     names = {row["result"]: row["row"] for row in table["rows"]}
     filled = by_home(table, results)
@@ -149,7 +149,7 @@ def probabilities(table: Mapping[str, Any], results: Results) -> Cells:
     """One row per result: its distributions' quality, averaged over test homes (not in the thesis).
 
     Each of ``table["rows"]`` has `group`, `row` and `result`, a result on the main data set. The columns are
-    log loss (nats), calibration error and stay accuracy (both in percent), see
+    log-loss (nats), calibration error and stay accuracy (both in percent), see
     :class:`placecat.evaluation.quality.HomeQuality`.
     """
     return {

@@ -46,7 +46,7 @@ def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -
 
     `chosen` has the keys ``accuracy`` and ``log_loss``. Each maps a column's name, e.g. ``gist``, to the name
     of its result, e.g. ``cues/gist/5-5-1``. Returns the accuracies in percent with two decimals, by column,
-    and under ``log_loss`` the log losses in nats with three decimals, by column. Results that this data does
+    and under ``log_loss`` the log-losses in nats with three decimals, by column. Results that this data does
     not allow are left out. An unknown kind of number or result raises PlacecatError.
     """
     refuse_unknown(chosen, [ACCURACY, LOG_LOSS], "metrics")

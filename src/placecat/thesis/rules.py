@@ -24,7 +24,7 @@ class Rules:
     about
         Relative deviation from a published difference that "about" allows.
     margin
-        Largest difference in points that is "little" and not "better".
+        Difference in points that "little" and "no better" must stay below.
     noticeable
         Smallest difference in points for which a single home counts as better or worse.
     rare
@@ -42,7 +42,7 @@ class Rules:
 
 
 def claimed_range(kind: tuple[str, float | None], published_difference: float, rules: Rules) -> Range | None:
-    """Return the range that a claim allows for the difference; ``both_signs`` has none: it ignores the mean.
+    """Return the range that a claim allows for a difference; None for ``both_signs``, which ignores the mean.
 
     The kinds are ``better``: above 0. ``worse``: below 0. ``about``: about the published difference.
     ``little``: less than the margin from 0. ``no_better``: below the margin. ``within`` and a number: closer

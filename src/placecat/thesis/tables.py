@@ -36,7 +36,7 @@ def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[
 
 
 def folder_of(table: Mapping[str, Any]) -> Path:
-    """Return the folder of a table's files; runs that lack a table's needed setting leave its files alone."""
+    """Return a table's folder; tables with `needs` have a separate one, which other runs do not change."""
     return paths.OPTIONAL_TABLES if "needs" in table else paths.TABLES
 
 
