@@ -1,1 +1,1 @@
-"""Measures: accuracy, probabilities, stays, and intervals for verdicts."""
+"""Measures of accuracy, probabilities and stays, and intervals for verdicts."""

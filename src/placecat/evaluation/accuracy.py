@@ -1,13 +1,14 @@
-"""Accuracy of a home's decisions (thesis 4.2)."""
+"""The accuracy of decisions in a home (thesis 4.2)."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 
 def confusion_matrix(truth: ArrayLike, decision: ArrayLike, n_classes: int) -> NDArray[np.int64]:
-    """Count scored frames by true (row) and decided (column) class: (n_classes, n_classes).
+    """Return the (n_classes, n_classes) counts of scored frames by true (row) and decided (column) class.
 
-    `truth` is (n,) integers, -1 for frames that are not scored; `decision` (n,) integers in [0, n_classes).
+    `truth` is (n,) integers, -1 for frames that are not scored; `decision` is (n,) integers in
+    [0, n_classes).
     """
     truth = np.asarray(truth, dtype=np.int64)
     decision = np.asarray(decision, dtype=np.int64)
@@ -17,10 +18,10 @@ def confusion_matrix(truth: ArrayLike, decision: ArrayLike, n_classes: int) -> N
 
 
 def class_accuracies(confusion: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Percentage of correct decisions on the frames of each class; NaN for a class without frames.
+    """Return the percentage of each class's frames decided correctly; NaN for a class without frames.
 
-    This is the thesis's measure: a home's accuracy is their mean over the classes present (see
-    :func:`home_accuracy`), so large classes cannot outweigh small ones.
+    This is the thesis's measure: a home's accuracy is the mean of these percentages over the classes present
+    (see :func:`home_accuracy`), so large classes cannot outweigh small ones.
     """
     totals = confusion.sum(axis=1)
     with np.errstate(invalid="ignore"):
@@ -28,6 +29,6 @@ def class_accuracies(confusion: NDArray[np.int64]) -> NDArray[np.float64]:
 
 
 def home_accuracy(confusion: NDArray[np.int64]) -> float:
-    """Mean of the class accuracies over the classes present, in percent; NaN if nothing is scored."""
+    """Return the mean accuracy of the classes present, in percent; NaN if no frame is scored."""
     accuracies = class_accuracies(confusion)
     return float(np.nanmean(accuracies)) if np.isfinite(accuracies).any() else float("nan")

@@ -1,4 +1,4 @@
-"""Bootstrap intervals over a handful of units."""
+"""Bootstrap intervals from a handful of units."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -6,21 +6,21 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-# Quantiles of the normal and of Student's t distribution: the import of scipy.stats takes half a second.
+# Normal and Student's t quantiles; importing scipy.stats for them would take half a second.
 from scipy.special import ndtri, stdtrit
 
 
 @dataclass(frozen=True)
 class Interval:
-    """An estimate and the ends of its interval, in the unit of the estimate."""
+    """An estimate and the ends of its interval, all in the same unit."""
 
     estimate: float
     low: float
     high: float
 
     def rounded(self, decimals: int = 2) -> "Interval":
-        """Return the same interval with rounded numbers, never -0."""
-        # Round twice: the last bits of equal numbers may lie on different sides of a half.
+        """Return the interval with its numbers rounded, and 0 instead of -0."""
+        # Round twice, since numbers that differ only in their last bits may lie on different sides of a half.
         return Interval(
             *(round(round(x, decimals + 6), decimals) + 0.0 for x in (self.estimate, self.low, self.high))
         )
@@ -34,21 +34,21 @@ def paired_bootstrap(
     level: float = 0.95,
     resamples: int = 10000,
 ) -> Interval:
-    """Interval of a statistic over units, e.g. the mean difference of two results over homes.
+    """Compute the interval of a statistic over units, e.g. the mean difference of two results over homes.
 
     Units are drawn with replacement, each with all its measurements, so effects common to both sides of a
     difference cancel.
 
     With six units the plain percentile interval is far too narrow. For a mean, both reasons are known
     exactly: the bootstrap variance divides by n instead of n - 1, and the interval uses a normal quantile
-    instead of a quantile of Student's t with n - 1 degrees of freedom. So both arms of the percentile
-    interval are stretched about the estimate by sqrt(n / (n - 1)) t / z. Hesterberg corrects for both with
-    more extreme quantiles (the expanded percentile interval), but four or six units do not reach them: that
+    instead of Student's t quantile with n - 1 degrees of freedom. So this function stretches both arms of the
+    percentile interval about the estimate by sqrt(n / (n - 1)) t / z. Hesterberg corrects for both with more
+    extreme quantiles (the expanded percentile interval), but four or six units cannot reach them: that
     interval ends at the smallest and the largest unit. BCa corrects for skewness, not for n. The bootstrap-t
-    divides by standard errors that vanish if units tie, as seeds of one home can. Its intervals are then
+    divides by standard errors that vanish if units tie, as the seeds of a home can. Its intervals are then
     infinite.
 
-    Coverage of the intervals of a mean, `level` 0.95, in 4000 simulations each:
+    Coverage of intervals for a mean with `level` 0.95, in 4000 simulations each:
 
     ==== ============= ========== ======== ========= ===== ===========
     n    units are     percentile expanded stretched BCa   bootstrap-t
@@ -61,13 +61,13 @@ def paired_bootstrap(
     6    Student, 3 df 0.84       0.93     0.95      0.83  0.93
     ==== ============= ========== ======== ========= ===== ===========
 
-    This function returns the stretched interval. Its median length is 0.85 (n = 6) and 0.54 (n = 4) times
-    that of the bootstrap-t interval.
+    The stretched interval's median length is 0.85 (n = 6) and 0.54 (n = 4) times that of the bootstrap-t
+    interval.
 
     Two homes with two seeds are four dependent units. If homes and seeds vary equally, the interval covers
     the mean over these two homes in 0.96 of the simulations, and more often if seeds matter less. It covers
-    the mean over all homes in only 0.89, and in 0.70 if seeds do not matter. So the interval is valid for
-    these homes only.
+    the mean over all possible homes in only 0.89, and in 0.70 if seeds do not matter. So the interval is
+    valid for these homes only.
 
     Parameters
     ----------
@@ -76,11 +76,11 @@ def paired_bootstrap(
     n_units
         n, at least 2.
     seed, level, resamples
-        Seed in [0, 2**32), probability of the interval between 0 and 1, and number of draws.
+        Seed in [0, 2**32), the interval's level between 0 and 1, and the number of draws.
 
     Returns
     -------
-    The interval. Its `estimate` weighs all units the same and lies within the interval unless the statistic
+    The interval. Its `estimate` weighs all units equally and lies within the interval unless the statistic
     is very biased. Identical units yield a point.
 
     References
@@ -102,17 +102,17 @@ def stratified_bootstrap(
     level: float = 0.95,
     resamples: int = 10000,
 ) -> Interval:
-    """Interval of a statistic over blocks, e.g. stays in rooms, with a fixed number of blocks per stratum.
+    """Compute the interval of a statistic over blocks, e.g. stays, with a fixed number of blocks per stratum.
 
     A mean over places has one stratum per place. From the n blocks of a stratum, n - 1 are drawn with
-    replacement (Rao and Wu). The variance of its mean then divides by n - 1, which matters most for strata as
-    small as two. A stratum of one block has no spread. Both arms are stretched by t / z; the degrees of
-    freedom are the blocks beyond one per stratum.
+    replacement (Rao and Wu). The variance of the stratum's mean then divides by n - 1, which matters most for
+    strata of only two blocks. A stratum of one block has no spread. Both arms are stretched by t / z, where t
+    has as many degrees of freedom as there are blocks, less one per stratum.
 
-    Coverage of the intervals of the mean of five strata's means, `level` 0.95, in 2000 simulations each:
+    Coverage of intervals for the mean of five stratum means with `level` 0.95, in 2000 simulations each:
 
     ================================ ====== ===========
-    blocks of the strata             normal exponential
+    blocks per stratum               normal exponential
     ================================ ====== ===========
     2, 2, 2, 2, 2                    0.94   0.89
     8, 5, 3, 2, 2                    0.92   0.86
@@ -126,7 +126,7 @@ def stratified_bootstrap(
     strata
         (n,) stratum number of each block, from 0.
     seed, level, resamples
-        As in :func:`paired_bootstrap`.
+        As for :func:`paired_bootstrap`.
 
     References
     ----------
@@ -147,13 +147,13 @@ def stratified_bootstrap(
 
 
 def _stretched(estimate: float, values: NDArray[np.float64], level: float, factor: float) -> Interval:
-    """Percentile interval of resampled values, with both arms multiplied by a factor."""
+    """Compute the percentile interval of resampled values, with both arms multiplied by a factor."""
     arms = np.quantile(values, [(1.0 - level) / 2.0, (1.0 + level) / 2.0]) - estimate
     low, high = estimate + factor * arms
     return Interval(estimate, float(low), float(high))
 
 
 def stretch(n_units: int, level: float) -> float:
-    """Return the stretch factor of a percentile interval's arms, sqrt(n / (n - 1)) t / z, at least 1."""
+    """Return the factor that stretches a percentile interval's arms, sqrt(n / (n - 1)) t / z, at least 1."""
     upper = (1.0 + level) / 2.0
     return float(np.sqrt(n_units / (n_units - 1.0)) * stdtrit(n_units - 1, upper) / ndtri(upper))

@@ -1,4 +1,4 @@
-"""Quality of distributions over places: log-loss and calibration; all places weigh the same."""
+"""Log-loss and calibration of distributions over places; all places weigh the same."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -10,11 +10,11 @@ from placecat.errors import PlacecatError
 
 
 class Reliability(NamedTuple):
-    """Points of a reliability diagram: how often decisions of similar confidence are right.
+    """Points of a reliability diagram, which shows how often decisions of similar confidence are right.
 
     `confidence` is the (bins,) mean probability of the decided place and `accuracy` the (bins,) share of
-    right decisions, both 0 to 1 and NaN in a bin without frames. `weight` is the (bins,) share of the frames;
-    it sums to 1, or is all 0 if no frame is labelled.
+    right decisions. Both range from 0 to 1, and are NaN in a bin without frames. `weight` is the (bins,)
+    weighted share of frames; it sums to 1, or is all 0 if no frame is labelled.
     """
 
     confidence: NDArray[np.float64]
@@ -23,7 +23,7 @@ class Reliability(NamedTuple):
 
 
 def balanced_weights(truth: ArrayLike) -> NDArray[np.float64]:
-    """Return frame weights that let all places present weigh the same, as in the accuracy (thesis 4.2).
+    """Return frame weights that give all places present the same weight, as in the accuracy (thesis 4.2).
 
     `truth` is (n,) integers, -1 for frames that are not scored. The (n,) weights sum to 1 and are 0 for
     frames that are not scored; all are 0 if no frame is scored.
@@ -37,12 +37,12 @@ def balanced_weights(truth: ArrayLike) -> NDArray[np.float64]:
 
 
 def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
-    """Mean of -ln p(true place) over the frames of each place, then over the places present, in nats.
+    """Average -ln p(true place) over the frames of each place, then over the places present, in nats.
 
-    `truth` is (n,) integers, -1 for frames that are not scored, and `proba` (n, n_classes) distributions.
+    `truth` is (n,) integers, -1 for frames that are not scored, and `proba` is (n, n_classes) distributions.
     Uniform distributions over k places score ln k. The result is NaN if no frame is scored. Probabilities
-    below `smallest`, in (0, 1), else PlacecatError, are raised to it: a single 0 cannot make the mean
-    infinite, since a frame costs at most -ln `smallest`.
+    below `smallest` are raised to it, so a frame costs at most -ln `smallest`, and a single 0 cannot make the
+    mean infinite. Raises PlacecatError unless `smallest` is in (0, 1).
     """
     if not isinstance(smallest, int | float) or not 0.0 < smallest < 1.0:
         raise PlacecatError(f"probabilities.smallest must be a number in (0, 1), not {smallest!r}")
@@ -58,14 +58,15 @@ def log_loss(truth: ArrayLike, proba: ArrayLike, *, smallest: float) -> float:
 def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability:
     """Compare the confidence of decisions with their accuracy; all places weigh the same.
 
-    `truth` is (n,) integers, -1 for frames that are not scored, and `proba` (n, n_classes) distributions; the
-    decision is the most probable class (the first of several), and its probability is the confidence.
-    Confidences in ((m - 1) / `bins`, m / `bins`] share a bin; `bins` is at least 1, else PlacecatError.
+    `truth` is (n,) integers, -1 for frames that are not scored, and `proba` is (n, n_classes) distributions.
+    The decision is the most probable class (the first in a tie), and its probability is the confidence.
+    Confidences in ((m - 1) / `bins`, m / `bins`] share a bin. Raises PlacecatError unless `bins` is an
+    integer of at least 1.
 
     References
     ----------
     C. Guo, G. Pleiss, Y. Sun and K. Q. Weinberger, On Calibration of Modern Neural Networks, ICML 2017.
-    There, all frames weigh the same.
+    They weigh all frames the same.
     """
     if isinstance(bins, bool) or not isinstance(bins, int) or bins < 1:
         raise PlacecatError(f"probabilities.bins must be a whole number of at least 1, not {bins!r}")
@@ -84,7 +85,7 @@ def reliability(truth: ArrayLike, proba: ArrayLike, *, bins: int) -> Reliability
 
 
 def pooled(diagrams: Sequence[Reliability]) -> Reliability:
-    """Merge diagrams with the same bins, e.g. one per home, with equal weights."""
+    """Merge diagrams that have the same bins, e.g. one per home; all diagrams weigh the same."""
     weights = np.array([one.weight for one in diagrams])
     confidence, accuracy = (
         _ratio(np.nansum(weights * values, axis=0), weights.sum(axis=0))
@@ -94,7 +95,7 @@ def pooled(diagrams: Sequence[Reliability]) -> Reliability:
 
 
 def calibration_error(diagram: Reliability) -> float:
-    """Expected calibration error, 0 to 1 (Guo et al. 2017, equation 3); NaN if no frame is scored."""
+    """Compute the expected calibration error, 0 to 1 (Guo et al., equation 3); NaN if no frame is scored."""
     if not diagram.weight.any():
         return float("nan")
     return float(np.nansum(diagram.weight * np.abs(diagram.accuracy - diagram.confidence)))

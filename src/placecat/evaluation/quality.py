@@ -1,4 +1,4 @@
-"""Quality measures of one home's distributions."""
+"""Quality measures of the distributions in a home."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -18,12 +18,13 @@ class ProbabilityQuality(NamedTuple):
 
 
 class HomeQuality(NamedTuple):
-    """Quality measures of one home; all places weigh the same. NaN if no frame is labelled.
+    """Quality measures of a home.
 
     `log_loss` is in nats (:func:`placecat.evaluation.probabilities.log_loss`) and `calibration_error` in
-    percent (:func:`placecat.evaluation.probabilities.calibration_error`). `stays` and `stays_right` are the
-    numbers of all stays and of correctly named stays (:func:`placecat.evaluation.stays.stays_by_class`), and
-    `stay_accuracy` is in percent (:func:`placecat.evaluation.stays.stay_accuracy`).
+    percent (:func:`placecat.evaluation.probabilities.calibration_error`). `stays` and `stays_right` count all
+    stays and the correctly named stays (:func:`placecat.evaluation.stays.stays_by_class`), and
+    `stay_accuracy` is in percent (:func:`placecat.evaluation.stays.stay_accuracy`). All places weigh the same
+    in the measures that are not counts; these are NaN if no frame is labelled.
     """
 
     log_loss: float
@@ -36,7 +37,7 @@ class HomeQuality(NamedTuple):
 def probability_quality(
     truth: ArrayLike, proba: NDArray[np.float64], *, bins: int, smallest: float
 ) -> ProbabilityQuality:
-    """Measure the distributions of frames in any order; parameters as for :func:`home_quality`."""
+    """Measure the distributions of frames in any order; the parameters are as for :func:`home_quality`."""
     return ProbabilityQuality(
         log_loss(truth, proba, smallest=smallest),
         100.0 * calibration_error(reliability(truth, proba, bins=bins)),
@@ -46,11 +47,11 @@ def probability_quality(
 def home_quality(
     truth: ArrayLike, proba: NDArray[np.float64], sequences: Sequence[slice], *, bins: int, smallest: float
 ) -> HomeQuality:
-    """Measure the distributions of one home.
+    """Measure the distributions in a home.
 
-    `truth` is (frames,) class indices in temporal order, -1 for unlabelled; `proba` (frames, n_classes)
-    distributions; `sequences` are uncut stretches that together cover all frames. `bins`, `smallest` and
-    their errors are as in `reliability` and `log_loss` of `placecat.evaluation.probabilities`.
+    `truth` is (frames,) class indices in temporal order, -1 for unlabelled frames; `proba` is
+    (frames, n_classes) distributions; `sequences` are uncut stretches that together cover all frames. `bins`,
+    `smallest` and their errors are as in `reliability` and `log_loss` of `placecat.evaluation.probabilities`.
     """
     counts = stays_by_class(truth, proba.argmax(axis=1), sequences, proba.shape[1])
     stays, right = (int(count) for count in counts.sum(axis=0))

@@ -1,4 +1,4 @@
-"""Decisions withheld below a confidence threshold: how many remain, and how many of these are wrong."""
+"""Selective decisions: how many reach a confidence threshold, and how many of these are wrong."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -9,14 +9,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from placecat.evaluation.probabilities import balanced_weights
 
-# Sums of weights are rounded.
+# Tolerance for rounding errors in sums of weights.
 _ROUNDING = 1e-9
 
 
 class Decided(NamedTuple):
-    """Decisions on the n labelled frames of one home: their probabilities, and whether they are wrong.
+    """The confidences of decisions on the n labelled frames of a home, and whether each decision is wrong.
 
-    The weights sum to 1: all homes weigh the same, and so do the places within a home, as in the accuracy.
+    The weights sum to 1, so all homes weigh the same. The places in a home also weigh the same, as in the
+    accuracy.
     """
 
     confidence: NDArray[np.float64]
@@ -25,10 +26,10 @@ class Decided(NamedTuple):
 
 
 class Selection(NamedTuple):
-    """Coverage and risk of the decisions at or above a threshold in some homes, from 0 to 1.
+    """Coverage and risk, from 0 to 1, of the decisions that reach a confidence threshold in some homes.
 
-    `coverage` is their share of all decisions, `risk` the share of wrong decisions among them, and `worst`
-    the highest risk in any home. Both risks are NaN if no decision reaches the threshold.
+    `coverage` is the share of decisions that reach the threshold, `risk` the share of these that are wrong,
+    and `worst` the highest risk in any home. Both risks are NaN if no decision reaches the threshold.
     """
 
     coverage: float
@@ -37,10 +38,10 @@ class Selection(NamedTuple):
 
 
 def decided(truth: ArrayLike, proba: ArrayLike) -> Decided:
-    """Judge the decisions in one home.
+    """Judge the decisions in a home.
 
-    `truth` is (n,) integers, -1 for frames that are not scored, and `proba` (n, n_classes) distributions; the
-    decision is the most probable class, the first of several.
+    `truth` is (n,) integers, -1 for frames that are not scored, and `proba` is (n, n_classes) distributions.
+    The decision is the most probable class, or the first in a tie.
     """
     truth, proba = np.asarray(truth, np.int64), np.asarray(proba, np.float64)
     scored = truth >= 0
@@ -51,19 +52,19 @@ def decided(truth: ArrayLike, proba: ArrayLike) -> Decided:
 def choose_threshold(homes: Sequence[Decided], risk: float) -> float:
     """Choose the lowest threshold that keeps the share of wrong decisions at or below `risk`, 0 to 1.
 
-    `homes` holds decisions of systems that have not seen the home. Returns one of the confidences, or
-    infinity if none is high enough.
+    `homes` holds the decisions in each home of a system that was not trained on it. Returns one of their
+    confidences, or infinity if none is high enough.
 
     References
     ----------
-    Y. Geifman and R. El-Yaniv, Selective Classification for Deep Neural Networks, NeurIPS 2017. Their bound
-    assumes independent frames and is not used: the frames of a walk are dependent.
+    Y. Geifman and R. El-Yaniv, Selective Classification for Deep Neural Networks, NeurIPS 2017. This function
+    does not use their bound, which assumes independent frames: the frames of a walk are dependent.
     """
     confidence, wrong, weight = (np.concatenate(parts) for parts in zip(*homes, strict=True))
     order = np.argsort(-confidence, kind="stable")
     confidence, weight = confidence[order], weight[order]
     risks = np.cumsum(weight * wrong[order]) / np.cumsum(weight)
-    # Equal confidences form one group.
+    # A threshold cannot separate equal confidences.
     is_last = np.append(confidence[1:] != confidence[:-1], True)
     good = np.flatnonzero(is_last & (risks <= risk + _ROUNDING))
     return float(confidence[good[-1]]) if len(good) else math.inf
@@ -88,7 +89,7 @@ def select(homes: Sequence[Decided], thresholds: Sequence[float]) -> Selection:
 
 
 def select_unseen(homes: Mapping[str, Decided], risk: float) -> Selection:
-    """Measure each home (at least two) with the threshold chosen on the other homes."""
+    """Measure each of at least two homes with the threshold chosen on the other homes."""
     thresholds = [
         choose_threshold([other for name, other in homes.items() if name != home], risk) for home in homes
     ]

@@ -1,4 +1,4 @@
-"""Stays: visits to a place, each named by the decisions on all its frames (an addition to the thesis)."""
+"""Stays: visits to a place, each named by the decisions on its frames (an addition to the thesis)."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 
 class Stay(NamedTuple):
-    """A visit: class index of the place, first frame, and the frame after the last."""
+    """A visit: the place's class index, the first frame, and the frame after the last."""
 
     place: int
     start: int
@@ -16,7 +16,7 @@ class Stay(NamedTuple):
 
 
 def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
-    """Find the maximal runs of one labelled place, in temporal order.
+    """Find the maximal runs of frames with the same label, in temporal order.
 
     `truth` is (frames,) class indices in temporal order, -1 for unlabelled frames and transitions, which end
     a stay. `sequences` are uncut stretches that together cover all frames; a cut also ends a stay.
@@ -38,10 +38,10 @@ def find_stays(truth: ArrayLike, sequences: Sequence[slice]) -> list[Stay]:
 def stays_by_class(
     truth: ArrayLike, decision: ArrayLike, sequences: Sequence[slice], n_classes: int
 ) -> NDArray[np.int64]:
-    """Count all stays and the correctly named stays of each class: (n_classes, 2).
+    """Return the (n_classes, 2) counts of all stays and of correctly named stays.
 
     A stay is named correctly if more of its frames are decided as its place than as any other place. A tie
-    counts as wrong, so the order of the classes does not matter. `truth` and `sequences` are as in
+    counts as wrong, so the order of the classes does not matter. `truth` and `sequences` are as for
     :func:`find_stays`; `decision` is (frames,) integers in [0, n_classes).
     """
     decision = np.asarray(decision, dtype=np.int64)
@@ -54,9 +54,9 @@ def stays_by_class(
 
 
 def stay_accuracy(counts: NDArray[np.int64]) -> float:
-    """Percentage of correctly named stays, averaged over the classes present; NaN without stays.
+    """Return the percentage of correctly named stays, averaged over the classes present; NaN without stays.
 
-    This applies the frame measure (thesis 4.2) to stays: a place visited often does not outweigh others.
+    This applies the frame measure (thesis 4.2) to stays: a frequently visited place does not outweigh others.
     `counts` comes from :func:`stays_by_class`.
     """
     there = counts[counts[:, 0] > 0]

@@ -1,4 +1,4 @@
-"""Estimate of the share of cases beyond a threshold from a few units."""
+"""Estimate the share of cases beyond a threshold from a few units."""
 
 from collections.abc import Sequence
 from functools import lru_cache
@@ -9,21 +9,21 @@ from scipy import optimize, special
 
 from placecat.evaluation.bootstrap import Interval
 
-# Quadrature nodes over the scale of a t distribution.
+# Number of quadrature nodes over the scale of a t distribution.
 _NODES = 200
 
 
 def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level: float = 0.95) -> Interval:
-    """Estimate the share, 0 to 1, of cases at or below a threshold, over known and unknown units.
+    """Estimate the share, 0 to 1, of cases at or below a threshold, in the known and all other units.
 
     A unit, e.g. a home, has several cases, e.g. the gains of some methods. Cases are modelled as normal: the
-    mean is taken over units, and the variance is the variance of the unit means plus the mean variance within
+    mean is the mean of the unit means, and the variance is their variance plus the mean variance within
     units. Counting cases could never show that a share is small: for six homes without such a case, the upper
     limit is 46 % (Clopper and Pearson). The limits come from the noncentral t distribution. They are exact if
     each unit has one case or identical cases, and wide otherwise, since each unit then counts as one case.
 
-    `units` holds at least 2 arrays of (cases,) values; if all are identical, the interval is the point 0 or
-    1. `level`, the level of the interval, is between 0 and 1.
+    `units` holds at least 2 arrays of (cases,) values; if all values are identical, the interval is the point
+    0 or 1. `level` is the interval's level, between 0 and 1.
 
     References
     ----------
@@ -47,7 +47,7 @@ def share_below(units: Sequence[NDArray[np.float64]], threshold: float, *, level
 
 def _noncentrality(t: float, freedom: int, below: float) -> float:
     """Find the noncentrality at which a t variable is at most `t` with probability `below`."""
-    # scipy's distribution function fails far from 0, so this code averages over the scale instead.
+    # scipy's distribution function fails far from 0, so average over the scale instead.
     scale, weights = _scales(freedom)
     reach = 10.0 + 5.0 * abs(t)
     return float(
@@ -61,6 +61,6 @@ def _noncentrality(t: float, freedom: int, below: float) -> float:
 
 @lru_cache
 def _scales(freedom: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Scales of a t distribution, relative to their mean in square, and their weights, which sum to 2."""
+    """Return scales of a t distribution, with root mean square 1, and their weights, which sum to 2."""
     nodes, weights = np.polynomial.legendre.leggauss(_NODES)
     return np.sqrt(2.0 * special.gammaincinv(freedom / 2.0, (nodes + 1.0) / 2.0) / freedom), weights

@@ -1,4 +1,4 @@
-"""Trials: the cues behind the cells of a table, each with some settings changed."""
+"""Trials: the cues behind a table's cells, each with some settings changed."""
 
 import itertools
 import json
@@ -15,9 +15,9 @@ HOMES = "homes"
 
 @dataclass(frozen=True)
 class Trial:
-    """One cue to train and test in some homes.
+    """A cue to train and test in some homes.
 
-    `name` consists of the table and its axis labels, with an empty label for the homes, e.g.
+    `name` consists of the table's name and a label per axis, empty for the axis of homes, e.g.
     ``trials/table_12/HOG + y-Pos||196``. `settings` are ``descriptor``, ``classifier`` and, for classifiers
     on clusters, ``codebook``. `homes` are the test homes.
     """
@@ -27,17 +27,17 @@ class Trial:
     homes: tuple[str, ...]
 
     def key(self) -> str:
-        """Text that identifies the computation; equal trials of several tables are computed once."""
+        """Return text that identifies the computation, so trials that several tables share run only once."""
         return json.dumps(self.settings, sort_keys=True)
 
 
 def trial_name(table: str, group: str, row: str, column: str) -> str:
-    """Name of a trial's result."""
+    """Return the name of a trial's result."""
     return f"trials/{table}/{group}|{row}|{column}"
 
 
 def homes_of(table: Mapping[str, Any], homes: list[str]) -> list[tuple[int, str]]:
-    """Number (from 1) and name of each home that a table tests and the data set contains.
+    """Return the number (from 1) and name of each home that a table tests and the data set contains.
 
     The table's ``homes`` are numbers from 1, or ``all``; `homes` are the names of the data set's homes.
     """
@@ -46,10 +46,11 @@ def homes_of(table: Mapping[str, Any], homes: list[str]) -> list[tuple[int, str]
 
 
 def expand(name: str, table: Mapping[str, Any], homes: list[str]) -> list[Trial]:
-    """List the trials of one table, e.g. ``table_12``, in the data set's homes.
+    """List a table's trials in the data set's homes.
 
-    `table` is its configuration: ``trial``, ``homes`` and ``axes`` (see data/thesis/tables). An unknown axis,
-    or an override of a setting that the trial lacks, raises PlacecatError.
+    `name` is the table's name, e.g. ``table_12``, and `table` its configuration: ``trial``, ``homes`` and
+    ``axes`` (see data/thesis/tables). Raises PlacecatError for an unknown axis, or an override of a setting
+    that the trial lacks.
     """
     unknown = set(table["axes"]) - set(AXES)
     if unknown:

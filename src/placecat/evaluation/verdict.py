@@ -12,7 +12,7 @@ UNDECIDED = "undecided"
 
 @dataclass(frozen=True)
 class Range:
-    """Range that a claim allows for a difference: strictly between `low` and `high`; ends may be infinite."""
+    """The open range that a claim allows for a difference; its ends `low` and `high` may be infinite."""
 
     low: float
     high: float
@@ -25,28 +25,28 @@ class Range:
         return f"between {self.low:g} and {self.high:g}"
 
     def margin(self, interval: Interval) -> float:
-        """Distance from the interval to the nearer end of the range; negative if it extends beyond."""
+        """Return how far the interval is from the nearer end of the range; negative if it extends beyond."""
         return min(interval.low - self.low, self.high - interval.high)
 
 
 def corrected_level(level: float, comparisons: int) -> float:
-    """Return the level that each of several intervals needs for a joint level of `level` (Bonferroni).
+    """Return the level that each interval needs for a joint level of `level` (Bonferroni).
 
-    Holm's procedure starts with the same level, so it finds a failing comparison exactly when this does. In
+    Holm's procedure starts at the same level, so it finds a failing comparison exactly when this does. In
     12000 simulations, with intervals over four or six units and every comparison exactly on the edge of
     failing, at least one of 2, 5 or 14 independent comparisons fails in 3 to 5 % if units are normal and in 2
-    to 4 % if they follow Student's t with 3 degrees of freedom. It is 15 to 36 % if units are exponential
-    with the long tail on the claim's side, where intervals over so few skewed units are too short.
+    to 4 % if they follow Student's t with 3 degrees of freedom. The share is 15 to 36 % if units are
+    exponential with the long tail on the claim's side: intervals over so few skewed units are too short.
     """
     return 1.0 - (1.0 - level) / comparisons
 
 
 def judge(interval: Interval, claimed: Range, corrected: Interval | None = None) -> str:
-    """Judge one comparison: `HOLDS`, `FAILS` or `UNDECIDED`.
+    """Judge one comparison as `HOLDS`, `FAILS` or `UNDECIDED`.
 
-    It holds if the interval lies entirely in the range. It fails if `corrected` lies entirely outside.
-    `corrected` is the wider interval of a claim with several comparisons (:func:`corrected_level`); None to
-    use `interval`.
+    The comparison holds if `interval` lies entirely in the range, and fails if `corrected` lies entirely
+    outside. `corrected` is the wider interval for a claim with several comparisons (:func:`corrected_level`);
+    None stands for `interval`.
     """
     if claimed.low < interval.low and interval.high < claimed.high:
         return HOLDS
@@ -57,10 +57,10 @@ def judge(interval: Interval, claimed: Range, corrected: Interval | None = None)
 
 
 def combine(verdicts: Collection[str]) -> str:
-    """Verdict on a claim with several comparisons: all must hold, and a single failure is enough.
+    """Combine the verdicts on a claim's comparisons: the claim holds if all hold, and fails if any fails.
 
-    "All hold" needs no correction for the number of comparisons: if one is false, that one must hold by
-    chance (an intersection-union test). "One fails" needs it: each of k true comparisons may fail by chance,
+    "All hold" needs no correction for the number of comparisons: if one is false, that very one must hold by
+    chance (an intersection-union test). "Any fails" needs it: each of k true comparisons may fail by chance,
     so `judge` uses the corrected interval.
     """
     if FAILS in verdicts:
@@ -69,12 +69,12 @@ def combine(verdicts: Collection[str]) -> str:
 
 
 def judge_shares(worse: Interval, better: Interval, rare: float) -> str:
-    """Judge whether something hurts as well as helps.
+    """Judge whether something both hurts and helps.
 
-    `worse` and `better` are the shares of cases, 0 to 1, that it makes worse and better; `rare` is the
-    largest share that counts as an exception. The verdict is `HOLDS` if both intervals lie entirely above
-    `rare`, `FAILS` if one lies entirely below it, else `UNDECIDED`. With two 95 % intervals a false `FAILS`
-    occurs in at most 5 % of cases, since each is too low in 2.5 %.
+    `worse` and `better` are intervals for the shares of cases, 0 to 1, that it makes worse and better; `rare`
+    is the largest share that counts as an exception. The verdict is `HOLDS` if both intervals lie entirely
+    above `rare`, `FAILS` if either lies entirely below it, and otherwise `UNDECIDED`. With two 95 %
+    intervals, a false `FAILS` occurs at most 5 % of the time, since each is too low 2.5 % of the time.
     """
     if worse.low > rare and better.low > rare:
         return HOLDS

@@ -1,4 +1,5 @@
-"""Plan a replication: how many homes decide each finding, and how often the rule errs.
+"""Plan and run a replication of the findings on more homes.
 
-It is used before a run; no stage uses it.
+Before a run, the package computes how many homes decide each finding, and how often the rule errs. No stage
+uses the package.
 """

@@ -19,20 +19,20 @@ ACCURACIES, POWER = "accuracies.csv", "power.csv"
 
 
 def run(overrides: Sequence[str], numbers: Sequence[int] = ()) -> str:
-    """Run the groups of a data set, and judge the findings on the homes of all; return what to print.
+    """Run a data set's groups of homes and judge the findings on all of them; return what to print.
 
     Parameters
     ----------
     overrides
         Hydra overrides of conf/ that choose the data set.
     numbers
-        Numbers of the groups to run, by default all; the results of the others are taken from
-        reports/replication, where those of `numbers` are written.
+        Numbers of the groups to run, by default all. Their results are written to reports/replication, and
+        those of the other groups are read from there.
 
     Raises
     ------
     PlacecatError
-        For wrong settings, too few homes or an unknown group; if `make repro` has not run or a stage fails.
+        For invalid settings, too few homes or an unknown group; if `make repro` has not run or a stage fails.
     """
     chosen = options.read()
     params = yaml.load(compose.compose(overrides), Loader=settings.Loader)
@@ -57,7 +57,7 @@ def run(overrides: Sequence[str], numbers: Sequence[int] = ()) -> str:
 
 
 def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options) -> str:
-    """Judge the findings on the results in reports/replication, write the ledger there; return a summary."""
+    """Judge the findings on the results in reports/replication; write the ledger there, return a summary."""
     of_groups = [(group.number, group.homes) for group in planned]
     results = group_results.pooled(of_groups, params, read_results(settings.load()))
     homes = [homes for _, homes in of_groups]
@@ -91,7 +91,7 @@ def judge(params: dict, planned: Sequence[groups.Group], chosen: options.Options
 
 
 def _with_others(table: pd.DataFrame, path: Path, key: str) -> pd.DataFrame:
-    """Add the rows of the project's ledger on other data than homes, with ``replicated`` False."""
+    """Add the rows that only the project's ledger has, with ``replicated`` False."""
     text = table.select_dtypes(exclude="number").columns
     others = files.read_table(path, text)
     others = others[~others[key].isin(table[key])].assign(replicated=False)
@@ -101,7 +101,7 @@ def _with_others(table: pd.DataFrame, path: Path, key: str) -> pd.DataFrame:
 
 
 def _remove_other_groups(count: int) -> None:
-    """Remove the results of groups of an earlier data set with more homes."""
+    """Remove the results of groups left over from a data set with more homes."""
     expected = {group_results.folder_of(number) for number in range(1, count + 1)}
     for folder in paths.REPLICATION.glob("group_*"):
         if folder not in expected:

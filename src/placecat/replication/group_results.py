@@ -1,4 +1,4 @@
-"""The results of groups of homes in reports/replication, and all of them together."""
+"""The results of each group of homes, in reports/replication, and of all groups pooled."""
 
 import hashlib
 import json
@@ -20,20 +20,20 @@ _OTHER_DATA = ("splits/", "toy/")
 
 
 def is_of_homes(result: str) -> bool:
-    """Whether a result is measured in the homes, not in the university, the apartments or the toy problem."""
+    """Whether a result is measured in the homes, not the university, the apartments or the toy problem."""
     return not result.startswith(_OTHER_DATA)
 
 
 def folder_of(number: int) -> Path:
-    """Folder with the results of a group, in git."""
+    """Return the folder of a group's results, which is in git."""
     return paths.REPLICATION / f"group_{number}"
 
 
 def write(target: Path, run: Path, homes: Sequence[str], params: Mapping[str, Any]) -> None:
-    """Copy the results of a group from the folder of its run.
+    """Copy a group's results from the folder of its run to `target`.
 
-    Writes the counts of decisions in its homes, the tables as one file, the missing results, what the
-    information filters drop, and the homes and settings.
+    Writes the counts of decisions in the group's homes, all tables as one file, the missing results, the
+    numbers of frames that the information filters drop, and the homes with a checksum of the settings.
     """
     scores = files.read_csv(run / paths.SCORES / "scores.csv")
     text = [name for name in scores.columns if name != "frames"]
@@ -47,15 +47,15 @@ def write(target: Path, run: Path, homes: Sequence[str], params: Mapping[str, An
         scores.to_parquet(folder / SCORES, index=False, compression="zstd")
         for name in (MISSING, DROPPED):
             files.write_csv(folder / name, files.read_csv(run / paths.SCORES / name))
-        # Notes are those of reports/tables.
+        # Leave out the notes, which are the same as in reports/tables.
         files.write_csv(folder / TABLES, pd.concat(tables, ignore_index=True).drop(columns="note"))
         files.write_json(folder / FACTS, {"homes": list(homes), "settings": _comparable(params)})
 
 
 def _comparable(params: Mapping[str, Any]) -> str:
-    """Checksum of all settings but the homes: groups with other settings are not pooled."""
+    """Return a checksum of all settings but the homes; only groups with the same checksum are pooled."""
     dataset = {name: one for name, one in params["dataset"].items() if name not in ("homes", "root")}
-    # A camera or a frame rate for each home.
+    # Leave out settings with a value for each home, e.g. cameras and frame rates.
     dataset = {
         name: one for name, one in dataset.items() if not (isinstance(one, Mapping) and name != "aliases")
     }
@@ -66,7 +66,7 @@ def _comparable(params: Mapping[str, Any]) -> str:
 def pooled(
     groups: Sequence[tuple[int, Sequence[str]]], params: Mapping[str, Any], others: Results
 ) -> Results:
-    """Read the results of all groups as those of one data set.
+    """Read the results of all groups as if they were one data set.
 
     Parameters
     ----------
@@ -75,12 +75,12 @@ def pooled(
     params
         All settings.
     others
-        The project's results, which those in other data than homes are taken from.
+        The project's results; those on data other than homes are added.
 
     Raises
     ------
     PlacecatError
-        If the results of a group are missing, or are of other homes or settings.
+        If a group's results are missing, or belong to other homes or settings.
     """
     scores, missing, dropped = [], [], []
     for number, homes in groups:

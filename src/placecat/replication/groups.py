@@ -1,4 +1,4 @@
-"""Groups of homes, each run through the thesis's protocol in a folder of its own."""
+"""Groups of homes; the thesis's protocol runs on each group in a separate folder."""
 
 import hashlib
 import json
@@ -44,21 +44,21 @@ LINKED = (
     paths.BENCHMARKS,
     paths.SCALE_STAGES,
 )
-"""What these stages need besides, from the project."""
+"""What else these stages need from the project."""
 
 _DONE = "done.json"
 
 
 @dataclass(frozen=True)
 class Group:
-    """Some homes of a data set.
+    """A group of a data set's homes.
 
     Attributes
     ----------
     number
-        Number of the group, from 1.
+        The group's number, from 1.
     homes
-        Their names, in order.
+        Names of the homes, in order.
     params
         All settings of a run on these homes only.
     """
@@ -69,14 +69,14 @@ class Group:
 
     @property
     def folder(self) -> Path:
-        """Working folder, not in git."""
+        """The group's working folder, which is not in git."""
         return paths.REPLICATION_DATA / f"group_{self.number}"
 
 
 def split(params: Mapping[str, Any], size: int) -> tuple[list[Group], tuple[str, ...]]:
-    """Split the homes of a data set into groups, in the order of ``dataset.homes``.
+    """Split a data set's homes into groups of `size`, in the order of ``dataset.homes``.
 
-    Returns the groups, and the homes at the end that are too few for another group. Raises PlacecatError if
+    Returns the groups, and the remaining homes, which are too few for another group. Raises PlacecatError if
     there are fewer than two groups.
     """
     homes = [str(home) for home in settings.get(params, "dataset.homes")]
@@ -94,18 +94,18 @@ def split(params: Mapping[str, Any], size: int) -> tuple[list[Group], tuple[str,
 
 
 def _restricted(params: Mapping[str, Any], of_group: Sequence[str], homes: Sequence[str]) -> dict[str, Any]:
-    """The settings for some homes; a setting with a value for each home keeps those of its homes."""
+    """Restrict the settings to a group's homes, including settings with a value for each home."""
     dataset = dict(params["dataset"])
     for name, value in dataset.items():
         if isinstance(value, Mapping) and value and set(value) <= set(homes):
             dataset[name] = {home: one for home, one in value.items() if home in of_group}
-    # Stages run in another folder.
+    # Make the path absolute, since stages run in another folder.
     root = str(Path(dataset["root"]).resolve())
     return {**params, "dataset": {**dataset, "homes": list(of_group), "root": root}}
 
 
 def run(group: Group) -> bool:
-    """Run the stages of a group and write its results to reports/replication, unless nothing has changed.
+    """Run a group's stages and write its results to reports/replication, unless nothing has changed.
 
     A killed run continues where it stopped. Returns whether anything ran. Raises PlacecatError if a stage
     fails, `make repro` has not run, or another process runs this group.
@@ -134,7 +134,7 @@ def run(group: Group) -> bool:
 
 
 def _run_stage(folder: Path, stage: str, command: Sequence[str]) -> None:
-    # The stage ends if this process is killed.
+    # These variables make the stage end if this process is killed.
     environment = os.environ | {"DVC_STAGE": stage, lifeline.DVC: str(os.getpid())}
     status = subprocess.run(command, cwd=folder, env=environment, check=False).returncode
     if status != 0:
@@ -153,7 +153,7 @@ def _is_done(folder: Path, target: Path) -> bool:
 
 
 def _inputs(folder: Path) -> str:
-    """Checksum of the state of settings, code and data (:func:`placecat.runs.unchanged.state`)."""
+    """Return a checksum of the stages' settings, code and data (:func:`placecat.runs.unchanged.state`)."""
     with chdir(folder):
         state = {path: of_path for stage in STAGES for path, of_path in unchanged.state(stage).items()}
     return hashlib.sha256(json.dumps(state, sort_keys=True).encode()).hexdigest()

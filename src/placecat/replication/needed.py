@@ -1,4 +1,4 @@
-"""Compute how many homes decide each finding, from the spread between the homes of a run."""
+"""Compute how many homes decide each finding, from the spread between homes in a run."""
 
 import re
 from pathlib import Path
@@ -20,18 +20,18 @@ _WANTED = 0.8
 
 
 class Run(NamedTuple):
-    """Number of homes in the run that the spread comes from, and the level of its intervals."""
+    """A run that the spread comes from: its number of homes and the level of its intervals."""
 
     homes: int
     level: float
 
 
 SIX = Run(6, 0.95)
-"""The run of the data set that comes with the project."""
+"""The run on the data set that comes with the project."""
 
 
 class _Comparison(NamedTuple):
-    """Share of the homes, spread between them, claimed range, published and measured difference."""
+    """Share of homes that count, spread between homes, claimed range, published and measured difference."""
 
     share: float
     deviation: float
@@ -48,19 +48,21 @@ def power_table(
     Parameters
     ----------
     comparisons
-        The comparisons of the ledger of one run.
+        The comparisons in a run's ledger.
     homes, group, level
-        Number of homes in the replication, a multiple of those in a group, and the level of its intervals.
+        Number of homes in the replication, a multiple of the group size; the group size; and the level of the
+        replication's intervals.
     run
         The run that the comparisons are from.
 
     Returns
     -------
     pandas.DataFrame
-        One row per finding: number, units (homes of the replication that decide it) and spread (largest
-        standard deviation between homes, points). Also, once for the published and once for the measured
-        differences as truth: power (probability of a verdict with `homes` homes) and needed (homes for 80 %).
-        NaN if unknown: for comparisons of one home, of stays or of shares, and for unpublished differences.
+        One row per finding: number, comparisons (their number), units (number of the replication's homes that
+        count, 0 if unknown) and spread (largest standard deviation between homes, points). Also power
+        (probability of a verdict with `homes` homes) and needed (number of homes for a power of 80 %,
+        infinite above `MOST`), once if the published and once if the measured differences are true. Unknown
+        numbers are NaN: for comparisons of one home, of stays or of shares, and for unpublished differences.
     """
     rows = []
     for number, of_finding in comparisons[comparisons["reading"].fillna("") == ""].groupby("finding"):
@@ -105,7 +107,7 @@ def _claimed(text: str) -> Range | None:
 
 
 def _power(known: list[_Comparison], effects: list[float], homes: int, level: float) -> float:
-    """Probability of the likelier verdict, if comparisons are independent."""
+    """Return the probability of the likelier verdict if comparisons are independent."""
     wide = corrected_level(level, len(known))
     holds, no_failure = 1.0, 1.0
     for one, effect in zip(known, effects, strict=True):
@@ -124,7 +126,7 @@ def _needed(known: list[_Comparison], effects: list[float], group: int, level: f
 
 
 def markdown(table: pd.DataFrame) -> str:
-    """Write the table of :func:`power_table` for docs/replication.md."""
+    """Format the table of :func:`power_table` as Markdown for docs/replication.md."""
     lines = [
         "| finding | comparisons | homes that count | spread | power, needed: as published | as measured |",
         "|---:|---:|---:|---:|---:|---:|",

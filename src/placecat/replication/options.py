@@ -1,4 +1,4 @@
-"""Settings of `placecat replicate`, in conf/replication.yaml."""
+"""The settings of `placecat replicate`, from conf/replication.yaml."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,16 +11,16 @@ SETTINGS = paths.CONF / "replication.yaml"
 
 @dataclass(frozen=True)
 class Options:
-    """How many homes are judged.
+    """How to group homes and judge the findings on them.
 
     Attributes
     ----------
     group
-        Homes of a group, 3 or more.
+        Number of homes in a group, at least 3.
     level
         Level of the intervals, above 0.5 and below 1.
     shared
-        Share of variance, 0 to 1, above which a verdict is marked.
+        Share of variance that a group's homes have in common, 0 to 1, above which a verdict is marked.
     """
 
     group: int
@@ -28,7 +28,7 @@ class Options:
     shared: float
 
     def __post_init__(self) -> None:
-        """Raise SettingError for a value out of its range."""
+        """Raise SettingError if a value is out of range."""
         if self.group < 3:
             raise SettingError(f"group must be 3 or more, not {self.group}")
         if not 0.5 < self.level < 1.0:
@@ -38,6 +38,6 @@ class Options:
 
 
 def read(path: Path = SETTINGS) -> Options:
-    """Read the settings; raises PlacecatError if one is unknown, missing, or of the wrong type or range."""
+    """Read the settings; raises PlacecatError if one is unknown, missing, out of range or of a wrong type."""
     content = conf_file.read(path, ("group", "level", "shared"))
     return settings.call(Options, settings=content, where=str(path))

@@ -1,4 +1,4 @@
-"""The findings judged on the homes of all groups."""
+"""Judge the findings on the homes of all groups."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -28,26 +28,26 @@ def judge(
     published: Published,
     groups: Sequence[Sequence[str]],
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
-    """Judge every finding about homes, on the homes of all groups.
+    """Judge every finding about homes on the homes of all groups.
 
     Parameters
     ----------
     findings, verdict, published
         As for :func:`placecat.thesis.findings.ledger`; the level of `options` replaces that of `verdict`.
     options
-        Settings of the replication.
+        The replication's settings.
     results
         Results of all groups.
     groups
-        Names of the homes of each group.
+        Names of the homes in each group.
 
     Returns
     -------
     findings, comparisons
-        The tables of the ledger without the findings about other data, each with a further column ``shared``:
-        the share of the variance between homes that groups have in common
-        (:func:`placecat.replication.shared.shared_variance`), NaN if unknown, and for a finding the largest
-        of its comparisons. The reason of a verdict says so if it is above the setting.
+        The ledger's tables without the findings about other data. Each has a further column ``shared``: the
+        share of variance that a group's homes have in common
+        (:func:`placecat.replication.shared.shared_variance`), NaN if unknown; a finding shows the largest
+        share of its comparisons. If this exceeds `options.shared`, the verdict's reason says so.
     """
     of_homes = {name: one for name, one in findings.items() if _is_about_homes(read_finding(name, one))}
     rules = {**verdict, "level": options.level}
@@ -72,7 +72,7 @@ def judge(
 
 
 def _readings(finding: Finding) -> list[Finding]:
-    """The finding and its other readings, in the order of the ledger."""
+    """Return the finding and its other readings, in the ledger's order."""
     return [finding, *(finding.read_as(reading) for reading in finding.readings)]
 
 
@@ -93,11 +93,11 @@ def _shared(comparison: Comparison, results: Results, group_of: Mapping[str, int
 
 
 def accuracies(results: Results) -> pd.DataFrame:
-    """Summarize the accuracy of every result over homes.
+    """Summarize each result's accuracies over homes.
 
-    Returns the columns result, homes (their number), accuracy, deviation (standard deviation between homes),
-    smallest and largest, in percent and points, mean over seeds, 2 decimals. Results in other data are left
-    out.
+    Returns the columns result, homes (their number), accuracy (mean), deviation (standard deviation between
+    homes), smallest and largest, in percent or points with 2 decimals. Each home counts with its mean over
+    seeds. Results on other data are left out.
     """
     rows = []
     for name, one in results.measured.items():

@@ -1,4 +1,4 @@
-"""The variance that homes of a group have in common, since they train each other."""
+"""The variance that homes in a group have in common, since each is training data for the others."""
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -8,20 +8,20 @@ def shared_variance(values: ArrayLike, groups: ArrayLike) -> float:
     """Estimate the share of variance that members of a group have in common.
 
     This is the intraclass correlation of a one-way analysis of variance with random groups,
-    (B - W) / (B + (n - 1) W), with the mean squares B between and W within groups, and n members of a group
-    (an effective number for unequal groups).
+    (B - W) / (B + (n - 1) W). B and W are the mean squares between and within groups, and n is the number of
+    members per group (an effective number if groups differ in size).
 
     Parameters
     ----------
     values
-        (n,) value of each member.
+        (members,) value of each member.
     groups
-        (n,) number of its group.
+        (members,) number of each member's group.
 
     Returns
     -------
     float
-        At most 1; below 0 if groups differ less than chance makes them. NaN with less than two groups, with
+        At most 1; below 0 if groups differ less than expected by chance. NaN with fewer than two groups, with
         one member in each group, or if all values are equal.
 
     References

@@ -1,4 +1,4 @@
-"""Compute before a run how many homes decide a claim, and how often the rule decides wrongly."""
+"""Compute, before a run, how many homes decide a claim and how often the rule decides wrongly."""
 
 import math
 
@@ -10,27 +10,27 @@ from placecat.evaluation.bootstrap import stretch
 from placecat.evaluation.verdict import Range
 
 SHAPES = ("normal", "exponential", "student")
-"""Distributions of the difference in a home; the second is skewed, the third has 3 degrees of freedom."""
+"""Distributions of the difference in a home; `exponential` is skewed, `student` has 3 degrees of freedom."""
 
 _DRAWS = 4000
 
 
 def spread(low: float, high: float, homes: int, level: float = 0.95) -> float:
-    """Estimate the standard deviation between homes from an interval of a mean difference.
+    """Estimate the standard deviation between homes from the interval of a mean difference.
 
     Parameters
     ----------
     low, high
         Ends of the interval.
     homes
-        Number of homes, each one unit; at least 2.
+        Number of units, usually homes; at least 2.
     level
-            Level of the interval.
+        Level of the interval.
 
     Returns
     -------
     float
-        The deviation in the unit of the ends.
+        The deviation, in the unit of the ends.
     """
     half = (high - low) / 2.0
     return half * math.sqrt(homes) / float(stats.t.ppf((1.0 + level) / 2.0, homes - 1))
@@ -39,19 +39,19 @@ def spread(low: float, high: float, homes: int, level: float = 0.95) -> float:
 def power(
     effect: float, deviation: float, homes: int, claimed: Range, *, level: float = 0.95, wide: float = 0.95
 ) -> tuple[float, float]:
-    """Compute how often a comparison gets each verdict, if homes are normal and independent.
+    """Compute the probability of each verdict on a comparison if homes are normal and independent.
 
     Parameters
     ----------
     effect, deviation
-        Mean and standard deviation of the difference between homes, in points.
+        Mean and standard deviation, over homes, of the compared difference, in points.
     homes
         Number of homes, at least 2.
     claimed
         Range that the claim allows.
     level, wide
-        Levels of the interval that must be inside, and of the one that must be outside
-        (`placecat.evaluation.verdict.corrected_level`).
+        Level of the interval that must lie inside the range for `holds`, and of the one that must lie outside
+        for `fails` (`placecat.evaluation.verdict.corrected_level`).
 
     Returns
     -------
@@ -77,14 +77,14 @@ def homes_needed(
     group: int = 6,
     most: int = 600,
 ) -> int | None:
-    """Find the smallest number of homes, in whole groups, that reaches a power.
+    """Find the smallest number of homes, in whole groups, that reaches the wanted power.
 
     Parameters
     ----------
     effect, deviation, claimed, wide
         As for :func:`power`.
     wanted
-        Probability of a verdict, whichever is right for `effect`.
+        Probability that the likelier verdict must reach.
     group
         Number of homes in a group.
     most
@@ -114,33 +114,34 @@ def error_rate(
     resamples: int = 1000,
     seed: int = 0,
 ) -> float:
-    """Simulate how often the rule of the ledger decides wrongly.
+    """Simulate how often the ledger's rule decides wrongly.
 
-    Every simulation draws homes, computes the interval over them
-    (:func:`placecat.evaluation.bootstrap.paired_bootstrap`) and judges it. All use the same resamples, as the
-    ledger does for a finding.
+    Each simulation draws homes, computes the interval over them
+    (:func:`placecat.evaluation.bootstrap.paired_bootstrap`) and judges it. All simulations use the same
+    resamples, since the ledger also uses a fixed seed for each comparison.
 
     Parameters
     ----------
     truth
         True mean difference; homes have a standard deviation of 1.
     claimed
-        Range of the claim. `holds` is wrong if the truth is outside, `does not hold` if it is inside.
+        The claim's range. `holds` is wrong if the truth is outside, `does not hold` if it is inside.
     homes
         Number of homes, a multiple of `group`.
     shape
-        One of `SHAPES`; a minus sign before it, "-exponential", turns the tail to the other side.
+        One of `SHAPES`; a leading minus sign, as in "-exponential", turns the tail to the other side.
     group, shared
-        Size of a group, and the share of variance that its homes have in common since they train each other.
+        Group size, and the share of variance that a group's homes have in common since each is training data
+        for the others.
     level
-            Level of the interval.
+        Level of the interval.
     simulations, resamples, seed
-        Numbers of simulations and resamples, and the seed of the homes.
+        Numbers of simulations and resamples, and the seed for drawing homes.
 
     Returns
     -------
     float
-        Share of the simulations with a wrong verdict.
+        Share of simulations with a wrong verdict.
     """
     rng = np.random.default_rng(seed)
     sign, name = (-1.0, shape[1:]) if shape.startswith("-") else (1.0, shape)
@@ -159,7 +160,7 @@ def error_rate(
 
 
 def _drawn(rng: np.random.Generator, shape: str, size: tuple[int, int]) -> NDArray[np.float64]:
-    """Draw numbers of mean 0 and variance 1."""
+    """Draw numbers with mean 0 and variance 1."""
     if shape == "normal":
         return rng.standard_normal(size)
     if shape == "exponential":

@@ -1,4 +1,4 @@
-"""Results of a run: their types and files."""
+"""The types and files of a run's results."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,14 +10,15 @@ if TYPE_CHECKING:
 def load(project: Path | str = ".") -> "pd.DataFrame":
     """Load every number of the tables and of the text as one table, one row per cell.
 
-    `project` is the project's folder; raises PlacecatError if its stage `report` has not run. Columns:
+    `project` is the project's folder. Raises PlacecatError if the stage `report` has not run there. Columns:
     ``cell`` is the cell's number (for ``placecat explain``); ``table``, ``title``, ``group``, ``row`` and
-    ``column`` locate it; ``home`` is its only test home, or "all". ``quantity`` is the measured quantity;
-    ``measured``, ``published`` and their ``difference`` are in ``unit``, NaN if missing. ``spread`` is the
-    largest minus the smallest number of the ``seeds``, which ``seed_names`` and ``by_seed`` list. ``note``
-    says why the two numbers differ or one is missing; ``findings`` use the cell. Its origin: ``data`` and
+    ``column`` locate the cell; ``home`` is its only test home, or "all". ``quantity`` is the measured
+    quantity; ``measured``, ``published`` and their ``difference`` are in ``unit``, NaN if missing. ``spread``
+    is the largest minus the smallest number over the ``seeds``; ``seed_names`` and ``by_seed`` list the seeds
+    and their numbers. ``note`` says why the two numbers differ or one is missing; ``findings`` lists the
+    findings that use the cell. These columns tell where the number comes from: ``data`` and
     ``published_data``; ``results``, ``system``, ``cues``, ``classifiers``, ``descriptors``, ``filter`` and
-    ``plan``; ``trained_on``, and the numbers of frames that trained the cues (``training_frames``) and the
+    ``plan``; ``trained_on``; the numbers of frames that trained the cues (``training_frames``), trained the
     integration (``integration_frames``) and were tested (``tested_frames``); ``settings`` as JSON; and DVC's
     ``stages``.
     """

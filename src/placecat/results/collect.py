@@ -15,7 +15,7 @@ from placecat.results.quality import TEXT_COLUMNS, from_rows
 def read_results(params: Mapping[str, Any]) -> Results:
     """Read all results of a run; raises PlacecatError if the stage `scores` has not run.
 
-    `params` has the names of homes and places.
+    `params` holds all settings, including the names of homes and places.
     """
     others = [split["dataset"]["classes"] for split in settings.get(params, "splits").values()]
     results = from_scores(
@@ -32,7 +32,7 @@ def read_results(params: Mapping[str, Any]) -> Results:
 
 
 def _read(name: str) -> pd.DataFrame:
-    # Names of homes can look like numbers.
+    # Convert names to text, since names of homes can look like numbers.
     table = files.read_csv(paths.SCORES / f"{name}.csv")
     text = [column for column in table.columns if column != "frames"]
     return table.astype(dict.fromkeys(text, str))

@@ -1,4 +1,4 @@
-"""Tables of decisions: counts in one home, counts in all homes, and shares."""
+"""Confusion tables of decisions: counts in each home, counts over all homes, and shares."""
 
 import itertools
 
@@ -11,16 +11,16 @@ ALL_HOMES = "all"
 
 
 def in_home(one: Measured, home: str) -> Measured:
-    """The part of a result for one of its homes."""
+    """Return the part of a result that belongs to one of its homes."""
     number = one.homes.index(home)
     return Measured((home,), one.seeds, one.classes, one.confusion[:, number : number + 1])
 
 
 def confusion_rows(one: Measured) -> pd.DataFrame:
-    """Counts as a table: home, seed, truth, then one column per decided place."""
+    """Return the counts as a table with the columns home, seed and truth, and one per decided place."""
     counts = one.confusion.swapaxes(0, 1).reshape(-1, len(one.classes))
     rows = pd.DataFrame(counts, columns=list(one.classes))
-    # Faster than an index of all combinations that becomes columns.
+    # This is faster than turning an index of all combinations into columns.
     labels = list(itertools.product(one.homes, one.seeds, one.classes))
     for number, name in enumerate(("home", "seed", "truth")):
         rows.insert(number, name, [label[number] for label in labels])
@@ -28,17 +28,17 @@ def confusion_rows(one: Measured) -> pd.DataFrame:
 
 
 def pooled_rows(one: Measured) -> pd.DataFrame:
-    """Counts over all homes and seeds: truth, then one column per decided place."""
+    """Return the counts over all homes and seeds as a table: column truth, and one per decided place."""
     labels = pd.Index(one.classes, name="truth")
     return pd.DataFrame(pooled_counts(one), labels, list(one.classes)).reset_index()
 
 
 def pooled_counts(one: Measured) -> np.ndarray:
-    """(classes, classes) counts over all homes and seeds; rows are true places, columns decided ones."""
+    """Return (classes, classes) counts over all homes and seeds, by true (row) and decided (column) place."""
     return one.confusion.sum(axis=(0, 1))
 
 
 def shares(counts: np.ndarray) -> np.ndarray:
-    """(classes, classes) percentages of each true place's frames; NaN for a place without frames."""
+    """Turn counts into (classes, classes) percentages of each row; NaN for a place without frames."""
     frames = counts.sum(axis=1, keepdims=True)
     return np.divide(100.0 * counts, frames, out=np.full(counts.shape, np.nan), where=frames > 0)

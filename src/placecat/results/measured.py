@@ -1,4 +1,4 @@
-"""The measurements of a run: counts of decisions by true place, and qualities of distributions."""
+"""A run's measurements: counts of decisions by true place, and the quality of distributions."""
 
 from __future__ import annotations
 
@@ -17,26 +17,26 @@ from placecat.paths import NO_SEED
 SCORE_COLUMNS = ["result", "home", "seed", "truth", "decision", "frames"]
 MISSING_COLUMNS = ["result", "home", "reason"]
 DROPPED_COLUMNS = ["filter", "home", "threshold", "frames", "dropped", "labelled", "dropped_labelled"]
-# Measures that are means, and their names in tables; other measures are counts.
+# Measures that are means, and their names in tables; the other measures are counts.
 MEASURES = {
     "log_loss": "Log loss",
     "calibration_error": "Calibration error",
     "stay_accuracy": "Stay accuracy",
 }
-# Decimals: three for nats, two for percent.
+# Decimals of each measure: three for nats, two for percent.
 DECIMALS = {"log_loss": 3, "calibration_error": 2, "stay_accuracy": 2}
 
 
 @dataclass(frozen=True)
 class Measured:
-    """One result: decisions on the frames of some test homes, for each seed.
+    """A result: the decisions on the frames of some test homes, for each seed.
 
     Attributes
     ----------
     homes, classes
-        Names of the test homes in the order of the data set, and of the places.
+        Names of the test homes in the data set's order, and of the places.
     seeds
-        Names of the seeds, e.g. ``("seed-0", "seed-1")``; ``("no-seed",)`` where nothing is random.
+        Names of the seeds, e.g. ``("seed-0", "seed-1")``; ``("no-seed",)`` if nothing is random.
     confusion
         (seeds, homes, classes, classes) counts; rows are true classes, columns decided ones.
     """
@@ -52,34 +52,34 @@ class Measured:
         return self.seeds != (NO_SEED,)
 
     def by_home(self) -> NDArray[np.float64]:
-        """(seeds, homes) accuracies in percent: the mean over the classes present (thesis 4.2)."""
+        """Return (seeds, homes) accuracies in percent, each a mean over the classes present (thesis 4.2)."""
         return np.array([[home_accuracy(of_home) for of_home in of_seed] for of_seed in self.confusion])
 
     def by_class(self) -> NDArray[np.float64]:
-        """(seeds, homes, classes) percentages; NaN if a home has no frame of a class."""
+        """Return (seeds, homes, classes) accuracies in percent; NaN if a home has no frame of the class."""
         return np.array([[class_accuracies(of_home) for of_home in of_seed] for of_seed in self.confusion])
 
     def plain(self) -> NDArray[np.float64]:
-        """(seeds, homes) percentages of correct frames, regardless of the place."""
+        """Return (seeds, homes) percentages of frames decided correctly, regardless of their place."""
         right = np.diagonal(self.confusion, axis1=2, axis2=3).sum(axis=2)
         frames = self.confusion.sum(axis=(2, 3))
         return np.divide(100.0 * right, frames, out=np.full(right.shape, np.nan), where=frames > 0)
 
     def pooled(self) -> Measured:
-        """The same, with the frames of all homes pooled."""
+        """Return the result with the frames of all homes pooled into one home, "all"."""
         return Measured(("all",), self.seeds, self.classes, self.confusion.sum(axis=1, keepdims=True))
 
 
 @dataclass(frozen=True)
 class Quality:
-    """Quality of one result's distributions on some test homes, for each seed.
+    """The quality of a result's distributions in some test homes, for each seed.
 
     Attributes
     ----------
     homes, seeds
         As for :class:`Measured`.
     values
-        Maps names in :class:`placecat.evaluation.quality.HomeQuality` to (seeds, homes) values.
+        Maps each field of :class:`placecat.evaluation.quality.HomeQuality` to a (seeds, homes) array.
     """
 
     homes: tuple[str, ...]
@@ -92,18 +92,18 @@ class Quality:
         return self.seeds != (NO_SEED,)
 
     def over_homes(self, measure: str) -> NDArray[np.float64]:
-        """(seeds,) means over the homes of one of `MEASURES`; (0,) if no home has a labelled frame."""
+        """Return (seeds,) means of one of `MEASURES` over homes; (0,) if no home has a labelled frame."""
         values = self.values[measure]
         there = np.isfinite(values).all(axis=0)
         return values[:, there].mean(axis=1) if there.any() else np.empty(0)
 
     def stay_share(self) -> NDArray[np.float64]:
-        """(seeds,) percentages of correctly named stays in all homes; (0,) without stays."""
+        """Return (seeds,) percentages of correctly named stays in all homes; (0,) without stays."""
         stays = self.values["stays"].sum(axis=1)
         return 100.0 * self.values["stays_right"].sum(axis=1) / stays if stays.all() else np.empty(0)
 
     def averages(self) -> dict[str, float]:
-        """Each of `MEASURES` as the rounded mean over homes and seeds, except those without a number."""
+        """Return the rounded mean of each of `MEASURES` over homes and seeds, unless it has no number."""
         means = {measure: self.over_homes(measure) for measure in MEASURES}
         return {name: round(float(one.mean()), DECIMALS[name]) for name, one in means.items() if len(one)}
 
@@ -117,18 +117,17 @@ class Results:
     homes, classes
         Names of the homes and of the places of the main data set, in order.
     measured
-        Maps the name of a result, e.g. ``cues/gist/5-5-1``, to its measurement.
+        Maps each result's name, e.g. ``cues/gist/5-5-1``, to its measurement.
     missing
-        Maps (result, home) to the reason why these data do not allow it.
+        Maps each missing (result, home) to the reason why this data does not allow it.
     stays
-        The results of further data sets by stay. Each stay (a visit to a place) counts as a "home" with
-        frames of a single place.
+        The results of further data sets by stay: each stay (a visit to a place) takes the place of a home,
+        and its frames all show the same place.
     dropped
-        Maps the name of an information filter to the frames that it drops
-        (:func:`placecat.fusion.information_filter.dropped`): columns home, threshold, frames, dropped,
-        labelled, dropped_labelled.
+        Maps each information filter's name to a table of the frames that it drops
+        (:func:`placecat.fusion.information_filter.dropped`), with the columns of `DROPPED_COLUMNS`.
     quality
-        Maps the name of a result, except trials, to the quality of its distributions.
+        Maps the name of each result, except trials, to the quality of its distributions.
     """
 
     homes: tuple[str, ...]
@@ -141,22 +140,22 @@ class Results:
 
     @property
     def numbers(self) -> range:
-        """Numbers of the homes, from 1 as in the thesis."""
+        """The homes' numbers, from 1 as in the thesis."""
         return range(1, len(self.homes) + 1)
 
     def of(self, name: str) -> Measured:
-        """Look up one result; for an unknown name the PlacecatError names the nearest ones."""
+        """Look up a result; for an unknown name, raise PlacecatError with the most similar names."""
         if name not in self.measured:
             near = difflib.get_close_matches(name, self.measured, n=3) or sorted(self.measured)[:5]
             raise PlacecatError(f"result {name!r} does not exist: did you mean {' or '.join(near)}?")
         return self.measured[name]
 
     def find(self, name: str) -> Measured | None:
-        """Like `of`; None for a result that is missing for a reason."""
+        """Like `of`, but return None for a result that is missing for a known reason."""
         return None if name not in self.measured and self.reasons(name) else self.of(name)
 
     def reasons(self, name: str) -> list[str]:
-        """The reasons why a result lacks homes, without duplicates."""
+        """List the reasons why a result lacks homes, without duplicates."""
         return list(dict.fromkeys(reason for (result, _), reason in self.missing.items() if result == name))
 
     def drops(self, name: str, home: str = "") -> str:
@@ -172,10 +171,10 @@ class Results:
         return f"the threshold {threshold} drops {share:.0f} % of the labelled frames"
 
     def accuracy_table(self) -> pd.DataFrame:
-        """All accuracies: result, home, place, frames, accuracy (mean over seeds), spread, seeds.
+        """List all accuracies: result, home, place, frames, accuracy (mean over seeds), spread, seeds.
 
-        ``place`` is "all" for the mean over places; ``spread`` is the largest minus the smallest number of
-        the seeds, empty if nothing is random.
+        ``place`` is "all" for the mean over places; ``spread`` is the largest minus the smallest accuracy
+        over seeds, NaN if nothing is random.
         """
         rows = []
         for name, one in self.measured.items():
@@ -192,13 +191,13 @@ class Results:
 
 
 def mean_and_spread(values: NDArray[np.float64], *, random: bool) -> tuple[float, float]:
-    """Mean over seeds, and the largest minus the smallest (NaN if not random); rounded to 2 decimals."""
+    """Return the mean and the largest minus the smallest value (NaN if not random), with 2 decimals."""
     spread = round(float(values.max() - values.min()), 2) if random else float("nan")
     return round(float(values.mean()), 2), spread
 
 
 def score_rows(name: str, one: Measured) -> list[tuple[str, str, str, str, str, int]]:
-    """Rows of one result in the score file (`SCORE_COLUMNS`); pairs without decisions are left out."""
+    """List a result's rows in the score file (`SCORE_COLUMNS`), without those of 0 frames."""
     return [
         (name, one.homes[h], one.seeds[s], one.classes[i], one.classes[k], int(one.confusion[s, h, i, k]))
         for s, h, i, k in np.argwhere(one.confusion).tolist()
@@ -216,9 +215,9 @@ def from_scores(
 ) -> Results:
     """Build the results from the rows of `score_rows`; in `stays`, stays replace homes.
 
-    `scores` and `missing` have the columns `SCORE_COLUMNS` and `MISSING_COLUMNS`. `other_classes` are the
-    lists of places of the other data sets, in order. A result gets the first list that contains its places;
-    the main data set's list comes first.
+    `scores` and `missing` have the columns `SCORE_COLUMNS` and `MISSING_COLUMNS`. `classes` lists the main
+    data set's places, and `other_classes` those of each other data set. A result's places are the first list
+    that contains all of its places, starting with `classes`.
     """
     reasons = {(str(row.result), str(row.home)): str(row.reason) for row in missing.itertuples(index=False)}
     lists = (tuple(classes), *map(tuple, other_classes))
@@ -233,7 +232,7 @@ def from_scores(
 
 
 def _measured(scores: pd.DataFrame, lists: Sequence[tuple[str, ...]]) -> dict[str, Measured]:
-    # Convert columns to lists once, since pandas would dominate the time if called for every result.
+    # Convert the columns to lists once: calling pandas for every result would take most of the time.
     columns = {name: scores[name].tolist() for name in ("home", "seed", "truth", "decision", "frames")}
     codes, names = pd.factorize(scores["result"])
     rows: list[list[int]] = [[] for _ in names]

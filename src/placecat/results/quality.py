@@ -1,4 +1,4 @@
-"""Quality of the distributions of all results: log-loss, calibration error, and correctly named stays."""
+"""The quality of all results' distributions: log-loss, calibration error, and correctly named stays."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from placecat.results.measured import DECIMALS, Quality
 QUALITY_COLUMNS = ["result", "home", "seed", *HomeQuality._fields]
 TEXT_COLUMNS = QUALITY_COLUMNS[:3]
 _COUNTS = ("stays", "stays_right")
-# Decimals in files; the last bits of a logarithm depend on the processor.
+# Decimals in files, limited because the last bits of a logarithm depend on the processor.
 FILE_DECIMALS = 6
 STAY_SHARE = "stay_share"
 _SHOWN = DECIMALS | {STAY_SHARE: 2}
 
 
 def gather(homes: Sequence[str], seeds: Sequence[str], measured: Sequence[Sequence[HomeQuality]]) -> Quality:
-    """Collect the numbers of the homes; `measured` has them for each seed."""
+    """Collect the quality measures of a result; `measured` is indexed by seed, then by home."""
     values = np.array(measured, np.float64).reshape(len(seeds), len(homes), -1)
     return Quality(
         tuple(homes), tuple(seeds), {field: values[..., k] for k, field in enumerate(HomeQuality._fields)}
@@ -28,7 +28,7 @@ def gather(homes: Sequence[str], seeds: Sequence[str], measured: Sequence[Sequen
 
 
 def quality_rows(name: str, one: Quality) -> list[tuple[str | float, ...]]:
-    """Rows of the file of all results (`QUALITY_COLUMNS`)."""
+    """List a result's rows in the file of all results (`QUALITY_COLUMNS`)."""
     rows = []
     for s, seed in enumerate(one.seeds):
         for h, home in enumerate(one.homes):
@@ -39,7 +39,7 @@ def quality_rows(name: str, one: Quality) -> list[tuple[str | float, ...]]:
 
 
 def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
-    """Map names of results to their quality, from the rows of `quality_rows`."""
+    """Build each result's quality from the rows of `quality_rows`, by the result's name."""
     found = {}
     for name, rows in table.groupby("result", sort=False):
         homes, seeds = tuple(dict.fromkeys(rows["home"])), tuple(dict.fromkeys(rows["seed"]))
@@ -53,12 +53,12 @@ def from_rows(table: pd.DataFrame) -> dict[str, Quality]:
 
 
 def quality_table(found: Mapping[str, Quality]) -> pd.DataFrame:
-    """The means of each result over its homes and seeds, one row per result.
+    """Average each result's measures over its homes and seeds, one row per result.
 
-    Columns: result; homes and seeds, their numbers (0 seeds if nothing is random); log_loss (nats);
-    calibration_error; stay_accuracy (percent, the mean over the places of a home and over homes); stays, the
-    number of stays; stay_share, the percentage of correctly named stays; and the ``spread`` of each,
-    the largest minus the smallest number of the seeds, NaN if nothing is random.
+    Columns: result; the numbers of homes, seeds (0 if nothing is random) and stays; log_loss (nats);
+    calibration_error (percent); stay_accuracy (percent, averaged over the places in a home, then over homes);
+    stay_share, the percentage of correctly named stays; and for each measure ``..._spread``, the largest
+    minus the smallest number over seeds, NaN if nothing is random.
     """
     rows = []
     for name, one in found.items():

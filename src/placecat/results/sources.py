@@ -1,4 +1,4 @@
-"""The files of the distributions of every result, by the result's name."""
+"""The files that hold each result's distributions, by the result's name."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,9 +14,10 @@ from placecat.training import protocol
 
 @dataclass(frozen=True)
 class Source:
-    """The files of one result's distributions over `classes`: an array `name` for each home and seed.
+    """The files of a result's distributions over `classes`; each home and seed has a file with array `name`.
 
-    Test homes are named like their folders; `site` is their further data set, "" for the main one.
+    Test homes are named like their folders; `site` is the further data set they belong to, "" for the main
+    one.
     """
 
     folder: Path
@@ -26,27 +27,27 @@ class Source:
     classes: tuple[str, ...]
 
     def seeds(self) -> tuple[str, ...]:
-        """Names of the seeds that have files."""
+        """Return the names of the seeds that have files."""
         return tuple(fold_file.seeds_in(self.folder, self.homes[0]))
 
     def file(self, home: str, seed: str) -> Path:
-        """The file with the array of a test home and seed."""
+        """Return the path of the file for a test home and seed."""
         return fold_file.path_of(self.folder, home, seed)
 
     def array(self, home: str, seed: str) -> NDArray[np.float64]:
-        """(frames, classes) distributions of a test home."""
+        """Read the (frames, classes) distributions for a test home and seed."""
         return fold_file.read(self.file(home, seed), self.name)
 
     def listed(self, home: str) -> str:
-        """The test home's name in `placecat.listing`."""
+        """Return the test home's name in `placecat.listing`."""
         return f"{self.site}/{home}" if self.site else home
 
 
 def sources(params: Mapping[str, Any]) -> dict[str, Source]:
-    """Name every result that has distributions, from the settings.
+    """Find the sources of every result that has distributions, by the result's name, from the settings.
 
-    E.g. ``cues/gist/5-5-1``, ``tempered/gist``, ``integration/das_551_all``, ``hmm/...`` and
-    ``smoothing/...`` (before and after the delay), ``filtered/informative/gist``,
+    Examples of names are ``cues/gist/5-5-1``, ``tempered/gist``, ``integration/das_551_all``, ``hmm/...`` and
+    ``smoothing/...`` (before and after the delay), ``filtered/informative/gist`` and
     ``splits/university/cues/gist``.
     """
     homes = protocol.tested_homes(

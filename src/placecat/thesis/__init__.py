@@ -1,1 +1,1 @@
-"""Comparison of a run with the thesis: tables, findings, numbers in the text."""
+"""Compare a run with the thesis: its tables, its findings, and the numbers in its text."""

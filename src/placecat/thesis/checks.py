@@ -1,4 +1,4 @@
-"""Checks of the tables when settings are composed, before any stage runs. Imports little, for speed."""
+"""Check the tables when settings are composed, before any stage runs; few imports keep this fast."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -14,8 +14,8 @@ def check(params: Mapping[str, Any], root: Path = Path()) -> None:
     """Refuse tables with an unknown layout, and trials with an unknown classifier or setting.
 
     Parameters and errors are those of :func:`placecat.thesis.definitions.tables`. Errors also come from
-    :func:`placecat.evaluation.trials.expand` and :mod:`placecat.signatures`; for an unknown layout the
-    PlacecatError names the nearest and all valid ones.
+    :func:`placecat.evaluation.trials.expand` and :mod:`placecat.signatures`. For an unknown layout, the
+    PlacecatError names the most similar layout and all valid ones.
     """
     studies = definitions.studies(params, root).values()
     of_studies = {name: table for study in studies for name, table in study.items()}

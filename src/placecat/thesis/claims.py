@@ -1,4 +1,4 @@
-"""The thesis's claims as comparisons of results: the files of data/thesis/findings."""
+"""The thesis's claims as comparisons of results, read from data/thesis/findings."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -9,9 +9,9 @@ from placecat.errors import PlacecatError
 
 COMBINE = ("mean", "best", "last")
 COMPARE = ("difference", "ratio")
-# Range of a claim about single homes: their results are compared one by one.
+# Range of a claim about single homes, which are compared one by one.
 BOTH_SIGNS = "both_signs"
-# Range of a claim about one side, with the number to compare it with.
+# Range of a claim about a single side, with the number to compare it with.
 ABOVE = "above"
 
 
@@ -24,16 +24,16 @@ class Side:
     label
         Readable name.
     results
-        Names of results.
+        Names of the results.
     combine
-        ``mean``; ``best``, the result with the highest mean over all units; or ``last``, the last result that
-        this data allows.
+        How to combine the results: ``mean``; ``best``, the result with the highest mean over all units; or
+        ``last``, the last result that this data allows.
     place
         Name of the class whose accuracy counts; None for the mean over the classes present.
     error
-        Whether 100 minus the accuracy counts.
+        Whether the error rate, 100 minus the accuracy, counts.
     plain
-        Whether the share of all frames counts, of any class.
+        Whether the share of correct frames counts, regardless of their class.
     published
         Location of each result's number in the thesis; None if it follows from the result's name.
     """
@@ -47,7 +47,7 @@ class Side:
     published: tuple[Mapping[str, Any], ...] | None = None
 
     def only(self, results: Sequence[str]) -> "Side":
-        """The side with some of its results, each with the published number of its cell."""
+        """Return the side with only some of its results, which keep their published numbers."""
         published = self.published
         if published is not None and len(published) == len(self.results):
             published = tuple(
@@ -56,7 +56,7 @@ class Side:
         return replace(self, results=tuple(results), published=published)
 
     def renamed(self, parts: Mapping[str, str]) -> "Side":
-        """The side with other results but the same published numbers; `parts` of their names are replaced."""
+        """Return the side with `parts` of its results' names replaced, but the same published numbers."""
         results = tuple("/".join(parts.get(part, part) for part in name.split("/")) for name in self.results)
         published = self.published
         if published is None and self.place is None and not self.error:
@@ -71,18 +71,17 @@ class Comparison:
     Attributes
     ----------
     left, right
-        Without `right`, the left is compared with the number of the range ``above``.
+        The two sides. Without `right`, the left is compared with the number of the range ``above``.
     range
-        Name of a kind of range, and its number if it needs one, see
-        :func:`placecat.thesis.rules.claimed_range`.
+        A kind of range, and its number if it takes one (see :func:`placecat.thesis.rules.claimed_range`).
     compare
         ``difference`` or ``ratio``.
     published
         Location of the difference in the thesis; None if it follows from the sides.
     published_home
-        Home of the published numbers, if a table has several; None for their average.
+        Home whose published numbers count, if a table has several homes; None for their average.
     pooled
-        Whether the frames of all test sequences count as one, as in Tables 30 and 31.
+        Whether the frames of all test sequences are counted together, as in Tables 30 and 31.
     """
 
     left: Side
@@ -95,22 +94,23 @@ class Comparison:
 
     @property
     def sides(self) -> tuple[Side, ...]:
-        """One or two."""
+        """The one or two sides."""
         return (self.left,) if self.right is None else (self.left, self.right)
 
 
 @dataclass(frozen=True)
 class Finding:
-    """One claim of the thesis; all its comparisons must hold.
+    """A claim of the thesis; all its comparisons must hold.
 
     Attributes
     ----------
     name
-        Name of the file, e.g. ``finding_04``.
+        The file's name, e.g. ``finding_04``.
     readings
-        Other readings of the thesis: a name, e.g. ``as_printed``, to replacements in the names of results.
+        Other readings of the thesis. Maps each reading's name, e.g. ``as_printed``, to replacements for parts
+        of the results' names.
     filters
-        Information filters; the reason states how many frames each drops.
+        Information filters; the verdict's reason states the share of frames that each drops.
     """
 
     name: str
@@ -122,7 +122,7 @@ class Finding:
     filters: tuple[str, ...] = ()
 
     def read_as(self, reading: str) -> "Finding":
-        """The same claim about the results of another reading."""
+        """Return the same claim about the results of another reading."""
         parts = self.readings[reading]
         comparisons = []
         for one in self.comparisons:
@@ -132,10 +132,10 @@ class Finding:
 
 
 def read_finding(name: str, config: Mapping[str, Any]) -> Finding:
-    """Read the settings of one finding.
+    """Read a finding from its settings.
 
-    A comparison with ``each``, a list of mappings, stands for one comparison per mapping, with ``{key}``
-    replaced by the mapping's value in all its text. Unknown, missing or contradictory settings raise
+    A comparison with ``each``, a list of mappings, stands for one comparison per mapping; the mapping's
+    values replace each ``{key}`` in the comparison's text. Unknown, missing or contradictory settings raise
     PlacecatError.
     """
     file = f"{paths.FINDING_DEFINITIONS / name}.yaml"

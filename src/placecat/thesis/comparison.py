@@ -1,4 +1,4 @@
-"""Comparisons of results: a variant, its baseline, and their difference."""
+"""Compare results: a variant, its baseline, and their difference."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -28,13 +28,13 @@ from placecat.thesis.number import (
 
 DIFFERENCE = "difference"
 SETTINGS = ["homes", "variant", "baseline", "pairs", "label", "places", "summary", "error_ratio", "plain"]
-# Stands for the best label of an axis in the name of a trial.
+# In a trial's name, stands for the best label of an axis.
 BEST = "*"
 _SPLIT = "splits/"
 
 
 class Line(NamedTuple):
-    """One number: its meaning, its home ("Home 6", "Average" or ""), and its value."""
+    """A number with its meaning and its home ("Home 6", "Average" or "")."""
 
     quantity: str
     home: str
@@ -42,7 +42,7 @@ class Line(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """Label of a comparison ("" for a single one), the names of its two results, and a note on each."""
+    """A comparison's label ("" if there is only one), the names of its two results, and a note on each."""
 
     label: str
     variant: str
@@ -52,23 +52,24 @@ class Pair(NamedTuple):
 
 
 def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line]:
-    """Compare two results, several pairs, or all trials below two names that end in "/", pair by pair.
+    """Compare two results, several pairs, or, pair by pair, all trials below two names that end in "/".
 
     Returns both sides in percent and the difference, variant minus baseline, in points. The average is over
-    the homes in which both were measured. Frames of all sequences of a split are counted together. Raises
+    the homes in which both were measured. The frames of all sequences of a split are counted together. Raises
     PlacecatError for an unknown setting or result.
 
     Parameters
     ----------
     entry
-        ``variant`` and ``baseline``, each with ``quantity`` (its name) and ``result``, unless ``pairs`` lists
-        the two results of each label; in the name of a trial ``*`` stands for the label of an axis that is
-        best on average. ``homes``: numbers (from 1) of homes to show in addition to the average, or None for
-        results of other data sets. ``places``: places to compare one by one as well, or "all". ``label``, for
-        pairs of trials: their name from the labels of the axes, e.g. "{column} clusters". ``summary`` of the
-        differences (by place if there are any): one or more of "mean", "lowest" and "highest".
-        ``error_ratio``, with ``quantity``, ``variant`` and ``baseline``: two more results. ``plain``: whether
-        the share of all frames counts, for results of other data sets.
+        ``variant`` and ``baseline``, each with ``quantity`` (its name) and ``result``. Instead of their
+        results, ``pairs`` can list a variant and a baseline for each label. In a trial's name, ``*`` stands
+        for the axis label that is best on average. ``homes``: numbers (from 1) of homes to show in addition
+        to the average, or None for results on other data sets. ``places``: places to compare one by one as
+        well, or "all". ``label``: the name of each pair of trials, made from the axis labels, e.g.
+        "{column} clusters". ``summary``: one or more of "mean", "lowest" and "highest", taken over the
+        differences (those by place if there are any). ``error_ratio``: its ``quantity``, and the names of two
+        more results as ``variant`` and ``baseline``. ``plain``: for results on other data sets, whether the
+        share of correct frames counts, regardless of their place.
     where
         Name of the entry in messages.
     """
@@ -95,14 +96,14 @@ def compare(entry: Mapping[str, Any], results: Results, where: str) -> list[Line
 
 
 def alone(entry: Mapping[str, Any], results: Results, where: str) -> list[Line]:
-    """A single result: ``quantity``, ``result`` and ``homes`` as for :func:`compare`."""
+    """Show a single result; ``quantity``, ``result`` and ``homes`` are as for :func:`compare`."""
     settings.refuse_unknown(entry, ["homes", "quantity", "result"], where)
     pair = Pair("", entry["result"], entry["result"])
     return [Line(entry["quantity"], home, number) for home, number, _ in _in_homes(pair, entry, results)]
 
 
 def _three(entry: Mapping[str, Any], label: str, home: str, left: Number, right: Number) -> list[Line]:
-    """Both sides, then their difference."""
+    """Return both sides, then their difference."""
     prefix = f"{label}: " if label else ""
     return [
         Line(prefix + entry["variant"]["quantity"], home, left),
@@ -112,7 +113,7 @@ def _three(entry: Mapping[str, Any], label: str, home: str, left: Number, right:
 
 
 def _pairs(entry: Mapping[str, Any], results: Results, where: str) -> list[Pair]:
-    """Label, variant and baseline of each comparison."""
+    """List the pairs to compare."""
     if "pairs" in entry:
         pairs = entry["pairs"].items()
         return [_chosen(str(label), variant, baseline, results) for label, (variant, baseline) in pairs]
@@ -131,13 +132,13 @@ def _known(results: Results) -> list[str]:
 
 
 def _chosen(label: str, variant: str, baseline: str, results: Results) -> Pair:
-    """The pair with the best trial for every name with ``*``."""
+    """Return the pair, with every ``*`` resolved to the best trial."""
     (left, left_note), (right, right_note) = (_best(one, results) for one in (variant, baseline))
     return Pair(label, left, right, left_note, right_note)
 
 
 def _best(pattern: str, results: Results) -> tuple[str, str]:
-    """The trial of a pattern with the highest average over its homes, and a note on it."""
+    """Find a pattern's trial with the highest average over homes; return its name and a note."""
     wanted = _labels(pattern)
     if BEST not in wanted:
         return pattern, ""
@@ -156,12 +157,12 @@ def _best(pattern: str, results: Results) -> tuple[str, str]:
 
 
 def _labels(trial: str) -> list[str]:
-    """Labels of the axes of a trial; they may contain slashes."""
+    """Split a trial's name into its axis labels, which may contain slashes."""
     return trial.split("/", 2)[-1].split("|")
 
 
 def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tuple[str, Number, Number]]:
-    """Label of a home and both numbers, for each of the entry's homes and the average."""
+    """List the label and both numbers of each home of the entry, and of the average."""
     names = (pair.variant, pair.baseline)
     homes: Sequence[int] | None = entry["homes"]
     if homes is None:
@@ -182,7 +183,7 @@ def _in_homes(pair: Pair, entry: Mapping[str, Any], results: Results) -> list[tu
 
 
 def _homes_of(names: Sequence[str], results: Results) -> tuple[list[int], list[int]]:
-    """Numbers (from 1) of the homes in which some results were all tried, and where all were measured."""
+    """List the homes (numbers from 1) in which all results were tried, and in which all were measured."""
     tried = [n for n in results.numbers if all(_was_tried(results, one, n) for one in names)]
     return tried, [n for n in tried if all(len(in_home(results, one, n).values) for one in names)]
 
@@ -190,7 +191,7 @@ def _homes_of(names: Sequence[str], results: Results) -> tuple[list[int], list[i
 def _in_places(
     pair: Pair, places: str | Sequence[str], results: Results
 ) -> Iterator[tuple[str, Number, Number]]:
-    """Name of each place and both numbers, averaged over the homes that show it."""
+    """Yield each place's name and both numbers, averaged over the homes that show the place."""
     names = (pair.variant, pair.baseline)
     _, both = _homes_of(names, results)
     for place in results.classes if places == "all" else places:
@@ -214,13 +215,13 @@ def _in_place(results: Results, name: str, numbers: Sequence[int], place: str) -
 
 
 def _was_tried(results: Results, name: str, number: int) -> bool:
-    """Whether a result exists, or is missing for a reason, in the n-th home (from 1)."""
+    """Whether a result exists, or is missing for a known reason, in the n-th home (from 1)."""
     home, one = results.homes[number - 1], results.find(name)
     return (name, home) in results.missing or (one is not None and home in one.homes)
 
 
 def _whole(results: Results, name: str, plain: bool) -> Number:
-    """A result over all homes: the mean, or for a split all frames counted together, as in its table."""
+    """Average a result over all homes; for a split, count all frames together, as in its table."""
     one = results.of(name)
     if name.startswith(_SPLIT):
         one = one.pooled()
@@ -230,7 +231,7 @@ def _whole(results: Results, name: str, plain: bool) -> Number:
 
 
 def _summary(kind: str, differences: Mapping[str, Number], where: str) -> Line:
-    """One number for all differences."""
+    """Summarize all differences in one number."""
     extremes: dict[str, Callable[..., str]] = {"lowest": min, "highest": max}
     if kind not in ("mean", *extremes):
         raise PlacecatError(
@@ -245,7 +246,7 @@ def _summary(kind: str, differences: Mapping[str, Number], where: str) -> Line:
 
 
 def _error_ratio(results: Results, variant: str, baseline: str) -> Number:
-    """Ratio of the error rates of two results."""
+    """Return the ratio of two results' error rates."""
     origins = (Origin(variant), Origin(baseline))
     errors = [100.0 - results.of(name).by_home().mean(axis=1) for name in (variant, baseline)]
     if (errors[1] <= 0).any():

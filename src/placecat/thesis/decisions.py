@@ -1,4 +1,4 @@
-"""The decisions behind each row of a table."""
+"""Find the decisions behind each row of a table."""
 
 import itertools
 from collections.abc import Mapping
@@ -13,8 +13,8 @@ from placecat.thesis.number import AVERAGE, home_label
 def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, str], dict[str, Measured]]:
     """Find the results behind each row of a table (:func:`placecat.thesis.tables.tables_of`).
 
-    Returns group and row to the results by column; a row with one result in several homes has it under "". If
-    a row is a home, the result is restricted to it. Results that this data does not allow are left out.
+    Maps each (group, row) to its results by column; a row with a single result has it under "". If a row is a
+    home, its results are restricted to that home. Results that this data does not allow are left out.
     """
     if "trial" in table:
         return _of_trials(table, results)
@@ -26,7 +26,7 @@ def decisions_of(table: Mapping[str, Any], results: Results) -> dict[tuple[str, 
 
 
 def _by_home(one: Measured, results: Results) -> dict[str, Measured]:
-    """The homes of the main data set by their names in tables; several homes are also listed as a group."""
+    """Split a result by home, named as in tables; if there are several homes, add the whole result."""
     found = {
         home_label(number): in_home(one, home)
         for number, home in enumerate(results.homes, start=1)

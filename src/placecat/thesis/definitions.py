@@ -1,7 +1,7 @@
-"""Definitions of tables, findings and numbers in the text, in the files of data/thesis.
+"""Read the definitions of tables, findings and numbers in the text from data/thesis.
 
-These files have two kinds of reference. A mapping with `like: PATH` starts from the content of a file of
-conf/ or of another table; its other keys override that. `${NAME}` is a setting of params.yaml.
+These files can contain two kinds of references. A mapping with `like: PATH` starts from the content of a file
+in conf/ or of another table; its other keys override that content. `${NAME}` is a setting of params.yaml.
 """
 
 import re
@@ -14,18 +14,18 @@ from placecat.errors import PlacecatError
 
 LIKE = "like"
 _SETTING = re.compile(r"\$\{(\.*)([\w.]+)\}")
-# Settings of every table; each layout adds more.
+# Settings that any table may have; the layouts and trials add more.
 _OF_A_TABLE = ("number", "title", "thesis_data", "layout", "caption", "split", "data", "plain", "needs")
 _OF_A_LAYOUT = ("rows", "result", "gains")
 _OF_TRIALS = ("trial", "homes", "axes")
 
 
 def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, Any]]:
-    """Read the tables that show results of the pipeline, by name, e.g. ``table_26``, in order.
+    """Read the tables that show the pipeline's results, by name, e.g. ``table_26``, in order.
 
-    Each has ``number`` (None for an addition), ``title``, ``thesis_data``, ``layout`` and the layout's
-    settings. A table with `needs` is included if `params`, all settings, have that setting. `root` is the
-    project's folder.
+    Each table has ``number`` (None for an addition), ``title``, ``thesis_data``, ``layout`` and the layout's
+    settings. A table with `needs` is included only if `params`, all settings, contain that setting. `root` is
+    the project's folder.
 
     Raises PlacecatError, with the file's name, for invalid YAML or an unknown key or setting.
     """
@@ -40,15 +40,15 @@ def tables(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str
 
 
 def optional(root: Path = Path()) -> list[str]:
-    """Names of the tables that need a setting, in order; runs without it use the tables in git."""
+    """List the names of the tables that need a setting, in order; runs without it keep the tables in git."""
     files = sorted((root / paths.TABLE_DEFINITIONS).glob("*.yaml"))
     return [path.stem for path in files if "needs" in _yaml(path)]
 
 
 def studies(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, dict[str, Any]]]:
-    """Read the tables whose cells are trials, one folder per study, like :func:`tables`.
+    """Read the tables whose cells are trials, like :func:`tables`, from one folder per study.
 
-    Returns study to name to table, each with ``trial``, ``homes`` and ``axes``
+    Maps each study to its tables by name; each table also has ``trial``, ``homes`` and ``axes``
     (:func:`placecat.evaluation.trials.expand`).
     """
     found = _read(sorted((root / paths.TABLE_DEFINITIONS).glob("*/*.yaml")), params, root)
@@ -73,7 +73,7 @@ def in_text(root: Path = Path()) -> dict[str, dict[str, Any]]:
 
 
 def _read(files: list[Path], params: Mapping[str, Any], root: Path) -> dict[Path, dict[str, Any]]:
-    """Contents of files by their paths in the project, with all references resolved."""
+    """Read files by their paths in the project, and resolve all references."""
     found = {path.relative_to(root): _load(path, root, ()) for path in files}
     for path, content in found.items():
         try:
@@ -84,7 +84,7 @@ def _read(files: list[Path], params: Mapping[str, Any], root: Path) -> dict[Path
 
 
 def _set(value: Any, around: tuple[dict[str, Any], ...], params: Mapping[str, Any]) -> Any:
-    """Replace ``${NAME}`` by settings; ``${..NAME}`` is next to the mapping, as in conf/."""
+    """Replace ``${NAME}`` by settings; as in conf/, ``${..NAME}`` is next to the mapping that holds it."""
     if isinstance(value, dict):
         return {key: _set(one, (value, *around), params) for key, one in value.items()}
     if isinstance(value, list):
@@ -96,11 +96,11 @@ def _set(value: Any, around: tuple[dict[str, Any], ...], params: Mapping[str, An
 
 
 def _load(path: Path, root: Path, before: tuple[Path, ...]) -> dict[str, Any]:
-    """One file with the content that its `like` refers to; `before` are the files that led to it."""
+    """Read a file, including what its `like` refers to; `before` are the files whose references led to it."""
     if path in before:
         raise PlacecatError(f"{path} refers to itself through {', '.join(map(str, before))}")
     content = _yaml(path)
-    # Files of conf/ include others in Hydra's notation: "/scheme@scheme: parallel".
+    # Files in conf/ include others in Hydra's notation: "/scheme@scheme: parallel".
     base = {}
     for default in content.pop("defaults", []):
         if default != "_self_":

@@ -1,4 +1,4 @@
-"""One table, or the numbers in the text, filled from the results and the files of data/thesis."""
+"""Fill a table, or the numbers in the text, from the results and the files in data/thesis."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -15,9 +15,9 @@ _KEY = ["group", "row", "column"]
 
 
 def table(definition: Mapping[str, Any], results: Results, params: Mapping[str, Any]) -> pd.DataFrame:
-    """Fill one table of :func:`~placecat.thesis.tables.tables_of`, see :func:`.tables.fill_table`.
+    """Fill one table of :func:`~placecat.thesis.tables.tables_of` (see :func:`.tables.fill_table`).
 
-    Raises PlacecatError if a file of data/thesis is damaged.
+    Raises PlacecatError if a file in data/thesis is damaged.
     """
     contradictions = contradictions_of(files.read_table(paths.CONTRADICTIONS, [*_KEY, "note"]))
     published = files.read_table(paths.PUBLISHED, _KEY)
@@ -27,7 +27,7 @@ def table(definition: Mapping[str, Any], results: Results, params: Mapping[str, 
 def text(results: Results, params: Mapping[str, Any]) -> pd.DataFrame:
     """Fill the numbers in the thesis's text (:func:`placecat.thesis.in_text.in_text`).
 
-    Raises PlacecatError if a file of data/thesis is damaged, or a record of a stage is missing.
+    Raises PlacecatError if a file in data/thesis is damaged, or a stage's record is missing.
     """
     columns = ["name", "section", "quantity", "home", "quote", "note"]
     return in_text.in_text(

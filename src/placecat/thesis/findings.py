@@ -1,4 +1,4 @@
-"""The ledger of findings: the thesis's claims, the measurements, and the verdicts."""
+"""The ledger of findings: the thesis's claims, this run's measurements, and the verdicts."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -24,22 +24,24 @@ def ledger(
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
     """Judge every finding.
 
-    `findings` maps names to settings, see `read_finding`; wrong settings raise PlacecatError. `verdict` has
-    the settings of `Rules`.
+    `findings` maps each finding's name to its settings (see `read_finding`); invalid settings raise
+    PlacecatError. `verdict` holds the settings of `Rules`.
 
     Returns
     -------
-    findings, comparisons
-        One row per finding, in order of their numbers: number, section, claim, published, measured,
-        difference, low, high, units, verdict, one ``verdict_...`` per reading ("" if the finding has no such
-        reading), reason. A finding with several comparisons shows the deciding one; `difference` is a ratio
-        if that comparison is. Missing measurements make a finding undecided. And one row per comparison:
-        finding, reading ("" or the other reading's name), left, right, compare, published_left,
-        published_right, published, measured_left, measured_right, measured, low, high, corrected_low,
-        corrected_high, range, units, verdict, reason, left_results, right_results; `published` and `measured`
-        are the difference, or the ratio, according to `compare`. `low` and `high` decide whether a comparison
-        holds; the corrected ends, which allow for the number of comparisons in the finding, decide whether it
-        fails. Numbers are percent and points with 2 decimals; missing ones are NaN.
+    findings
+        One row per finding, ordered by number: number, section, claim, published, measured, difference, low,
+        high, units, verdict, one ``verdict_...`` per reading ("" if the finding has no such reading), reason.
+        A finding with several comparisons shows the deciding one; `difference` is a ratio if that comparison
+        is a ratio.
+    comparisons
+        One row per comparison: finding, reading ("" or the other reading's name), left, right, compare,
+        published_left, published_right, published, measured_left, measured_right, measured, low, high,
+        corrected_low, corrected_high, range, units, verdict, reason, left_results, right_results. `published`
+        and `measured` are the difference, or the ratio, according to `compare`. `low` and `high` decide
+        whether a comparison holds; the corrected ends, which allow for the number of comparisons in the
+        finding, decide whether it fails. A comparison without measurements is undecided. Numbers are percent
+        or points with 2 decimals, NaN if missing.
     """
     rules: Rules = settings.call(Rules, settings=verdict, where="verdict")
     read = sorted((read_finding(name, one) for name, one in findings.items()), key=lambda one: one.number)
@@ -96,7 +98,7 @@ def _finding_row(finding: Finding, judged: Sequence[Judged], rules: Rules) -> di
 
 
 def _margin(judged: Judged) -> tuple[bool, float]:
-    """Sort key, smallest for the deciding comparison; comparisons without an interval come last."""
+    """Return a sort key, smallest for the deciding comparison; comparisons without an interval come last."""
     if judged.measurement is None or np.isnan(judged.measurement.interval.low):
         return True, 0.0
     return False, judged.claimed.margin(judged.measurement.interval) if judged.claimed else 0.0

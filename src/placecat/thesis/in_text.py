@@ -1,4 +1,4 @@
-"""Numbers that appear only in the thesis's text: measured and published."""
+"""Measured and published numbers that appear only in the thesis's text."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
@@ -16,14 +16,14 @@ from placecat.thesis.records import read_off
 from placecat.thesis.tables import comparable, not_comparable
 
 COLUMNS = ["name", "section", "quantity", "home", "published", "measured", "spread", "seeds", "note"]
-# Name of the table, and the columns that identify a number.
+# The table's name, and the columns that identify a number.
 NAME = "in_text"
 KEY = ["name", "quantity", "home"]
 _OF_THE_DATA = ("thesis_data", "data", "split")
 
 
 class _Said(NamedTuple):
-    """One quantity in the thesis: a number (NaN if there are only words), the words, and a note."""
+    """A quantity in the thesis: its number (NaN if the thesis has only words), the words, and a note."""
 
     value: float = np.nan
     quote: str = ""
@@ -38,26 +38,27 @@ def in_text(
     splits: Mapping[str, Mapping[str, Any]],
     records: Mapping[str, pd.DataFrame],
 ) -> pd.DataFrame:
-    """Compare the measured numbers with those of the text.
+    """Compare the measured numbers with those in the text.
 
     Returns the columns name, section, quantity, home ("Home 6", "Average", or "" for neither), published,
-    measured, spread, seeds, note, ``notes``, the same by kind, and ``number``, a
-    :class:`~placecat.thesis.number.Number`. A comparison has both sides and their difference, variant minus
-    baseline, in points. ``spread`` and ``seeds`` are as in :func:`~placecat.thesis.tables.fill_table`. Raises
-    PlacecatError for an unknown setting or result, an entry without a published line, or the reverse.
+    measured, spread, seeds and note; ``notes``, the same note by kind; and ``number``, a
+    :class:`~placecat.thesis.number.Number`. A comparison has rows for both sides and for their difference,
+    variant minus baseline, in points. ``spread`` and ``seeds`` are as in
+    :func:`~placecat.thesis.tables.fill_table`. Raises PlacecatError for an unknown setting or result, an
+    entry without a published line, or a published line without an entry.
 
     Parameters
     ----------
     entries
-        Name of an entry to its settings, see data/thesis/in_text.yaml: a comparison
+        Maps each entry's name to its settings (see data/thesis/in_text.yaml). An entry is a comparison
         (:func:`~placecat.thesis.comparison.compare`), a single ``result``
         (:func:`~placecat.thesis.comparison.alone`) or a ``record``
         (:func:`~placecat.thesis.records.read_off`), each with ``thesis_data`` and, if not measured on the
-        main data set, its data (``split``, or ``data`` in words); or a ``reference``, the reason why it was
-        not measured.
+        main data set, its data (``split``, or ``data`` in words). Or it is a ``reference``, the reason why it
+        was not measured.
     published
         Columns name, section, quantity, home, value (NaN if the thesis has only words), quote and note; the
-        note lists passages of the thesis that contradict the value.
+        note lists passages in the thesis that contradict the value.
     dataset, splits
         ``title`` and ``thesis_data`` of the main data set, and of each split's data set.
     records

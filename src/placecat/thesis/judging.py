@@ -1,4 +1,4 @@
-"""Judge one comparison of the thesis by the measurements."""
+"""Judge a comparison of the thesis by this run's measurements."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ _WHERE = {
 
 @dataclass(frozen=True)
 class Thesis:
-    """The thesis's numbers: each side and their difference (or ratio); missing ones are NaN."""
+    """The thesis's numbers: one per side, and their difference (or ratio); missing ones are NaN."""
 
     numbers: tuple[float, ...]
     difference: float
@@ -36,26 +36,26 @@ class Thesis:
 
 @dataclass(frozen=True)
 class Measurement:
-    """The numbers of this run.
+    """This run's numbers.
 
     Attributes
     ----------
     numbers
-        Number of each side, percent.
+        Each side's number, in percent.
     results
         The results used on each side.
     interval
         Interval of the difference (or ratio), rounded to 2 decimals; the ends are NaN for a single unit.
     corrected
-        The same at the level that allows for the number of the finding's comparisons.
+        The interval at the level that allows for the finding's number of comparisons.
     units
         Number and kind of the units, as text.
     gains
-        For each home (or all pooled sequences), (results,): left minus right, result by result, mean over
-        seeds; empty if the results of the sides do not pair.
+        One (results,) array per home (or for all pooled sequences): left minus right for each pair of
+        results, mean over seeds. Empty if the sides' results do not pair.
     worse, better
-        Number of cases (a result in a home) in which the left was noticeably worse or better than the right
-        with every seed.
+        Number of cases (a pair of results in a home) in which the left was noticeably worse or better than
+        the right with every seed.
     note
         The parts left out, or "".
     """
@@ -73,9 +73,9 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Judged:
-    """One comparison with its published and measured numbers and its verdict.
+    """A comparison with its published and measured numbers and its verdict.
 
-    The claimed range is None for ``both_signs``; the measurement is None if this run lacks a result.
+    `claimed` is None for ``both_signs``; `measurement` is None if this run lacks a result.
     """
 
     comparison: Comparison
@@ -94,10 +94,10 @@ def judge_comparison(
     published: Published,
     comparisons: int = 1,
 ) -> Judged:
-    """Judge one comparison; wrong settings raise PlacecatError, missing measurements make it undecided.
+    """Judge one comparison; it is undecided if measurements are missing.
 
-    `finding` is the name of its finding, which determines the bootstrap's seed; `comparisons` is the number
-    of the finding's comparisons, all of which must hold.
+    `finding` is the finding's name, which determines the bootstrap's seed; `comparisons` is the finding's
+    number of comparisons, all of which must hold. Invalid settings raise PlacecatError.
     """
     try:
         paired = (
@@ -126,9 +126,9 @@ def judge_comparison(
 
 
 def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str]:
-    """Judge whether something hurts as well as helps: the verdict on all cases together, and the reason.
+    """Judge, from all cases together, whether something both hurts and helps; return verdict and reason.
 
-    A case is a result in a home; homes may differ between comparisons. The rule is in
+    A case is a pair of results in a home; homes may differ between comparisons. The rule is that of
     :func:`placecat.evaluation.verdict.judge_shares`.
     """
     worse, better = sum(one.worse for one in measured), sum(one.better for one in measured)
@@ -150,7 +150,7 @@ def judge_cases(measured: Sequence[Measurement], rules: Rules) -> tuple[str, str
 
 
 def look_up(comparison: Comparison, published: Published, sides: Sequence[Side] | None = None) -> Thesis:
-    """Find the published numbers of a comparison, or of its `sides` with only the measured results."""
+    """Look up a comparison's published numbers; `sides` can restrict them to the measured results."""
     sides = comparison.sides if sides is None else sides
     home = comparison.published_home or AVERAGE
     numbers = [_combine(side, _published(side, published, home)[:, None]) for side in sides]
@@ -163,7 +163,7 @@ def look_up(comparison: Comparison, published: Published, sides: Sequence[Side] 
 def measure(
     finding: str, comparison: Comparison, rules: Rules, paired: Paired | Pooled, comparisons: int = 1
 ) -> Measurement:
-    """Measure a comparison, with a bootstrap over its units; a ratio to 0 raises NotComputable.
+    """Measure a comparison with a bootstrap over its units; a ratio to 0 raises NotComputable.
 
     `finding` and `comparisons` are as for :func:`judge_comparison`.
     """
@@ -200,7 +200,7 @@ def measure(
 
 
 def in_each_home(comparison: Comparison, paired: Paired) -> NDArray[np.float64]:
-    """(homes,) difference (or ratio) of the sides in each home, mean over seeds.
+    """Return the (homes,) difference (or ratio) of the sides' means over seeds in each home.
 
     Raises NotComputable for a ratio to 0.
     """
@@ -220,17 +220,17 @@ def _reason(verdict: str, measured: Measurement, claimed: Range, level: float) -
 
 
 def percent(level: float) -> str:
-    """A level as text, e.g. "95 %" or "99.64 %"."""
+    """Format a level as text, e.g. "95 %" or "99.64 %"."""
     return f"{100 * level:.4g} %"
 
 
 def _combine(side: Side, values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(results, n) to (n,)."""
+    """Combine the (results, n) values of a side into (n,) values."""
     return values.max(axis=0) if side.combine == "best" else values.mean(axis=0)
 
 
 def _compare(comparison: Comparison, sides: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
-    """One or two (n,) to (n,)."""
+    """Return the (n,) differences (or ratios) of one or two sides with (n,) values each."""
     if len(sides) == 1:
         return sides[0] - (comparison.range[1] or 0.0)
     if comparison.compare == "difference":
@@ -241,7 +241,7 @@ def _compare(comparison: Comparison, sides: Sequence[NDArray[np.float64]]) -> ND
 
 
 def _gains(paired: Paired | Pooled) -> NDArray[np.float64]:
-    """(results, homes, seeds): left minus right, result by result; empty if the results do not pair."""
+    """Return left minus right per pair of results, (results, homes, seeds); empty if they do not pair."""
     if len(paired.values) == 2 and len(paired.values[0]) == len(paired.values[1]):
         return paired.values[0] - paired.values[1]
     return np.empty((0, *paired.values[0].shape[1:]))

@@ -1,4 +1,4 @@
-"""Layouts of tables: the measured number of each cell."""
+"""Table layouts, which determine the measured number of each cell."""
 
 import itertools
 from collections.abc import Mapping
@@ -23,20 +23,20 @@ from placecat.thesis.number import (
     over_homes,
 )
 
-# Group, row and column of a cell in the published tables, and its number.
+# A cell's group, row and column in the published tables; and the number of each cell.
 Key = tuple[str, str, str]
 Cells = dict[Key, Number]
 
 
 def place_column(place: str) -> str:
-    """Name of a place in the published tables, e.g. ``living_room`` is "Living Room"."""
+    """Return a place's name in the published tables, e.g. "Living Room" for ``living_room``."""
     return place.replace("_", " ").title()
 
 
 def cells(table: Mapping[str, Any], results: Results) -> Cells:
-    """Fill the cells of one table by its ``layout``, the name of one of the functions below.
+    """Fill a table's cells by its ``layout``, which names one of the functions below.
 
-    A result that the run does not have raises PlacecatError.
+    Raises PlacecatError for a result that the run does not have.
     """
     return LAYOUTS[table["layout"]](table, results)
 
@@ -44,8 +44,8 @@ def cells(table: Mapping[str, Any], results: Results) -> Cells:
 def by_class(table: Mapping[str, Any], results: Results) -> Cells:
     """One row per test home, one column per place, and averages over places and homes (e.g. Table 6).
 
-    The only result is ``table["result"]``. An average over homes uses those that show the place; the average
-    of the averages is the mean over homes, as everywhere.
+    All cells show ``table["result"]``. A place's average is over the homes that show it; the overall average
+    is the mean over the homes' averages, as in every table.
     """
     name = table["result"]
     of_place = {
@@ -67,8 +67,8 @@ def by_class(table: Mapping[str, Any], results: Results) -> Cells:
 def by_home(table: Mapping[str, Any], results: Results) -> Cells:
     """One row per result, one column per test home, and the average over homes (e.g. Table 26).
 
-    Each of ``table["rows"]`` has `group`, `row` and `result`. The note of a filtered result states the frames
-    that the information filter drops.
+    Each of ``table["rows"]`` has `group`, `row` and `result`. A filtered result has a note on the share of
+    frames that the information filter drops.
     """
     homes = {home_label(number): home for number, home in enumerate(results.homes, start=1)} | {AVERAGE: ""}
     return {
@@ -79,11 +79,11 @@ def by_home(table: Mapping[str, Any], results: Results) -> Cells:
 
 
 def by_home_with_gains(table: Mapping[str, Any], results: Results) -> Cells:
-    """Like `by_home`, with the gains of some results over the best of others, in points.
+    """Like `by_home`, but with the gains of some results over the best of others, in points.
 
     Groups are in the order of the rows, with gains last. Each of ``table["gains"]`` has `group`, `row`,
-    `result` and `over`, a list of results. A gain is the difference to the best of these by the average over
-    homes, the same result in every home; a note names it.
+    `result` and `over`, a list of results. A gain is `result` minus the result in `over` with the highest
+    average over homes, which is the same one in every home; a note names it.
     """
     names = {row["result"]: row["row"] for row in table["rows"]}
     filled = by_home(table, results)
@@ -100,11 +100,11 @@ def by_home_with_gains(table: Mapping[str, Any], results: Results) -> Cells:
 
 
 def grid(table: Mapping[str, Any], results: Results) -> Cells:
-    """Any axes, possibly including the test homes: each cell is a separate trial (e.g. Table 12).
+    """A separate trial for each combination of axis labels; an axis can be the test homes (e.g. Table 12).
 
-    ``table["axes"]`` spans the trials, in the homes of ``table["homes"]``. An axis of homes
-    has the labels "Home n" and, for two or more homes, "Average"; otherwise every cell is the mean over the
-    homes.
+    ``table["axes"]`` defines the trials, which are tested in ``table["homes"]``. An axis of homes has the
+    labels "Home n" and, for two or more homes, "Average". Without such an axis, each cell is the mean over
+    the homes.
     """
     axes = [table["axes"].get(axis, {"": {}}) for axis in AXES]
     numbers = results.numbers if table["homes"] == "all" else [int(number) for number in table["homes"]]
@@ -113,7 +113,7 @@ def grid(table: Mapping[str, Any], results: Results) -> Cells:
         name = trial_name(table["name"], *labels)
         whole = [] if HOMES in axes else [("", over_homes(results, name, numbers))]
         for home, number in whole or in_homes(results, name, numbers):
-            # The label of an axis of homes is still empty.
+            # Until here, the label of an axis of homes is empty.
             pairs = zip(axes, labels, strict=True)
             group, row, column = (home if axis == HOMES else label for axis, label in pairs)
             filled[group, row, column] = number
@@ -124,7 +124,7 @@ def pooled_by_class(table: Mapping[str, Any], results: Results) -> Cells:
     """One row per result, one column per place, all test sequences counted together (Tables 30 and 31).
 
     Each of ``table["rows"]`` has `group`, `row` and `result`. ``table["plain"]``, if present, names a column
-    for the share of all frames, of any place.
+    for the share of correct frames, regardless of their place.
     """
     filled: Cells = {}
     for row in table["rows"]:
@@ -146,10 +146,10 @@ def pooled_by_class(table: Mapping[str, Any], results: Results) -> Cells:
 
 
 def probabilities(table: Mapping[str, Any], results: Results) -> Cells:
-    """One row per result: quality of its distributions, averaged over test homes (not in the thesis).
+    """One row per result: its distributions' quality, averaged over test homes (not in the thesis).
 
-    Each of ``table["rows"]`` has `group`, `row` and `result` of the main data set. Columns are log-loss
-    (nats), calibration error and accuracy of stays (both in percent), see
+    Each of ``table["rows"]`` has `group`, `row` and `result`, a result on the main data set. The columns are
+    log-loss (nats), calibration error and stay accuracy (both in percent), see
     :class:`placecat.evaluation.quality.HomeQuality`.
     """
     return {
@@ -164,7 +164,7 @@ def _quality(results: Results, name: str, measure: str) -> Number:
     if one is None:
         reasons = results.reasons(name)
         if not reasons:
-            # Refuses an unknown name.
+            # Raise an error for an unknown name.
             results.of(name)
         return nothing(*(reasons or ["nothing was measured"]), origins=origins)
     values = one.over_homes(measure)
@@ -174,7 +174,7 @@ def _quality(results: Results, name: str, measure: str) -> Number:
     return Number(values, one.is_random, origins=origins).noted(only_some(there, results.numbers))
 
 
-# A literal, because placecat.thesis.checks reads the names from the source.
+# This must be a literal, because placecat.thesis.checks reads the names from the source.
 LAYOUTS = {
     "by_class": by_class,
     "by_home": by_home,

@@ -1,4 +1,4 @@
-"""Metrics and plots that DVC compares between revisions."""
+"""The metrics and plots that DVC compares between revisions."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -13,16 +13,16 @@ from placecat.settings import refuse_unknown
 CONFUSION, ACCURACY_BY_HOME = "confusion", "accuracy_by_home"
 ACCURACY, LOG_LOSS = "accuracy", "log_loss"
 _AXES = ("group", "row", "column")
-# Name of the nameless rows or groups in a table where most have names.
+# Name for rows or groups without a name, in a table where others have names.
 _NAMELESS = "-"
 
 
 def nested_metrics(tables: Mapping[str, pd.DataFrame]) -> dict[str, Any]:
-    """Nest the numbers ``measured`` (NaN for none) of filled tables, by name, for `dvc metrics`.
+    """Nest the ``measured`` numbers of filled tables for `dvc metrics`.
 
-    Returns name to group to row to column to number. Labels that are empty in the whole table are left out:
-    Table 26 is ``{"5-5-1, all cues": {"Gist": {"Home 1": 31.2}}}``, Table 5 ``{"SVM": {"Home 1": 31.2}}``.
-    Cells and tables without a number are left out.
+    Returns nested mappings with the keys name, group, row and column. A level whose labels are all empty in a
+    table is left out: Table 26 is ``{"5-5-1, all cues": {"Gist": {"Home 1": 31.2}}}``, Table 5
+    ``{"SVM": {"Home 1": 31.2}}``. Cells and tables without a number (NaN) are left out.
     """
     return {name: found for name, table in tables.items() if (found := _nest(table))}
 
@@ -42,13 +42,12 @@ def _nest(table: pd.DataFrame) -> dict[str, Any]:
 
 
 def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -> dict[str, Any]:
-    """Averages of selected results, one column each in `dvc exp show`.
+    """Average selected results over homes and seeds, as in the tables; `dvc exp show` has a column for each.
 
-    `chosen` has ``accuracy`` and ``log_loss``: name of a column, e.g. ``gist``, to the name of its result,
-    e.g. ``cues/gist/5-5-1``. Returns name to accuracy in percent, rounded to two decimals, and in
-    ``log_loss`` name to log-loss in nats, rounded to three: means over homes and seeds as in the tables.
-    Results that this data does not allow are left out. An unknown kind of number or result raises
-    PlacecatError.
+    `chosen` has the keys ``accuracy`` and ``log_loss``. Each maps a column's name, e.g. ``gist``, to the name
+    of its result, e.g. ``cues/gist/5-5-1``. Returns the accuracies in percent with two decimals, by column,
+    and under ``log_loss`` the log-losses in nats with three decimals, by column. Results that this data does
+    not allow are left out. An unknown kind of number or result raises PlacecatError.
     """
     refuse_unknown(chosen, [ACCURACY, LOG_LOSS], "metrics")
     averages: dict[str, dict[str, float]] = {ACCURACY: {}, LOG_LOSS: {}}
@@ -64,11 +63,12 @@ def chosen_averages(results: Results, chosen: Mapping[str, Mapping[str, str]]) -
 
 
 def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[str, pd.DataFrame]:
-    """Choose the data of `dvc plots`.
+    """Choose the data for `dvc plots`.
 
-    `plots` has ``confusion`` and ``accuracy_by_home``: name of a panel to the name of its result. Returns
-    file below reports/plots, e.g. ``confusion/smoothing.csv``, to its rows; a result that this data does not
-    allow has no rows. An unknown kind of plot or result raises PlacecatError.
+    `plots` has the keys ``confusion`` and ``accuracy_by_home``. Each maps a panel's name to the name of its
+    result. Returns a mapping from each file below reports/plots, e.g. ``confusion/smoothing.csv``, to its
+    rows; a result that this data does not allow has no rows. An unknown kind of plot or result raises
+    PlacecatError.
     """
     kinds = {CONFUSION: decisions, ACCURACY_BY_HOME: accuracies}
     refuse_unknown(plots, list(kinds), "plots")
@@ -80,7 +80,7 @@ def plot_data(results: Results, plots: Mapping[str, Mapping[str, str]]) -> dict[
 
 
 def _find(results: Results, name: str, where: str) -> Measured | None:
-    """A result; None if this data does not allow it."""
+    """Look up a result; None if this data does not allow it."""
     try:
         return results.find(name)
     except PlacecatError as error:
@@ -88,9 +88,9 @@ def _find(results: Results, name: str, where: str) -> Measured | None:
 
 
 def decisions(measured: Measured | None) -> pd.DataFrame:
-    """Columns truth and decision, one row per frame of all test homes, of the first seed.
+    """Return the columns truth and decision, with one row per frame of all test homes, for the first seed.
 
-    DVC's template `confusion` counts the rows, which are in the order of the places.
+    Rows are in the order of the places; DVC's template `confusion` counts them.
     """
     if measured is None:
         return pd.DataFrame(columns=["truth", "decision"])
@@ -101,7 +101,7 @@ def decisions(measured: Measured | None) -> pd.DataFrame:
 
 
 def accuracies(measured: Measured | None) -> pd.DataFrame:
-    """Columns home and accuracy (percent, mean over places and seeds), one row per test home."""
+    """Return the columns home and accuracy (percent, mean over places and seeds), one row per test home."""
     if measured is None:
         return pd.DataFrame(columns=["home", "accuracy"])
     mean = measured.by_home().mean(axis=0).round(2)

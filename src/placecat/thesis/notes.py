@@ -1,4 +1,4 @@
-"""Notes on the numbers of a table, by subject."""
+"""Notes on a table's numbers, by subject."""
 
 from collections.abc import Iterable
 from enum import StrEnum
@@ -11,34 +11,34 @@ _KEY = ["group", "row", "column"]
 
 
 class Kind(StrEnum):
-    """Subject of a note."""
+    """A note's subject."""
 
-    # The data set of the measured number; applies to the whole table.
+    # The data set of the measured numbers; applies to the whole table.
     DATA = "data"
-    # The published number is from other data; applies to the whole table.
+    # The published numbers are from other data; applies to the whole table.
     NOT_COMPARABLE = "not_comparable"
     # The published cell is "n/a".
     NOT_AVAILABLE = "not_available"
-    # The published number of this cell, e.g. one that contradicts the thesis's other numbers.
+    # This cell's published number, e.g. because it contradicts other numbers in the thesis.
     PUBLISHED = "published"
-    # The measured number of this cell, or the reason why it is missing.
+    # This cell's measured number, or the reason why it is missing.
     MEASURED = "measured"
 
 
 class Note(NamedTuple):
-    """One note."""
+    """A note on a number, with its subject."""
 
     kind: Kind
     text: str
 
     @property
     def is_of_the_table(self) -> bool:
-        """Whether it applies to the whole table and is in the caption."""
+        """Whether the note applies to the whole table and belongs in the caption."""
         return self.kind in (Kind.DATA, Kind.NOT_COMPARABLE)
 
     @property
     def is_about_the_published(self) -> bool:
-        """Whether it is about the thesis's number."""
+        """Whether the note is about the thesis's number."""
         return self.kind in (Kind.NOT_COMPARABLE, Kind.NOT_AVAILABLE, Kind.PUBLISHED)
 
 
@@ -46,19 +46,19 @@ Notes = tuple[Note, ...]
 
 
 def joined(notes: Iterable[Note]) -> str:
-    """Notes as one text, without duplicates."""
+    """Join notes into one text, without duplicates."""
     return "; ".join(dict.fromkeys(note.text for note in notes))
 
 
 def without_empty(notes: Iterable[Note]) -> Notes:
-    """Notes without empty ones and duplicates."""
+    """Remove empty notes and duplicates."""
     return tuple(dict.fromkeys(note for note in notes if note.text))
 
 
 def to_rows(name: str, cells: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.DataFrame:
-    """Column `notes` of a table as rows (`COLUMNS`), since a CSV cell cannot hold them.
+    """Turn a table's column `notes` into rows (`COLUMNS`), since a CSV cell cannot hold it.
 
-    The three columns `key` identify the cell of a row.
+    The three columns in `key` identify each row's cell.
     """
     rows = [
         (name, *labels, note.kind.value, note.text)
@@ -69,7 +69,7 @@ def to_rows(name: str, cells: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.Dat
 
 
 def with_notes(name: str, cells: pd.DataFrame, rows: pd.DataFrame, key: Iterable[str] = _KEY) -> pd.DataFrame:
-    """A table with its column `notes` restored from the rows of :func:`to_rows` for one or many tables."""
+    """Restore a table's column `notes` from the rows of :func:`to_rows`, which may cover several tables."""
     by_cell: dict[tuple[str, ...], Notes] = {}
     for _, *labels, kind, text in rows[rows["table"] == name][COLUMNS].itertuples(index=False, name=None):
         by_cell[tuple(labels)] = (*by_cell.get(tuple(labels), ()), Note(Kind(kind), text))

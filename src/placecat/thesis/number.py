@@ -1,4 +1,4 @@
-"""A number in the report: its value for each seed, or the reason why it is missing."""
+"""A number in the report, with its value for each seed, or the reason why it is missing."""
 
 from __future__ import annotations
 
@@ -13,15 +13,16 @@ from placecat.evaluation.accuracy import home_accuracy
 from placecat.results.measured import Results, mean_and_spread
 
 AVERAGE = "Average"
-# Part of an origin: frames of all places count.
+# The `part` of an origin for which the frames of all places count.
 ALL_FRAMES = "all frames"
 
 
 class Origin(NamedTuple):
     """The source of a number: a result in some homes.
 
-    `part` is a place, a measure of probabilities or `ALL_FRAMES` (the share of all frames), unless the number
-    is the accuracy over all places. Without homes it covers all test homes or sequences.
+    `part` is a place, a measure of probabilities or `ALL_FRAMES` (the share of correct frames, regardless of
+    their place); it is "" if the number is the accuracy over all places. An origin without homes covers all
+    test homes or sequences.
     """
 
     result: str
@@ -31,20 +32,20 @@ class Origin(NamedTuple):
 
 @dataclass(frozen=True)
 class Number:
-    """One number, measured with each seed.
+    """A number, measured with each seed.
 
     Attributes
     ----------
     values
-        (seeds,) percent or points; (1,) if nothing is random, (0,) if there is no number.
+        (seeds,) values, usually percent or points; (1,) if nothing is random, (0,) if the number is missing.
     is_random
-        Whether it depends on a seed.
+        Whether the number depends on a seed.
     notes
-        The reasons for a missing number, or remarks on the number.
+        Remarks on the number, or the reasons why it is missing.
     digits
-        Digits after the point.
+        Digits after the decimal point.
     origins
-        Its sources; a missing number has them too.
+        The number's sources, even if it is missing.
     """
 
     values: NDArray[np.float64]
@@ -55,25 +56,25 @@ class Number:
 
     @property
     def measured(self) -> float:
-        """Mean over the seeds, rounded; NaN if there is no number."""
+        """Rounded mean over the seeds; NaN if the number is missing."""
         return round(float(self.values.mean()), self.digits) if len(self.values) else float("nan")
 
     @property
     def spread(self) -> float:
-        """Largest minus smallest over the seeds, 2 decimals; NaN without a number or if nothing is random."""
+        """Largest minus smallest value over seeds, 2 decimals; NaN if missing or if nothing is random."""
         return mean_and_spread(self.values, random=self.is_random)[1] if len(self.values) else float("nan")
 
     @property
     def seeds(self) -> int:
-        """Number of seeds, 0 if nothing is random or there is no number."""
+        """Number of seeds; 0 if nothing is random or the number is missing."""
         return len(self.values) if self.is_random else 0
 
     def noted(self, *notes: str) -> Number:
-        """The number with further non-empty notes; unchanged if it has no value."""
+        """Return the number with any non-empty `notes` added; a missing number stays unchanged."""
         return replace(self, notes=merged([self.notes, notes])) if len(self.values) else self
 
     def minus(self, other: Number) -> Number:
-        """The difference for each seed; non-random values are the same with every seed."""
+        """Subtract another number seed by seed; a number that is not random is the same for every seed."""
         origins = united((self, other))
         if not len(self.values) or not len(other.values):
             reasons = merged(one.notes for one in (self, other) if not len(one.values))
@@ -84,12 +85,12 @@ class Number:
 
 
 def nothing(*reasons: str, origins: tuple[Origin, ...] = ()) -> Number:
-    """A missing number and the reasons."""
+    """Return a missing number, with the reasons why it is missing."""
     return Number(np.empty(0), False, reasons, origins=origins)
 
 
 def united(numbers: Iterable[Number]) -> tuple[Origin, ...]:
-    """Origins of several numbers; each result and part appears once, with all its homes."""
+    """Merge the origins of several numbers; each result and part appears once, with all its homes."""
     homes: dict[tuple[str, str], tuple[str, ...]] = {}
     for origin in (origin for one in numbers for origin in one.origins):
         key = (origin.result, origin.part)
@@ -98,30 +99,31 @@ def united(numbers: Iterable[Number]) -> tuple[Origin, ...]:
 
 
 def merged(notes: Iterable[Iterable[str]]) -> tuple[str, ...]:
-    """Non-empty notes of several numbers, without duplicates."""
+    """Merge the non-empty notes of several numbers, without duplicates."""
     return tuple(dict.fromkeys(note for of_one in notes for note in of_one if note))
 
 
 def mean(numbers: Sequence[Number]) -> Number:
-    """The mean of some numbers for each seed, without those that have no value."""
+    """Average numbers seed by seed, leaving out missing ones."""
     there = [one for one in numbers if len(one.values)]
     if not there:
         return nothing(*merged(one.notes for one in numbers), origins=united(numbers))
-    # Adding keeps the seeds apart and broadcasts non-random values.
+    # The sum keeps the seeds apart, and broadcasts values that are not random.
     total = sum((one.values for one in there[1:]), there[0].values)
     is_random = any(one.is_random for one in there)
     return Number(total / len(there), is_random, origins=united(there))
 
 
 def home_label(number: int) -> str:
-    """Name of the n-th home (from 1) in the published tables."""
+    """Return the name of the n-th home (from 1) in the published tables."""
     return f"Home {number}"
 
 
 def in_home(results: Results, name: str, number: int, place: str = "") -> Number:
-    """Accuracy of a result in the n-th home (from 1) of the main data set, in percent; see `Results.find`.
+    """Return a result's accuracy in the n-th home (from 1) of the main data set, in percent.
 
-    With a `place` it is the percentage of that place's frames that were decided correctly.
+    With a `place`, return the percentage of that place's frames that are decided correctly. Errors are those
+    of `Results.find`.
     """
     if number > len(results.homes):
         return nothing(f"the data set has only {len(results.homes)} homes")
@@ -141,9 +143,9 @@ def in_home(results: Results, name: str, number: int, place: str = "") -> Number
 
 
 def over_homes(results: Results, name: str, numbers: Sequence[int]) -> Number:
-    """Accuracy of a result averaged over homes given by their numbers (from 1), in percent.
+    """Average a result's accuracy, in percent, over homes; `numbers` are the homes' numbers, from 1.
 
-    Homes without a number are left out, with a note.
+    Homes in which the result is missing are left out, with a note.
     """
     parts = [in_home(results, name, number) for number in numbers]
     there = [number for number, part in zip(numbers, parts, strict=True) if len(part.values)]
@@ -151,18 +153,18 @@ def over_homes(results: Results, name: str, numbers: Sequence[int]) -> Number:
 
 
 def only_some(there: Sequence[int], numbers: Sequence[int]) -> str:
-    """Note on a mean over only some of the homes, given by their numbers (from 1); "" if it is over all."""
+    """Return a note that a mean covers only the homes `there` (numbers from 1); "" if it covers all."""
     return "" if len(there) == len(numbers) else f"mean over only {', '.join(map(home_label, there))}"
 
 
 def best_of(results: Results, names: Sequence[str]) -> str:
-    """The result with the largest average over homes; the first one in a tie or if none was measured."""
+    """Return the result with the highest average over homes; the first in a tie or if none was measured."""
     averages = [over_homes(results, name, results.numbers).measured for name in names]
     return names[int(np.nanargmax(averages))] if np.isfinite(averages).any() else names[0]
 
 
 def in_homes(results: Results, name: str, numbers: Sequence[int]) -> list[tuple[str, Number]]:
-    """Accuracies in some homes and, for two or more, their average, with their published names."""
+    """Return the accuracy in each home and, for two or more homes, the average, with published names."""
     found = [(home_label(number), in_home(results, name, number)) for number in numbers]
     if len(numbers) > 1:
         found.append((AVERAGE, over_homes(results, name, numbers)))

@@ -1,4 +1,4 @@
-"""Measurements of a comparison's sides on the same homes, or on the same stays."""
+"""Pair the measurements of a comparison's sides in the same homes."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -16,22 +16,22 @@ Statistic = Callable[[Sequence[NDArray[np.float64]]], NDArray[np.float64]]
 
 @dataclass(frozen=True)
 class Paired:
-    """Values of some sides on the homes in which all of them were measured.
+    """Values of some sides in the homes in which all results were measured.
 
     Attributes
     ----------
     sides
         The sides, each with only the results used.
     values
-        Per side (results, homes, seeds), percent; one seed if nothing is random.
+        One (results, homes, seeds) array of percent per side; one seed if nothing is random.
     homes
-        Their names.
+        The homes' names.
     seeds
-        Number of seeds that all random results share, 0 if nothing is random.
+        Number of seeds that all random results share; 0 if nothing is random.
     by_seed
-        Whether a unit is a home with one seed, instead of a home with the mean over its seeds.
+        Whether a unit is a home with one seed, instead of a home with its mean over seeds.
     note
-        The homes left out and the reasons, or "".
+        The results and homes left out and the reasons, or "".
     """
 
     sides: tuple[Side, ...]
@@ -48,7 +48,7 @@ class Paired:
         return f"{homes} x {_count(self.seeds, 'seed')}" if self.by_seed else homes
 
     def by_unit(self) -> tuple[NDArray[np.float64], ...]:
-        """Per side (results, units); the units are those of `by_seed`."""
+        """Return one (results, units) array per side; `by_seed` determines the units."""
         if self.by_seed:
             return tuple(values.reshape(len(values), -1) for values in self.values)
         return tuple(values.mean(axis=2) for values in self.values)
@@ -60,19 +60,19 @@ class Paired:
 
     @property
     def at_hand(self) -> bool:
-        """Whether an interval is for these homes only."""
+        """Whether an interval is valid for these homes only."""
         return self.by_seed
 
     def too_few(self, minimum: int) -> str:
-        """The reason if there are too few units for a verdict, else ""."""
+        """Return the reason if there are too few units for a verdict, else ""."""
         return f"{self.units} are too few for a verdict" if self.n_units < minimum else ""
 
     def overall(self) -> tuple[NDArray[np.float64], ...]:
-        """Per side (results, 1) percent, with equal weights of units."""
+        """Return one (results, 1) array of percent per side; all units weigh the same."""
         return tuple(values.mean(axis=1, keepdims=True) for values in self.by_unit())
 
     def interval(self, statistic: Statistic, seed: int, level: float, resamples: int) -> Interval:
-        """Interval of a statistic that maps (results, n) of each side to (n,)."""
+        """Compute the interval of a statistic that maps a (results, n) array per side to (n,) values."""
         by_unit = self.by_unit()
         return paired_bootstrap(
             lambda weights: statistic([values @ weights.T for values in by_unit]),
@@ -84,9 +84,9 @@ class Paired:
 
 
 def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
-    """Pair the sides; with `few_homes` or fewer, a home with one seed is a unit, if anything is random.
+    """Pair the sides; with at most `few_homes` homes and random results, each seed of a home is a unit.
 
-    Raises NotComputable, with the reasons, if a result was not measured or no home has all of them.
+    Raises NotComputable, with the reasons, if a result was not measured or if no home has every result.
     """
     used = computable(results, sides)
     names = list(dict.fromkeys(name for side in used for name in side.results))
@@ -112,11 +112,12 @@ def pair(results: Results, sides: Sequence[Side], few_homes: int) -> Paired:
 
 
 def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
-    """Drop results that this data does not allow, from sides with several.
+    """Drop the results that this data does not allow from sides with several results.
 
-    ``best`` and ``last`` choose from the remaining results. Means that pair results keep the same positions
-    on both sides. A side that would lose all its results keeps them, and the reasons are reported later. Each
-    remaining result keeps the published number of its cell.
+    ``best`` and ``last`` choose from the remaining results. Means keep only positions whose results are
+    allowed on both sides, so results still pair. A side that would lose all its results keeps them (with
+    ``last``, the last one), and the reasons are reported later. Each remaining result keeps its published
+    number.
     """
     impossible = {name for name, _ in results.missing} - set(results.measured)
     together = len({len(side.results) for side in sides}) == 1
@@ -139,7 +140,7 @@ def computable(results: Results, sides: Sequence[Side]) -> tuple[Side, ...]:
 
 
 def look_up(results: Results, name: str) -> Measured:
-    """Find a result; a missing one raises NotComputable with the reasons."""
+    """Look up a result; a missing one raises NotComputable with the reasons."""
     if name not in results.measured:
         if reasons := results.reasons(name):
             raise NotComputable(f"{name}: {', '.join(sorted(reasons))}")
@@ -148,7 +149,7 @@ def look_up(results: Results, name: str) -> Measured:
 
 
 def common_seeds(measured: Iterable[Measured]) -> tuple[str, ...]:
-    """Names of the seeds that all random results share, none if nothing is random."""
+    """Return the names of the seeds that all random results share; none if nothing is random."""
     random = [one for one in measured if one.is_random]
     if not random:
         return ()
@@ -169,12 +170,12 @@ def _values(one: Measured, side: Side, homes: Sequence[str], seeds: tuple[str, .
         percent = 100.0 - percent
     if one.is_random and seeds:
         return percent[[one.seeds.index(seed) for seed in seeds]].T
-    # Nothing is random, or seeds differ: only the means can be paired.
+    # Nothing is random, or the results share no seed: only the means can be paired.
     return np.broadcast_to(percent.mean(axis=0), (max(len(seeds), 1), len(homes))).T
 
 
 def left_out(sides: Sequence[Side], used: Sequence[Side]) -> list[str]:
-    """Name the results that could not be computed; for ``last``, only those that follow the used one."""
+    """Describe the results left out of each side; for ``last``, only those that follow the one used."""
     texts = []
     for side, kept in zip(sides, used, strict=True):
         asked = side.results

@@ -1,4 +1,4 @@
-"""Measurements of a comparison's sides on the frames of all test sequences, counted as one."""
+"""Pool the measurements of a comparison's sides over the frames of all test sequences."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,21 +15,22 @@ from placecat.thesis.pairing import Statistic, common_seeds, computable, left_ou
 
 @dataclass(frozen=True)
 class Pooled:
-    """Decisions of some sides on the stays, visits to a place, of all test sequences.
+    """Decisions of some sides on the stays (visits to a place) in all test sequences.
 
-    The frames of a stay are near-duplicates, so a stay is the unit. The place of each stay is fixed: each
-    place is a stratum.
+    The frames of a stay are near-duplicates, so the unit is a stay. Each place is a stratum, since its number
+    of stays is fixed.
 
     Attributes
     ----------
     sides
         The sides, each with only the results used.
     right
-        Per side (results, seeds, stays) number of frames decided correctly; one seed if nothing is random.
+        One (results, seeds, stays) array per side: the number of frames decided correctly; one seed if
+        nothing is random.
     frames
-        (stays,) number of frames.
+        (stays,) number of frames in each stay.
     places
-        (stays,) number of the place, from 0 for the first of `names`.
+        (stays,) index of each stay's place in `names`.
     names
         Names of the places, each with at least one stay.
     note
@@ -43,7 +44,7 @@ class Pooled:
     names: tuple[str, ...]
     note: str
 
-    #: Intervals are for these sequences only.
+    #: Intervals are valid for these sequences only.
     at_hand = True
 
     @property
@@ -53,12 +54,12 @@ class Pooled:
 
     @property
     def n_units(self) -> int:
-        """Number of stays, 1 if no place has two of them, so that there is no interval."""
+        """Number of stays; 1 if no place has two stays, since there is no interval then."""
         return len(self.frames) if len(self.frames) > len(self.names) else 1
 
     @property
     def values(self) -> tuple[NDArray[np.float64], ...]:
-        """Per side (results, 1, seeds) percent, all sequences counted as one home."""
+        """One (results, 1, seeds) array of percent per side; all sequences count as one home."""
         everything: NDArray[np.float64] = 1.0 / np.bincount(self.places)[self.places][None]
         return tuple(
             np.stack([self._accuracy(side, of_seed, everything) for of_seed in right.swapaxes(0, 1)], axis=2)
@@ -66,18 +67,18 @@ class Pooled:
         )
 
     def too_few(self, minimum: int) -> str:
-        """The reason if there are too few stays for a verdict, else ""."""
+        """Return the reason if there are too few stays for a verdict, else ""."""
         once = [self.names[place] for place in np.flatnonzero(np.bincount(self.places) == 1)]
         if len(self.frames) < minimum:
             return f"{self.units} are too few for a verdict"
         return f"only one stay shows {' and '.join(once)}: too few for a verdict" if once else ""
 
     def overall(self) -> tuple[NDArray[np.float64], ...]:
-        """Per side (results, 1) percent, mean over the seeds."""
+        """Return one (results, 1) array of percent per side, the mean over seeds."""
         return tuple(values.mean(axis=2) for values in self.values)
 
     def interval(self, statistic: Statistic, seed: int, level: float, resamples: int) -> Interval:
-        """Like :meth:`placecat.thesis.pairing.Paired.interval`, from a bootstrap over the stays."""
+        """Like :meth:`placecat.thesis.pairing.Paired.interval`, but with a bootstrap over the stays."""
         means = [right.mean(axis=1) for right in self.right]
         return stratified_bootstrap(
             lambda weights: statistic(
@@ -92,10 +93,10 @@ class Pooled:
     def _accuracy(
         self, side: Side, right: NDArray[np.float64], weights: NDArray[np.float64]
     ) -> NDArray[np.float64]:
-        """From (results, stays) right frames and (n, stays) weights to (results, n) percent."""
+        """Compute (results, n) percent from (results, stays) correct frames and (n, stays) weights."""
         kind = np.eye(len(self.names))[self.places]
         if side.plain:
-            # The weight of a place is its number of stays.
+            # Weigh each place by its number of stays.
             kind = np.bincount(self.places)[self.places][:, None] * np.ones((1, 1))
         elif side.place is not None:
             kind = kind[:, [self.names.index(side.place)]]
@@ -105,9 +106,10 @@ class Pooled:
 
 
 def pool(results: Results, sides: Sequence[Side]) -> Pooled:
-    """Bring sides together on the stays of all test sequences.
+    """Pool the sides over the stays in all test sequences.
 
-    Raises NotComputable, with the reasons, if a result was not measured or has no stays.
+    Raises NotComputable, with the reasons, if a result was not measured or has no stays, or if no stay shows
+    a side's place.
     """
     used = computable(results, sides)
     names = list(dict.fromkeys(name for side in used for name in side.results))
@@ -140,7 +142,7 @@ def _by_stay(results: Results, name: str) -> Measured:
 
 
 def _right(one: Measured, stays: Sequence[str], seeds: Sequence[str]) -> NDArray[np.int64]:
-    """(seeds, stays) frames decided correctly."""
+    """Count the (seeds, stays) frames decided correctly."""
     right = np.diagonal(one.confusion, axis1=2, axis2=3).sum(axis=2)
     right = right[:, [one.homes.index(stay) for stay in stays]]
     if one.is_random and seeds:

@@ -1,4 +1,4 @@
-"""The thesis's numbers, looked up by their location in it."""
+"""Look up the thesis's numbers by their location in the thesis."""
 
 import re
 from collections.abc import Mapping
@@ -18,21 +18,22 @@ _TRIAL = re.compile(r"trials/table_(\d+)/(.*)\|(.*)\|(.*)")
 
 @dataclass(frozen=True)
 class Published:
-    """All numbers of the thesis: `tables` has the columns table (int), group, row, column (text) and value.
+    """All numbers in the thesis.
 
-    NaN is an n/a. `text`, numbers outside the tables, has name, section, quantity, home (text) and value.
+    `tables` has the columns table (int), group, row, column (text) and value; an n/a is NaN. `text`, the
+    numbers outside the tables, has the columns name, section, quantity, home (text) and value.
     """
 
     tables: pd.DataFrame
     text: pd.DataFrame
 
     def number(self, reference: Mapping[str, Any], home: str = AVERAGE) -> float:
-        """Look up one number; NaN if the thesis has an n/a or no number.
+        """Look up one number; NaN if the thesis has an n/a or only words.
 
-        `reference` is ``{table, group, row, column}``, labels as published, without the axes that the table
-        lacks; or ``{text, quantity, home}``, the name of a number in the text, with quantity and home if the
-        name has several numbers; or ``{result}``, as for :meth:`of_trial`, which also explains `home`. Raises
-        PlacecatError if the thesis has no such number, or several.
+        `reference` is one of three. ``{table, group, row, column}`` has the labels as published, without the
+        axes that the table lacks. ``{text, quantity, home}`` names a number in the text, with quantity and
+        home if the name has several numbers. ``{result}`` is as for :meth:`of_trial`, which also explains
+        `home`. Raises PlacecatError if the thesis has no such number, or several.
         """
         if "result" in reference:
             return self.of_trial(reference["result"], home)
@@ -49,10 +50,10 @@ class Published:
         return self._only(found, reference)
 
     def of_trial(self, result: str, home: str = AVERAGE) -> float:
-        """The published number of a result that is a cell of a table, NaN for any other result.
+        """Return the published number of a result that is a table cell; NaN for any other result.
 
-        E.g. ``trials/table_12/HOG + y-Pos||196``; the empty label is the axis of homes. It is the number of
-        that home, as published; a table of a single home has no other.
+        An example is ``trials/table_12/HOG + y-Pos||196``; the empty label stands for the axis of homes, from
+        which `home` selects, labelled as published. It is ignored if the table has a single home.
         """
         match = _TRIAL.fullmatch(result)
         if match is None:
@@ -68,10 +69,10 @@ class Published:
             found = [(own, value) for own, value in found if home in [own[axis] for axis in empty]]
         return self._only([value for _, value in found], result)
 
-    # Plain containers: a search in pandas takes a hundred times as long.
+    # These are plain containers, since a search in pandas takes a hundred times as long.
     @cached_property
     def _cells(self) -> dict[int, list[tuple[tuple[str, ...], float]]]:
-        """Labels and values of each table's cells."""
+        """The labels and value of each cell, by table number."""
         cells: dict[int, list[tuple[tuple[str, ...], float]]] = {}
         for table, *labels, value in zip(
             *(self.tables[name] for name in ("table", *_AXES, "value")), strict=True
@@ -81,7 +82,7 @@ class Published:
 
     @cached_property
     def _of_text(self) -> dict[str, list[tuple[dict[str, str], float]]]:
-        """Quantity, home and value of the numbers of each name."""
+        """The quantity, home and value of each number in the text, by name."""
         rows: dict[str, list[tuple[dict[str, str], float]]] = {}
         for name, quantity, home, value in zip(
             *(self.text[column] for column in ("name", "quantity", "home", "value")), strict=True
@@ -97,7 +98,7 @@ class Published:
 
 
 def read_published() -> Published:
-    """Read all numbers of the thesis from data/thesis; raises PlacecatError if a file is damaged."""
+    """Read all numbers in the thesis from data/thesis; raises PlacecatError if a file is damaged."""
     return Published(
         files.read_table(paths.PUBLISHED, ["group", "row", "column"]),
         files.read_table(paths.PUBLISHED_TEXT, ["name", "section", "quantity", "home", "quote"]),

@@ -1,4 +1,4 @@
-"""Numbers from records: speeds stored in git, and facts that the stages store with their results."""
+"""Read numbers from records: speeds stored in git, and facts that stages store with their results."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -22,18 +22,18 @@ _VALUE = ["quantity", "column", "where", "pick", "digits"]
 
 
 def read_off(entry: Mapping[str, Any], records: Mapping[str, pd.DataFrame], where: str) -> list[Line]:
-    """Read the numbers of one entry from a table.
+    """Read an entry's numbers from a table.
 
-    Raises PlacecatError for an unknown setting, table or column, or several rows without ``pick``.
+    Raises PlacecatError for an unknown setting, table or column, or for several rows without ``pick``.
 
     Parameters
     ----------
     entry
-        ``record``, the name of the table, and ``values``, each with ``quantity`` (its name), ``column`` and
-        ``where``, the values of columns that select its row; with several rows ``pick``, "lowest" or
-        "highest"; ``digits`` after the point, 2 by default.
+        ``record``, the table's name, and ``values``. Each value has ``quantity`` (its name), ``column``, and
+        ``where``, which maps columns to the values that select rows. ``pick``, "lowest" or "highest", chooses
+        from several rows. ``digits`` is the number of digits after the decimal point, 2 by default.
     records
-        Tables by name; one without rows was not recorded.
+        Tables by name; a table without rows was not recorded.
     where
         Name of the entry in messages.
     """
@@ -72,11 +72,12 @@ def _value(one: Mapping[str, Any], table: pd.DataFrame, where: str) -> Number:
 
 
 def read_records(params: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
-    """Read the tables, besides results, behind numbers in the thesis's text, by name.
+    """Read the tables, other than results, behind numbers in the thesis's text, by name.
 
-    ``benchmarks`` and ``scale`` are in git. ``nu`` has one row per nu-SVM model and test home: result, home,
-    the requested nu (asked), and the lowest and highest nu that its two-class machines used. ``rejected`` has
-    one row per labelled frame that a filter rejects: filter, home, information. Missing tables have no rows.
+    ``benchmarks`` and ``scale`` are in git. ``nu`` has one row per nu-SVM result, test home and seed: result,
+    home, the requested nu (asked), and the lowest and highest nu that its two-class machines used.
+    ``rejected`` has one row per labelled frame that a filter rejects: filter, home, information. Missing
+    tables have no rows.
     """
     kept = {"benchmarks": paths.BENCHMARKS, "scale": paths.SCALE_STAGES}
     found = {name: pd.read_csv(path) if path.is_file() else pd.DataFrame() for name, path in kept.items()}
@@ -114,7 +115,7 @@ def _nu_of_trials(params: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def _asked(classifier: Mapping[str, Any]) -> float | None:
-    """The nu in a classifier's settings; None unless it is a nu-SVM."""
+    """Return the nu in a classifier's settings; None unless the classifier is a nu-SVM."""
     base = classifier.get("base", {})
     return float(base["nu"]) if base.get("name") == "nu_svm" else None
 

@@ -1,4 +1,4 @@
-"""The meaning of words like "better" and "about" in claims."""
+"""What words like "better" and "about" mean in claims."""
 
 from dataclasses import dataclass
 
@@ -16,19 +16,19 @@ class Rules:
     Attributes
     ----------
     level, resamples
-        As in `paired_bootstrap`.
+        As for `paired_bootstrap`.
     minimum_units
-        With fewer units the verdict is undecided.
+        Smallest number of units for a verdict; with fewer, it is undecided.
     few_homes
-        As in `pair`.
+        As for `pair`.
     about
         Relative deviation from a published difference that "about" allows.
     margin
-        Largest difference in points that is "little" and not "better".
+        Difference in points that "little" and "no better" must stay below.
     noticeable
         Smallest difference in points for which a single home counts as better or worse.
     rare
-        Largest share of better or worse cases that counts as an exception, below 0.5.
+        Largest share of better or worse cases that still counts as an exception, below 0.5.
     """
 
     level: float
@@ -42,13 +42,14 @@ class Rules:
 
 
 def claimed_range(kind: tuple[str, float | None], published_difference: float, rules: Rules) -> Range | None:
-    """The range that a claim allows for the difference; None for ``both_signs``, which ignores the mean.
+    """Return the range that a claim allows for a difference; None for ``both_signs``, which ignores the mean.
 
     The kinds are ``better``: above 0. ``worse``: below 0. ``about``: about the published difference.
-    ``little``: not far from 0. ``no_better``: at most a little above 0. ``within`` and a number: closer to 0
-    than the number. ``above`` and a number: above 0, since the left is compared with the number.
-    ``both_signs``: noticeably below 0 in more than a rare share of the cases, and likewise above 0. Raises
-    PlacecatError for an unknown kind, or ``about`` without a published difference.
+    ``little``: less than the margin from 0. ``no_better``: below the margin. ``within`` and a number: closer
+    to 0 than the number. ``above`` and a number: above 0, since the number is subtracted from the left.
+    ``both_signs``: noticeably below 0 in more than a rare share of cases, and likewise above 0. Raises
+    PlacecatError for an unknown kind, a missing or superfluous number, or ``about`` without a published
+    difference.
     """
     name, number = kind
     known = {

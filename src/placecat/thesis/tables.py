@@ -1,4 +1,4 @@
-"""The thesis's tables: measured and published numbers."""
+"""The thesis's tables, with measured and published numbers."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -17,15 +17,16 @@ ADDITION = "Addition"
 COLUMNS = ["table", "group", "row", "column", "published", "measured", "spread", "seeds", "note"]
 _KEY = ["group", "row", "column"]
 
-# Table, group, row and column of a published cell.
+# A published cell's table, group, row and column.
 PublishedKey = tuple[int, str, str, str]
 
 
 def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[str, Any]]:
-    """Every table of a run by name, e.g. ``table_12``: those of the thesis by number, then additions.
+    """Return all tables of a run by name, e.g. ``table_12``: the thesis's by number, then additions.
 
-    Each table is its definition (:mod:`placecat.thesis.definitions`) plus ``name``. Studies without a layout
-    are not tables (:mod:`in_text`). `params` are all settings, `root` is the project's folder.
+    Each table is its definition (:mod:`placecat.thesis.definitions`) plus ``name``. Trials without a layout
+    are not shown as tables (see :mod:`placecat.thesis.in_text`). `params` are all settings, and `root` is the
+    project's folder.
     """
     found = definitions.tables(params, root)
     for study in definitions.studies(params, root).values():
@@ -35,12 +36,12 @@ def tables_of(params: Mapping[str, Any], root: Path = Path()) -> dict[str, dict[
 
 
 def folder_of(table: Mapping[str, Any]) -> Path:
-    """Folder of a table's files; a run does not change tables that need a setting it lacks."""
+    """Return a table's folder; tables with `needs` have a separate one, which other runs do not change."""
     return paths.OPTIONAL_TABLES if "needs" in table else paths.TABLES
 
 
 def dataset_of(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, Any]:
-    """The data of a table: the main data set, the test sequences of its split, or other data."""
+    """Return a table's data: the main data set, the test sequences of its split, or other data."""
     if "data" in table:
         return settings.get(params, "dataset") | {"title": table["data"], "thesis_data": None}
     if "split" not in table:
@@ -50,12 +51,12 @@ def dataset_of(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str,
 
 
 def label(table: Mapping[str, Any]) -> str:
-    """Name of a table: "Table 12", or "Addition" if it is not in the thesis."""
+    """Return a table's label, e.g. "Table 12", or "Addition" if it is not in the thesis."""
     return ADDITION if table["number"] is None else f"Table {table['number']}"
 
 
 def contradictions_of(notes: pd.DataFrame) -> dict[PublishedKey, str]:
-    """Rows of data/thesis/contradictions.csv by cell: contradictions within the thesis."""
+    """Map cells to the notes of data/thesis/contradictions.csv, on contradictions within the thesis."""
     rows = notes[["table", *_KEY, "note"]].itertuples(index=False, name=None)
     return {(int(number), group, row, column): note for number, group, row, column, note in rows}
 
@@ -74,26 +75,26 @@ def fill_table(
 ) -> pd.DataFrame:
     """Fill one table.
 
-    Returns the columns table ("Addition" for an addition), group, row, column, published, measured, spread,
-    seeds, note, and ``notes``, the same by kind; ``number``, the cell's
-    :class:`~placecat.thesis.number.Number`. First the published cells in their order, then additional ones of
-    this run. ``measured`` (percent, see :func:`in_percent`; mean over seeds, 2 decimals) is NaN only with a
-    note that says why. ``spread`` is the largest minus the smallest of the seeds in points, NaN if nothing is
-    random; ``seeds`` is their number, then 0.
+    Returns the columns table (its number, or "Addition"), group, row, column, published, measured, spread,
+    seeds and note; ``notes``, the same note by kind; and ``number``, the cell's
+    :class:`~placecat.thesis.number.Number`. The published cells come first, in their order, then this run's
+    additional cells. ``measured`` (percent, see :func:`in_percent`; mean over seeds, 2 decimals) is NaN only
+    with a note that says why. ``spread`` is the largest minus the smallest value over seeds in points, NaN if
+    nothing is random; ``seeds`` is the number of seeds, 0 if nothing is random.
 
     Parameters
     ----------
     table
-        Its configuration: ``name``, ``number`` (None for an addition), ``thesis_data``, ``layout`` and the
-        layout's settings.
+        The table's configuration: ``name``, ``number`` (None for an addition), ``thesis_data``, ``layout``
+        and the layout's settings.
     published
-        All published cells, columns table, group, row, column, value; an empty value is an n/a.
+        All published cells, with the columns table, group, row, column, value; an empty value is an n/a.
     dataset
-        The data of the table (:func:`dataset_of`): ``homes``, ``classes``, ``title``, which every measured
-        cell's note names, and ``thesis_data``; if that is not the table's ``thesis_data``, every note says
-        that the numbers do not compare.
+        The table's data (:func:`dataset_of`): ``homes``, ``classes``, ``title``, which the note of each
+        measured cell names, and ``thesis_data``. If this differs from the table's ``thesis_data``, the note
+        of each cell with both numbers says that they are not comparable.
     contradictions
-        From :func:`contradictions_of`.
+        The contradictions from :func:`contradictions_of`.
     """
     number = table["number"]
     known = published[published["table"] == number]
@@ -118,17 +119,17 @@ def fill_table(
 
 
 def comparable(table: Mapping[str, Any], dataset: Mapping[str, Any]) -> bool:
-    """Whether the published numbers of a table were measured on the data of this run."""
+    """Whether a table's published numbers were measured on this run's data."""
     return table["thesis_data"] is not None and bool(table["thesis_data"] == dataset["thesis_data"])
 
 
 def not_comparable(thesis_data: str) -> Note:
-    """Note on a published number that was measured on other data."""
+    """Return the note for a published number that was measured on other data."""
     return Note(Kind.NOT_COMPARABLE, f"the published number is from the {thesis_data} and is not comparable")
 
 
 def _why_missing(key: tuple[str, str, str], dataset: Mapping[str, Any]) -> str:
-    """Reason why the layout lacks a published cell: the data lack a home or a place."""
+    """Return the reason why the layout lacks a published cell: the data lacks a home or a place."""
     _, row, column = key
     homes = len(dataset["homes"])
     if any(name.startswith("Home ") and int(name.removeprefix("Home ")) > homes for name in (row, column)):
