@@ -22,7 +22,7 @@ _RIM, _REGION = (30, 30, 30), (120, 235, 255)
 
 
 class Annotator:
-    """Draws frames of one (width, height).
+    """Draws frames of a fixed size, (width, height).
 
     The attribute `size` is the (width, height) of the pictures; both are even, as videos require.
     """

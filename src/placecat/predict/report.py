@@ -41,7 +41,7 @@ def shares(prediction: Prediction) -> list[str]:
 
 
 def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str]:
-    """Return lines with the accuracy, a confusion table (labels in rows), and the share of named frames."""
+    """Return lines: accuracy, a confusion table (rows: labels, columns: decisions) and the named share."""
     if agreement["accuracy"] is None:
         return ["No categorized frame has a label of the model's places: nothing is scored."]
     rows = [list(map(str, row)) for row in agreement["confusion"]]
