@@ -46,7 +46,7 @@ class VisitLog:
         self._visits[-1] = replace(last, confidence=mean, frames=count)
 
     def until(self, seconds: float | None) -> list[Visit]:
-        """List the stays; the last one ends at `seconds`. If that is None, the list is empty."""
+        """List the stays; the last one ends at `seconds`. The list is empty if `seconds` is None."""
         if not self._visits or seconds is None:
             return []
         return [*self._visits[:-1], replace(self._visits[-1], end=seconds)]
