@@ -13,8 +13,7 @@ def thin(root: Path, home: str, every: int, target: Path) -> float:
     """Write every `every`-th frame of a home, beginning with the first, in the layout `folder`.
 
     Reads ``root/HOME.mp4`` and ``root/HOME.csv``, and writes JPEG files to ``target/HOME`` and their labels
-    to ``target/HOME.csv``. Returns the new rate in frames per second. Raises PlacecatError if a file is not
-    readable.
+    to ``target/HOME.csv``. Returns the new rate in frames per second. Unreadable files raise PlacecatError.
     """
     recording = Recording(root / f"{home}.mp4")
     fps = recording.timing().fps
