@@ -1,4 +1,4 @@
-"""Places of new footage, frame by frame, by a trained system."""
+"""Name the places in new footage frame by frame, with a trained system."""
 
 from placecat.categorizer.categorizer import Categorizer, Decision
 from placecat.categorizer.visits import Visit

@@ -1,4 +1,4 @@
-"""Zip archives that end with a checksum of their content; members are checked before they are read."""
+"""Zip archives that end with a checksum of their content; each member is checked before it is read."""
 
 import hashlib
 import io
@@ -20,7 +20,7 @@ from placecat.errors import PlacecatError
 # The checksum is the zip comment at the end of the file, so other programs can still open the archive.
 _MARK = b"placecat sha256 "
 _DIGITS = 2 * hashlib.sha256().digest_size
-# The header that `array_content` writes. NumPy's reader accepts other headers and evaluates them.
+# The header that `array_content` writes. NumPy's reader also accepts other headers, and evaluates them.
 _HEADER = re.compile(
     rb"\x93NUMPY\x01\x00..\{'descr': '([<|][biufU][0-9]{1,6})', 'fortran_order': False, "
     rb"'shape': \(((?:[0-9]{1,15}(?:,|, )?){0,8})\), \} *\n",
@@ -51,7 +51,7 @@ def opened(path: Path) -> Iterator["Archive"]:
             _check_seal(path, file)
             try:
                 archive = zipfile.ZipFile(file)
-            # zipfile raises these for bad numbers in headers.
+            # zipfile raises these for invalid numbers in headers.
             except (zipfile.BadZipFile, NotImplementedError, OSError, ValueError) as error:
                 raise PlacecatError(f"{path} is not a placecat model, or is damaged: {error}") from None
             with archive:
@@ -63,8 +63,8 @@ def opened(path: Path) -> Iterator["Archive"]:
 class Archive:
     """The members of an archive.
 
-    Raises PlacecatError if members are compressed or encrypted, share a name, or claim more bytes than the
-    file has.
+    Raises PlacecatError if a member is compressed or encrypted, if two have the same name, or if together
+    they claim more bytes than the file has.
     """
 
     def __init__(self, path: Path, archive: zipfile.ZipFile) -> None:
@@ -82,7 +82,7 @@ class Archive:
             raise self.damaged("two of its members share a name")
 
     def damaged(self, why: object) -> PlacecatError:
-        """Return the error for a damaged file, with the reason `why`, which may be such an error."""
+        """Return the error for a damaged file; the reason `why` may itself be such an error."""
         start = f"{self._path} is damaged, or is not a placecat model: "
         said = " ".join(str(why).split()).removeprefix(start)
         return PlacecatError(start + said[:300])
@@ -100,7 +100,7 @@ class Archive:
     def array(self, name: str) -> NDArray[np.generic]:
         """Read an array (``.npy``) of numbers, booleans or text, without pickle.
 
-        Raises PlacecatError if the member is of another kind, or its header does not match its size.
+        Raises PlacecatError if the member is not such an array, or if its header does not match its size.
         """
         content = self.content(name)
         header = _HEADER.match(content)
@@ -109,7 +109,7 @@ class Archive:
         data = content[header.end() :]
         try:
             kind, shape = np.dtype(header[1].decode()), tuple(map(int, re.findall(rb"[0-9]+", header[2])))
-            # Check before allocating memory.
+            # Check the size before allocating memory.
             size = math.prod(shape) * kind.itemsize
             if size != len(data) or not kind.itemsize:
                 raise ValueError(f"it declares {size} bytes but has {len(data)}")

@@ -1,4 +1,4 @@
-"""The model card: facts to know before trusting a trained system."""
+"""The model card: what to know before trusting a trained system."""
 
 import platform
 from collections.abc import Mapping
@@ -7,7 +7,7 @@ from typing import Any
 
 from placecat import __version__
 
-# Version of the model file format. Raise it when stored values change their meaning.
+# Version of the model file format. Raise it when the meaning of stored values changes.
 FORMAT = 5
 # The last bits of a result may depend on the versions of these libraries.
 LIBRARIES = ("numpy", "opencv-python-headless", "scikit-learn", "scipy")
@@ -20,24 +20,24 @@ def make_card(**known: Any) -> dict[str, Any]:
     ----------
     **known
         JSON types only. ``title``: name of the system. ``data``: ``title``, ``note`` or None, ``version``
-        (DVC's checksum), training ``homes``, homes ``left_out``, and the number of training ``frames`` for
-        the cues and for the integration. ``classes``: places. ``frame_sizes``, ``fps``: (width, height) and
-        frames/s of the training footage. ``accuracy``: percent by home, measured with a system of the same
-        settings that had not seen the home; may be empty. ``unknown``: from
+        (DVC's checksum), training ``homes``, homes ``left_out``, and the numbers of training ``frames`` for
+        the cues and for the integration. ``classes``: names of the places. ``frame_sizes``, ``fps``: (width,
+        height) and frames/s of the training footage. ``accuracy``: percent per home, measured with an equally
+        configured system that had not seen the home; may be empty. ``unknown``: from
         :func:`placecat.categorizer.held_out.unknown`; None if not measured. ``settings``: all training
         settings.
 
     Returns
     -------
     dict
-        The card, with the versions of this project and of `LIBRARIES`.
+        The card, with the versions of this project, Python and `LIBRARIES`.
     """
     versions = {"python": platform.python_version()} | {name: version(name) for name in LIBRARIES}
     return {"format": FORMAT, "placecat": __version__} | known | {"versions": versions}
 
 
 def unknown_text(card: Mapping[str, Any]) -> str:
-    """Describe in one line when the system says `unknown`, and how often that was wrong."""
+    """Describe in one line when the system says `unknown`, and how often its other decisions were wrong."""
     unknown = card.get("unknown")
     if unknown is None:
         return "It never says `unknown`, since its errors in unseen homes were not measured."

@@ -25,7 +25,7 @@ from placecat.fusion.smoothing import Smoother, check_elapsed
 from placecat.vision.frame import check, describe_frame
 from placecat.vision.tracking import RegionTracker
 
-# Height, width and channels of the test frame for a loaded model.
+# Height, width and channels of the frame that tests a loaded model.
 _TRIAL = (256, 256, 3)
 
 
@@ -44,17 +44,17 @@ class Decision:
     hmm
         Distribution before the delay.
     integrated, cues
-        Distributions of this frame alone: of all cues together (3.3.3), and of each cue.
+        Distributions for this frame alone: from all cues together (3.3.3), and from each cue.
     regions
         (n, 4) float32, the salient regions: x, y (pixels of the resized frame), scale, strength; strongest
         first. These are the tracked regions if any cue follows regions.
     is_known
         Whether `confidence` is at least :attr:`Categorizer.threshold`.
     seconds
-        Time of the frame, see :meth:`Categorizer.update`.
+        Time of the frame; see :meth:`Categorizer.update`.
     about
         Time that `proba` refers to, at or before `seconds`: the mean time of the frames that the delay mixes,
-        with the same weights.
+        weighted as the delay weights them.
     """
 
     place: str
@@ -75,10 +75,10 @@ class Decision:
 
 
 class Categorizer:
-    """Name the place of every frame of a video or a camera.
+    """Names the place of each frame from a video or camera.
 
-    The results equal the batch pipeline bit for bit if NumPy's OpenBLAS uses the same kernels. The pipeline
-    uses the Haswell kernels: it sets ``OPENBLAS_CORETYPE=Haswell`` before NumPy is imported.
+    The results equal the batch pipeline's bit for bit if NumPy's OpenBLAS uses the same kernels. The pipeline
+    uses the Haswell kernels: it sets ``OPENBLAS_CORETYPE=Haswell`` before importing NumPy.
 
     Parameters
     ----------
@@ -92,17 +92,17 @@ class Categorizer:
     classes
         Names of the places, in the order of the distributions.
     frame_sizes
-        (width, height) of the training frames; other sizes are refused unless `resize`.
+        (width, height) of the training frames; other sizes are refused unless `resize` is true.
     card
-        Facts about the system: data, accuracy, settings, versions.
+        Facts about the system: its data, accuracy, settings and versions.
     threshold
-        Decisions below this confidence are unknown. It is chosen on the training homes: at most a share
-        ``model.risk`` of the other decisions is wrong there. 0 if not measured, infinite if no confidence is
-        high enough.
+        Decisions below this confidence are unknown. It is chosen on the training homes so that at most a
+        share ``model.risk`` of the other decisions is wrong there. It is 0 if not measured, and infinite if
+        no confidence is high enough.
 
     Examples
     --------
-    With the model that ``make repro`` trains, and frames of a camera::
+    With the model that ``make repro`` trains, and frames from a camera::
 
         categorizer = Categorizer.load("data/model.placecat")
         for frame, time in camera:
@@ -141,7 +141,7 @@ class Categorizer:
         """Read a trained system from a file that `placecat train` or the stage `model` wrote.
 
         If `classes` is given, the system must have these classes in this order. Raises PlacecatError if it
-        does not, or if the file is missing, damaged, or of another version.
+        does not, or if the file is missing, damaged, or from another version.
         """
         system = model_file.read(Path(path))
         known = list(system.card["classes"])
@@ -167,7 +167,7 @@ class Categorizer:
 
     @property
     def frame_rate(self) -> float:
-        """Frame rate of the footage that trained the smoothing, in frames per second."""
+        """Frame rate of the footage that the smoothing was trained on, in frames per second."""
         return self._system.smoothing.frame_rate
 
     def reset(self) -> None:
@@ -184,15 +184,15 @@ class Categorizer:
     ) -> Decision:
         """Categorize the next frame.
 
-        Without `seconds` and `time`, the frame comes one period of `frame_rate` after the last. A repeated
-        frame, at the same time, adds no evidence.
+        Without `seconds` and `time`, the frame comes one period of `frame_rate` after the last one. A frame
+        at the same time as the last one adds no evidence.
 
         Parameters
         ----------
         frame
             (height, width, 3) uint8 BGR, as OpenCV returns it, upright, in one of `frame_sizes`.
         seconds
-            Time since the last frame, at least 0. For the first frame, its duration; it is at time 0.
+            Time since the last frame, at least 0. The first frame is at time 0, and this is its duration.
         time
             Time of the frame in seconds, on any clock that never runs backwards. The first frame lasts one
             period of `frame_rate`.
@@ -200,9 +200,9 @@ class Categorizer:
         Raises
         ------
         PlacecatError
-            If the frame has another size or type (with `resize`, if less than half of it would remain), if
-            the time is not finite or earlier than the last frame, or if both times are given. The frame is
-            then skipped, and the next one can follow.
+            If the frame has the wrong type or size (with `resize`: if less than half of it would remain), if
+            its time is not finite or is earlier than the last frame's, or if both times are passed. The frame
+            is then skipped, and the next one can follow.
         """
         frame = self._fitted(frame)
         now, elapsed = self._moment(seconds, time)
@@ -213,7 +213,7 @@ class Categorizer:
         return decision
 
     def visits(self) -> list[Visit]:
-        """List the stays so far, in order: runs of frames with one name, including ``unknown``.
+        """List the stays so far, in order: runs of frames with the same name, which may be ``unknown``.
 
         A stay ends when the next begins; the last ends with the last frame. A stay starts when the decision
         changes, so its times lag by the delay.
@@ -301,7 +301,7 @@ class Categorizer:
         return self._fits[size](frame)
 
     def _describe(self, frame: NDArray[np.uint8]) -> tuple[dict[str, NDArray[Any]], dict[str, NDArray[Any]]]:
-        """Return the features of the new and of the tracked regions; the first axis has length 1."""
+        """Return the frame's features, and those of its tracked regions; the first axis has length 1."""
         arrays = describe_frame(frame, self._vision)
         followed: dict[str, NDArray[Any]] = {}
         if self._tracker is not None:

@@ -1,4 +1,4 @@
-"""Check the card and the settings of a model file, and that its parts fit together."""
+"""Check a model file's card and settings, and that its parts fit together."""
 
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
@@ -12,7 +12,7 @@ from placecat.errors import PlacecatError
 from placecat.schema.base import Section
 from placecat.vision.frame import check as check_vision
 
-# Largest number in a vision setting. Larger ones need too much memory; real settings are far smaller.
+# Largest valid number in a vision setting. Larger ones need too much memory; real ones are far smaller.
 _MOST = 4096
 _SIDE = Annotated[int, Field(ge=1, le=2**14)]
 _Name = Annotated[str, StringConstraints(min_length=1, max_length=1000)]
@@ -24,14 +24,14 @@ Settings = dict[str, Any]
 
 
 class TrainingFrames(Section):
-    """Number of training frames."""
+    """Numbers of training frames."""
 
     cues: _Count
     integration: _Count
 
 
 class Data(Section):
-    """The training data of the system."""
+    """The system's training data."""
 
     title: str | int
     note: str | None
@@ -52,7 +52,7 @@ class Risk(Section):
 
 
 class Unknown(Section):
-    """The threshold for `unknown`, see :func:`placecat.categorizer.held_out.unknown`."""
+    """The threshold for `unknown`; see :func:`placecat.categorizer.held_out.unknown`."""
 
     risk: _Share
     threshold: _Share | None
@@ -60,7 +60,7 @@ class Unknown(Section):
 
 
 class Card(Section):
-    """The card, see :func:`placecat.categorizer.card.make_card`."""
+    """The card; see :func:`placecat.categorizer.card.make_card`."""
 
     format: int
     placecat: str
@@ -126,7 +126,7 @@ class HolisticDescriptor(Section):
 
 
 def check_card(card: Mapping[str, Any]) -> None:
-    """Refuse a card with missing or extra fields, or with wrong types."""
+    """Refuse a card with missing, extra or invalid fields, or with a repeated class."""
     schema.check(card, Card)
     if len(set(card["classes"])) < len(card["classes"]):
         raise PlacecatError("classes: a place is named twice")
@@ -147,7 +147,7 @@ def check_content(content: Any) -> None:
 
 
 def check_system(system: TrainedSystem) -> None:
-    """Refuse parts made for a different number of places or cues."""
+    """Refuse a system with repeated cues, or with parts that do not fit together."""
     n_classes, names = len(system.card["classes"]), [cue.name for cue in system.cues]
     if len(set(names)) < len(names):
         raise PlacecatError("a cue is named twice")
@@ -171,7 +171,7 @@ def check_distribution(proba: Any, n_classes: int) -> None:
 
 
 def _check_sizes(value: Any, place: str) -> None:
-    """Refuse settings whose numbers would need too much memory."""
+    """Refuse settings whose numbers or lists would need too much memory."""
     if isinstance(value, Mapping):
         for name, own in value.items():
             _check_sizes(own, f"{place}.{name}")

@@ -1,4 +1,4 @@
-"""Kinds of fields of a trained model; each checks the type, range and shape of a value."""
+"""Kinds of fields in a trained model; each checks a value's type, range and shape."""
 
 import math
 from collections.abc import Callable
@@ -6,15 +6,15 @@ from typing import Any
 
 import numpy as np
 
-# Letter to size, shared by the fields of an object; the first field with a letter sets its size.
+# Maps letters to sizes that an object's fields share; the first field with a letter sets its size.
 Sizes = dict[str, int]
-# Raises ValueError if a value is wrong.
+# Raises ValueError if a value is invalid.
 Field = Callable[[Any, Sizes], None]
 _LARGE = 10**15
 
 
 def number(low: float = -_LARGE, high: float = _LARGE, *, above: float = -math.inf) -> Field:
-    """A finite number from `low` to `high`, and greater than `above`."""
+    """Accept a finite number from `low` to `high` that is greater than `above`."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if isinstance(value, bool) or not isinstance(value, int | float):
@@ -26,7 +26,7 @@ def number(low: float = -_LARGE, high: float = _LARGE, *, above: float = -math.i
 
 
 def whole(low: int = 0, high: int = _LARGE, *, side: str = "") -> Field:
-    """A whole number; if `side` is given, it sets that size."""
+    """Accept a whole number from `low` to `high`; if `side` is a letter, the number is its size."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if type(value) is not int or not low <= value <= high:
@@ -38,13 +38,13 @@ def whole(low: int = 0, high: int = _LARGE, *, side: str = "") -> Field:
 
 
 def truth(value: Any, sizes: Sizes) -> None:
-    """True or false."""
+    """Accept true or false."""
     if type(value) is not bool:
         raise ValueError(f"is neither true nor false, but {_short(value)}")
 
 
 def one_of(*valid: str) -> Field:
-    """One of the words `valid`."""
+    """Accept one of the words in `valid`."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if not isinstance(value, str) or value not in valid:
@@ -54,7 +54,7 @@ def one_of(*valid: str) -> Field:
 
 
 def optional(other: Field) -> Field:
-    """None, or another field."""
+    """Accept None, or what another field accepts."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if value is not None:
@@ -71,10 +71,11 @@ def array(
     below: str = "",
     nan: bool = False,
 ) -> Field:
-    """An array; each side is a number, the letter of a size, or None for any length.
+    """Accept an array; each side is a number, the letter of a size, or None for any length.
 
-    `kind` consists of the NumPy letters ``i``, ``u`` (integers), ``f`` (floats) and ``b`` (booleans). Values
-    are finite, from `low` to `high`, and below the size with the letter `below`; `nan` also allows NaN.
+    `kind` is one or more of NumPy's letters ``i``, ``u`` (integers), ``f`` (floats) and ``b`` (booleans).
+    Values must be finite, from `low` to `high`, and below the size of the letter `below`; `nan` also allows
+    NaN.
     """
 
     def field(value: Any, sizes: Sizes) -> None:
@@ -100,7 +101,7 @@ def array(
 
 
 def several(item: Field, *, least: int = 0, side: str = "") -> Field:
-    """A list or tuple."""
+    """Accept a list or tuple of at least `least` items; if `side` is a letter, the length is its size."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if not isinstance(value, list | tuple) or len(value) < least:
@@ -114,7 +115,7 @@ def several(item: Field, *, least: int = 0, side: str = "") -> Field:
 
 
 def by_number(item: Field) -> Field:
-    """A mapping whose keys are whole numbers."""
+    """Accept a mapping whose keys are whole numbers."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if not isinstance(value, dict) or not all(type(key) is int for key in value):
@@ -130,13 +131,13 @@ def anything(value: Any, sizes: Sizes) -> None:
 
 
 def mapping(value: Any, sizes: Sizes) -> None:
-    """Any mapping."""
+    """Accept any mapping."""
     if not isinstance(value, dict):
         raise ValueError("is not a mapping")
 
 
 def having(*methods: str) -> Field:
-    """A model object with these methods; its attributes are checked separately."""
+    """Accept a model object with these methods; its attributes are checked separately."""
 
     def field(value: Any, sizes: Sizes) -> None:
         if not all(callable(getattr(value, name, None)) for name in methods):

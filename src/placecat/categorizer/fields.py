@@ -1,6 +1,6 @@
-"""Fields of the objects of a trained model, by class: their types, ranges and shapes.
+"""The fields of each class in a trained model: their types, ranges and shapes.
 
-A class that is not listed, such as an added classifier, is accepted unchecked: `Categorizer.load` tries
+A class that is not listed, such as an added classifier, is accepted unchecked, since `Categorizer.load` tries
 every model before use.
 """
 
@@ -37,7 +37,7 @@ from placecat.learning.two_class import SIGMOID_WEIGHTS, SIGMOIDS
 def check(class_name: str, state: Mapping[str, Any]) -> None:
     """Refuse attributes that do not fit the class, such as ``NuSVM``, or each other.
 
-    The PlacecatError names the class and the attribute.
+    The PlacecatError names the class and, if possible, the attribute.
     """
     fields = FIELDS.get(class_name)
     if fields is None:
@@ -249,7 +249,7 @@ def _are_distributions(rows: Any) -> bool:
 
 def _fit_tree(state: Mapping[str, Any], sizes: Sizes) -> bool:
     branching, splits, nodes = state["branching"], sizes["S"], np.arange(sizes["S"])
-    # A node is split once, after it was created.
+    # A node can be split only once, and only after it was created.
     made = (state["split_nodes_"] < 1 + branching * nodes).all()
     return bool(
         sizes["N"] == 1 + branching * splits
@@ -280,7 +280,7 @@ def _fit_pairs(state: Mapping[str, Any], sizes: Sizes) -> bool:
     )
 
 
-# Relations between attributes, beyond equal sides.
+# Relations between attributes, other than equal sides.
 RELATIONS: dict[str, Callable[[Mapping[str, Any], Sizes], bool]] = {
     "SmoothingModel": lambda state, _: all(
         _are_distributions(state[name]) for name in ("transition", "emission")

@@ -16,17 +16,17 @@ LEAST = 0.5
 
 @dataclass(frozen=True)
 class Fit:
-    """How to crop and scale frames: (width, height) of the footage, of the centre crop, of the result."""
+    """How to crop and scale frames: (width, height) of the footage, the centre crop and the result."""
 
     source: Size
     kept: Size
     target: Size
 
     def __call__(self, frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
-        """Crop and scale a frame, (H, W, 3) uint8, to (H', W', 3) of the size `target`.
+        """Crop and scale an (H, W, 3) uint8 frame to the size `target`.
 
-        A frame whose size differs from `source` (a turned phone) is cropped at its centre to the aspect ratio
-        of `target`. A frame that already has the size `target` is returned unchanged.
+        A frame whose size differs from `source`, as from a turned phone, is cropped at its centre to the
+        aspect ratio of `target`. A frame that already has the size `target` is returned unchanged.
         """
         size = (frame.shape[1], frame.shape[0])
         if size != self.source:
@@ -35,7 +35,7 @@ class Fit:
             return frame
         left, top = ((have - keep) // 2 for have, keep in zip(self.source, self.kept, strict=True))
         middle = frame[top : top + self.kept[1], left : left + self.kept[0]]
-        # INTER_AREA averages pixels to reduce a frame, but repeats them to enlarge it.
+        # INTER_AREA averages pixels when it reduces a frame, but repeats them when it enlarges one.
         method = cv2.INTER_AREA if self.target[0] <= self.kept[0] else cv2.INTER_LINEAR
         return cv2.resize(middle, self.target, interpolation=method)  # type: ignore[return-value]
 
@@ -54,13 +54,14 @@ def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
     known
         The model's sizes, at least one.
     resize
-        Whether to fit other sizes: the frame is scaled, and cropped at its centre if its aspect ratio
-        differs. The chosen size keeps most of the frame; among equals, the nearest size wins.
+        Whether to scale frames of other sizes, and crop them at the centre if their aspect ratio differs.
+        The chosen size keeps the most of the frame; among equals, the nearest size wins.
 
     Raises
     ------
     PlacecatError
-        For another size without `resize`, or if less than half of the frame would remain.
+        If the model does not know the size and `resize` is false, or if less than half of the frame would
+        remain.
     """
     if source in known:
         return Fit(source, source, source)
@@ -82,7 +83,7 @@ def fit(source: Size, known: Sequence[Size], *, resize: bool) -> Fit:
 
 
 def _middle(source: Size, target: Size) -> Size:
-    """Return the size of the largest part with the aspect ratio of `target`; ignore differences below 1 %."""
+    """Return the size of the largest crop with the aspect ratio of `target`; ignore differences up to 1 %."""
     width = min(source[0], round(source[1] * target[0] / target[1]))
     height = min(source[1], round(source[0] * target[1] / target[0]))
     if width >= 0.99 * source[0] and height >= 0.99 * source[1]:

@@ -1,4 +1,4 @@
-"""Measure a system in unseen homes: train it again without each home, and apply it there."""
+"""Measure a system in unseen homes: retrain it without each home in turn, and apply it to that home."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -14,12 +14,12 @@ from placecat.training import plan as plans
 from placecat.training import protocol
 from placecat.training import system as systems
 
-# Home to (frames, n_classes) distributions after the delay.
+# Maps each home to its (frames, n_classes) distributions after the delay.
 HeldOut = Mapping[str, NDArray[np.float64]]
 
 
 def of_stages(params: Mapping[str, Any], name: str, seed: int) -> HeldOut:
-    """Read the output of the stage `smoothing` for a system, in each test home."""
+    """Read a system's output from the stage `smoothing` for each test home."""
     homes = protocol.tested_homes(
         settings.get(params, "dataset.homes"), settings.get(params, "protocol.test_homes")
     )
@@ -28,10 +28,10 @@ def of_stages(params: Mapping[str, Any], name: str, seed: int) -> HeldOut:
 
 
 def by_training(params: Mapping[str, Any], name: str, without: Sequence[str], seed: int) -> HeldOut:
-    """Train the system `name` once without each home that is not in `without`, and apply it to that home.
+    """Train the system `name` without each home in turn, and apply it to that home.
 
-    If `without` is empty, the outputs equal the stages' outputs bit for bit. With too few homes the result is
-    empty.
+    Homes in `without` are always left out. If `without` is empty, the outputs equal the stages' outputs bit
+    for bit. If there are too few homes, the result is empty.
     """
     homes = [home for home in settings.get(params, "dataset.homes") if home not in without]
     scheme = settings.get(params, f"systems.{name}.scheme")
@@ -46,7 +46,7 @@ def by_training(params: Mapping[str, Any], name: str, without: Sequence[str], se
 
 
 def accuracies(held_out: HeldOut) -> dict[str, float]:
-    """Return the accuracy in percent of each home, the mean over its places (thesis 4.2)."""
+    """Return each home's accuracy in percent, the mean over its places (thesis 4.2)."""
     return {
         home: round(
             home_accuracy(confusion_matrix(read_labels(home), proba.argmax(axis=1), proba.shape[1])), 2
@@ -68,10 +68,10 @@ def unknown(held_out: HeldOut, chosen: float, shown: Sequence[float]) -> dict[st
     Returns
     -------
     dict
-        For the card. ``risk``: `chosen`. ``threshold``: None if no confidence is high enough. ``measured``:
-        for each share its ``threshold``, and ``coverage``, ``wrong`` and ``worst``, measured in each home
-        with the threshold of the other homes (:class:`placecat.evaluation.selection.Selection`). Returns
-        None if there are fewer than two homes.
+        For the card; None if there are fewer than two homes. ``risk``: `chosen`. ``threshold``: the chosen
+        confidence, or None if none is high enough. ``measured``: for each share its ``threshold``, and
+        ``coverage``, ``wrong`` and ``worst``, measured in each home with the threshold chosen on the other
+        homes (:class:`placecat.evaluation.selection.Selection`).
     """
     homes = {home: decided(read_labels(home), proba) for home, proba in held_out.items()}
     if len(homes) < 2:

@@ -1,4 +1,4 @@
-"""Model files: archives of JSON and arrays for one trained system, with a readable card."""
+"""Model files: archives that hold a trained system as JSON and arrays, with a readable card."""
 
 import json
 import zipfile
@@ -59,7 +59,7 @@ def is_model(path: Path) -> bool:
 def read(path: Path) -> TrainedSystem:
     """Read a trained system. The file cannot execute code, and its content is checked before use.
 
-    Raises PlacecatError if the file is missing, unreadable, damaged, not a model, or of another version.
+    Raises PlacecatError if the file is missing, unreadable, damaged, not a model, or from another version.
     """
     with archive.opened(path) as members:
         card = _json(members, _CARD)
@@ -120,5 +120,5 @@ def _check_version(path: Path, members: archive.Archive, card: Any) -> None:
 
 
 def _series(version: str) -> list[str]:
-    """Return major and minor version; features and models keep their meaning within these."""
+    """Return the major and minor version, within which features and models keep their meaning."""
     return version.split(".")[:2]

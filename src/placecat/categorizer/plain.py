@@ -1,7 +1,7 @@
 """Convert trained models to JSON and arrays, and back, without pickle.
 
-The attributes of a model are numbers, text, arrays, containers of these, and objects of classes in
-`placecat.learning`, `placecat.cues` and `placecat.fusion`. Rebuilding a model calls no code of these classes.
+A model's attributes are numbers, text, arrays, containers of these, and objects of classes in
+`placecat.learning`, `placecat.cues` and `placecat.fusion`. Rebuilding a model calls no code in these classes.
 """
 
 import math
@@ -21,7 +21,7 @@ _KIND = "$"
 
 
 def to_plain(value: Any, arrays: list[NDArray[Any]]) -> Any:
-    """Convert a value to JSON types; arrays are appended to `arrays` and replaced by their index.
+    """Convert a value to JSON types; append its arrays to `arrays` and replace each by its index.
 
     Attributes that a class lists as ``TRAINING_ONLY`` are omitted. Raises TypeError for any value that cannot
     be part of a model.
@@ -51,7 +51,7 @@ def to_plain(value: Any, arrays: list[NDArray[Any]]) -> Any:
 
 
 def from_plain(plain: Any, arrays: Sequence[NDArray[Any]]) -> Any:
-    """Invert :func:`to_plain`. Raises PlacecatError for values that cannot be part of a model."""
+    """Undo :func:`to_plain`. Raises PlacecatError for values that cannot be part of a model."""
     if plain is None or isinstance(plain, bool | int | float | str):
         return plain
     if isinstance(plain, list):
@@ -91,13 +91,13 @@ def _rebuild(name: str, state: dict[str, Any]) -> Any:
         raise PlacecatError(f"a part of the model, a {name}, has an invalid attribute name")
     fields.check(kind.__name__, state)
     rebuilt: Any = object.__new__(kind)
-    # Bypass __setattr__, which frozen classes refuse.
+    # Bypass __setattr__, which frozen classes forbid.
     rebuilt.__dict__.update(state)
     return rebuilt
 
 
 def _classes(module_name: str) -> dict[str, type]:
-    """Map ``module:name`` to the classes that a module of the allowed packages defines."""
+    """Return the classes that a module of an allowed package defines, keyed by ``module:name``."""
     package, _, name = module_name.rpartition(".")
     if package not in {allowed.__name__ for allowed in _PACKAGES} or name not in lookup.names(package):
         return {}

@@ -1,4 +1,4 @@
-"""A trained system: everything that is needed to name the place of a frame."""
+"""A trained system: everything needed to name a frame's place."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -19,18 +19,18 @@ class TrainedCue:
 
 @dataclass(frozen=True)
 class TrainedSystem:
-    """Cues, their integration, and the smoothing.
+    """The cues, their integration, and the smoothing.
 
     Attributes
     ----------
     card
-        Facts about the system, JSON types only: see :mod:`placecat.categorizer.card`.
+        Facts about the system, in JSON types only; see :mod:`placecat.categorizer.card`.
     vision
         Settings of :func:`placecat.vision.frame.describe_frame` for regions that are not tracked.
     tracking
         Settings of :class:`placecat.vision.tracking.RegionTracker`; None if no cue follows regions.
     cues, integrator, smoothing
-        The parts, in the order of use.
+        The parts, in order of use.
     """
 
     card: dict[str, Any]

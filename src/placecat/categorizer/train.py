@@ -1,4 +1,4 @@
-"""Train a system for new footage, on homes whose features the stages have computed."""
+"""Train a system for new footage on homes whose features the stages have computed."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -17,21 +17,21 @@ from placecat.training.integration import fused_parts
 
 
 def train_command(system: str | None, without: Sequence[str], seed: int | None, output: Path | None) -> int:
-    """Train a system, measure it in unseen homes, and write it to a file: `placecat train`.
+    """Run `placecat train`: train a system, measure it in unseen homes, and write it to a file.
 
     Returns 0; user errors raise PlacecatError.
 
     Parameters
     ----------
     system
-        A system of conf/system; None for ``model.system``.
+        A system from conf/system; None uses ``model.system``.
     without
         Homes to leave out of all training.
     seed
-        One of ``protocol.seeds``; None for ``model.seed``.
+        One of ``protocol.seeds``; None uses ``model.seed``.
     output
-        The model file. None for data/model.placecat or, if any other option is given, a file in data/models
-        named after the options, such as SYSTEM-without-HOME.placecat.
+        The model file. None means data/model.placecat or, with any other option, a file in data/models that
+        is named after the options, such as SYSTEM-without-HOME.placecat.
     """
     params = settings.load()
     name = system if system is not None else str(settings.get(params, "model.system"))
@@ -65,9 +65,9 @@ def train(
 ) -> TrainedSystem:
     """Train a system on all homes except `without`.
 
-    Without one home, the system equals the one that the stages apply to that home, bit for bit. Its card has
-    no measurements; :func:`measured` adds them. Raises PlacecatError for an unknown system, home or seed, for
-    too few homes, and for missing features.
+    If `without` is one home, the system equals, bit for bit, the one that the stages apply to that home. Its
+    card has no measurements; :func:`measured` adds them. Raises PlacecatError for an unknown system, home or
+    seed, for too few homes, and for missing features.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def train(
 def assemble(
     params: Mapping[str, Any], system: systems.System, trained: systems.Trained, card: dict[str, Any]
 ) -> TrainedSystem:
-    """Join the trained parts of a system, its vision settings, and its card."""
+    """Combine a system's trained parts, its vision settings, and its card."""
     sections = {section: settings.get(params, section) for section in ("attention", "regions", "information")}
     cues = tuple(TrainedCue(cue, dict(own.descriptor), own.model) for cue, own in trained.cues.items())
     return TrainedSystem(
@@ -106,7 +106,7 @@ def assemble(
 
 
 def measured(system: TrainedSystem, params: Mapping[str, Any], decisions: held_out.HeldOut) -> TrainedSystem:
-    """Add measurements to the card, from decisions of equally configured systems in unseen homes."""
+    """Add measurements to the card, computed from equally configured systems' decisions in unseen homes."""
     risk, shown = (settings.get(params, f"model.{setting}") for setting in ("risk", "risks_shown"))
     facts = {
         "accuracy": held_out.accuracies(decisions),

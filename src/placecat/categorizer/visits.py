@@ -1,9 +1,9 @@
-"""Stays: runs of frames of one place."""
+"""Stays: runs of frames in one place."""
 
 from dataclasses import dataclass, replace
 
 UNKNOWN = "unknown"
-"""Name of a decision whose confidence is too low."""
+"""Name for a decision whose confidence is too low."""
 
 
 @dataclass(frozen=True)
@@ -15,7 +15,7 @@ class Visit:
     place
         Name of the place, or `UNKNOWN`.
     start, end
-        Time in seconds of its first frame, and of the first frame after it.
+        Times in seconds of its first frame, and of the first frame after it.
     confidence
         Mean confidence of its frames.
     frames
@@ -30,13 +30,13 @@ class Visit:
 
 
 class VisitLog:
-    """Collects stays frame by frame; memory grows with the stays, not with the frames."""
+    """Collects stays frame by frame; memory grows with the number of stays, not of frames."""
 
     def __init__(self) -> None:
         self._visits: list[Visit] = []
 
     def add(self, place: str, confidence: float, seconds: float, *, begins: bool = False) -> None:
-        """Add a frame: name of its place, confidence, time in seconds, and whether a cut precedes it."""
+        """Add a frame: its place, confidence and time in seconds, and whether a cut precedes it."""
         if begins or not self._visits or self._visits[-1].place != place:
             self._visits = [*self.until(seconds), Visit(place, seconds, seconds, confidence, 1)]
             return
@@ -46,7 +46,7 @@ class VisitLog:
         self._visits[-1] = replace(last, confidence=mean, frames=count)
 
     def until(self, seconds: float | None) -> list[Visit]:
-        """List the stays; the last one ends at `seconds`."""
+        """List the stays; the last one ends at `seconds`. The list is empty if `seconds` is None."""
         if not self._visits or seconds is None:
             return []
         return [*self._visits[:-1], replace(self._visits[-1], end=seconds)]

@@ -1,4 +1,4 @@
-"""The command ``placecat demo``: train on a tenth of the frames of five homes, then walk through a sixth."""
+"""The command ``placecat demo``: train on every 10th frame of five homes, then walk through a sixth home."""
 
 import shutil
 import time
@@ -38,7 +38,7 @@ _WORK = "work"
 def demo_command() -> int:
     """Run the demo in the project folder; print its table and the paths of its results.
 
-    Returns 0; user errors raise PlacecatError and leave nothing behind.
+    Returns 0; user errors raise PlacecatError and leave no files behind.
     """
     start = time.perf_counter()
     _check(OUTPUT)
@@ -86,7 +86,7 @@ def _check(folder: Path) -> None:
 
 
 def _walk(params: Mapping[str, Any], system: Any, home: str, folder: Path) -> pd.DataFrame:
-    """Write timeline, clip and frames of the test home; return the accuracy of the cues and the system."""
+    """Write the test home's timeline, clip and frame table; return the accuracies of the cues and system."""
     dataset = params["dataset"]
     categorizer = Categorizer(system)
     source = Folder(training.FRAMES / home, dataset["fps"])
@@ -136,7 +136,7 @@ def _titles(params: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _complete_run(params: Mapping[str, Any], home: str) -> pd.DataFrame:
-    """Return rows for the same home from the results of `make repro`; no rows without these results."""
+    """Return the test home's rows from the results of `make repro`, or no rows without these results."""
     column = f"all frames ({page.COMPLETE})"
     if not paths.ACCURACIES.is_file():
         return pd.DataFrame({column: []}, dtype=float)

@@ -1,4 +1,4 @@
-"""Write the page of the demo: table, timeline and clip in one file that works offline."""
+"""Write the demo's page: its table, timeline and clip in one file that works offline."""
 
 import base64
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Reduce a video home to a folder with every n-th frame and its labels."""
+"""Reduce a home's video to a folder with every n-th frame and its label."""
 
 from pathlib import Path
 
@@ -10,10 +10,10 @@ from placecat.sequences.labels import FRAME_HEADER, read_label_csv
 
 
 def thin(root: Path, home: str, every: int, target: Path) -> float:
-    """Write the first of each `every` frames of a home, in the layout `folder`.
+    """Write every `every`-th frame of a home, beginning with the first, in the layout `folder`.
 
-    It reads ``root/HOME.mp4`` and ``root/HOME.csv``, and writes JPEG files to ``target/HOME`` and the labels
-    to ``target/HOME.csv``. Returns the new rate in frames per second. Damaged files raise PlacecatError.
+    Reads ``root/HOME.mp4`` and ``root/HOME.csv``, and writes JPEG files to ``target/HOME`` and their labels
+    to ``target/HOME.csv``. Returns the new rate in frames per second. Unreadable files raise PlacecatError.
     """
     recording = Recording(root / f"{home}.mp4")
     fps = recording.timing().fps

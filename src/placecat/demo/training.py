@@ -1,4 +1,4 @@
-"""Train the system of the demo: thin the frames, describe them, and train, all in one folder."""
+"""Train the demo's system: thin the frames, describe them, and train, all in one folder."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -18,14 +18,14 @@ from placecat.training import system as systems
 EVERY = 10
 SYSTEM, SCHEME, SEED = "das_551_best", "5-5-1", 0
 FRAMES = Path("frames")
-# Cues learn from every second thinned frame, and the integration learns from the others.
+# The cues learn from every second thinned frame, and the integration learns from the others.
 _FRAMES = {"cue_frames": {"offset": 0, "step": 2}, "integration_frames": {"offset": 1, "step": 2}}
 
 
 def thin_homes(params: Mapping[str, Any], root: Path) -> dict[str, Any]:
     """Write every 10th frame of all homes to the current folder; return the settings for these frames.
 
-    `params` holds all settings; its data set has the layout ``video`` and lies in the folder `root`.
+    `params` holds all settings; its data set has the layout ``video`` and is in the folder `root`.
     """
     homes = list(params["dataset"]["homes"])
     tasks = [(root, home, EVERY, FRAMES.absolute()) for home in homes]
@@ -54,7 +54,7 @@ def train(params: Mapping[str, Any], tested: str) -> TrainedSystem:
 
 
 def _describe(homes: Sequence[str], options: Mapping[str, Any]) -> None:
-    """Describe the frames of all homes in one loop; workers do not wait at the end of each home."""
+    """Describe the frames of all homes in one loop, so that workers need not wait at the end of each home."""
     works = {home: plan(home, FRAMES.absolute(), options) for home in homes}
     done = iter(
         parallel.in_parallel(describe, [task for tasks, _ in works.values() for task in tasks], "features")

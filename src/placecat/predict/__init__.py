@@ -1,1 +1,1 @@
-"""Apply a trained system to new footage: tables, a timeline and an annotated video (``placecat predict``)."""
+"""``placecat predict``: apply a trained system to footage; write tables, a timeline and a video."""

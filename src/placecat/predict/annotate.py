@@ -1,4 +1,4 @@
-"""Draw a frame with its salient regions, next to the places and their probabilities."""
+"""Draw a frame with its salient regions, beside the places and their probabilities."""
 
 from collections.abc import Sequence
 
@@ -16,15 +16,15 @@ from placecat.vision.regions import radius
 
 Color = tuple[int, int, int]
 LEAST_HEIGHT, MOST_HEIGHT = 480, 540
-"""Pixels. Smaller frames are enlarged to keep the text readable; larger ones are reduced to save space."""
+"""Heights in pixels. Smaller frames are enlarged to keep text readable; larger ones shrink to save space."""
 _PAPER, _INK, _GREY, _LIGHT = (255, 255, 255), (34, 34, 34), (120, 120, 120), (232, 232, 232)
 _RIM, _REGION = (30, 30, 30), (120, 235, 255)
 
 
 class Annotator:
-    """Draws frames of one size, (width, height).
+    """Draws frames of a fixed size, (width, height).
 
-    The attribute `size` is the (width, height) of the pictures. Both are even because videos require it.
+    The attribute `size` is the (width, height) of the pictures; both are even, as videos require.
     """
 
     def __init__(self, classes: Sequence[str], size: tuple[int, int]) -> None:
@@ -42,7 +42,7 @@ class Annotator:
         self.size = (width + self._panel + (width + self._panel) % 2, height + height % 2)
 
     def __call__(self, frame: Frame, decision: Decision, label: str | None = None) -> NDArray[np.uint8]:
-        """Draw a frame of the given size, with the true place if it is known: (h, w, 3) uint8, BGR."""
+        """Return the picture of a frame, with its true place if known: (h, w, 3) uint8, BGR."""
         picture = np.full((self.size[1], self.size[0], 3), 255, np.uint8)
         image = cv2.resize(frame.image, (self._width, self._height), interpolation=self._method)
         self._regions(image, decision.regions)  # type: ignore[arg-type]
@@ -63,7 +63,7 @@ class Annotator:
                 cv2.circle(image, centre, round(float(size) * 16), color, thickness, cv2.LINE_AA, 4)
 
     def _decision(self, picture: NDArray[np.uint8], decision: Decision, label: str | None) -> None:
-        """Draw the place in its colour, the confidence as a number and a bar, and the label."""
+        """Draw the place beside its colour, the confidence as a number and a bar, and the label."""
         unit, left, right = self._unit, self._width + self._unit, self._width + self._panel - self._unit
         top = unit
         swatch = round(1.1 * unit)
@@ -74,7 +74,7 @@ class Annotator:
             self._colors[decision.place],
             -1,
         )
-        # A question mark says that the place is unknown.
+        # A question mark means that the place is unknown.
         name = palette.place_title(decision.place) + ("" if decision.is_known else "?")
         x = left + round(1.6 * unit)
         write(picture, name, (x, top), _fitting(name, round(1.3 * unit), right - x), _INK, bold=True)
@@ -88,7 +88,7 @@ class Annotator:
             write(picture, text, (left, top + unit), _fitting(text, unit, right - left), _GREY)
 
     def _places(self, picture: NDArray[np.uint8], decision: Decision) -> None:
-        """Draw a bar per place for its probability, and a thin bar below for this frame alone."""
+        """Draw a bar for each place's probability, and a thin bar below it for this frame alone."""
         unit, left, right = self._unit, self._width + self._unit, self._width + self._panel - self._unit
         top, bottom = round(7.9 * unit), self._height - round(4.2 * unit)
         row = min(round(3.0 * unit), (bottom - top) // max(1, len(self._classes)))
@@ -96,7 +96,7 @@ class Annotator:
         thick, thin = max(2, round(0.3 * row)), max(1, round(0.09 * row))
         for number, name in enumerate(self._classes):
             y = top + number * row
-            # The slice cuts a long name where the number begins.
+            # The slice cuts off a long name where the number begins.
             is_best = name == decision.place
             write(
                 picture[:, : right - 3 * size], palette.place_title(name), (left, y), size, _INK, bold=is_best
@@ -118,12 +118,12 @@ class Annotator:
 
 
 def _fitting(text: str, size: int, width: int) -> int:
-    """Return the largest font size, up to `size`, at which the line fits into `width` pixels."""
+    """Return the largest font size up to `size` at which the text fits in `width` pixels, but at least 6."""
     return max(6, min(size, size * width // max(1, mask(text, size, bold=True).shape[1])))
 
 
 def _bar(picture: NDArray[np.uint8], box: tuple[int, int, int, int], share: float, color: Color) -> None:
-    """Draw a bar filled to `share` in [0, 1]; `box` is left, top, right, bottom."""
+    """Draw a bar and fill its `share`, from 0 to 1; `box` is (left, top, right, bottom)."""
     left, top, right, bottom = box
     picture[top:bottom, left:right] = _LIGHT
     picture[top:bottom, left : left + round(share * (right - left))] = color

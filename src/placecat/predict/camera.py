@@ -1,4 +1,4 @@
-"""Read the newest frame of a camera or a stream; drop the frames in between."""
+"""Read the newest frame from a camera or stream; drop older ones."""
 
 import threading
 import time
@@ -12,9 +12,9 @@ from placecat.errors import PlacecatError
 from placecat.footage.timing import MOST_RATE
 from placecat.predict.frame import Frame, Source
 
-# Used if a camera reports no rate or an impossible one; some streams report 90,000.
+# Used if a camera reports no rate or an implausible one; some streams report 90,000.
 USUAL_FPS = 30.0
-# The camera counts as gone after this many failed reads in a row; the pause after each is in seconds.
+# Failed reads in a row after which the camera counts as gone, and the pause after each in seconds.
 _FAILURES, _PAUSE = 10, 0.05
 PATIENCE = 10.0
 """The camera counts as gone after this many seconds without a frame."""
@@ -24,24 +24,24 @@ class Camera(Source):
     """A live camera or stream.
 
     A thread reads every frame and keeps only the newest, so old frames do not queue up in the driver. The
-    footage ends when the camera stops delivering. Raises PlacecatError if the camera cannot be opened or
-    delivers no frame.
+    footage ends when the camera stops delivering frames. Raises PlacecatError if the camera cannot be opened
+    or delivers no frames.
 
     Parameters
     ----------
     address
-        Number of a camera, or address of a stream.
+        Camera number or stream address.
     name, title
-        Name of the results folder, and name in messages.
+        Names for the results folder and for messages.
     fps
-        Frames per second; None uses the rate that the camera reports.
+        Frames per second; None uses the camera's reported rate.
     size
         (width, height) requested from a numbered camera; its frames may differ.
 
     Attributes
     ----------
     arrived
-        Number of frames delivered up to the last one that was used.
+        Number of frames delivered, up to the last one used.
     """
 
     is_live, timing = True, None
@@ -74,7 +74,7 @@ class Camera(Source):
         self._is_over = False
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Wait for each new frame; `every` is ignored, since it applies to files only."""
+        """Wait for new frames and yield the newest; ignore `every`, which applies only to files."""
         thread = threading.Thread(target=self._read, name="camera", daemon=True)
         thread.start()
         start: float | None = None
@@ -96,7 +96,7 @@ class Camera(Source):
                 self._capture.release()
 
     def _wait(self) -> None:
-        # Short waits, because Ctrl-C does not end a long one on some systems.
+        # Wait briefly each time: on some systems, Ctrl-C does not interrupt a long wait.
         until = time.monotonic() + PATIENCE
         while self._newest is None and not self._is_over and time.monotonic() < until:
             self._news.wait(0.2)

@@ -29,15 +29,15 @@ from placecat.progress import Progress
 
 TIMELINE, SPEED = "timeline.png", "speed.json"
 ANNOTATED = "annotated"
-# Number of segments printed; the file lists all.
+# Number of segments to print; the file lists all of them.
 SHOWN_SEGMENTS = 12
-# The largest --every.
+# Largest valid --every.
 MOST_EVERY = 1_000_000
 
 
 @dataclass(frozen=True)
 class Options:
-    """Options of `placecat predict`, described in its help."""
+    """The options of `placecat predict`; see its help."""
 
     source: str
     model: Path
@@ -57,13 +57,13 @@ class Options:
 
     @property
     def exports(self) -> dict[str, Path]:
-        """The files to export, by option."""
+        """The files to export, keyed by option."""
         return {option: path for option in exports.OPTIONS if (path := getattr(self, option)) is not None}
 
 
 @dataclass(frozen=True)
 class _Job:
-    """The footage, the system, how frames are fitted to it, and the labels of all frames, if any."""
+    """The footage, the system, how to fit frames to it, and the labels of all frames, if any."""
 
     options: Options
     source: Source
@@ -73,14 +73,14 @@ class _Job:
 
     @property
     def title(self) -> str | None:
-        """The title of the system."""
+        """The system's title."""
         return self.categorizer.card.get("title")
 
 
 def predict_command(options: Options) -> int:
     """Apply a trained system to footage, write the results and print a summary.
 
-    Returns 0; user errors raise PlacecatError and leave nothing behind.
+    Returns 0; user errors raise PlacecatError and leave no files behind.
     """
     _check(options)
     _quiet()
@@ -123,7 +123,7 @@ def _open(options: Options, categorizer: Categorizer) -> Source:
 
 
 def _write(folder: Path, job: _Job) -> None:
-    """Write the prediction to a folder, and print a summary."""
+    """Categorize the footage, write the prediction to a folder, and print a summary."""
     _announce(job)
     options, source, categorizer, labels = job.options, job.source, job.categorizer, job.labels
     with (
@@ -191,7 +191,7 @@ def _quiet() -> None:
     """Silence FFmpeg and OpenCV; placecat reports their errors itself."""
     os.environ.setdefault("OPENCV_FFMPEG_LOGLEVEL", "-8")
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
-    # The title may have letters that the timeline's font lacks.
+    # The title may contain characters that the timeline's font lacks.
     warnings.filterwarnings("ignore", message="Glyph .* missing from font")
 
 
@@ -214,7 +214,7 @@ def _announce(job: _Job) -> None:
 
 
 def _total(source: Source, wish: Wish) -> int | None:
-    """Estimate the number of frames to categorize; None if unknown."""
+    """Estimate the number of frames to categorize; return None if it is unknown."""
     if source.timing is None:
         return None
     taken = np.searchsorted(source.timing.seconds, np.inf if wish.seconds is None else wish.seconds)
@@ -253,7 +253,7 @@ def _summary(job: _Job, prediction: Prediction, agreement: dict[str, Any] | None
 
 
 def _print(folder: Path, job: _Job, prediction: Prediction, speed: Speed, content: dict[str, Any]) -> None:
-    """Print the summary, its notes first."""
+    """Print the summary, notes first."""
     for note in content.get("notes", []):
         print(f"placecat: note: {note}", file=sys.stderr)
     print("\nShare of time:", *report.shares(prediction), sep="\n")

@@ -24,16 +24,16 @@ def reserved(
 ) -> Iterator[Path]:
     """Reserve the results folder for this prediction alone; parameters as for :func:`check`.
 
-    The folder is `output`, or predictions/NAME. A camera gets the first of NAME, NAME_2, ... that does not
-    exist and that no other prediction is writing. Raises the errors of :func:`check`, and a PlacecatError if
-    the folder is in use.
+    The folder is `output` or, by default, predictions/NAME. A camera's default is the first of NAME,
+    NAME_2, ... that does not exist and that no other prediction is writing. Raises PlacecatError like
+    :func:`check`, and if the folder is in use.
     """
-    # A file may be named `...mp4`, which leaves only dots.
+    # A file name like `...mp4` leaves only dots.
     name = name if name.strip(". ") else "footage"
     is_numbered = is_live and output is None
     for number in count(1):
         folder = output or Path("predictions") / (name if number == 1 else f"{name}_{number}")
-        # Write the target of a link and keep the link.
+        # Keep a link and write to its target.
         folder = folder.resolve() if folder.is_symlink() else folder
         if is_numbered and folder.exists():
             continue
@@ -76,12 +76,12 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
     folder
         The results folder.
     source
-        The footage, as the user typed it.
+        The footage as the user typed it, without any password.
     read
-        Input files and folders; they may not be in `folder`.
+        Input files and folders; none may be in `folder`.
     force
-        Replace a prediction of another source, or one that was edited (:func:`keep`). Only a prediction is
-        ever replaced.
+        Also replace a prediction that is of another source or a camera, or that was edited (see
+        :func:`keep`). Nothing but a prediction is ever replaced.
     """
     files.check_target(folder)
     for path in read:
@@ -114,16 +114,16 @@ def check(folder: Path, source: str, read: list[Path], *, force: bool) -> None:
 
 
 def keep(folder: Path, new: Path) -> dict[str, str]:
-    """Copy the files that a user added or edited in a prediction into the prediction that replaces it.
+    """Copy the files that a user added to or edited in a prediction into the one that replaces it.
 
-    Returns the name of each copied file or folder and the name of its copy. The copy keeps its name, or is
+    Returns a mapping from each copied file or folder to its copy, both as names. A copy keeps its name, or is
     called ``NAME.edited.csv``, ``NAME.edited_2.csv``, ... if the new prediction uses that name. The summary
-    does not list the copy, so the next prediction keeps it as well.
+    does not list copies, so the next prediction also keeps them.
     """
     summary = _summary(folder)
     kept: dict[str, str] = {}
     changed = [] if summary is None else _changed(folder, summary)
-    # Earlier copies keep their names.
+    # Sort names without a conflict first, so that earlier copies keep theirs.
     for name in sorted(changed, key=lambda one: (new / one).exists()):
         old, copy = folder / name, new / name
         for number in count(1):
@@ -139,7 +139,7 @@ def keep(folder: Path, new: Path) -> dict[str, str]:
 
 
 def checksums(folder: Path, names: Sequence[str]) -> dict[str, Any]:
-    """Return checksums for the summary; they reveal tables that are edited later."""
+    """Return checksums for the summary, to detect tables that are edited later."""
     return {_CHECKED: {name: files.checksum(folder / name) for name in names}}
 
 

@@ -1,6 +1,6 @@
-"""Export a prediction to robotics tools, as MCAP and Rerun files outside the results folder.
+"""Export a prediction for robotics tools, as MCAP and Rerun files outside the results folder.
 
-The modules are imported late because they import Matplotlib for its colours.
+The modules of these formats are imported late because they import Matplotlib for its colours.
 """
 
 import importlib
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     Export = McapFile | RerunFile
 
-# Option to file suffix, module and class; a module is imported only if its option is used.
+# Maps each option to its file suffix, module and class; a module is imported only if its option is used.
 _KINDS = {"mcap": (".mcap", "mcap_file", "McapFile"), "rerun": (".rrd", "rerun_file", "RerunFile")}
 OPTIONS = tuple(_KINDS)
 
@@ -32,12 +32,12 @@ def _kind(option: str) -> "type[McapFile] | type[RerunFile]":
 
 
 def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, force: bool) -> None:
-    """Refuse files that cannot be written, before any work starts.
+    """Before any work starts, refuse files that must not or cannot be written.
 
     Parameters
     ----------
     wanted
-        Mapping from option (one of `OPTIONS`) to file.
+        Maps each option, one of `OPTIONS`, to its file.
     folder
         The results folder, which will be replaced.
     read
@@ -48,7 +48,7 @@ def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, for
     Raises
     ------
     PlacecatError
-        If a package is missing, a name has the wrong ending, or a file is in the way.
+        If a package is missing, a name has the wrong suffix, or a file must not or cannot be written.
     """
     for option, path in wanted.items():
         ending = _KINDS[option][0]
@@ -69,10 +69,10 @@ def check(wanted: Mapping[str, Path], folder: Path, read: Sequence[Path], *, for
 def opened(
     wanted: Mapping[str, Path], classes: tuple[str, ...], size: tuple[int, int], start: int
 ) -> Iterator[list["Export"]]:
-    """Open the files that :func:`check` accepted; they get their final names if the block succeeds.
+    """Open files that :func:`check` accepted; rename them to their final names if the block succeeds.
 
-    `size` is the (width, height) of the frames. `start` is the time of the first frame in nanoseconds since
-    1970, or 0 if unknown.
+    `size` is the (width, height) of the frames. `start` is the first frame's time in nanoseconds since 1970,
+    or 0 if unknown.
     """
     with ExitStack() as stack:
         exports: list[Export] = []

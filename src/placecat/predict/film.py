@@ -1,4 +1,4 @@
-"""Write pictures into a video."""
+"""Write pictures to a video."""
 
 from fractions import Fraction
 from pathlib import Path
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from placecat.errors import PlacecatError
 
-# Suffix to codec and options. The options favour speed; browsers play both formats.
+# Maps each suffix to a codec and its options, which favour speed. Browsers play both formats.
 _CODECS = {
     ".mp4": ("libx264", {"preset": "ultrafast"}),
     ".webm": ("libvpx", {"deadline": "good", "cpu-used": "5", "crf": "20", "b": "2M"}),
@@ -20,11 +20,11 @@ _CODECS = {
 
 
 class Film:
-    """Writer of a video file, for a ``with`` block.
+    """Writes a video file in a ``with`` block.
 
-    `path` ends with .mp4 (H.264) or .webm (VP8), `fps` is in frames per second, `size` is (width, height),
-    both even. Raises PlacecatError if FFmpeg cannot write the format, or if the file is incomplete at the end
-    of the block.
+    `path` ends with .mp4 (H.264) or .webm (VP8), `fps` is in frames per second, and `size` is (width,
+    height), both even. Raises PlacecatError if FFmpeg cannot write the format, or if the file is incomplete
+    at the end of the block.
     """
 
     def __init__(self, path: Path, fps: float, size: tuple[int, int]) -> None:
@@ -46,9 +46,9 @@ class Film:
         self._stream.pix_fmt = "yuv420p"
 
     def add(self, picture: NDArray[np.uint8], seconds: float) -> None:
-        """Add a picture, (height, width, 3) uint8, BGR, taken at `seconds`.
+        """Add a (height, width, 3) uint8 BGR picture taken at `seconds`.
 
-        The picture is repeated to fill the time up to then, so the film runs in real time.
+        The picture is repeated to fill the time since the previous one, so the film runs in real time.
         """
         for _ in range(round(seconds * self._fps) + 1 - self._count):
             self._write(VideoFrame.from_ndarray(picture, "bgr24"))
@@ -80,7 +80,7 @@ class Film:
         return PlacecatError(f"the film {self._path.name} could not be written completely: is the disk full?")
 
     def _is_whole(self) -> bool:
-        """Check that the last picture exists: FFmpeg does not always report a failed write."""
+        """Return whether the last picture exists; FFmpeg does not always report a failed write."""
         film = cv2.VideoCapture(str(self._path), cv2.CAP_FFMPEG)
         try:
             film.set(cv2.CAP_PROP_POS_FRAMES, self._count - 1)

@@ -18,11 +18,11 @@ class Frame:
     Attributes
     ----------
     number
-        Counted from 1; for a camera, only the frames that were used count.
+        Frame number, from 1; a camera's unused frames do not count.
     seconds
         Time since the first frame.
     file
-        Name of the image in a folder; "" otherwise.
+        Name of the image file; "" if there is none.
     image
         (H, W, 3) uint8, BGR.
     begins
@@ -37,12 +37,12 @@ class Frame:
 
 
 def nanoseconds(seconds: float) -> int:
-    """Round seconds to nanoseconds; exact for times measured in nanoseconds, up to a hundred days."""
+    """Convert seconds to whole nanoseconds; exact up to a hundred days for times measured in nanoseconds."""
     return round(seconds * 1e9)
 
 
 class Damage(NamedTuple):
-    """Numbers of lost frames (not decodable) and damaged frames (decoded with errors), and a note."""
+    """The numbers of the lost (undecodable) and damaged (decoded with errors) frames, and a note."""
 
     lost: Sequence[int] = ()
     damaged: Sequence[int] = ()
@@ -50,26 +50,26 @@ class Damage(NamedTuple):
 
 
 class Source(ABC):
-    """Footage.
+    """Base class for footage.
 
     Attributes
     ----------
     name
         Name of the results folder.
     fps
-        Frame rate of the footage, in frames per second.
+        Frame rate in frames per second.
     size
         (width, height) of the first frame in pixels; later frames may differ if a phone was turned.
     timing
         Times of all frames, including lost ones; None for a camera.
     is_live
-        Whether frames are lost unless they are read in time.
+        Whether frames that are not read in time are lost.
     reached
-        Number of the last frame that was read, from 1; 0 before the first.
+        Number of the last frame read, from 1; 0 before the first.
     start
         Time of the first frame in nanoseconds since 1970; 0 if unknown.
     topic
-        Topic of a bag; "" otherwise.
+        A bag's image topic; "" otherwise.
     """
 
     name: str
@@ -83,10 +83,10 @@ class Source(ABC):
 
     @abstractmethod
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode one frame per group of `every`, the first that is not lost; a camera ignores `every`."""
+        """Decode the first frame that is not lost in each group of `every`; a camera ignores `every`."""
 
     def truth(self, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16] | None:
-        """Return (frames,) indices into the model's `classes`, -1 for unscored frames; None without labels.
+        """Return (frames,) indices into the model's `classes`, or -1 if unscored; None without labels.
 
         Frames with a label in `ignored` are not scored.
         """

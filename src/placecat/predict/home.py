@@ -1,4 +1,4 @@
-"""Use a home of a data set as footage: all its floors, with their labels."""
+"""Use a home from a data set as footage, with all its floors and labels."""
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Any
@@ -19,18 +19,18 @@ PREFIX = "home:"
 
 
 class DataSetHome(Source):
-    """Frames of a home, one floor after the other.
+    """The frames of a home, floor by floor.
 
-    The system restarts at each floor and at any other cut. Time continues from the previous floor.
+    The system restarts at each floor and at any other cut. Times continue from the previous floor.
 
     Parameters
     ----------
     name
         A home of the data set. Raises PlacecatError if it is unknown or cannot be read.
     dataset
-        Settings as in conf/dataset.
+        Data set settings, as in conf/dataset.
     fps
-        Frames per second; None uses the rate of the data set.
+        Frames per second; None uses the data set's rate.
     """
 
     timing: Timing
@@ -72,11 +72,11 @@ class DataSetHome(Source):
         self.reached = len(self._begins)
 
     def damage(self) -> Damage:
-        """Return the lost and damaged frames of the home."""
+        """Return the home's lost and damaged frames."""
         return Damage(self._home.lost, self._home.damaged, self._home.note)
 
     def truth(self, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16]:
-        """See `Source.truth`. Raises PlacecatError for a class that the model lacks and `ignored` omits."""
+        """Like `Source.truth`. Raises PlacecatError if a label is neither in `classes` nor ignored."""
         own = [name for name in self._dataset["classes"] if name not in ignored]
         labels = place_labels(
             self._home.frames["label"],
@@ -96,7 +96,7 @@ class DataSetHome(Source):
 
 
 def data_set(overrides: Sequence[str]) -> Mapping[str, Any]:
-    """Return the data set of params.yaml or, with overrides, of conf/."""
+    """Return the data set settings from params.yaml or, with overrides, from conf/."""
     from placecat.check import check
     from placecat.compose import compose
 

@@ -14,31 +14,31 @@ from placecat.predict.annotate import Annotator
 from placecat.predict.frame import Frame, nanoseconds
 
 PICTURE, PROBABILITIES, PLACE = "/placecat/image/compressed", "/placecat/classification", "/placecat/place"
-"""Topics. The first two have a message per frame. The last is latched and has a message per change: the place
-or `unknown`."""
+"""Topics. The first two carry one message per frame. The last is latched; it carries the place or `unknown`
+whenever that changes."""
 JPEG_QUALITY = 90
-"""JPEG quality of pictures, from 0 to 100. Our choice."""
+"""JPEG quality of the pictures, from 0 to 100. Our choice."""
 
 _IMAGE, _STRING = "sensor_msgs/msg/CompressedImage", "std_msgs/msg/String"
 _HYPOTHESIS, _CLASSIFICATION = "vision_msgs/msg/ObjectHypothesis", "vision_msgs/msg/Classification"
-# Message definitions of vision_msgs 4, which rosbags lacks.
+# Message definitions from vision_msgs 4, which rosbags lacks.
 _DEFINITIONS = {
     _HYPOTHESIS: "string class_id\nfloat64 score\n",
     _CLASSIFICATION: "std_msgs/Header header\nvision_msgs/ObjectHypothesis[] results\n",
 }
 # The newest bag format that ROS 2 Humble reads.
 _VERSION = 8
-# The bag stores its file name, so it is written under that name in a temporary folder.
+# The bag stores its file name, so it is written under its final name in a temporary folder.
 _WORK = ".folder"
 
 
 class McapFile:
-    """Writer of an MCAP file with a summary and indices, for a ``with`` block.
+    """Writes an MCAP file, with a summary and indices, in a ``with`` block.
 
     Parameters
     ----------
     path, name
-        The file, and its final name without the suffix.
+        The file to write, and its final name without the suffix.
     classes
         Names of the places.
     size
@@ -49,7 +49,7 @@ class McapFile:
 
     @staticmethod
     def require() -> None:
-        """Refuse to write MCAP without rosbags."""
+        """Raise PlacecatError if rosbags is not installed."""
         _rosbags()
 
     def __init__(
@@ -87,7 +87,7 @@ class McapFile:
             shutil.rmtree(self._folder, ignore_errors=True)
 
     def add(self, frame: Frame, decision: Decision, label: str | None = None) -> None:
-        """Add a frame of size `size`, with its true place if known."""
+        """Add a frame of the size `size`, with its true place if known."""
         types = self._store.types
         now = self._start + nanoseconds(frame.seconds)
         stamp = types["builtin_interfaces/msg/Time"](now // 10**9, now % 10**9)
@@ -110,7 +110,7 @@ class McapFile:
 
 
 def jpeg(picture: NDArray[np.uint8], quality: int) -> NDArray[np.uint8]:
-    """Encode a picture, (H, W, 3) uint8, BGR, as JPEG, (n,) uint8; `quality` is from 0 to 100."""
+    """Encode an (H, W, 3) uint8 BGR picture as JPEG, (n,) uint8; `quality` is from 0 to 100."""
     done, coded = cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, quality])
     if not done:
         raise RuntimeError("OpenCV cannot write JPEG")
@@ -118,7 +118,7 @@ def jpeg(picture: NDArray[np.uint8], quality: int) -> NDArray[np.uint8]:
 
 
 def _rosbags() -> tuple[Any, Any]:
-    """Return the message definitions and the module of the writer."""
+    """Return the message definitions and the writer's module."""
     try:
         from rosbags import rosbag2
         from rosbags.typesys import Stores, get_types_from_msg, get_typestore
@@ -133,10 +133,10 @@ def _rosbags() -> tuple[Any, Any]:
 
 
 def _quality(*, is_latched: bool) -> Any:
-    """Return the quality of service; later subscribers receive the last message of a latched topic."""
+    """Return a topic's quality of service; late subscribers receive the last message of a latched topic."""
     from rosbags.interfaces import Qos, QosDurability, QosHistory, QosLiveliness, QosReliability, QosTime
 
-    # The defaults of ROS 2.
+    # The ROS 2 defaults.
     forever = QosTime(2147483647, 4294967295)
     return Qos(
         history=QosHistory.KEEP_LAST,

@@ -1,4 +1,4 @@
-"""Notes on a prediction: damaged, turned or slow frames, and a home that trained the model."""
+"""Notes on a prediction: damaged, turned or slow frames, and a home that the model was trained on."""
 
 import math
 
@@ -10,11 +10,11 @@ from placecat.predict.home import DataSetHome
 from placecat.predict.prediction import Prediction
 
 SLOW = 0.95
-"""Frames below this share of the model's frame rate are slow; 4.995 of 5 frames/s is not. Our choice."""
+"""A frame rate below this share of the model's is slow; 4.995 instead of 5 frames/s is not. Our choice."""
 
 
 def notes(source: Source, prediction: Prediction, categorizer: Categorizer) -> list[str]:
-    """List warnings for the user, one line each; call it after all frames of the source were read."""
+    """List warnings for the user, one line each; call this after reading all frames of the source."""
     found = [source.damage().note, _turned(prediction), _trained(source, categorizer)]
     return [note for note in [*found, _slow(prediction, categorizer)] if note]
 
@@ -42,7 +42,7 @@ def _trained(source: Source, categorizer: Categorizer) -> str:
 
 
 def _slow(prediction: Prediction, categorizer: Categorizer) -> str:
-    """Warn if frames come more slowly than in training: each then has more weight."""
+    """Warn if frames come more slowly than in training, since each then has more weight."""
     if len(prediction.seconds) < 2 or not 0 < categorizer.threshold < math.inf:
         return ""
     period = float(np.median(np.diff(prediction.seconds)))

@@ -1,4 +1,4 @@
-"""A prediction: places and probabilities for every frame of footage."""
+"""A prediction: a place and probabilities for each categorized frame of footage."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -21,15 +21,15 @@ class Prediction:
     fps
         Frame rate of the footage, in frames per second.
     length
-        Number of the last frame that was read, from 1.
+        Number of the last frame read, from 1.
     numbers
         (n,) int64, number of each frame in the footage, from 1.
     seconds
         (n,) float64, time since the first frame.
     names
-        File of each frame; empty if the footage is one file.
+        Image file of each frame; empty if the frames have none.
     proba
-        (n, K) float64, smoothed probabilities; they decide the place.
+        (n, K) float64, smoothed probabilities, which decide the place.
     integrated
         (n, K) float64, probabilities of each frame alone.
     end
@@ -82,7 +82,7 @@ class Prediction:
         return [self.classes[place] if known else UNKNOWN for place, known in pairs]
 
     def visits(self) -> list[Visit]:
-        """List the stays like :meth:`placecat.categorizer.Categorizer.visits`; the last lasts to the end."""
+        """Like :meth:`placecat.categorizer.Categorizer.visits`, but the last stay ends with the footage."""
         log = VisitLog()
         frames = zip(self.place_names, self.confidence.tolist(), self.seconds.tolist(), strict=True)
         for number, frame in enumerate(frames):
@@ -96,9 +96,9 @@ class Prediction:
         return np.append(self.seconds[1:], self.seconds[-1] + step if self.end is None else self.end)
 
     def segments(self) -> list[Segment]:
-        """List runs of frames of one place, in frame numbers of the footage, without gaps.
+        """List the runs of frames in one place, without gaps, by frame numbers of the footage.
 
-        A frame that was not categorized joins the frame before it. `line` is the line in segments.csv.
+        A frame that was not categorized joins the previous frame. `line` is a segment's line in segments.csv.
         """
         decision = self.decision
         firsts = np.flatnonzero(np.r_[True, decision[1:] != decision[:-1]])

@@ -11,9 +11,9 @@ from placecat.predict.run import Speed
 
 
 def facts(prediction: Prediction, agreement: Mapping[str, Any] | None) -> dict[str, Any]:
-    """Return the facts for the summary; they exclude run times and are therefore reproducible.
+    """Return the facts for the summary; they are reproducible because they exclude run times.
 
-    `agreement` comes from `placecat.predict.truth.agreement`; None without labels.
+    `agreement` comes from `placecat.predict.truth.agreement`; it is None without labels.
     """
     return {
         "frames": len(prediction.numbers),
@@ -32,7 +32,7 @@ def facts(prediction: Prediction, agreement: Mapping[str, Any] | None) -> dict[s
 
 
 def shares(prediction: Prediction) -> list[str]:
-    """Return lines with the share of time per place, longest first; places not seen are omitted."""
+    """Return lines with each seen place's share of time, longest first, and the unknown share, if any."""
     longest_first = sorted(_share_of_time(prediction).items(), key=lambda one: -one[1])
     width = max(map(len, prediction.classes))
     lines = [f"  {name:{width}}  {value:6.1%}" for name, value in longest_first if value > 0]
@@ -41,7 +41,7 @@ def shares(prediction: Prediction) -> list[str]:
 
 
 def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str]:
-    """Return lines: the accuracy, a confusion table (rows: labels, columns: decisions), the share named."""
+    """Return lines: accuracy, a confusion table (rows: labels, columns: decisions) and the named share."""
     if agreement["accuracy"] is None:
         return ["No categorized frame has a label of the model's places: nothing is scored."]
     rows = [list(map(str, row)) for row in agreement["confusion"]]
@@ -66,7 +66,7 @@ def confusions(classes: Sequence[str], agreement: Mapping[str, Any]) -> list[str
 
 
 def speed_text(speed: Speed, every: int, fps: float, *, dropped: int | None = None) -> str:
-    """Compare the speed with the frame rate `fps` of the footage, when one in `every` frames is used.
+    """Compare the speed with the footage's frame rate `fps`, if one frame in `every` is used.
 
     `dropped` is the number of camera frames that were not used.
     """
@@ -102,7 +102,7 @@ def _share_of_time(prediction: Prediction) -> dict[str, float]:
 
 
 def _share_unknown(prediction: Prediction) -> float:
-    """Return the share of time in which the place is unknown."""
+    """Return the share of time during which the place is unknown."""
     lengths = prediction.ends - prediction.seconds
     return float(lengths[~prediction.is_known].sum() / lengths.sum())
 

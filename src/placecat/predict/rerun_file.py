@@ -15,18 +15,18 @@ from placecat.predict.mcap_file import JPEG_QUALITY, jpeg
 from placecat.vision.regions import radius
 
 IMAGE, REGIONS, PROBABILITIES, PLACE = "camera/image", "camera/image/regions", "probabilities", "place"
-"""Entities. Each class has an entity below `PROBABILITIES`."""
+"""Entities. Each class has an entity under `PROBABILITIES`."""
 FRAME, TIME = "frame", "time"
-"""Timelines: the frame number, and the time since 1970 or, if unknown, since the start."""
+"""Timelines: the frame number, and the time since 1970 or, if that is unknown, since the first frame."""
 LEAST_FREE = 64_000_000
-"""Bytes that must be free on the disk; Rerun hangs on a full disk. Our choice."""
+"""Bytes that must be free on the disk, because Rerun hangs on a full disk. Our choice."""
 _REGION = (255, 235, 120)
 
 
 class RerunFile:
-    """Writer of a Rerun recording, for a ``with`` block.
+    """Writes a Rerun recording in a ``with`` block.
 
-    The bytes differ between runs because Rerun stores the log time of each message. The parameters are the
+    The bytes differ between runs because Rerun stores when each message was logged. The parameters are the
     same as for :class:`placecat.predict.mcap_file.McapFile`, but frames may have any size, and a `start` of 0
     means unknown.
     """
@@ -41,7 +41,7 @@ class RerunFile:
 
     @staticmethod
     def require() -> None:
-        """Refuse to write a recording without Rerun."""
+        """Raise PlacecatError if Rerun is not installed."""
         _rerun()
 
     def __enter__(self) -> "RerunFile":

@@ -30,7 +30,7 @@ class Speed:
     frames
         Number of categorized frames.
     seconds, categorizing
-        Total time (decoding, categorizing, drawing), and time in the categorizer.
+        Time in total (decoding, categorizing, drawing), and in the categorizer alone.
     """
 
     wanted: float
@@ -40,7 +40,7 @@ class Speed:
 
     @property
     def rate(self) -> float:
-        """Frames per second."""
+        """Categorized frames per second."""
         return self.frames / self.seconds if self.seconds else 0.0
 
     @property
@@ -51,18 +51,18 @@ class Speed:
 
 @dataclass(frozen=True)
 class Wish:
-    """Options of the user.
+    """The user's options.
 
     Attributes
     ----------
     every
         Categorize one frame out of this many.
     seconds
-        Length of footage to use; None uses all.
+        Seconds of footage to use; None uses all of it.
     film
         Path of the annotated video, if any.
     truth
-        (frames of the footage,) int16, class indices to show in the video, -1 for unlabelled frames.
+        (frames of the footage,) int16, class indices to show in the video, or -1 for unlabelled frames.
     pace
         Speed of the video relative to the footage.
     """
@@ -79,25 +79,25 @@ def run(
 ) -> tuple[Prediction, Speed, bool]:
     """Categorize footage.
 
-    Ctrl-C ends the footage of a camera; for other footage, KeyboardInterrupt is raised.
+    Ctrl-C ends a camera's footage after the first frame; otherwise, it raises KeyboardInterrupt.
 
     Parameters
     ----------
     system
-        A system that has seen no frame yet.
+        A system that has not seen any frames yet.
     fit
-        Fits frames to the size that the system accepts.
+        Fits frames to a size that the system accepts.
     shown
-        Called after every frame.
+        Called after each frame.
 
     Returns
     -------
-    The prediction, with at least one frame; the speed; and whether Ctrl-C ended it.
+    The prediction, which has at least one frame; the speed; and whether Ctrl-C ended the footage.
 
     Raises
     ------
     PlacecatError
-        If a frame cannot be read, or the footage has none.
+        If a frame cannot be read, or no frame is used.
     """
     rows: list[tuple[int, float, str, NDArray[np.float64], NDArray[np.float64]]] = []
     speed = Speed(source.fps / wish.every)
@@ -166,7 +166,7 @@ def run(
 
 
 def true_label(truth: NDArray[np.int16] | None, number: int, classes: tuple[str, ...]) -> str | None:
-    """Return the true place of a frame: "" if it is not scored, None without labels."""
+    """Return a frame's true place, "" if it is not scored, or None without labels."""
     if truth is None:
         return None
     place = int(truth[number - 1])

@@ -17,14 +17,14 @@ from placecat.predict.camera import Camera
 from placecat.predict.frame import Damage, Frame, Source
 from placecat.sequences import video
 
-# Frames per second. The upper limit is the same as for dataset.fps; the lower one is our choice.
+# Frames per second. The upper limit is that of dataset.fps; the lower one is our choice.
 SLOWEST, FASTEST = 0.001, 1000.0
 _CAMERA = re.compile(r"camera(?::([0-9]{1,4}))?")
 _STREAM = re.compile(r"(rtsps?|https?)://.+", re.IGNORECASE)
 
 
 def without_password(text: str) -> str:
-    """Remove user and password from the address of a stream; other text stays unchanged."""
+    """Remove the user name and password from a stream's address; leave other text unchanged."""
     return re.sub(r"(?<=://)[^/@]*@", "", text) if _STREAM.fullmatch(text) else text
 
 
@@ -36,16 +36,16 @@ def open_source(
     Parameters
     ----------
     text
-        A video file, a folder of images, a bag, ``camera`` or ``camera:NUMBER``, or the address of a stream
-        (rtsp, http). A file or folder has priority over a camera of the same name.
+        A video file, a folder of images, a bag, ``camera`` or ``camera:NUMBER``, or a stream's address (rtsp,
+        http). A file or folder takes precedence over a camera of the same name.
     fps
-        Frames per second; None uses the rate of the footage.
+        Frames per second; None uses the footage's rate.
     usual_fps
-        Frame rate of a folder, which has none.
+        Frame rate to use for a folder, which has none.
     size
         (width, height) requested from a camera.
     topic
-        Image topic of a bag; None uses the only one.
+        A bag's image topic; None uses its only one.
     """
     if fps is not None and not SLOWEST <= fps <= FASTEST:
         raise PlacecatError(f"--fps is {fps:g}: give {SLOWEST:g} to {FASTEST:g}")
@@ -91,7 +91,7 @@ def _video(path: Path, fps: float | None) -> "Recorded":
 
 
 class Recorded(Source):
-    """A video or a bag, decoded from the start, exactly like the stages do."""
+    """A video or a bag, decoded from the start exactly as the stages decode it."""
 
     timing: Timing
 
@@ -102,7 +102,7 @@ class Recorded(Source):
             self.topic, self.start = recording.topic, recording.start
 
     def frames(self, every: int) -> Iterator[Frame]:
-        """Decode one frame per group of `every`: the first that is not lost."""
+        """Decode the first frame that is not lost in each group of `every`."""
         last = -1
         for picture in self._recording.pictures():
             self.reached = number = picture.number
@@ -117,7 +117,7 @@ class Recorded(Source):
 
 
 class Folder(Source):
-    """A folder of JPEG and PNG files, in the same order as in the layout `folder`."""
+    """A folder of JPEG and PNG files, ordered as in the layout `folder`."""
 
     timing: Timing
 

@@ -14,7 +14,7 @@ TABLES = (FRAMES, SEGMENTS, VISITS)
 
 
 def write_frames(path: Path, prediction: Prediction) -> None:
-    """Write one row per frame: decision, confidence, all probabilities, and the same for the frame alone.
+    """Write one row per frame, with its decision and probabilities and those of the frame alone.
 
     ``name`` is the place, or ``unknown`` if the confidence is too low. Probabilities have enough digits to
     be read back bit for bit.
@@ -23,7 +23,7 @@ def write_frames(path: Path, prediction: Prediction) -> None:
     columns = {
         "frame": prediction.numbers,
         "seconds": [f"{seconds:.3f}" for seconds in prediction.seconds],
-        # As objects, because pandas strings must be valid UTF-8.
+        # Objects, because pandas strings must be valid UTF-8.
         **({"file": pd.Series(prediction.names, dtype=object)} if prediction.names else {}),
         "place": [classes[place] for place in prediction.decision],
         "confidence": prediction.confidence,
@@ -42,7 +42,7 @@ def write_segments(path: Path, prediction: Prediction) -> None:
 
 
 def write_visits(path: Path, prediction: Prediction) -> None:
-    """Write one row per stay: place, start and end in seconds, mean confidence, number of frames."""
+    """Write one row per stay: place, start and end in seconds, mean confidence and number of frames."""
     rows = [
         (visit.place, f"{visit.start:.3f}", f"{visit.end:.3f}", f"{visit.confidence:.4f}", visit.frames)
         for visit in prediction.visits()

@@ -1,4 +1,4 @@
-"""Draw a prediction as a timeline: strips of places, with the confidence below."""
+"""Draw a prediction as a timeline: strips of places, with the confidence below them."""
 
 import textwrap
 from collections.abc import Sequence
@@ -16,17 +16,17 @@ from placecat.predict.clock import clock
 from placecat.predict.prediction import Prediction
 
 COLUMNS = 2000
-"""Moments that a strip shows, about one per pixel."""
+"""Number of moments in a strip, about one per pixel."""
 UNLABELLED = "#ffffff"
 WIDTH, HEIGHT, ROW = 6.5, 1.75, 0.3
 LINE = 96
-"""Characters of the title per line; most titles fit."""
+"""Characters per line of the title; most titles fit on one line."""
 
 
 def draw(prediction: Prediction, title: str, truth: NDArray[np.int16] | None = None) -> Figure:
-    """Draw the timeline of a prediction of at least one frame.
+    """Draw a prediction's timeline; it must have at least one frame.
 
-    `truth` holds (n,) int16 class indices, -1 for unlabelled frames; None omits the label strip.
+    `truth` holds (n,) int16 class indices, or -1 for unlabelled frames; None omits the label strip.
     """
     colors = palette.place_colors(prediction.classes)
     strips: dict[str, NDArray[np.integer]] = {} if truth is None else {"label": truth}
@@ -87,7 +87,7 @@ def _confidence(axes: Axes, prediction: Prediction, end: float) -> None:
     axes.set_yticks([0.0, 0.5, 1.0], ["0", "0.5", "1"])
     axes.set_ylabel("confidence")
     axes.set_xlim(0.0, end)
-    # Steps that look round on a clock.
+    # Steps that are round numbers on a clock.
     steps = [1, 1.5, 2, 3, 6, 10] if end > 60 else [1, 2, 5, 10]
     axes.xaxis.set_major_locator(MaxNLocator(8, steps=steps, integer=end > 8))
     axes.xaxis.set_major_formatter(

@@ -1,4 +1,4 @@
-"""Read labels of footage, and compare a prediction with them."""
+"""Read the labels of footage, and compare a prediction with them."""
 
 from collections.abc import Collection, Sequence
 from pathlib import Path
@@ -14,15 +14,15 @@ from placecat.predict.prediction import Prediction
 from placecat.sequences.labels import read_label_csv
 
 UNSCORED = "transition"
-"""Label of frames between places; every label file may use it."""
+"""Label for frames between places; any label file may use it."""
 
 
 def read(path: Path, timing: Timing, classes: Sequence[str], ignored: Collection[str]) -> NDArray[np.int16]:
     """Read the labels of all frames with `placecat.sequences.labels.read_label_csv`.
 
-    Frames labelled `UNSCORED`, or with a label in `ignored`, are not scored. Returns (frames,) int16 indices
-    into the model's `classes`, -1 for unscored frames. Raises PlacecatError if the file does not match the
-    times, or has a label that is neither a class nor ignored.
+    Frames whose label is `UNSCORED` or in `ignored` are not scored. Returns (frames,) int16 indices into the
+    model's `classes`, or -1 for unscored frames. Raises PlacecatError if the file is missing or does not
+    match the frame times, or if a label is neither a class nor ignored.
     """
     with reading(path):
         if not path.is_file():
@@ -39,20 +39,20 @@ def read(path: Path, timing: Timing, classes: Sequence[str], ignored: Collection
 
 
 def agreement(prediction: Prediction, truth: NDArray[np.int16]) -> dict[str, object]:
-    """Score the categorized frames in the same way as a home (thesis 4.2).
+    """Score the categorized frames like the frames of a home (thesis 4.2).
 
     Parameters
     ----------
     truth
-        (n,) class indices of these frames, -1 for unscored frames.
+        (n,) class indices of these frames, or -1 for unscored frames.
 
     Returns
     -------
     dict
-        ``accuracy`` and ``frame_accuracy`` (each frame alone): mean over the places present, in percent, or
-        None if nothing is scored. ``by_place``: percent per place. ``confusion``: counts, one row per
-        labelled place. ``named``: percent of frames that are not unknown. ``named_wrongly``: percent of
-        these that are wrong. Both weigh all places equally.
+        ``accuracy`` and ``frame_accuracy`` (each frame alone): mean over the labelled places, in percent, or
+        None if nothing is scored. ``by_place``: percent correct per place. ``confusion``: counts, one row per
+        true place. ``named``: percent of scored frames that are not unknown. ``named_wrongly``: percent of
+        these that are wrong. Both weight all places equally.
     """
     n_classes = len(prediction.classes)
     confusion = confusion_matrix(truth, prediction.decision, n_classes)
