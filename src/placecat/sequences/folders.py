@@ -24,7 +24,7 @@ def inside(path: Path, folder: Path, origin: str) -> None:
 def check_listed(folder: Path, limit: Path, origin: str, listed: Mapping[str, str], remedy: str) -> None:
     """Refuse missing frames, and links that leave the folder `limit`.
 
-    `origin` is the file that lists the frames; `listed` maps frame names to places in that file.
+    `origin` is the file that lists the frames; `listed` maps each frame name to its place in that file.
     """
     inside(folder, limit, origin)
     links = {entry.name: entry.is_symlink() for entry in os.scandir(folder)} if folder.is_dir() else {}

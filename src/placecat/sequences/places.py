@@ -33,7 +33,7 @@ def place_labels(
     classes, ignored
         The classes, numbered by their position, and the labels that have no class.
     aliases
-        Other spellings and codes: label to class or ignored label. An alias overrides a class of the same
+        Maps other spellings and codes to classes or ignored labels. An alias overrides a class of the same
         name.
     home
         The home of the labels, for messages.

@@ -11,7 +11,7 @@ from placecat.errors import PlacecatError
 from placecat.sequences.labels import shown
 
 Columns = Mapping[str, type | UnionType]
-"""Column name to the type of its values: int, str, or either with None."""
+"""Maps each column name to the type of its values: int, str, or either with None."""
 MOST_BYTES = 1 << 20
 """Largest size of a row, far above a path or a name. Our choice."""
 
@@ -39,10 +39,10 @@ class SqliteFile:
 
 @contextmanager
 def opened(path: Path, tables: Mapping[str, Columns]) -> Iterator[SqliteFile]:
-    """Open a database to read some columns of some tables, without writing any file.
+    """Open a database to read the columns in `tables`, without writing any file.
 
-    Raises PlacecatError if the file is missing, damaged, not a database, or being written by a program, or
-    lacks a table or a column.
+    Raises PlacecatError if the file is missing, damaged or not a database, if a program is writing to it, or
+    if it lacks a table or a column.
     """
     if not path.is_file():
         raise PlacecatError(f"{path}: the database is missing; restore it, or correct dataset.root.")
