@@ -15,7 +15,7 @@ import psutil
 
 # Seconds between two checks, and seconds allowed to clean up.
 INTERVAL, GRACE = 0.5, 10.0
-# Environment variable that tells stages the process number of DVC; their parent may be a shell.
+# Environment variable that tells stages DVC's process ID, since their parent may be a shell.
 DVC = "PLACECAT_DVC"
 
 _watching = False
