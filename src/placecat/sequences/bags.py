@@ -42,7 +42,7 @@ def read_home(
         Topic of the pictures; None uses the only one in each bag.
     labels_topic
         Topic of the labels (std_msgs/String). A frame has the last label received before it; frames before
-        the first label have none. None uses the label files.
+        the first label are unlabelled. None uses the label files.
     """
     for setting, value in (("topic", topic), ("labels_topic", labels_topic)):
         if value is not None and not isinstance(value, str):

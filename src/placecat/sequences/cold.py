@@ -143,5 +143,5 @@ def read_places(file: Path) -> list[Entry]:
 
 
 def _sequences(site: Path) -> list[Path]:
-    # Not with glob: it silently skips unreadable folders.
+    # Avoid glob: it silently skips unreadable folders.
     return [folder for folder in site.iterdir() if (folder / LABEL_FILE).is_file()]

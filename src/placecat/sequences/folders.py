@@ -1,4 +1,4 @@
-"""Checks that all layouts share: folders, names in them, and the frame rate."""
+"""Checks shared by all layouts: folders, names within them, and the frame rate."""
 
 import os
 from collections.abc import Collection, Iterable, Mapping
@@ -69,7 +69,7 @@ def by_name(paths: Iterable[Path]) -> dict[str, Path]:
 def some_homes(homes: Collection[str], root: Path, expected: str) -> list[str]:
     """Sort home names in natural order.
 
-    If there are none, the PlacecatError says which files this layout `expected` below `root`.
+    If there are none, the PlacecatError names the files `expected` below `root`.
     """
     if not homes:
         raise PlacecatError(

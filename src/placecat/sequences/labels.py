@@ -1,4 +1,4 @@
-"""Labels as intervals of frames: checks, expansion, and the label CSV."""
+"""Check and expand labels given as frame intervals, and read label CSV files."""
 
 import codecs
 import csv
@@ -18,7 +18,7 @@ FRAME_HEADER = ("start", "end", "label")
 """CSV columns for intervals in frames, from 1, both ends included (as in VPC-2009)."""
 SECOND_HEADER = ("start_seconds", "end_seconds", "label")
 """CSV columns for intervals in seconds from 0, the end excluded."""
-# More frames than any footage has.
+# Both limits are above the number of frames of any footage.
 _WHOLE = re.compile(r"-?[0-9]{1,10}")
 _MOST_FRAMES = 1e10
 MOST_BYTES = 16 << 20
@@ -40,8 +40,8 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
     Parameters
     ----------
     file, sequence, counted
-        For messages: the label file, the owner of the frames (``floor 1``, ``the video``), and the source of
-        the count (``line 2``).
+        For messages: the label file, what the frames belong to (``floor 1``, ``the video``), and the source
+        of the count (``line 2``).
 
     Raises
     ------

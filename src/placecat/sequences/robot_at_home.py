@@ -28,7 +28,7 @@ from placecat.sequences.sqlite_file import Columns, SqliteFile, opened
 
 DATABASE, PICTURES = "rh.db", "files/rgbd"
 OBSERVATIONS = {"labelled": ("rh_lblrgbd",), "all": ("rh_lblrgbd", "rh_raw")}
-"""Maps each value of `observations` to tables: frames with labelled objects, or all, even discarded ones."""
+"""Tables for each value of `observations`: frames with labelled objects, or all, even discarded ones."""
 FILES = "rh2_old2new_rgbd_files"
 COLOR = "_intensity.png"
 """Suffix of colour pictures; other files hold depth and labels."""
