@@ -30,7 +30,7 @@ def end_with(parent: int) -> None:
 
 
 def end_stage_with_dvc() -> None:
-    """Clean up on SIGTERM and on Ctrl-C, and also when DVC is gone."""
+    """Make this stage clean up on SIGTERM, on Ctrl-C, and when DVC is gone."""
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, _stop)
     if "DVC_STAGE" in os.environ:

@@ -21,7 +21,7 @@ _ENDING = 12.0
 def alone() -> Iterator[None]:
     """Block other runs and changes of params.yaml; raise PlacecatError if another run has the lock.
 
-    Blocks may be nested.
+    Calls may be nested.
     """
     if not TEMPORARY.parent.is_dir():
         yield
