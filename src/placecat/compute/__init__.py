@@ -1,4 +1,4 @@
-"""Choose where loops run: on this machine or on a Dask cluster, as the settings `compute` say."""
+"""Choose where loops run: on this machine or on a Dask cluster, as the `compute` settings say."""
 
 import os
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""Fingerprint of the environment that affects the bits of results: code, versions, kernels, processor."""
+"""Describe the environment that affects the bits of results: code, versions, kernels, processor."""
 
 import hashlib
 import platform

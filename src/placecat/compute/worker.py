@@ -1,4 +1,4 @@
-"""Run tasks on a worker of a cluster, after a check that it computes the same bits as other workers."""
+"""Run tasks on a cluster's worker, after checking that it computes the same bits as other workers."""
 
 import contextlib
 import pickle
