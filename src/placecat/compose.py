@@ -35,7 +35,7 @@ _COMPOSED = Path("data/params.sha256")
 
 
 def found(conf: Path = paths.CONF) -> str:
-    """Return the content of conf/found.yaml, which lists the files of conf/ that are used though unnamed.
+    """Return the content of conf/found.yaml: the files of conf/ that are used without being named.
 
     A Hydra defaults list cannot contain a file pattern, and `dvc exp run` composes only from files.
     Inferred cue settings come last. Raises the errors of :mod:`placecat.inferred`.

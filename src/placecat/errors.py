@@ -21,7 +21,7 @@ class PlacecatError(ValueError):
 
 
 class NotComputable(PlacecatError):
-    """A number that the data do not allow, whatever the settings; tables show the reason instead."""
+    """A number that no settings can compute from these data; tables show the reason instead."""
 
 
 class SettingError(PlacecatError):

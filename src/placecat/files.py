@@ -67,7 +67,7 @@ def check_file(target: Path) -> None:
 
 
 def check_writable(target: Path) -> None:
-    """Check in advance that a file can be written; PlacecatError if not, and like :func:`check_file`."""
+    """Check in advance that a file can be written; errors as for :func:`check_file`, or if writing fails."""
     check_file(target)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)

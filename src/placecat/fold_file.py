@@ -25,13 +25,13 @@ def seeded(folder: Path, home: str, seed: int | None) -> Path:
 
 
 def seeds_in(folder: Path, home: str) -> list[str]:
-    """Return the seed names with results for a test home: ``seed-0``, ``seed-1`` ..., or only ``no-seed``."""
+    """List the seeds that have results for a test home: ``seed-0``, ``seed-1`` ..., or only ``no-seed``."""
     parts = [path.stem.rpartition(".") for path in folder.glob("*.npz")]
     return sorted(seed for of, _, seed in parts if of == home)
 
 
 def write(path: Path, arrays: Mapping[str, NDArray[Any]], facts: Mapping[str, Any] | None = None) -> None:
-    """Write the arrays, and the facts unless None."""
+    """Write the arrays, and the facts unless they are None."""
     files.write_arrays(path, arrays)
     if facts is not None:
         files.write_json(path.with_suffix(".json"), facts)

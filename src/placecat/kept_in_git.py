@@ -61,7 +61,7 @@ def compare(old: str = HEAD, new: str = "") -> tuple[list[str], bool]:
 def _with_data(one: Kept, params: dict[str, Any] | None) -> dict[str, pd.DataFrame]:
     """Add a column `data` to each table: the title of the data set behind each number; "" if unknown.
 
-    The table definitions refer to `params`.
+    `params` are the settings to which the table definitions refer.
     """
     defined = {} if params is None else tables_of(params)
     found = {}
@@ -96,7 +96,7 @@ def name_of(side: str) -> str:
 
 
 def read(side: str) -> Kept:
-    """Read a project's folder ("" for this one) or a git revision; errors as in the two functions below."""
+    """Read a project folder ("" for this one) or git revision; see `read_folder` and `read_revision`."""
     return read_folder(Path(side)) if not side or is_folder(side) else read_revision(side)
 
 

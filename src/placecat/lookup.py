@@ -32,13 +32,13 @@ class _Definition(NamedTuple):
 
 
 def names(package: str, *defining: str) -> list[str]:
-    """List a package's modules that define all of some names, sorted; PlacecatError if one is not Python."""
+    """List a package's modules that define all of `defining`, sorted; PlacecatError if one is not Python."""
     found = sorted(module.name for module in pkgutil.iter_modules(_locations(package)))
     return [name for name in found if _defines(package, name, defining)]
 
 
 def require(package: str, name: object, what: str, *defining: str) -> str:
-    """Return `name` if it is a module; otherwise, the PlacecatError suggests the nearest and lists all.
+    """Return `name` if that module exists; otherwise, the PlacecatError suggests the nearest and lists all.
 
     `package` and `defining` are as for `names`; `what` describes `name` in the message, e.g.
     ``classifier.model``.
@@ -84,7 +84,7 @@ def estimator(package: str, name: object, what: str) -> str:
 def parameters(package: str, name: str, definition: str) -> dict[str, bool]:
     """List the settings of a function or class without importing it.
 
-    A function's settings are its keyword-only parameters, a class's are all parameters of ``__init__``.
+    A function's settings are its keyword-only parameters; a class's are all parameters of ``__init__``.
     Maps each setting to whether it is required, in source order; empty if the module lacks `definition`.
     """
     found = _taking(package, name, definition)
@@ -106,7 +106,7 @@ def types(package: str, name: str, definition: str) -> dict[str, Any]:
 def entries(package: str, dictionary: str) -> dict[str, tuple[str, str]]:
     """List a dictionary's entries, e.g. those of ``FIGURES``, in all modules: tuples that end in a function.
 
-    Maps each key to the names of its module and function; "" for a lambda, which has no settings.
+    Maps each key to the names of its module and function; a lambda, which has no settings, is named "".
     """
     listed = {}
     for name in names(package, dictionary):

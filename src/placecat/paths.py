@@ -67,7 +67,7 @@ REPLICATED_FINDINGS = Path("reports/replication/findings.csv")
 
 # Seed name for results that are not random.
 NO_SEED = "no-seed"
-# A folder in a home's features folder for a variant of its salient regions, and its list of frames.
+# Within a home's features folder: the folder of a region variant, and that folder's list of frames.
 VARIANT = "variant_{}"
 VARIANT_FRAMES = "frames.npy"
 

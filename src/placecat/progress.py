@@ -17,7 +17,7 @@ _BAR = "{desc}: {percentage:3.0f} % |{bar:20}| {n_fmt} of {total_fmt}{unit}, {re
 class Progress(tqdm):
     """A progress line on standard error, with the time left.
 
-    In a terminal, a single line disappears at the end. Elsewhere, a line is written every `IN_LOG`
+    In a terminal, it is a single line that disappears at the end. Elsewhere, a line is written every `IN_LOG`
     seconds, so short loops write nothing. `iterable` is None if :meth:`update` is called instead; `total` is
     None if unknown; `unit` names the steps, in the plural.
     """

@@ -27,7 +27,7 @@ def run(*, force: bool = False, **environment: str) -> int:
 
     On Ctrl-C or SIGTERM, the stage cleans up, then DVC ends, then this function returns. `force` runs stages
     even if no dependency has changed; `environment` holds additional environment variables for the stages.
-    Raises PlacecatError if another run is in progress in this folder, or if it is not a git repository.
+    Raises PlacecatError if another run is in progress here, or if this folder is not a git repository.
     """
     # Make DVC wait while another process reads the project, or it would lose a stage that has just finished.
     command = [sys.executable, "-m", "placecat.runs.dvc", "--wait-for-lock", "repro"]

@@ -21,7 +21,7 @@ def load(path: Path = paths.PARAMS) -> dict[str, Any]:
 
 
 def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]:
-    """Read a YAML file that contains a mapping; if it is missing or empty, PlacecatError with `remedy`."""
+    """Read a YAML file that contains a mapping; if it is missing or empty, the error names `remedy`."""
     try:
         content = yaml.load(path.read_text(encoding="utf-8"), Loader=Loader)
     except FileNotFoundError:

@@ -56,7 +56,7 @@ def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
 
 
 def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Return those of the frames `rows` that have a descriptor; variants of regions lack some frames."""
+    """Return the frames of `rows` that have a descriptor, in time order; region variants lack some frames."""
     if "variant" not in descriptor:
         return rows
     there: NDArray[np.int64] = np.intersect1d(rows, _described(folder_of(home, descriptor)))
