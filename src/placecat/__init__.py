@@ -1,3 +1,3 @@
-"""Reproducible experiments in visual place categorization, after Bormann's thesis."""
+"""Reproducible experiments in visual place categorization, following Bormann's thesis."""
 
 __version__ = "0.2.0"

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from contextlib import redirect_stdout
 from pathlib import Path
 
-import placecat.stages  # noqa: F401 before NumPy: chooses OpenBLAS's kernels
+import placecat.stages  # noqa: F401 must precede NumPy: it chooses OpenBLAS's kernels
 from placecat import __version__, footage_commands, paths
 from placecat.compose import write_params
 from placecat.errors import PlacecatError, exiting
@@ -22,7 +22,7 @@ _STATUS = (
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run a subcommand; it ends with a message and status 1 if the user made a mistake."""
+    """Run a subcommand; a user's mistake ends it with a message and exit status 1."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     with exiting(), redirect_stdout(Terminal(sys.stdout)):
         if given[:1] in (["experiment"], ["search"]):
@@ -56,7 +56,7 @@ def _parser() -> argparse.ArgumentParser:
     worker.add_argument("scheduler", metavar="ADDRESS", help=address)
     further = "further options of `dask worker`, e.g. --nworkers 4 --memory-limit 8GB"
     worker.add_argument("options", nargs=argparse.REMAINDER, metavar="OPTION", help=further)
-    # Hydra parses their arguments.
+    # Hydra parses the arguments of these two commands.
     commands.add_parser("experiment", help="train and test any descriptor and classifier, or a sweep of them")
     commands.add_parser("search", help="search settings by their accuracy on training homes")
     return parser
@@ -212,7 +212,7 @@ def _repro(options: argparse.Namespace) -> int:
 
 
 def _measure(call: str, seconds: float) -> str:
-    """Write the times of a call; return them as text."""
+    """Write the times of a `placecat repro` call; return them as text."""
     from placecat import parallel, repro, settings, times
 
     by_stage = times.gather(call)

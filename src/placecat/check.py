@@ -1,4 +1,4 @@
-"""All checks of the settings."""
+"""Run all checks on the settings."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -7,7 +7,7 @@ from placecat import references, schema, signatures
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse wrong or unknown settings in all or some sections; the PlacecatError names the first one."""
+    """Refuse wrong or unknown settings; the PlacecatError names the first. `params` may lack sections."""
     schema.check(params)
     references.check(params)
     signatures.check(params)

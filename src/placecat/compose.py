@@ -1,4 +1,4 @@
-"""Composition of params.yaml from conf/ with Hydra, exactly as in `dvc exp run`."""
+"""Compose params.yaml from conf/ with Hydra, exactly as `dvc exp run` does."""
 
 import hashlib
 import os
@@ -18,7 +18,7 @@ from placecat.runs import lock
 if TYPE_CHECKING:
     from omegaconf import DictConfig
 
-# Folders of conf/ whose files are all used, and where their content goes.
+# Maps each folder of conf/ whose files are all used to the section that receives their content.
 FOUND = {
     "descriptor/local": "descriptors.local",
     "descriptor/holistic": "descriptors.holistic",
@@ -28,17 +28,17 @@ FOUND = {
     "filter": "filters",
     "split": "splits",
 }
-# File of conf/clustering for codebooks that conf/codebook does not describe.
+# The file of conf/clustering used for codebooks that conf/codebook does not describe.
 CLUSTERING = "hierarchical_kmeans"
-# Checksum of the sources of params.yaml.
+# File with a checksum of params.yaml and its sources.
 _COMPOSED = Path("data/params.sha256")
 
 
 def found(conf: Path = paths.CONF) -> str:
-    """List the files of conf/ that are used without being named; return the content of conf/found.yaml.
+    """Return the content of conf/found.yaml: the files of conf/ that are used without being named.
 
-    A defaults list of Hydra cannot contain a file pattern, and `dvc exp run` composes only from files.
-    Inferred settings of cues come last. Raises the errors of :mod:`placecat.inferred`.
+    A Hydra defaults list cannot contain a file pattern, and `dvc exp run` composes only from files.
+    Inferred cue settings come last. Raises the errors of :mod:`placecat.inferred`.
     """
     lines = [
         "# Written by `placecat params`: every file of these folders. Add a file there, not a line here.",
@@ -59,7 +59,7 @@ def found(conf: Path = paths.CONF) -> str:
 def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
     """Compose the settings of conf/config.yaml with Hydra overrides; return the content of params.yaml.
 
-    Overrides are e.g. ``dataset=my_homes``, ``cues.gist.classifier.base.nu=0.1``. Raises PlacecatError for
+    Overrides look like ``dataset=my_homes`` or ``cues.gist.classifier.base.nu=0.1``. Raises PlacecatError for
     an unreadable override, an unknown setting, or a setting without a value.
     """
     from omegaconf import OmegaConf
@@ -85,7 +85,7 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
         except defaults.Unusual:
             config = _by_hydra(overrides, conf, f"{conf}/")
         text: str = OmegaConf.to_yaml(config, resolve=True)
-        # Test first, since the search is slow.
+        # Look for the marker first, since `missing_keys` is slow.
         missing = sorted(OmegaConf.missing_keys(config)) if "???" in text else []
         if missing:
             raise PlacecatError(f"setting {missing[0]} has no value: add {missing[0]}=VALUE to the overrides")
@@ -97,8 +97,8 @@ def compose(overrides: Sequence[str] = (), conf: Path = paths.CONF) -> str:
 def overridden(content: dict[str, Any], overrides: Sequence[str], where: str) -> dict[str, Any]:
     """Apply Hydra overrides, e.g. ``fps=10.0``, to plain settings outside params.yaml.
 
-    `where` is the settings' file, for messages. Raises PlacecatError for an unreadable override or an unknown
-    setting.
+    `where` names the settings' file in messages. Raises PlacecatError for an unreadable override or an
+    unknown setting.
     """
     from omegaconf import OmegaConf
     from omegaconf.errors import OmegaConfBaseException
@@ -112,7 +112,7 @@ def overridden(content: dict[str, Any], overrides: Sequence[str], where: str) ->
 
 
 def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any], where: str) -> "DictConfig":
-    """Apply overrides with Hydra to merged settings, or to a folder with config.yaml; `where` names them."""
+    """Apply overrides with Hydra to `source`: merged settings or a folder with config.yaml, named `where`."""
     from hydra import compose as hydra_compose
     from hydra import initialize, initialize_config_dir
     from hydra.core.config_store import ConfigStore
@@ -136,7 +136,7 @@ def _by_hydra(overrides: Sequence[str], source: Path | dict[str, Any], where: st
         unknown = unknown_setting(overrides, source, where) if isinstance(source, dict) else None
         raise _refusal(unknown or error) from None
     except ValueError as error:
-        # Hydra does not name the override.
+        # Hydra's message does not name the override.
         raise PlacecatError(f"the settings cannot be composed from {' '.join(overrides)}: {error}") from None
 
 
@@ -151,9 +151,9 @@ def _refusal(error: Exception | str) -> PlacecatError:
 def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> None:
     """Write conf/found.yaml, compose the settings and write them to params.yaml.
 
-    Does nothing if files and overrides are the same as last time. Raises PlacecatError like `found`,
-    `compose`, :func:`placecat.check.check` and :func:`placecat.thesis.checks.check`, or if a run is in
-    progress; params.yaml then stays unchanged.
+    Does nothing if files and overrides have not changed since the last call. Raises PlacecatError like
+    `found`, `compose`, :func:`placecat.check.check` and :func:`placecat.thesis.checks.check`, or if a run is
+    in progress; an error leaves params.yaml unchanged.
     """
     listing = paths.CONF / "found.yaml"
     if (paths.CONF / "config.yaml").is_file():
@@ -164,7 +164,7 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
         return
     with files.replacing(target) as temporary:
         temporary.write_text(compose(overrides), encoding="utf-8")
-        # Late, since pydantic is slow to import.
+        # Imported late, since pydantic is slow to import.
         from placecat.check import check
         from placecat.thesis import checks
 
@@ -175,12 +175,12 @@ def write_params(overrides: Sequence[str] = (), target: Path = paths.PARAMS) -> 
 
 
 def _digest(overrides: Sequence[str], target: Path) -> str:
-    """Checksum of params.yaml, its sources and its checks."""
+    """Return a checksum of the overrides, params.yaml, its sources and the table definitions."""
     content = hashlib.sha256(repr(list(overrides)).encode())
     read = [*paths.CONF.rglob("*.yaml"), *paths.TABLE_DEFINITIONS.rglob("*.yaml")]
     for path in [*sorted(read), target]:
         own = path.read_bytes() if path.is_file() else b""
-        # The value depends on the environment.
+        # The content depends on the environment, so the checksum must never match.
         if b"oc.env" in own:
             own = os.urandom(16)
         content.update(f"{path} {hashlib.sha256(own).hexdigest()}".encode())

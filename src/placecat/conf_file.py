@@ -1,4 +1,4 @@
-"""Read the settings of a command from its file in conf/, outside params.yaml."""
+"""Read a command's settings from its file in conf/, not from params.yaml."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -9,7 +9,7 @@ from placecat.compose import overridden
 
 
 def read(path: Path, names: Sequence[str], overrides: Sequence[str] = ()) -> dict[str, Any]:
-    """Read a file that must have exactly the settings `names`, with Hydra overrides such as ``fps=10.0``.
+    """Read a file with exactly the settings `names`, and apply Hydra overrides such as ``fps=10.0``.
 
     Raises PlacecatError if the file is missing or not YAML, if a setting is unknown or missing, or if an
     override is unreadable or names an unknown setting.

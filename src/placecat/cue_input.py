@@ -1,4 +1,4 @@
-"""The input of a cue, assembled from the features of one or many frames."""
+"""Assemble a cue's input from the features of one or more frames."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -19,8 +19,8 @@ def check(descriptor: Mapping[str, Any]) -> None:
     """Refuse a descriptor of an unknown kind or with an unknown setting; the error names the valid ones.
 
     A descriptor has ``kind`` (local or holistic) and ``name``; a local one also has ``y_pos``, ``y_weight``,
-    ``color`` (the colour descriptor to append, or None) and ``max_regions``. Tracked regions have ``tracked:
-    true``; regions of conf/region_variants have the name of a ``variant``.
+    ``color`` (the colour descriptor to append, or None) and ``max_regions``. For tracked regions,
+    ``tracked`` is true; for a variant in conf/region_variants, ``variant`` is its name.
     """
     kind, name = descriptor["kind"], descriptor["name"]
     valid = {"local": LOCAL, "holistic": HOLISTIC}.get(kind)
@@ -34,7 +34,7 @@ def check(descriptor: Mapping[str, Any]) -> None:
 
 
 def array_names(descriptor: Mapping[str, Any]) -> list[str]:
-    """Name the arrays of :func:`placecat.vision.frame.describe_frame` that :func:`assemble` needs."""
+    """Name the arrays from :func:`placecat.vision.frame.describe_frame` that :func:`assemble` needs."""
     if descriptor["kind"] == "holistic":
         return [f"holistic_{descriptor['name']}"]
     names = [f"local_{descriptor['name']}", "count"]
@@ -50,11 +50,11 @@ def assemble(
     height: int,
     modules: Mapping[str, str],
 ) -> Descriptors:
-    """Assemble one descriptor of n frames; raise PlacecatError if `arrays` have less than ``max_regions``.
+    """Assemble one descriptor of n frames; PlacecatError if `arrays` have fewer than ``max_regions`` regions.
 
-    `descriptor` is as for :func:`check`. `arrays` are those of :func:`array_names`, with n frames along the
-    first axis. `height` is the height of the frames in pixels. `modules` maps region descriptors to their
-    modules in `placecat.vision.local`.
+    `descriptor` is as for :func:`check`. `arrays` holds the arrays that :func:`array_names` lists, with n
+    frames along the first axis. `height` is the frame height in pixels. `modules` maps each region
+    descriptor to its module in `placecat.vision.local`.
     """
     if descriptor["kind"] == "holistic":
         return Descriptors(np.array(arrays[f"holistic_{descriptor['name']}"], np.float32))

@@ -1,7 +1,7 @@
-"""Merge conf/ along its defaults lists, as Hydra does.
+"""Merge the files of conf/ by following their defaults lists, as Hydra does.
 
-Hydra needs seconds for the hundred files of conf/, since its time grows with the square of their number. This
-module handles the common cases and leaves the others, and all errors, to Hydra (:class:`Unusual`).
+Hydra takes seconds for the hundred files of conf/, since its time grows with the square of their number. This
+module handles the common cases, and leaves all others and all errors to Hydra (:class:`Unusual`).
 """
 
 from collections.abc import Sequence
@@ -13,7 +13,7 @@ from omegaconf._utils import get_yaml_loader
 
 _OVERRIDE = "override "
 _MISSING = "???"
-# OmegaConf's rules for numbers, dates and duplicate keys, on libyaml if available.
+# Follows OmegaConf's rules for numbers, dates and duplicate keys; uses libyaml if available.
 _Loader = get_yaml_loader()
 if yaml.__with_libyaml__:
     _Loader = type("_Loader", (yaml.CSafeLoader, _Loader), {})
@@ -24,7 +24,7 @@ class Unusual(Exception):
 
 
 class _Entry(NamedTuple):
-    """An entry of a defaults list: name of the choice ("" if there is none), its group, file and package."""
+    """A defaults list entry: choice ("" if it has none), group, file, package, and whether it overrides."""
 
     choice: str
     group: str
@@ -34,9 +34,9 @@ class _Entry(NamedTuple):
 
 
 def merge(conf: Path, choices: Sequence[tuple[str, str]] = ()) -> dict[str, Any]:
-    """Merge conf/config.yaml with all files that it names, directly or through others.
+    """Merge conf/config.yaml with all files it names, directly or indirectly.
 
-    `choices` are pairs of a choice, as Hydra names it, and a file, e.g. ``("dataset", "my_homes")`` or
+    `choices` pairs choices, as Hydra names them, with files, e.g. ``("dataset", "my_homes")`` or
     ``("classifier@cues.gist.classifier", "knn")``. Returns plain containers with unresolved references
     (``${...}``). Raises Unusual, e.g. for a missing file, invalid YAML, an empty choice, a package in a
     header, or a list of files.
@@ -56,10 +56,10 @@ def merge(conf: Path, choices: Sequence[tuple[str, str]] = ()) -> dict[str, Any]
 
 
 class _Tree:
-    """The files in Hydra's order: the last of a defaults list first.
+    """The files in the order in which Hydra visits them: the last of each defaults list first.
 
-    `parts` are the package (a dotted name, "" for the root) and the content of each file. `choices` come from
-    the command line or an ``override`` in a defaults list. `seen` are the names of all choices.
+    `parts` holds each file's package (a dotted name, "" for the root) and content. `choices` come from the
+    command line or an ``override`` in a defaults list. `seen` holds the names of all choices so far.
     """
 
     def __init__(self, conf: Path, choices: dict[str, str]) -> None:
@@ -70,7 +70,7 @@ class _Tree:
         self._contents: dict[str, dict[str, Any]] = {}
 
     def walk(self, name: str, package: str, before: tuple[str, ...]) -> None:
-        """Add a file and the files that it names; `before` is the chain of files that name it."""
+        """Add a file and the files it names; `before` is the chain of files that leads to it."""
         content = dict(self._read(name))
         defaults = content.pop("defaults", ["_self_"])
         if name in before or not isinstance(defaults, list) or (content and "_self_" not in defaults):
@@ -106,7 +106,7 @@ class _Tree:
 
 
 def _entry(default: Any, folder: str, package: str) -> _Entry:
-    """Read an entry of the defaults list of a file in `folder`, whose content goes to `package`."""
+    """Parse a defaults list entry of a file in `folder` whose content goes to `package`."""
     if isinstance(default, str):
         path, at, own = default.partition("@")
         group, slash, file = path.rpartition("/")

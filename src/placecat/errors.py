@@ -10,9 +10,9 @@ from pathlib import Path
 
 
 class PlacecatError(ValueError):
-    """Bad input or an impossible setting.
+    """Bad input or an invalid setting.
 
-    Its message is one or two sentences that name the file, line or setting and the remedy. The command line
+    The message names the file, line or setting and the remedy in one or two sentences. The command line
     prints it without a traceback and exits with status 1.
     """
 
@@ -21,14 +21,14 @@ class PlacecatError(ValueError):
 
 
 class NotComputable(PlacecatError):
-    """A number that cannot be computed from these data with any setting; tables show the reason instead."""
+    """A number that no settings can compute from these data; tables show the reason instead."""
 
 
 class SettingError(PlacecatError):
-    """A setting that is wrong for any data."""
+    """A setting that is wrong whatever the data."""
 
 
-# Errors of disks, file systems and system limits, with their remedies.
+# Remedies for errors of disks, file systems and system limits.
 _REFUSED = {
     errno.ENOSPC: "free some space and run again",
     errno.EDQUOT: "free some space and run again",
@@ -50,15 +50,15 @@ _REFUSED = {
 def exiting() -> Iterator[None]:
     """End the program without a traceback.
 
-    After a user's mistake, or if the disk is full or a permission is missing, print one message and exit with
-    status 1. After Ctrl-C exit with 130; if the output pipe is closed, exit silently.
+    After a user's mistake, a full disk or a missing permission, print one message and exit with status 1.
+    After Ctrl-C, exit with status 130; if the output pipe is closed, exit silently with status 1.
     """
     try:
         yield
     except PlacecatError as error:
         sys.exit(f"placecat: {error}")
     except BrokenPipeError:
-        # Otherwise Python reports the closed pipe at exit.
+        # Without this, Python reports the closed pipe at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(1)
     except OSError as error:
@@ -70,7 +70,7 @@ def exiting() -> Iterator[None]:
 
 
 def printable(text: str) -> str:
-    """Escape unprintable and control characters, e.g. as ``\\x1b``, except line ends."""
+    """Escape unprintable and control characters, e.g. as ``\\x1b``, except line ends and tabs."""
     if text.isprintable():
         return text
     return "".join(
@@ -79,7 +79,7 @@ def printable(text: str) -> str:
 
 
 def one_line(text: object) -> str:
-    """Escape a name like :func:`printable`, line ends too."""
+    """Escape a name like :func:`printable`, including line ends."""
     return printable(str(text)).replace("\n", "\\n")
 
 
@@ -96,7 +96,7 @@ def reading(path: Path) -> Iterator[None]:
 
 
 def is_refusal(error: OSError) -> bool:
-    """Whether the system refused to read or write, which the user can fix."""
+    """Return whether the system refused to read or write for a reason that the user can fix."""
     # NumPy reports the number of bytes written, but no error number.
     return error.errno in _REFUSED or (error.errno is None and "requested and" in str(error))
 
@@ -110,6 +110,6 @@ def refusal(error: OSError, path: object = None) -> str:
 
 
 def did_you_mean(name: object, valid: Iterable[str], before: str = "; ") -> str:
-    """Suggest the nearest valid name, after `before`; "" if none is near."""
+    """Return `before` and a question that suggests the nearest valid name; "" if none is near."""
     nearest = difflib.get_close_matches(str(name), list(valid), n=1)
     return f"{before}did you mean {nearest[0]!r}?" if nearest else ""

@@ -1,6 +1,6 @@
-"""Read and write result files: atomically, and with equal bytes for equal content.
+"""Read and write result files; writes are atomic, and equal content gives equal bytes.
 
-NumPy and pandas are imported late, since commands that only write settings must be quick.
+NumPy and pandas are imported late, since commands that only write settings must start quickly.
 """
 
 import hashlib
@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 def replacing(target: Path) -> Iterator[Path]:
     """Yield a temporary path beside `target`; rename it if the block succeeds, remove it otherwise.
 
-    The block creates a file or a folder there. A file at `target` is replaced; a folder only by a folder.
-    Raises PlacecatError like :func:`check_target`, if a file would replace a folder, or if writing fails,
-    e.g. since the disk is full.
+    The block creates a file or a folder at that path. Either may replace a file at `target`, but only a
+    folder may replace a folder. Raises PlacecatError like :func:`check_target`, if a file would replace a
+    folder, or if writing fails, e.g. because the disk is full.
     """
     target = Path(target)
     check_target(target)
@@ -58,7 +58,7 @@ def check_target(target: Path) -> None:
 
 
 def check_file(target: Path) -> None:
-    """Refuse to write a file over a folder, a device or a pipe; errors also as for :func:`check_target`."""
+    """Refuse to overwrite a folder, device or pipe, and any path that :func:`check_target` refuses."""
     check_target(target)
     if target.is_dir():
         raise PlacecatError(f"{target} is a folder: name a file to write to")
@@ -67,7 +67,7 @@ def check_file(target: Path) -> None:
 
 
 def check_writable(target: Path) -> None:
-    """Check in advance that a file can be written; raises PlacecatError like :func:`check_file`."""
+    """Check in advance that a file can be written; errors as for :func:`check_file`, or if writing fails."""
     check_file(target)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -79,7 +79,7 @@ def check_writable(target: Path) -> None:
 
 
 def _temporary(target: Path) -> Path:
-    # The suffix stays last, since NumPy and pandas choose the format by it. The name is unique;
+    # The suffix stays last, since NumPy and pandas use it to choose the format. The name is unique;
     # placecat.runs.mend removes the leftovers of a killed process.
     return target.with_name(f".{target.stem}.{secrets.token_hex(4)}.partial{target.suffix}")
 
@@ -92,7 +92,7 @@ def _remove(path: Path) -> None:
 
 
 def checksum(path: Path) -> str:
-    """SHA-256 of a file, in hexadecimal digits."""
+    """Return a file's SHA-256 in hexadecimal digits."""
     with path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
@@ -119,7 +119,7 @@ def write_arrays(path: Path, arrays: Mapping[str, "np.ndarray"]) -> None:
     for name, array in arrays.items():
         if np.asarray(array).dtype.hasobject:
             raise TypeError(f"array {name!r} contains Python objects, which need pickle")
-    # Not numpy.savez, whose headers depend on the version of Python.
+    # Avoid numpy.savez: its headers depend on the Python version.
     with replacing(path) as temporary, zipfile.ZipFile(temporary, "w") as archive:
         for name, array in arrays.items():
             content = io.BytesIO()
@@ -147,13 +147,13 @@ def read_json(path: Path) -> Any:
 
 
 def write_csv(path: Path, table: "pd.DataFrame") -> None:
-    """Write a table as CSV without an index, with the same line ends on every system."""
+    """Write a table as a CSV file without an index, with the same line ends on every system."""
     with replacing(path) as temporary:
         table.to_csv(temporary, index=False, lineterminator="\n")
 
 
 def read_csv(path: Path) -> "pd.DataFrame":
-    """Read a CSV that this project wrote; empty cells of text columns stay empty strings."""
+    """Read a CSV file that this project wrote; empty cells of text columns stay empty strings."""
     import pandas as pd
 
     try:
@@ -163,7 +163,7 @@ def read_csv(path: Path) -> "pd.DataFrame":
 
 
 def read_table(path: Path, text: Collection[str]) -> "pd.DataFrame":
-    """Read a CSV of numbers and text: empty cells are "" in the columns `text`, NaN in others."""
+    """Read a CSV file of numbers and text; empty cells are "" in the columns `text`, NaN in others."""
     import pandas as pd
 
     if not path.is_file():

@@ -1,6 +1,6 @@
-"""Results of a cue or a system for one test home and seed: named arrays in one file, facts in another.
+"""Store a cue's or system's results for one test home and seed: named arrays in a file, facts in another.
 
-One file is used instead of a folder, since DVC needs about a millisecond per folder.
+There is no folder per result, since DVC needs about a millisecond per folder.
 """
 
 from collections.abc import Mapping
@@ -14,31 +14,31 @@ from placecat import files, paths
 
 
 def path_of(folder: Path, home: str, seed: str) -> Path:
-    """The file of a test home and a seed, e.g. ``seed-0``, in the results folder of a cue or system."""
+    """Return the file for a test home and a seed, e.g. ``seed-0``, in a cue's or system's results folder."""
     return folder / f"{home}.{seed}.npz"
 
 
 def seeded(folder: Path, home: str, seed: int | None) -> Path:
-    """The file of one seed, or the only file if the result is not random."""
+    """Return the file for one seed, or the only file if the result is not random."""
     fixed = path_of(folder, home, paths.NO_SEED)
     return fixed if fixed.exists() else path_of(folder, home, paths.seed_name(seed))
 
 
 def seeds_in(folder: Path, home: str) -> list[str]:
-    """Names of the seeds with results for a test home: ``seed-0``, ``seed-1``, or only ``no-seed``."""
+    """List the seeds that have results for a test home: ``seed-0``, ``seed-1`` ..., or only ``no-seed``."""
     parts = [path.stem.rpartition(".") for path in folder.glob("*.npz")]
     return sorted(seed for of, _, seed in parts if of == home)
 
 
 def write(path: Path, arrays: Mapping[str, NDArray[Any]], facts: Mapping[str, Any] | None = None) -> None:
-    """Write the arrays, and the facts if there are any."""
+    """Write the arrays, and the facts unless they are None."""
     files.write_arrays(path, arrays)
     if facts is not None:
         files.write_json(path.with_suffix(".json"), facts)
 
 
 def has(path: Path, name: str) -> bool:
-    """Whether the file exists and has an array of this name."""
+    """Return whether the file exists and has an array of this name."""
     if not path.exists():
         return False
     with np.load(path, allow_pickle=False) as archive:
@@ -46,13 +46,13 @@ def has(path: Path, name: str) -> bool:
 
 
 def read(path: Path, name: str) -> NDArray[Any]:
-    """Read one array; raises FileNotFoundError or KeyError unless `has` is true."""
+    """Read one array; raises FileNotFoundError or KeyError unless `has` returns True."""
     with np.load(path, allow_pickle=False) as archive:
         array: NDArray[Any] = archive[name]
     return array
 
 
 def read_facts(path: Path) -> dict[str, Any]:
-    """Read the facts."""
+    """Read the facts that :func:`write` stored."""
     facts: dict[str, Any] = files.read_json(path.with_suffix(".json"))
     return facts

@@ -18,7 +18,7 @@ def add_command(
     description: str,
     epilog: str | None = None,
 ) -> argparse.ArgumentParser:
-    """Add a subcommand; `run` gets the parsed options and returns the exit status."""
+    """Add a subcommand; `run` receives the parsed options and returns the exit status."""
     parser = commands.add_parser(name, help=help, description=description, epilog=epilog)
     parser.set_defaults(run=run)
     return parser

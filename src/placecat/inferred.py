@@ -1,4 +1,4 @@
-"""Settings inferred from others, which reduce a cue to one module and one file of conf/."""
+"""Infer settings from others, so that a cue needs only one module and one file in conf/."""
 
 import inspect
 from collections.abc import Iterator
@@ -17,9 +17,9 @@ _PACKAGES = {"local": local, "holistic": holistic}
 def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
     """Find descriptors that cues and codebooks name but no file of conf/descriptor describes.
 
-    Returns a mapping of ``local`` and ``holistic``, if not empty, to descriptor names and the defaults of
-    their modules' ``describe``. Raises PlacecatError if a file of a cue or codebook is not YAML, a descriptor
-    has no module, a module cannot be imported, or a setting has no default.
+    Maps ``local`` and ``holistic``, unless empty, to descriptor names, and each name to the default settings
+    of its module's ``describe``. Raises PlacecatError if a cue or codebook file is not YAML, a descriptor has
+    no module, a module cannot be imported, or a setting has no default.
     """
     found: dict[str, dict[str, dict[str, Any]]] = {}
     for path, content in _files(conf, "cue", "codebook"):
@@ -45,8 +45,8 @@ def descriptors(conf: Path) -> dict[str, dict[str, dict[str, Any]]]:
 def codebooks(conf: Path) -> dict[str, dict[str, Any]]:
     """Find codebooks of regions that cues name but no file of conf/codebook describes.
 
-    Returns a mapping of names to settings, which refer to the cue's settings, without ``tree`` (the
-    clustering). Raises PlacecatError if a file of a cue is not YAML.
+    Maps each name to settings that refer to the cue's settings; ``tree`` (the clustering) is left out. Raises
+    PlacecatError if a cue file is not YAML.
     """
     found = {}
     for path, cue in _files(conf, "cue"):
@@ -62,7 +62,7 @@ def codebooks(conf: Path) -> dict[str, dict[str, Any]]:
 
 
 def optional_descriptors(conf: Path) -> dict[str, list[str]]:
-    """List the descriptors that conf/optional adds, by kind; PlacecatError if a file is not YAML."""
+    """Map each kind to the descriptors that conf/optional adds; PlacecatError if a file is not YAML."""
     found: dict[str, list[str]] = {}
     for _, content in _read(conf, "optional"):
         for kind, own in (content.get("descriptors") or {}).items():
@@ -71,7 +71,7 @@ def optional_descriptors(conf: Path) -> dict[str, list[str]]:
 
 
 def _files(conf: Path, *folders: str) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """Paths and contents of the files with a ``descriptor``."""
+    """Yield the path and content of each file that has a ``descriptor``."""
     for folder in folders:
         for path, content in _read(conf, folder):
             if isinstance(content.get("descriptor"), dict):
@@ -79,7 +79,7 @@ def _files(conf: Path, *folders: str) -> Iterator[tuple[Path, dict[str, Any]]]:
 
 
 def _read(conf: Path, folder: str) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """Paths and contents of the files of a folder."""
+    """Yield the path and content of each YAML file in a folder that contains a mapping."""
     for path in sorted((conf / folder).glob("*.yaml")):
         try:
             content = yaml.load(path.read_text(encoding="utf-8"), Loader=settings.Loader)

@@ -1,6 +1,6 @@
-"""Items of a stage's output, e.g. one per cue or home, which are made again only if their inputs change.
+"""Split a stage's output into items, e.g. one per cue or home, and remake only those whose inputs changed.
 
-Each item has a manifest: checksums of its inputs and of its files, without times or absolute paths.
+Each item has a manifest with checksums of its inputs and files, but no times or absolute paths.
 """
 
 import hashlib
@@ -18,15 +18,15 @@ from placecat.runs import unchanged
 
 MANIFEST = "manifest.json"
 
-# The work for an item: the arguments of each call, and a function that writes the results to a folder.
+# An item's work: the arguments of each call, and a function that writes the results to a folder.
 Work = tuple[Sequence[tuple[Any, ...]], Callable[[Path, list[Any]], None]]
 
 
 @dataclass(frozen=True)
 class Inputs:
-    """The inputs of an item: all settings that it depends on, in JSON types, and files and folders.
+    """An item's inputs: all settings it depends on, in JSON types, and the files and folders it reads.
 
-    A path in another item is represented by the checksums in that item's manifest.
+    The checksums of a path inside another item come from that item's manifest.
     """
 
     settings: Any
@@ -41,13 +41,13 @@ def refresh(
     *,
     begin: Callable[[Sequence[str]], None] | None = None,
 ) -> None:
-    """Make the items that are missing, damaged or made from other inputs; remove unwanted ones.
+    """Make items that are missing, damaged or made from different inputs; remove unwanted ones.
 
-    Each item is written under a temporary name and renamed, so a killed stage continues where it stopped.
-    The code of `stage` (its dependencies in src/ that dvc.yaml lists) is an input of every item. `wanted`
-    maps the names of items, which are also their folders, to their inputs. `make` gets a name and the folder
-    to write, which does not exist yet. `begin`, if given, gets the names of all items to make, before the
-    first is made.
+    Each item is written under a temporary name and then renamed, so a killed stage can continue where it
+    stopped. The code of `stage` (its src/ dependencies in dvc.yaml) is an input of every item. `wanted` maps
+    each item's name, which is also its folder, to its inputs. `make` is called with a name and the folder to
+    write, which does not exist yet. `begin`, unless None, is called with the names of all items to make,
+    before the first is made.
     """
     outdated = list(_outdated(stage, folder, wanted))
     if outdated and begin is not None:
@@ -66,8 +66,8 @@ def refresh_together(
 ) -> None:
     """Like :func:`refresh`, but the tasks of all items share one pool, which keeps all workers busy.
 
-    `function` is as for :func:`placecat.parallel.in_parallel`, the same for all items. `plan` gets the name
-    of an item; the item is written when its tasks are done.
+    `function`, the same for all items, is as for :func:`placecat.parallel.in_parallel`. `plan` is called with
+    an item's name; the item is written when its tasks are done.
     """
     planned = [(name, made_from, *plan(name)) for name, made_from in _outdated(stage, folder, wanted)]
     if not planned:
@@ -76,12 +76,12 @@ def refresh_together(
     for name, made_from, tasks, write in planned:
         with _item(folder / name, made_from) as temporary:
             write(temporary, list(itertools.islice(results, len(tasks))))
-    # The pool and its progress bar end only at the next request.
+    # The pool and its progress bar end only when another result is requested.
     next(results, None)
 
 
 def _outdated(stage: str, folder: Path, wanted: Mapping[str, Inputs]) -> Iterator[tuple[str, str]]:
-    """Items to make, each with the checksum of its inputs; remove unwanted ones."""
+    """Yield each item to make and the checksum of its inputs; remove unwanted items."""
     keep_only(folder, wanted)
     code = _code_of(stage)
     for name, inputs in wanted.items():
@@ -98,7 +98,7 @@ def _outdated(stage: str, folder: Path, wanted: Mapping[str, Inputs]) -> Iterato
 
 @contextmanager
 def _item(folder: Path, made_from: str) -> Iterator[Path]:
-    """Yield a temporary folder for the files of an item; add the manifest and rename it at the end."""
+    """Yield a temporary folder for an item's files; finally, add the manifest and rename the folder."""
     with files.replacing(folder) as temporary:
         yield temporary
         unchanged.check()
@@ -106,7 +106,7 @@ def _item(folder: Path, made_from: str) -> Iterator[Path]:
 
 
 def keep_only(folder: Path, names: Collection[str]) -> None:
-    """Remove everything else in a folder, e.g. items of other settings; make the folder if missing."""
+    """Remove everything but `names` from a folder, e.g. items of other settings; create a missing folder."""
     folder.mkdir(parents=True, exist_ok=True)
     for path in folder.iterdir():
         if path.name not in names:
@@ -122,7 +122,7 @@ def _manifest(folder: Path) -> dict[str, Any] | None:
 
 
 def checksum(path: Path) -> str:
-    """Checksum of a file or of all files in a folder; an item's checksums come from its manifest."""
+    """Return a checksum of a file or of all files in a folder; for items, it is based on their manifests."""
     for folder in (path, *path.parents):
         manifest = _manifest(folder)
         if manifest is not None:
@@ -137,7 +137,7 @@ def checksum(path: Path) -> str:
 
 
 def _files_in(path: Path) -> dict[str, str]:
-    """Checksums of all files below a path, except manifests and caches of Python."""
+    """Return the checksums of all files below a path, except manifests and Python caches."""
     found: Iterable[Path] = sorted(path.rglob("*")) if path.is_dir() else [path]
     return {
         one.relative_to(path).as_posix(): files.checksum(one)
@@ -151,7 +151,7 @@ def _of(checksums: Mapping[str, str]) -> str:
 
 
 def _code_of(stage: str) -> str:
-    """Checksum of the code that dvc.yaml lists for a stage; "" in a folder without a pipeline."""
+    """Return a checksum of the code that dvc.yaml lists for a stage; "" in a folder without a pipeline."""
     stages = lockfile.defined_stages()
     code = [Path(dep) for dep in stages.get(stage, {}).get("deps", []) if dep.startswith("src/")]
     return _of({path.as_posix(): _of(_files_in(path)) for path in code}) if stages else ""

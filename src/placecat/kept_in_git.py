@@ -1,4 +1,4 @@
-"""Compare the tables of a run, a git revision or another folder."""
+"""Compare the tables of this folder, another folder or a git revision."""
 
 import io
 import subprocess
@@ -25,11 +25,11 @@ _WITHOUT_EFFECT = ("compute", "reproducibility", "figures")
 
 @dataclass(frozen=True)
 class Kept:
-    """The content of a run to compare, every table value as text.
+    """The content of a run for comparison, with every table value as text.
 
-    `tables` maps names, e.g. ``table_26``, to filled tables; ``in_text`` has the numbers of the thesis's
-    text. `findings` has the columns number and verdict, among others. `settings` is the content of
-    params.yaml. The last two are None if missing.
+    `tables` maps each name, e.g. ``table_26``, to a filled table; ``in_text`` holds the numbers in the
+    thesis's text. `findings` has the columns number and verdict, among others. `settings` is the content of
+    params.yaml. `findings` and `settings` are None if missing.
     """
 
     tables: dict[str, pd.DataFrame]
@@ -40,13 +40,13 @@ class Kept:
 def compare(old: str = HEAD, new: str = "") -> tuple[list[str], bool]:
     """Compare the tables of two sides, named as for :func:`read`.
 
-    Returns the lines of the report, and False if a number differs by more than ``reproducibility.tolerance``
+    Returns the report's lines, and False if a number differs by more than ``reproducibility.tolerance``
     although settings and data are the same, else True. Raises PlacecatError if a side has no tables, git is
     not installed, the folder is not in a repository, or the revision does not exist.
     """
     tolerance = float(settings.get(settings.load(), "reproducibility.tolerance"))
     now, kept = read(new), read(old)
-    # An optional table that this run has not made comes from an earlier run.
+    # An optional table that this run did not make is left from an earlier run.
     others = set(definitions.optional()) - definitions.tables(now.settings or {}).keys()
     tables_now, tables_kept = (
         {name: table for name, table in _with_data(one, now.settings).items() if name not in others}
@@ -59,9 +59,9 @@ def compare(old: str = HEAD, new: str = "") -> tuple[list[str], bool]:
 
 
 def _with_data(one: Kept, params: dict[str, Any] | None) -> dict[str, pd.DataFrame]:
-    """Tables with a column `data`, the title of the data set of their numbers; "" if unknown.
+    """Add a column `data` to each table: the title of the data set behind each number; "" if unknown.
 
-    `params` are the settings that the definitions of tables refer to.
+    `params` are the settings to which the table definitions refer.
     """
     defined = {} if params is None else tables_of(params)
     found = {}
@@ -84,7 +84,7 @@ def _title(definition: Mapping[str, Any], params: dict[str, Any] | None) -> str:
 
 
 def is_folder(side: str) -> bool:
-    """Whether a side is a folder with ``reports/tables``; otherwise it is a git revision."""
+    """Return whether a side is a folder with ``reports/tables``; otherwise, it is a git revision."""
     return (Path(side) / paths.TABLES).is_dir()
 
 
@@ -96,12 +96,12 @@ def name_of(side: str) -> str:
 
 
 def read(side: str) -> Kept:
-    """Read a side: a project's folder ("" for this one) or a git revision; errors as in both functions."""
+    """Read a project folder ("" for this one) or git revision; see `read_folder` and `read_revision`."""
     return read_folder(Path(side)) if not side or is_folder(side) else read_revision(side)
 
 
 def read_folder(root: Path = Path()) -> Kept:
-    """Read the results of the last run in a project's folder; raises PlacecatError if there are no tables."""
+    """Read the results of a project folder's last run; PlacecatError if there are no tables."""
     tables = [path for folder in FOLDERS for path in sorted((root / folder).glob("*.csv"))]
     others = (root / path for path in (paths.IN_TEXT, paths.FINDINGS, paths.PARAMS))
     there = [path for path in (*tables, *others) if path.is_file()]
@@ -120,7 +120,7 @@ def read_revision(revision: str = HEAD) -> Kept:
 
 
 def commit_of(revision: str) -> str:
-    """Hash of a revision's commit; raises PlacecatError without git, repository or revision."""
+    """Return the hash of a revision's commit; PlacecatError if git, repository or revision is missing."""
     _git("rev-parse", "--git-dir", message="this folder is not in a git repository")
     unknown = f"git has no revision {revision!r}: `git log --oneline` lists the existing ones"
     # The suffix makes git look for a commit, so it never takes a revision for an option.
@@ -128,12 +128,12 @@ def commit_of(revision: str) -> str:
 
 
 def about(revision: str) -> str:
-    """A revision in one line: short hash, date and subject."""
+    """Describe a revision in one line: short hash, date and subject."""
     return _git("log", "-1", "--format=%h, %cs: %s", commit_of(revision)).strip()
 
 
 def _git(*arguments: str, message: str = "git failed") -> str:
-    """Output of a git command; if it fails, PlacecatError with `message` and git's message."""
+    """Return a git command's output; if it fails, the PlacecatError has `message` and git's message."""
     try:
         done = subprocess.run(["git", *arguments], capture_output=True, check=False)
     except FileNotFoundError:
@@ -145,7 +145,7 @@ def _git(*arguments: str, message: str = "git failed") -> str:
 
 
 def _parse(content: dict[str, str], if_empty: str) -> Kept:
-    """Make tables from the text of files, by their paths."""
+    """Parse the files of a side; `content` maps each path to the file's text."""
     tables = {
         Path(name).stem: _table(text)
         for name, text in content.items()
@@ -170,9 +170,9 @@ def _table(text: str) -> pd.DataFrame:
 def changed_settings(
     now: dict[str, Any] | None, kept: dict[str, Any] | None, without: Collection[str] = _WITHOUT_EFFECT
 ) -> dict[str, tuple[str, str]]:
-    """Dotted names of settings that differ, with their old and new values ("" if missing).
+    """Map the dotted name of each setting that differs to its old and new values ("" if missing).
 
-    Settings below the names in `without` are left out, since no table depends on them.
+    `without` names the sections to leave out, by default those that no table depends on.
     """
     new, old = (
         settings.flatten({name: value for name, value in (one or {}).items() if name not in without})

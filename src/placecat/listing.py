@@ -1,4 +1,4 @@
-"""Frames and labels of a home, as listed by the stage `sequences`."""
+"""Read a home's frames and labels, as listed by the stage `sequences`."""
 
 import numpy as np
 import pandas as pd
@@ -8,19 +8,19 @@ from placecat import files, paths
 
 
 def read_labels(home: str) -> NDArray[np.int16]:
-    """(frames,) class indices of a home in order of time, -1 for unlabelled."""
+    """Return a home's (frames,) class indices in time order, -1 for unlabelled frames."""
     return files.read_csv(paths.sequences(home) / "labels.csv")["class"].to_numpy(np.int16)
 
 
 def read_frames(home: str) -> pd.DataFrame:
-    """The frame table of a home (see `placecat.sequences.base.Home`), without labels."""
+    """Read a home's frame table (see `placecat.sequences.base.Home`), without labels."""
     return pd.read_csv(
         paths.sequences(home) / "frames.csv", dtype={"sequence": str, "source": str}, keep_default_na=False
     )
 
 
 def sequence_slices(home: str) -> list[slice]:
-    """Runs of a home's frames without a cut, e.g. one per floor."""
+    """Return a slice for each uncut run of a home's frames, e.g. one per floor."""
     names = read_frames(home)["sequence"].to_numpy()
     starts = np.flatnonzero(np.r_[True, names[1:] != names[:-1]]) if len(names) else np.array([], int)
     return [
@@ -29,17 +29,17 @@ def sequence_slices(home: str) -> list[slice]:
 
 
 def frame_rate(home: str) -> float:
-    """Frames per second of a home."""
+    """Return a home's frame rate in frames per second."""
     return float(files.read_json(paths.sequences(home) / "home.json")["fps"])
 
 
 def uneven_times(home: str) -> NDArray[np.float64] | None:
-    """Seconds of each frame since the start of its sequence; None if the frame rate is constant."""
+    """Return each frame's seconds since the start of its sequence; None if the frame rate is constant."""
     facts = files.read_json(paths.sequences(home) / "home.json")
     return None if facts.get("is_even", True) else read_frames(home)["seconds"].to_numpy(np.float64)
 
 
 def frame_size(home: str) -> tuple[int, int]:
-    """(width, height) of a home's frames, in pixels."""
+    """Return the (width, height) of a home's frames, in pixels."""
     facts = files.read_json(paths.sequences(home) / "home.json")
     return facts["width"], facts["height"]

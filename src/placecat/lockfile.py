@@ -1,4 +1,4 @@
-"""Facts about a run from dvc.lock and git."""
+"""Read facts about a run from dvc.lock and git."""
 
 import re
 import subprocess
@@ -15,7 +15,7 @@ LOCK, DEFINITION = Path("dvc.lock"), Path("dvc.yaml")
 
 
 def defined_stages(definition: Path = DEFINITION) -> dict[str, Any]:
-    """The stages of dvc.yaml by name; empty in a folder without a pipeline."""
+    """Return the stages of dvc.yaml by name; empty in a folder without a pipeline."""
     if not definition.is_file():
         return {}
     stages: dict[str, Any] = yaml.load(definition.read_text(encoding="utf-8"), Loader=settings.Loader)[
@@ -25,10 +25,10 @@ def defined_stages(definition: Path = DEFINITION) -> dict[str, Any]:
 
 
 def data_version(stage: str = "sequences") -> str:
-    """DVC's checksum of the list of frames, which contains the checksums of the source files.
+    """Return DVC's checksum of the frame list, which contains the source files' checksums.
 
-    `stage` is ``sequences``, or ``site_sequences`` for the further data sets. Raises PlacecatError if DVC has
-    not run it.
+    `stage` is ``sequences``, or ``site_sequences`` for the additional data sets. Raises PlacecatError if DVC
+    has not run the stage.
     """
     try:
         lock = yaml.load(LOCK.read_text(encoding="utf-8"), Loader=settings.Loader)
@@ -38,7 +38,7 @@ def data_version(stage: str = "sequences") -> str:
 
 
 def check_data(params: Mapping[str, Any]) -> None:
-    """Raise PlacecatError if, by DVC's records, the features come from another ``dataset`` than `params`."""
+    """Raise PlacecatError if, according to DVC, the features belong to another ``dataset`` than `params`."""
     version = data_version()
     stages = yaml.load(LOCK.read_text(encoding="utf-8"), Loader=settings.Loader)["stages"]
     listed = stages["sequences"].get("params", {}).get("params.yaml", {}).get("dataset")
@@ -51,7 +51,7 @@ def check_data(params: Mapping[str, Any]) -> None:
 
 
 def git_commit() -> str:
-    """Hash of the checked-out commit, "" outside a git repository."""
+    """Return the hash of the checked-out commit; "" outside a git repository."""
     try:
         result = subprocess.run(["git", "rev-parse", "HEAD"], capture_output=True, text=True, check=False)
     except OSError:

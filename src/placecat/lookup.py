@@ -1,7 +1,7 @@
 """Find the code that a setting names: a module of a package, and its definitions.
 
-Names are module names, so new files need no list. Signatures are read from the source, since imports take
-seconds (scikit-learn) and composing the settings must be quick.
+Settings use module names, so a new file need not be registered. Signatures are read from the source, since
+imports take seconds (scikit-learn) and composing the settings must be quick.
 """
 
 import ast
@@ -32,15 +32,15 @@ class _Definition(NamedTuple):
 
 
 def names(package: str, *defining: str) -> list[str]:
-    """List the modules of a package that define some names, sorted; PlacecatError if one is not Python."""
+    """List a package's modules that define all of `defining`, sorted; PlacecatError if one is not Python."""
     found = sorted(module.name for module in pkgutil.iter_modules(_locations(package)))
     return [name for name in found if _defines(package, name, defining)]
 
 
 def require(package: str, name: object, what: str, *defining: str) -> str:
-    """Return a name if a module has it; otherwise the PlacecatError suggests the nearest and lists all.
+    """Return `name` if that module exists; otherwise, the PlacecatError suggests the nearest and lists all.
 
-    `package` and `defining` are as for `names`; `what` describes the name in the message, e.g.
+    `package` and `defining` are as for `names`; `what` describes `name` in the message, e.g.
     ``classifier.model``.
     """
     # Try this module first, since listing all takes time.
@@ -52,8 +52,8 @@ def require(package: str, name: object, what: str, *defining: str) -> str:
 
 
 def module(package: str, name: object, what: str, *defining: str) -> ModuleType:
-    """Import the module of a name; parameters as for `require`. PlacecatError also if the import fails."""
-    # Called for every frame.
+    """Import a module; parameters and errors as for `require`, or PlacecatError if the import fails."""
+    # Look here first, since this is called for every frame.
     there = sys.modules.get(f"{package}.{name}")
     if there is not None and all(hasattr(there, one) for one in defining):
         return there
@@ -65,7 +65,7 @@ def module(package: str, name: object, what: str, *defining: str) -> ModuleType:
 
 
 def estimator(package: str, name: object, what: str) -> str:
-    """Name the only scikit-learn estimator of a module; errors as for `require`, or if there is not one."""
+    """Name a module's only scikit-learn estimator; errors as for `require`, or if it has none or several."""
     full = f"{package}.{require(package, name, what)}"
     classes = [node for node in _statements(full).values() if isinstance(node, ast.ClassDef)]
     public = [
@@ -84,18 +84,18 @@ def estimator(package: str, name: object, what: str) -> str:
 def parameters(package: str, name: str, definition: str) -> dict[str, bool]:
     """List the settings of a function or class without importing it.
 
-    A function's settings are its keyword-only parameters, a class's are all parameters of ``__init__``.
-    Maps each name to whether it is required, in source order; empty if the module does not define it.
+    A function's settings are its keyword-only parameters; a class's are all parameters of ``__init__``.
+    Maps each setting to whether it is required, in source order; empty if the module lacks `definition`.
     """
     found = _taking(package, name, definition)
     return {} if found is None else {argument.arg: needed for argument, needed in _settings(found)}
 
 
 def types(package: str, name: str, definition: str) -> dict[str, Any]:
-    """Return the types of the settings of :func:`parameters`, without importing the code.
+    """Return the types of the settings that :func:`parameters` lists, without importing the code.
 
-    A type includes its range, if any (:mod:`placecat.ranges`). It is Any if it uses more than Python's types,
-    :mod:`typing`, the ranges, and names listed in modules of this package.
+    A type includes its range, if any (:mod:`placecat.ranges`). It is Any if the annotation uses anything but
+    Python's types, :mod:`typing`, the ranges, and names defined in this package's modules.
     """
     found = _taking(package, name, definition)
     if found is None:
@@ -104,9 +104,9 @@ def types(package: str, name: str, definition: str) -> dict[str, Any]:
 
 
 def entries(package: str, dictionary: str) -> dict[str, tuple[str, str]]:
-    """List the entries of a dictionary, e.g. ``FIGURES``, in all modules: tuples that end in a function.
+    """List a dictionary's entries, e.g. those of ``FIGURES``, in all modules: tuples that end in a function.
 
-    Maps each entry to the names of its module and function; "" for a lambda, which has no settings.
+    Maps each key to the names of its module and function; a lambda, which has no settings, is named "".
     """
     listed = {}
     for name in names(package, dictionary):
@@ -123,7 +123,7 @@ def keys(package: str, name: str, dictionary: str) -> list[str]:
 
 
 def forget() -> None:
-    """Clear the caches, so packages are searched again."""
+    """Forget where packages are, so that they are searched for again."""
     _locations.cache_clear()
 
 
@@ -135,7 +135,7 @@ def _locations(package: str) -> list[str]:
 
 
 def _defines(package: str, name: object, definitions: Collection[str]) -> bool:
-    """Whether a package has a module of this name with these definitions."""
+    """Return whether a package has a module of this name with these definitions."""
     file = _file(package, name)
     return file is not None and (
         not definitions or set(definitions) <= set(_parsed(file, file.stat().st_mtime_ns))
@@ -151,7 +151,7 @@ def _file(package: str, name: object) -> Path | None:
 
 
 def _statements(full_name: str) -> dict[str, ast.stmt]:
-    """Top-level definitions and imports of a module, by name."""
+    """Map names to a module's top-level definitions, assignments and imports."""
     package, _, name = full_name.rpartition(".")
     file = _file(package, name)
     return _parsed(file, file.stat().st_mtime_ns) if file is not None else {}
@@ -183,7 +183,7 @@ def _literal(package: str, name: str, dictionary: str) -> dict[str, ast.expr]:
 
 
 def _resolve(full_name: str, name: str) -> _Definition | None:
-    """A definition and its module; None if this package does not define it."""
+    """Return a definition and its module, following imports; None if this package does not define it."""
     node = _statements(full_name).get(name)
     if isinstance(node, ast.FunctionDef | ast.ClassDef):
         return _Definition(full_name, node)
@@ -194,7 +194,7 @@ def _resolve(full_name: str, name: str) -> _Definition | None:
 
 
 def _ancestors(found: _Definition) -> Iterator[_Definition]:
-    """A class and its base classes in this package, the nearest first."""
+    """Yield a definition and, for a class, its base classes in this package, nearest first."""
     yield found
     if isinstance(found.node, ast.ClassDef):
         for base in found.node.bases:
@@ -221,7 +221,7 @@ def _is_abstract(node: ast.ClassDef) -> bool:
 
 
 def _taking(package: str, name: str, definition: str) -> _Definition | None:
-    """The function whose parameters are the settings: the function itself, or an ``__init__``."""
+    """Return the function whose parameters are the settings: the function itself or ``__init__``."""
     found = _resolve(f"{package}.{name}", definition)
     if found is None or isinstance(found.node, ast.FunctionDef):
         return found
@@ -233,7 +233,7 @@ def _taking(package: str, name: str, definition: str) -> _Definition | None:
 
 
 def _settings(found: _Definition) -> Iterator[tuple[ast.arg, bool]]:
-    """The parameters that are settings, and whether each is required."""
+    """Yield each parameter that is a setting, and whether it is required."""
     node = found.node
     assert isinstance(node, ast.FunctionDef)
     if node.name == "__init__":
@@ -245,7 +245,7 @@ def _settings(found: _Definition) -> Iterator[tuple[ast.arg, bool]]:
 
 
 class _Names(dict[str, Any]):
-    """Meanings of names in annotations: types, ranges, and constants of modules of this package."""
+    """Maps names in annotations to types, ranges and this package's constants."""
 
     def __init__(self, module: str) -> None:
         super().__init__(vars(typing) | vars(abc) | vars(builtins) | vars(annotated_types) | vars(ranges))
@@ -274,6 +274,6 @@ def _type(module: str, annotation: ast.expr | None) -> Any:
 
 
 def _value(node: ast.expr | None, names: _Names) -> Any:
-    # The source is part of this program.
+    # This is safe, since the source is part of this program.
     assert node is not None
     return eval(compile(ast.Expression(node), "<annotation>", "eval"), {"__builtins__": {}}, names)

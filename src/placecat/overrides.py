@@ -1,4 +1,4 @@
-"""Overrides in Hydra's grammar; messages show how to quote unreadable ones."""
+"""Check overrides by Hydra's grammar; messages show how to quote unreadable ones."""
 
 import re
 import shlex
@@ -7,15 +7,15 @@ from typing import Any
 
 from placecat.errors import PlacecatError, did_you_mean
 
-# Text that a shell does not change in double quotes.
+# Text that a shell leaves unchanged in double quotes.
 _PLAIN_IN_QUOTES = re.compile(r"[^\"$`\\!]*")
 
 
 def check(overrides: Sequence[str], *, several: bool = False) -> None:
     """Refuse overrides, e.g. ``dataset.root=PATH``, that Hydra cannot read or would read as several values.
 
-    `several` allows several values, as in a sweep. The PlacecatError names the setting and shows the spelling
-    for a shell and for make.
+    `several` allows several values, as in a sweep. The PlacecatError names the setting and shows how to write
+    the override for a shell and for make.
     """
     for number, override in enumerate(overrides):
         if _is_read(override, several=several):
@@ -34,7 +34,7 @@ def check(overrides: Sequence[str], *, several: bool = False) -> None:
 
 
 def unknown_setting(overrides: Sequence[str], content: Mapping[str, Any], where: str) -> str | None:
-    """Name the first overridden setting that `content` lacks, and the valid ones; None if all exist.
+    """Report the first overridden setting that `content` lacks and the valid ones; None if all exist.
 
     `where` is the file or folder of the settings.
 
@@ -51,7 +51,7 @@ def unknown_setting(overrides: Sequence[str], content: Mapping[str, Any], where:
         section: Any = content
         path = str(override.key_or_group).split(".")
         for depth, name in enumerate(path):
-            # The rest is a reference or a list.
+            # The rest of the path is in a reference or a list.
             if not isinstance(section, Mapping):
                 break
             if name not in section:
@@ -66,7 +66,7 @@ def unknown_setting(overrides: Sequence[str], content: Mapping[str, Any], where:
 
 
 def text(value: str) -> str:
-    """Quote a text for Hydra if Hydra would misread it otherwise.
+    """Quote text for Hydra if Hydra would misread it without quotes.
 
     >>> text("home_1"), text("Flat A"), text("a,b"), text("12")
     ('home_1', 'Flat A', "'a,b'", "'12'")
@@ -85,7 +85,7 @@ def for_shell(argument: str) -> str:
 
 
 def for_make(argument: str) -> str:
-    """Quote an argument for ``SET=`` of the Makefile: for make, its shell and the user's shell."""
+    """Quote an argument for the Makefile's ``SET=``: for make, make's shell and the user's shell."""
     inner = for_shell(argument)
     if inner.startswith('"') and "'" in inner:
         escaped = inner.replace('"', '\\"')
@@ -114,7 +114,7 @@ def _is_read(override: str, *, several: bool = False) -> bool:
 
 
 def _quoted(override: str) -> str | None:
-    """The override with quotes around its value or its list items; None if that does not help."""
+    """Quote the override's value or its list items; return None if that does not help."""
     name, _, value = override.partition("=")
     if value.startswith("[") and value.endswith("]"):
         items = [item.strip() for item in value[1:-1].split(",")]
@@ -126,7 +126,7 @@ def _quoted(override: str) -> str | None:
 
 
 def _text(value: str) -> str:
-    """A value in Hydra's quotes. A backslash before a quote must be doubled."""
+    """Put a value in Hydra's quotes, doubling each backslash before a quote."""
     mark = '"' if "'" in value and '"' not in value else "'"
 
     def escape(found: re.Match[str]) -> str:

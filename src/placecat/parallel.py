@@ -1,4 +1,4 @@
-"""Parallel loops on this machine or a cluster; results and order do not depend on the processes."""
+"""Run parallel loops here or on a cluster; results and their order do not depend on the processes."""
 
 import os
 from collections.abc import Callable, Iterator, Sequence
@@ -14,7 +14,7 @@ from placecat.runs import lifeline
 
 
 def workers() -> int:
-    """Number of worker processes, on the cluster or on this machine."""
+    """Return the number of worker processes, on the cluster if there is one, else on this machine."""
     cluster = compute.cluster()
     return compute.local_workers() if cluster is None else cluster.workers()
 
@@ -44,11 +44,12 @@ def stream(
     Parameters
     ----------
     function
-        It may read files but not write any: its process may be on another machine, or be killed and replaced.
+        It may read files but must not write any: its process may run on another machine, or be killed and
+        replaced.
     description, unit
-        Text of the progress line, and the word for the tasks in it, in the plural.
+        Text of the progress line, and the plural noun for the tasks in it.
     n_jobs
-        Processes on this machine, by default :func:`workers`.
+        Number of processes on this machine, by default :func:`placecat.compute.local_workers`.
     locally
         Never use a cluster; `function` may then write files.
     """

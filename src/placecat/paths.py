@@ -1,4 +1,4 @@
-"""Paths relative to the project's folder, where every stage runs."""
+"""Paths relative to the project's folder, in which every stage runs."""
 
 from pathlib import Path
 
@@ -65,33 +65,33 @@ REPLICATION = Path("reports/replication")
 REPLICATION_FACTS = Path("reports/replication/facts.json")
 REPLICATED_FINDINGS = Path("reports/replication/findings.csv")
 
-# Seed name of results that are not random.
+# Seed name for results that are not random.
 NO_SEED = "no-seed"
-# In the features folder of a home: a variant of its salient regions, and the frames that have it.
+# Within a home's features folder: the folder of a region variant, and that folder's list of frames.
 VARIANT = "variant_{}"
 VARIANT_FRAMES = "frames.npy"
 
 
 def sequences(home: str) -> Path:
-    """Folder of frames and labels of a home, ``home_1``, or a split's sequence, ``university/north_2``."""
+    """Return the frame and label folder of a home (``home_1``) or split sequence (``university/north_2``)."""
     return (SITE_SEQUENCES if "/" in home else SEQUENCES) / home
 
 
 def features(home: str) -> Path:
-    """Folder of the descriptors of a home; `home` as for :func:`sequences`."""
+    """Return the folder of a home's descriptors; `home` is as for :func:`sequences`."""
     return (SITE_FEATURES if "/" in home else FEATURES) / home
 
 
 def seed_name(seed: int | None) -> str:
-    """Name of a seed in file names: `seed-0`, or `no-seed` if nothing is random."""
+    """Return a seed's name in file names: `seed-0`, or `no-seed` if nothing is random."""
     return NO_SEED if seed is None else f"seed-{seed}"
 
 
 def codebook(name: str, training_set: str, seed: int) -> Path:
-    """The file of a codebook for one training set (see :class:`placecat.training.plan.Plan`) and seed."""
+    """Return a codebook's file for one training set (see :class:`placecat.training.plan.Plan`) and seed."""
     return CODEBOOKS / name / codebook_file(training_set, seed)
 
 
 def codebook_file(training_set: str, seed: int) -> str:
-    """The name of that file in the codebook's folder."""
+    """Return the file name of a codebook for one training set and seed."""
     return f"{training_set}.{seed_name(seed)}.npz"

@@ -1,4 +1,4 @@
-"""Progress of a loop: one updated line in a terminal, occasional lines in a log."""
+"""Show a loop's progress: one updated line in a terminal, occasional lines in a log."""
 
 import sys
 from collections.abc import Callable, Iterable
@@ -6,7 +6,7 @@ from typing import Any
 
 from tqdm import tqdm
 
-# Seconds between lines of a log, and before the first.
+# Seconds between lines in a log, and before the first.
 IN_LOG = 30.0
 _IN_TERMINAL = 0.2
 _COUNT = "{desc}: {n_fmt}{unit}, {rate_fmt}{postfix}"
@@ -17,7 +17,7 @@ _BAR = "{desc}: {percentage:3.0f} % |{bar:20}| {n_fmt} of {total_fmt}{unit}, {re
 class Progress(tqdm):
     """A progress line on standard error, with the time left.
 
-    A terminal shows a single line that disappears at the end. Elsewhere a line is written every `IN_LOG`
+    In a terminal, it is a single line that disappears at the end. Elsewhere, a line is written every `IN_LOG`
     seconds, so short loops write nothing. `iterable` is None if :meth:`update` is called instead; `total` is
     None if unknown; `unit` names the steps, in the plural.
     """
@@ -48,7 +48,7 @@ class Progress(tqdm):
 
     @staticmethod
     def status_printer(file: Any) -> Callable[[str], None]:
-        """Overwrite the line in a terminal, write a new one elsewhere."""
+        """Return a function that overwrites the line in a terminal, or writes a new line elsewhere."""
         if file.isatty():
             return tqdm.status_printer(file)
 

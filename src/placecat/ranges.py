@@ -1,6 +1,6 @@
-"""Types of settings with their ranges, for annotations. Ranges exclude NaN and infinity.
+"""Types and ranges of settings, for annotations; ranges exclude NaN and infinity.
 
-:mod:`placecat.schema` checks the sections of params.yaml, :mod:`placecat.signatures` the parameters of code.
+:mod:`placecat.schema` applies them to params.yaml, :mod:`placecat.signatures` to the parameters of code.
 """
 
 from collections.abc import Collection
@@ -9,13 +9,13 @@ from typing import Annotated, Any
 
 from annotated_types import Interval
 
-# Larger values are typing errors and could overflow.
+# Larger values are typos and could overflow.
 _MOST, _LARGEST = 2**31 - 1, 1e12
 
 Count = Annotated[int, Interval(ge=1, le=_MOST)]
 """One or more."""
 Index = Annotated[int, Interval(ge=0, le=_MOST)]
-"""A number or count of 0 or more."""
+"""A position or count, 0 or more."""
 Seed = Annotated[int, Interval(ge=0, le=2**32 - 1)]
 """A seed for NumPy."""
 Two = Annotated[int, Interval(ge=2, le=_MOST)]
@@ -23,7 +23,7 @@ Two = Annotated[int, Interval(ge=2, le=_MOST)]
 Side = Annotated[int, Interval(ge=1, le=2**14)]
 """Width or height of an image, in pixels."""
 Pixels = Annotated[int, Interval(ge=16, le=2**14)]
-"""Width to which frames are reduced, in pixels."""
+"""Width to which frames are scaled down, in pixels."""
 Positive = Annotated[float, Interval(gt=0, le=_LARGEST)]
 NonNegative = Annotated[float, Interval(ge=0, le=_LARGEST)]
 AtLeastOne = Annotated[float, Interval(ge=1, le=_LARGEST)]
@@ -36,12 +36,12 @@ PartShare = Annotated[float, Interval(gt=0, lt=1)]
 
 @dataclass(frozen=True)
 class OneOf:
-    """A text that must be in a tuple of names or a key of a dictionary."""
+    """A string that must be in a tuple of names or a dictionary's keys."""
 
     names: Collection[str]
 
     def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
-        """The schema for pydantic."""
+        """Return the schema for pydantic."""
         from pydantic_core import core_schema
 
         return core_schema.literal_schema(list(self.names))

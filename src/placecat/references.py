@@ -1,4 +1,4 @@
-"""Check that the cues, codebooks, systems and so on that settings name exist."""
+"""Check that every cue, codebook, system and so on that a setting names exists."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Any
@@ -6,7 +6,7 @@ from typing import Any
 from placecat import paths
 from placecat.errors import PlacecatError, did_you_mean
 
-# Where a reference is, the kind of its target, its name, and the existing names.
+# A reference's location, its target's kind and name, and the existing names.
 _Reference = tuple[str, str, str, Collection[str]]
 _SECTIONS = (
     *("cues", "codebooks", "systems", "filters", "splits"),
@@ -85,7 +85,7 @@ def _each(where: str, kind: str, names: Iterable[str], valid: Collection[str]) -
 
 
 def _described(cue: Mapping[str, Any], codebooks: Mapping[str, Any]) -> Mapping[str, Any]:
-    """The descriptor of a cue, or of the cue's codebook if it has one."""
+    """Return the descriptor of a cue, or of the cue's codebook if it has one."""
     own = cue if cue["codebook"] is None else codebooks[cue["codebook"]]
     descriptor: Mapping[str, Any] = own["descriptor"]
     return descriptor
@@ -98,7 +98,7 @@ def _file(group: str, name: str) -> str:
 def _of_descriptor(
     where: str, descriptor: Mapping[str, Any] | None, computed: Mapping[str, Collection[str]]
 ) -> Iterator[_Reference]:
-    """The descriptor of a cue or codebook, and the colour descriptor appended to it."""
+    """Yield references to a cue's or codebook's descriptor and to the colour descriptor appended to it."""
     if not isinstance(descriptor, Mapping) or not {"kind", "name"} <= set(descriptor):
         raise PlacecatError(f"{where}: descriptor needs kind (local or holistic) and name")
     yield where, "kind of descriptor", descriptor["kind"], ["local", "holistic"]

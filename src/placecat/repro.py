@@ -14,22 +14,22 @@ from placecat.errors import PlacecatError
 from placecat.lockfile import LOCK, defined_stages
 from placecat.runs import lifeline, lock, mend
 
-# Seconds for DVC and its stage to end after Ctrl-C, which a terminal sends to them too.
+# Seconds that DVC and its stage have to end after Ctrl-C, which the terminal also sends to them.
 _CTRL_C = 3.0
 
 
 class _Stopped(BaseException):
-    """A request to end this process; its argument is the signal."""
+    """A request to end this process; the argument is the signal number."""
 
 
 def run(*, force: bool = False, **environment: str) -> int:
     """Clean up after a killed run, then run `dvc repro` in the terminal; return its exit status.
 
-    On Ctrl-C and SIGTERM the stage cleans up, then DVC ends, then this call. `force` runs stages even if no
-    dependency has changed; `environment` has additional variables for the stages. Raises PlacecatError if
-    another run is in progress in this folder, or the folder is not a git repository.
+    On Ctrl-C or SIGTERM, the stage cleans up, then DVC ends, then this function returns. `force` runs stages
+    even if no dependency has changed; `environment` holds additional environment variables for the stages.
+    Raises PlacecatError if another run is in progress here, or if this folder is not a git repository.
     """
-    # DVC waits if another process reads the project; otherwise it would lose a stage that has just finished.
+    # Make DVC wait while another process reads the project, or it would lose a stage that has just finished.
     command = [sys.executable, "-m", "placecat.runs.dvc", "--wait-for-lock", "repro"]
     # Stages call `python`, so this Python must be first on the path.
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
@@ -59,7 +59,7 @@ class Before:
         self._params, self._lock = _content(paths.PARAMS), _content(LOCK)
 
     def restore(self) -> None:
-        """Restore it, unless a stage has ended since; such a run continues with the new settings."""
+        """Restore params.yaml unless a stage has ended since; the new settings then stay for the next run."""
         if _content(LOCK) != self._lock or _content(paths.PARAMS) == self._params:
             return
         if self._params is None:
@@ -75,7 +75,7 @@ def _content(path: Path) -> bytes | None:
 
 
 def _check_git() -> None:
-    """Refuse a folder without git, e.g. from a ZIP file, and name a remedy, which DVC does not."""
+    """Refuse a folder without git, e.g. from a ZIP file; unlike DVC, name a remedy."""
     configurations = [path for path in (Path(".dvc/config"), Path(".dvc/config.local")) if path.is_file()]
     if not Path(".git").exists() and not any("no_scm" in path.read_text() for path in configurations):
         raise PlacecatError(
@@ -112,7 +112,7 @@ def _end(dvc: subprocess.Popen[bytes], number: int) -> int:
 
 
 def stages() -> list[str]:
-    """The stages that `dvc repro` runs in a fresh clone: neither frozen nor with all outputs in git."""
+    """List the stages that `dvc repro` runs in a fresh clone: neither frozen nor with all outputs in git."""
 
     def is_cached(out: str | dict[str, dict[str, bool]]) -> bool:
         return isinstance(out, str) or any(options.get("cache", True) for options in out.values())

@@ -1,4 +1,4 @@
-"""Seeds derived from names, independent of order and time."""
+"""Derive seeds from names, independent of call order and time."""
 
 import hashlib
 

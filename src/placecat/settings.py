@@ -21,7 +21,7 @@ def load(path: Path = paths.PARAMS) -> dict[str, Any]:
 
 
 def read_yaml(path: Path, remedy: str = "restore it from git") -> dict[str, Any]:
-    """Read a YAML file that contains a mapping; the PlacecatError for any other may end with the remedy."""
+    """Read a YAML file that contains a mapping; if it is missing or empty, the error names `remedy`."""
     try:
         content = yaml.load(path.read_text(encoding="utf-8"), Loader=Loader)
     except FileNotFoundError:
@@ -58,7 +58,7 @@ def check(function: Callable[..., Any], settings: Mapping[str, Any], where: str)
 
 
 def refuse_unknown(settings: Mapping[str, Any], valid: list[str], where: str) -> None:
-    """Raise SettingError for the first setting that is not `valid`."""
+    """Raise SettingError for the first setting that is not in `valid`."""
     for name in settings:
         if name not in valid:
             question = did_you_mean(name, valid)
@@ -78,7 +78,7 @@ def call(function: Callable[..., Any], *args: Any, settings: Mapping[str, Any], 
 
 
 def changed(content: Mapping[str, Any], overrides: Mapping[str, Any], who: str, where: str) -> dict[str, Any]:
-    """Copy nested settings and change some by their dotted names.
+    """Return a copy of nested settings with some changed by dotted name.
 
     The PlacecatError for an unknown setting says that `who`, e.g. ``table_12 changes``, names a setting that
     `where` lacks.
@@ -91,13 +91,13 @@ def changed(content: Mapping[str, Any], overrides: Mapping[str, Any], who: str, 
             place = place.get(part) if isinstance(place, dict) else None
         if not isinstance(place, dict) or last not in place:
             raise PlacecatError(f"{who} {name}, but {where} has no such setting")
-        # A copy, since a later override may change part of it.
+        # Copy the value, since a later override may change part of it.
         place[last] = copy.deepcopy(value)
     return result
 
 
 def flatten(settings: Mapping[str, Any], prefix: str = "") -> dict[str, str]:
-    """Flatten nested settings to dotted names and text, e.g. ``cues.gist.classifier.base.nu``: ``0.2``."""
+    """Map each setting's dotted name to its value as text: ``cues.gist.classifier.base.nu`` to ``0.2``."""
     flat: dict[str, str] = {}
     for name, value in settings.items():
         if isinstance(value, Mapping):

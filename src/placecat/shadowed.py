@@ -1,4 +1,4 @@
-"""Refuse packages on PYTHONPATH that hide installed ones, since other versions give other numbers."""
+"""Refuse packages on PYTHONPATH that hide installed ones, since other versions give different numbers."""
 
 import importlib.machinery
 import os

@@ -1,4 +1,4 @@
-"""Check that code named in the settings exists and has the parameters that they set.
+"""Check that code named in the settings exists and has the parameters set for it.
 
 The check does not import the code, so it is quick enough to run when settings are composed.
 """
@@ -17,15 +17,15 @@ from placecat.settings import refuse_unknown
 SEQUENCES, READER = "placecat.sequences", ("list_homes", "read_home")
 CUES, LEARNING = "placecat.cues", "placecat.learning"
 FIGURES = "placecat.report.figures"
-# Parameters of estimators that the code sets.
+# Estimator parameters that the code sets.
 GIVEN = frozenset({"base", "codebook", "n_clusters", "n_values", "n_jobs", "seed"})
 
 
 def check(params: Mapping[str, Any]) -> None:
-    """Refuse names of missing code, unknown or missing settings, and impossible values.
+    """Refuse names of missing code, unknown or missing settings, and invalid values.
 
-    `params` are all settings, after :func:`placecat.schema.check`. The PlacecatError names the setting, the
-    nearest valid name and all valid names.
+    `params` holds all settings, already checked by :func:`placecat.schema.check`. The PlacecatError names the
+    setting, the nearest valid name and all valid names.
     """
     for section in ("dataset", "toy", "codebooks", "cues", "systems", "splits"):
         check_part(params.get(section), section)
@@ -40,8 +40,8 @@ def check(params: Mapping[str, Any]) -> None:
 def check_part(content: Any, where: str) -> None:
     """Check every classifier, clustering and layout in a part of the settings; errors as in :func:`check`.
 
-    A mapping with ``layout`` is a data set, with ``model`` a classifier, with ``tree`` a codebook. `where`
-    names the part in messages, e.g. ``cues``.
+    A mapping with ``layout`` is a data set, one with ``model`` a classifier, one with ``tree`` a codebook.
+    `where` names the part in messages, e.g. ``cues``.
     """
     if not isinstance(content, Mapping):
         return
@@ -61,9 +61,9 @@ def check_part(content: Any, where: str) -> None:
 def check_estimator(options: Mapping[str, Any], where: str) -> str:
     """Check the settings of an estimator of `placecat.learning`; return the name of its class.
 
-    The settings are ``name``, the estimator's module, and its parameters except those in `GIVEN`. `where`
-    names them in messages, e.g. ``classifier.base``. The PlacecatError for an unknown one lists the valid
-    ones.
+    The settings are ``name``, which is the estimator's module, and its parameters except those in `GIVEN`.
+    `where` names the settings in messages, e.g. ``classifier.base``. The PlacecatError for an unknown setting
+    lists the valid ones.
     """
     if not isinstance(options, Mapping) or "name" not in options:
         raise SettingError(f"{where} needs the setting 'name'")
@@ -87,14 +87,14 @@ def _check_classifier(options: Mapping[str, Any], where: str) -> None:
 
 def _check_descriptor(kind: str, name: str, entry: Mapping[str, Any]) -> None:
     where, own = f"descriptors.{kind}.{name}", dict(entry)
-    # A variant names its module.
+    # A variant of a descriptor names its module.
     module = own.pop("descriptor", name)
     lookup.require(f"placecat.vision.{kind}", module, f"{where}: {kind} descriptor", "describe")
     _check(own, _taken(f"placecat.vision.{kind}", module, "describe"), where)
 
 
 def _check_figures(figures: Mapping[str, Any]) -> None:
-    # Figures 12 to 14 share their settings; `placecat.schema` checks the settings of the example.
+    # Figures 12 to 14 share their settings; `placecat.schema` checks those of the example.
     drawn = lookup.entries(FIGURES, "FIGURES") | {"clusters": ("clusters", "_draw")}
     for name, own in figures.items():
         if name == "example":
@@ -114,7 +114,7 @@ class _Setting(NamedTuple):
 
 @lru_cache
 def _taken(package: str, name: str, definition: str) -> dict[str, _Setting]:
-    """The settings of a function or class, see :func:`placecat.lookup.parameters`."""
+    """Return the settings of a function or class; see :func:`placecat.lookup.parameters`."""
     needed = lookup.parameters(package, name, definition)
     kinds = lookup.types(package, name, definition)
     return {setting: _Setting(needed[setting], schema.of_type(kinds[setting])) for setting in needed}
@@ -122,14 +122,14 @@ def _taken(package: str, name: str, definition: str) -> dict[str, _Setting]:
 
 @lru_cache
 def _optional(package: str, name: str, definition: str) -> dict[str, _Setting]:
-    """The settings of an estimator, which all have defaults."""
+    """Return an estimator's settings except those in `GIVEN`; none is required."""
     taken = _taken(package, name, definition)
     return {name: one._replace(is_needed=False) for name, one in taken.items() if name not in GIVEN}
 
 
 @lru_cache
 def _of_regions() -> dict[str, _Setting]:
-    """The settings of salient regions; a variant changes some of them."""
+    """Return the settings of salient regions; none is required, since a variant changes only some."""
     kinds = get_type_hints(Regions, include_extras=True)
     return {name: _Setting(False, schema.of_type(kinds[name])) for name in Regions.model_fields}
 

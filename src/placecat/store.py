@@ -1,4 +1,4 @@
-"""Read the descriptors of a home, from the stages `features` and `tracks`."""
+"""Read a home's descriptors, which the stages `features` and `tracks` write."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -15,7 +15,7 @@ from placecat.errors import PlacecatError
 def read_descriptors(
     home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64] | None = None
 ) -> Descriptors:
-    """Read one descriptor of one home for a cue, for the frames `rows` or for all.
+    """Read a cue's descriptor for one home, for the frames `rows` or for all frames.
 
     `home` is as for :func:`placecat.paths.features`, `descriptor` as for :func:`placecat.cue_input.check`.
     Raises PlacecatError for an unknown setting, too many regions, or a descriptor that was not computed for
@@ -45,7 +45,7 @@ def read_descriptors(
 
 
 def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
-    """Paths of all files that :func:`read_descriptors` reads for a home, existing or not."""
+    """Return the paths of all files that :func:`read_descriptors` reads for a home, existing or not."""
     folder = folder_of(home, descriptor)
     names = [f"{name}.npy" for name in cue_input.array_names(descriptor)]
     if "variant" in descriptor:
@@ -56,7 +56,7 @@ def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
 
 
 def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Select the frames that have a descriptor, in order of time; variants of regions lack some frames."""
+    """Return the frames of `rows` that have a descriptor, in time order; region variants lack some frames."""
     if "variant" not in descriptor:
         return rows
     there: NDArray[np.int64] = np.intersect1d(rows, _described(folder_of(home, descriptor)))
@@ -64,7 +64,7 @@ def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64])
 
 
 def folder_of(home: str, descriptor: Mapping[str, Any]) -> Path:
-    """Folder of the arrays of a home's descriptor; parameters as for :func:`read_descriptors`."""
+    """Return the folder of the arrays of a home's descriptor; parameters as for :func:`read_descriptors`."""
     if descriptor.get("tracked", False):
         return paths.TRACKS / home
     folder = paths.features(home)
@@ -81,7 +81,7 @@ def _described(folder: Path) -> NDArray[np.int64]:
 
 
 def _rows(folder: Path, frames: NDArray[np.int64] | None) -> NDArray[np.int64]:
-    """Indices of frames in the arrays of a variant."""
+    """Return the positions of frames in a variant's arrays."""
     there = _described(folder)
     if frames is None or not np.isin(frames, there).all():
         raise PlacecatError(
@@ -94,7 +94,7 @@ def _rows(folder: Path, frames: NDArray[np.int64] | None) -> NDArray[np.int64]:
 def read_training(
     homes: tuple[str, ...], descriptor: Mapping[str, Any], selection: Mapping[str, NDArray[np.int64]]
 ) -> Descriptors:
-    """Read the descriptors of selected frames of several homes, in the order of `homes`."""
+    """Read a descriptor for the selected frames of several homes, in the order of `homes`."""
     parts = [read_descriptors(home, descriptor, selection[home]) for home in homes]
     x = np.concatenate([part.x for part in parts])
     if parts[0].counts is None:

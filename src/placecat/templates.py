@@ -1,4 +1,4 @@
-"""The common settings of all Jinja2 templates."""
+"""Settings shared by all Jinja2 templates."""
 
 from functools import cache
 
@@ -7,7 +7,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescap
 
 @cache
 def environment(package: str) -> Environment:
-    """Load the templates in a package's folder `templates`; HTML is escaped, unknown names are errors."""
+    """Load the templates in a package's folder `templates`; HTML is escaped, and unknown names are errors."""
     return Environment(
         loader=PackageLoader(package),
         autoescape=select_autoescape(["html.j2"]),

@@ -1,4 +1,4 @@
-"""Output to the terminal that may contain text from the user."""
+"""Terminal output that may contain text from the user."""
 
 import io
 from typing import TextIO
@@ -13,7 +13,7 @@ class Terminal(io.TextIOBase):
         self._stream = stream
 
     def write(self, text: str) -> int:
-        """Write a text made :func:`printable`; escape characters that the encoding lacks."""
+        """Write text after making it :func:`printable`; escape characters that the encoding lacks."""
         coding = self._stream.encoding or "utf-8"
         self._stream.write(printable(text).encode(coding, "backslashreplace").decode(coding))
         return len(text)

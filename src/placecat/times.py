@@ -1,4 +1,4 @@
-"""Times of the stages: measured, collected by `placecat repro`, stored in git. No result depends on them."""
+"""Record the times of stages, collect them for `placecat repro` and keep them in git; no result uses them."""
 
 import os
 import uuid
@@ -11,7 +11,7 @@ from placecat.errors import PlacecatError
 
 # Environment variable that names the `placecat repro` call in which a stage runs.
 CALL = "PLACECAT_CALL"
-# `runs` is always 1; it remains a column of the files in git, since some stages once ran once per home.
+# `runs` is always 1; the files in git still have this column, since some stages once ran once per home.
 COLUMNS = ["stage", "runs", "seconds"]
 
 
@@ -27,8 +27,8 @@ def record(stage: str, seconds: float) -> None:
 
 
 def gather(call: str) -> pd.DataFrame:
-    """Read the times of a call's stages: columns `COLUMNS`, wall time in seconds, the longest first."""
-    # Names with a leading dot are unfinished.
+    """Read the times of a call's stages: columns `COLUMNS`, wall times in seconds, longest first."""
+    # Files whose names begin with a dot are unfinished.
     records = [files.read_json(path) for path in paths.TIMES.glob("[!.]*.json")]
     table = pd.DataFrame([one for one in records if one["call"] == call], columns=COLUMNS)
     return table.sort_values(["seconds", "stage"], ascending=[False, True], ignore_index=True)
@@ -37,8 +37,8 @@ def gather(call: str) -> pd.DataFrame:
 def write(by_stage: pd.DataFrame, seconds: float, data: str, cores: int, *, is_complete: bool) -> None:
     """Write data/times.csv, and data/times.json if every stage of the pipeline ran (`is_complete`).
 
-    `by_stage` is from :func:`gather`. `seconds` is the wall time of the call, including DVC; `data` the
-    title of the data set; `cores` the number of worker processes.
+    `by_stage` comes from :func:`gather`. `seconds` is the wall time of the call, including DVC; `data` is
+    the title of the data set; `cores` is the number of worker processes.
     """
     files.write_csv(paths.LAST_TIMES, by_stage[["stage", "seconds"]])
     if is_complete:
@@ -47,7 +47,7 @@ def write(by_stage: pd.DataFrame, seconds: float, data: str, cores: int, *, is_c
 
 
 def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
-    """Times of the last full run, as from :func:`gather`, and its facts; PlacecatError if there was none."""
+    """Return the last full run's times as in :func:`gather`, and its facts; PlacecatError if none exists."""
     try:
         content = files.read_json(paths.COMPLETE_TIMES)
     except FileNotFoundError:
@@ -56,7 +56,7 @@ def read_complete() -> tuple[pd.DataFrame, dict[str, Any]]:
 
 
 def known() -> dict[str, float]:
-    """Seconds of each stage in a full run: the last one here, or else the one in git."""
+    """Return each stage's seconds in a full run: the last one here, or else the one in git."""
     try:
         by_stage, _ = read_complete()
     except PlacecatError:
@@ -74,7 +74,7 @@ def keep() -> None:
 
 
 def text(by_stage: pd.DataFrame, seconds: float) -> str:
-    """Lines for the terminal, the longest stage first; `seconds` is the wall time of the call."""
+    """Format the times for the terminal, longest stage first; `seconds` is the wall time of the call."""
     if by_stage.empty:
         return f"Times: no stage had to run; {seconds:.1f} s."
     spent, total = float(by_stage["seconds"].sum()), len(by_stage)

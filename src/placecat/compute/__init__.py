@@ -1,4 +1,4 @@
-"""Choose where loops run: on this machine or on a Dask cluster, from the settings `compute`."""
+"""Choose where loops run: on this machine or on a Dask cluster, as the `compute` settings say."""
 
 import os
 from collections.abc import Iterator
@@ -23,7 +23,7 @@ class _Choice:
     def cluster(self) -> "Cluster | None":
         from placecat import settings
 
-        # Older settings lack `compute`; they use this machine.
+        # An older params.yaml lacks `compute`; its loops run on this machine.
         options = dict(settings.load().get("compute", {"kind": "local"}))
         kind = options.pop("kind", None)
         if kind not in KINDS:
@@ -60,8 +60,8 @@ def as_set() -> Iterator[None]:
 def local_workers() -> int:
     """Return the number of worker processes on this machine: PLACECAT_WORKERS, or else the number of cores.
 
-    This is an environment variable, not a setting in params.yaml, because results do not depend on it. Raises
-    PlacecatError unless it is a whole number from 1 to 1024.
+    PLACECAT_WORKERS is an environment variable, not a setting, because results do not depend on it. Raises
+    PlacecatError unless its value is a whole number from 1 to 1024.
     """
     wanted = wanted_workers()
     if wanted is not None:
@@ -73,7 +73,7 @@ def local_workers() -> int:
 
 
 def wanted_workers() -> int | None:
-    """Return the value of PLACECAT_WORKERS, see :func:`local_workers`; None if unset or empty."""
+    """Return the value of PLACECAT_WORKERS (see :func:`local_workers`); None if unset or empty."""
     value = os.environ.get("PLACECAT_WORKERS", "").strip()
     if not value:
         return None

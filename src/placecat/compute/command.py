@@ -15,7 +15,7 @@ _MEMORY = {"MALLOC_TRIM_THRESHOLD_": str(64 << 20), "MALLOC_MMAP_THRESHOLD_": st
 
 
 def worker_command(scheduler: str, options: Sequence[str]) -> NoReturn:
-    """Replace this process by ``dask worker``, with single-threaded processes, by default one per core.
+    """Replace this process with ``dask worker``, with single-threaded processes, by default one per core.
 
     Importing placecat.stages has already chosen the OpenBLAS kernels through the environment. `scheduler` is
     an address; `options` are additional options of ``dask worker``, e.g. ``["--nworkers", "4"]``. Raises

@@ -20,10 +20,10 @@ _SECONDS_BETWEEN_LOOKS = 1.0
 
 
 class Cluster:
-    """Run tasks on the Dask cluster of a scheduler.
+    """Run tasks on a scheduler's Dask cluster.
 
     `scheduler` is an address, e.g. ``tcp://10.0.0.1:8786``. `wait` is the time in seconds to wait for the
-    scheduler, for a first worker, and for a new worker after all have gone. `may_differ` lists the items of
+    scheduler, for the first worker, and for a new worker after all have gone. `may_differ` lists the items of
     :func:`placecat.compute.fingerprint.fingerprint` that may differ from this process. Raises PlacecatError
     if Dask is not installed, no scheduler answers, or workers are missing or unfit.
     """

@@ -1,4 +1,4 @@
-"""Fingerprint of the environment that affects the bits of results: code, versions, kernels, processor."""
+"""Describe the environment that affects the bits of results: code, versions, kernels, processor."""
 
 import hashlib
 import platform
@@ -14,10 +14,10 @@ PACKAGES = ("numpy", "scipy", "scikit-learn", "pandas", "joblib", "distributed")
 
 @cache
 def fingerprint() -> dict[str, str]:
-    """Describe the environment of this process, once: later changes of files do not affect loaded modules.
+    """Describe this process's environment once: later file changes do not affect loaded modules.
 
-    Returns item to state. ``placecat`` includes a digest of the code, ``BLAS`` the kernels chosen by NumPy,
-    SciPy and OpenCV, and ``processor`` the vector instructions used by NumPy and OpenCV.
+    Maps each item to its state. ``placecat`` includes a digest of the code, ``BLAS`` the kernels chosen by
+    NumPy, SciPy and OpenCV, and ``processor`` the vector instructions used by NumPy and OpenCV.
     """
     # Imported late: PACKAGES alone does not need OpenCV.
     import cv2
@@ -44,7 +44,7 @@ def fingerprint() -> dict[str, str]:
 
 
 def _digest(folder: Path) -> str:
-    """Return a digest of all modules in a folder, eight hex digits."""
+    """Return a digest of all modules in a folder as eight hexadecimal digits."""
     digest = hashlib.sha256()
     for path in sorted(folder.rglob("*.py")):
         digest.update(f"{path.relative_to(folder).as_posix()}\0".encode())

@@ -1,4 +1,4 @@
-"""Run tasks on a worker of a cluster, after a check that it computes the same bits as other workers."""
+"""Run tasks on a cluster's worker, after checking that it computes the same bits as other workers."""
 
 import contextlib
 import pickle
@@ -16,11 +16,11 @@ _seen: set[str] = set()
 
 @dataclass(frozen=True)
 class Expected:
-    """Requirements of a worker.
+    """Requirements that a worker must meet.
 
     `folder` is the absolute path of the project folder. `mark` is a file in it, as a relative path, that
     exists while the stage runs. `items` come from :func:`placecat.compute.fingerprint.fingerprint`; the items
-    in `may_differ` may differ. `scheduler` is its address, for messages.
+    in `may_differ` may differ. `scheduler` is the scheduler's address, for messages.
     """
 
     scheduler: str
@@ -31,7 +31,7 @@ class Expected:
 
 
 def objection(expected: Expected, dask_worker: Any = None) -> str | None:
-    """Return why this distributed worker must not compute, and the remedy; None if it may."""
+    """Return the reason why this Dask worker must not compute, and the remedy; None if it may."""
     if dask_worker is None:
         from distributed import get_worker
 
@@ -64,7 +64,7 @@ def objection(expected: Expected, dask_worker: Any = None) -> str | None:
 
 
 def perform(expected: Expected, call: bytes) -> bytes:
-    """Run one task, a pickled function and its arguments as a tuple, in the project folder.
+    """Run one task, a pickled pair of a function and its argument tuple, in the project folder.
 
     Every task checks the worker, since workers may join while a stage runs; an unfit worker raises
     PlacecatError. The result is pickled: unpickled arrays are writable, unlike those that Dask transfers.

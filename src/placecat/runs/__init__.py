@@ -1,1 +1,1 @@
-"""Keep results correct if a run is killed, is started twice, or its settings change."""
+"""Keep results correct if a run is killed or started twice, or if its settings change."""

@@ -43,7 +43,7 @@ def main() -> None:
 
 
 class _Left(logging.Filter):
-    """Add number and time left to the line of a stage; the estimate uses earlier stage times in seconds."""
+    """Add a stage's number and the time left to its line, estimated from earlier stage times in `seconds`."""
 
     def __init__(self, stages: Sequence[str], seconds: Mapping[str, float]) -> None:
         super().__init__()

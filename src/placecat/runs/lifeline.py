@@ -15,7 +15,7 @@ import psutil
 
 # Seconds between two checks, and seconds allowed to clean up.
 INTERVAL, GRACE = 0.5, 10.0
-# Environment variable that tells stages the process number of DVC; their parent may be a shell.
+# Environment variable that tells stages DVC's process ID, since their parent may be a shell.
 DVC = "PLACECAT_DVC"
 
 _watching = False
@@ -30,7 +30,7 @@ def end_with(parent: int) -> None:
 
 
 def end_stage_with_dvc() -> None:
-    """Clean up on SIGTERM and on Ctrl-C, and also when DVC is gone."""
+    """Make this stage clean up on SIGTERM, on Ctrl-C, and when DVC is gone."""
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, _stop)
     if "DVC_STAGE" in os.environ:

@@ -1,4 +1,4 @@
-"""A folder where stages run on other data: with settings of its own, and links to other inputs."""
+"""Run stages on other data, in a folder with separate settings and links to the other inputs."""
 
 import os
 import sys
@@ -10,9 +10,9 @@ from placecat.lockfile import DEFINITION, defined_stages
 
 
 def link(folder: Path, paths: Iterable[Path]) -> None:
-    """Link paths of the project into a folder, at the same relative places; existing links are replaced.
+    """Link project paths into a folder at the same relative paths, replacing existing links.
 
-    `paths` are relative to the project's folder, which is the current one. Raises PlacecatError if one does
+    `paths` are relative to the current folder, which is the project's. Raises PlacecatError if a path does
     not exist.
     """
     for path in paths:

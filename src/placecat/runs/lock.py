@@ -21,7 +21,7 @@ _ENDING = 12.0
 def alone() -> Iterator[None]:
     """Block other runs and changes of params.yaml; raise PlacecatError if another run has the lock.
 
-    Blocks may be nested.
+    Calls may be nested.
     """
     if not TEMPORARY.parent.is_dir():
         yield
@@ -45,7 +45,7 @@ def alone() -> Iterator[None]:
 
 @contextmanager
 def one_at_a_time(stage: str) -> Iterator[None]:
-    """Wait while another process runs the same stage; it may still clean up after its DVC was killed."""
+    """Wait while another process runs the same stage; it may be cleaning up after its DVC was killed."""
     if not TEMPORARY.parent.is_dir():
         yield
         return
@@ -88,7 +88,7 @@ def _wait_for_dvc() -> None:
 
 
 def _dvc_in_use() -> tuple[int, str] | None:
-    """Return process and command of a DVC that runs a stage in this folder, or None."""
+    """Return the process ID and command of a DVC that is running a stage in this folder, or None."""
     import psutil
 
     try:
@@ -100,7 +100,7 @@ def _dvc_in_use() -> tuple[int, str] | None:
         return None
     for process, command in users:
         try:
-            # Another program may have this process number by now.
+            # Another program may have this process ID by now.
             if any("dvc" in part for part in psutil.Process(process).cmdline()):
                 return process, command
         except psutil.Error:

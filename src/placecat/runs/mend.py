@@ -1,4 +1,4 @@
-"""Repair the damage of a killed run: a truncated dvc.lock, locks of DVC, temporary files."""
+"""Repair the damage done by a killed run: a truncated dvc.lock, DVC's locks and temporary files."""
 
 import os
 import re
@@ -30,7 +30,7 @@ _OF_PROCESS = re.compile(r"(?:joblib_memmapping_folder_|sem\.loky-)(\d+)[_-].*")
 
 
 def mend() -> list[str]:
-    """Repair the damage of a killed run, inside `lock.alone`; return one line per repair."""
+    """Repair the damage done by a killed run, inside `lock.alone`; return one line per repair."""
     said = []
     if LOCK.exists():
         text = LOCK.read_text(encoding="utf-8", errors="replace")
@@ -48,7 +48,7 @@ def mend() -> list[str]:
 
 
 def keep() -> None:
-    """Back up the complete records of dvc.lock, and keep earlier copies of the others.
+    """Back up the complete records of dvc.lock; for the others, keep earlier copies.
 
     Without a dvc.lock, the backup is deleted.
     """

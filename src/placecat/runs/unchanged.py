@@ -1,7 +1,7 @@
-"""Check that settings, code and data of a stage do not change while it runs.
+"""Check that a stage's settings, code and data do not change while it runs.
 
-DVC records settings and dependencies after a stage. Without this check, it would record changes made in the
-meantime with results that do not depend on them.
+DVC records settings and dependencies when a stage has ended. Without this check, DVC would record changes
+made while the stage ran, although its results do not depend on them.
 """
 
 import hashlib
@@ -15,7 +15,7 @@ _at_start: tuple[str, dict[str, str]] | None = None
 
 
 def start(stage: str) -> None:
-    """Record the state of the dependencies of a stage before it reads them. Later calls do nothing."""
+    """Record the state of a stage's dependencies before it reads them. Later calls do nothing."""
     global _at_start
     if _at_start is None:
         _at_start = (stage, state(stage))
@@ -36,9 +36,9 @@ def check() -> None:
 
 
 def state(stage: str) -> dict[str, str]:
-    """Map path to state, for params.yaml and every file that dvc.yaml lists for a stage.
+    """Map params.yaml and every file that dvc.yaml lists for a stage to their states.
 
-    The state of settings and code is a checksum. Other files may be large; their state is size and time.
+    The state of settings and code is a checksum; that of other files, which may be large, is size and time.
     """
     found = {}
     for dep in [str(paths.PARAMS), *_dependencies(stage)]:

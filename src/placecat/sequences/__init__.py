@@ -74,7 +74,7 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
     name
         One of ``list_homes(layout, root)``.
     **settings
-        Settings of the layout, see `settings_of`: ``fps`` (frames per second, or None if the layout knows
+        Settings of the layout (see `settings_of`): ``fps`` (frames per second, or None if the layout knows
         it), ``camera`` (its name) and others.
 
     Returns
@@ -95,12 +95,12 @@ def open_home(layout: str, root: Path | str, name: str, **settings: Any) -> Home
 
 
 def open_home_of(dataset: Mapping[str, Any], name: str, **changed: Any) -> Home:
-    """Read a home with the settings of its data set, except those `changed`; errors as in :func:`open_home`.
+    """Read a home with its data set's settings, except those `changed`; errors as in :func:`open_home`.
 
     Parameters
     ----------
     dataset
-        Settings as in conf/dataset; ``camera`` is one name for all homes, or a mapping from home to name.
+        Settings as in conf/dataset; ``camera`` is one name for all homes, or maps each home to a name.
     name
         A home of the data set.
     """

@@ -37,12 +37,12 @@ def read_home(
     Parameters
     ----------
     fps
-        Frames per second; None uses the stamps of the pictures as their times.
+        Frames per second; None takes the times from the pictures' stamps.
     topic
         Topic of the pictures; None uses the only one in each bag.
     labels_topic
         Topic of the labels (std_msgs/String). A frame has the last label received before it; frames before
-        the first label have none. None uses the label files.
+        the first label are unlabelled. None uses the label files.
     """
     for setting, value in (("topic", topic), ("labels_topic", labels_topic)):
         if value is not None and not isinstance(value, str):
@@ -69,12 +69,12 @@ def read_home(
 
 
 def _bags(folder: Path) -> dict[str, Path]:
-    """Map floor to bag, in natural order."""
+    """Map each floor to its bag, in natural order."""
     return by_name(path for path in folder.iterdir() if not path.name.startswith(".") and is_bag(path))
 
 
 def _labels_on_topic(recording: BagRecording, topic: str) -> Labels:
-    """Read labels by their time of reception, since strings have no stamps."""
+    """Read labels by the time they were received, since strings have no stamps."""
     bag = Bag(recording.path)
     bag.require(topic, (STRING,), "dataset.labels_topic")
     times, labels = zip(*bag.strings(topic), strict=True)

@@ -29,7 +29,7 @@ class Home:
     fps
         Frames per second.
     camera
-        Name of the camera; frames of one camera share its height, lens and colour response.
+        Name of the camera; frames with the same name share camera height, lens and colour response.
     width, height
         Size of every frame in pixels, after turning; measured on the first frame.
     frames
@@ -41,9 +41,9 @@ class Home:
         sequence) and ``label`` (str as in the label file; "" for none). If pictures must be turned, also
         ``turn`` (int32, degrees clockwise: 0, 90, 180 or 270).
     label_files
-        Sequence to label file, relative to `root`; empty without labels.
+        Maps each sequence to its label file, relative to `root`; empty without labels.
     label_lines
-        (frames,) int32, line of the label file for each frame, from 1; 0 without a label.
+        (frames,) int32, each frame's line in the label file, from 1; 0 without a label.
     lost
         Numbers of frames that cannot be decoded; they have no row.
     damaged

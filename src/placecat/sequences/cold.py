@@ -3,9 +3,9 @@
 A line of the label file is ``t<seconds>.<microseconds>_x<m>_y<m>_a<rad>.jpeg LABEL``. The label stays a
 code; the setting ``aliases`` of the data set maps each code to a class.
 
-A home is one sequence, named ``<site>-<sequence>`` because home names cannot contain a slash. The name of a
-site alone reads all its sequences as one home. Sequences of one site show the same rooms, so only folds by
-site keep the test rooms out of training.
+A home is one sequence, named ``<site>-<sequence>`` because home names cannot contain a slash. A site's
+name alone stands for all its sequences as one home. Sequences of one site show the same rooms, so only folds
+by site keep the test rooms out of training.
 
 References
 ----------
@@ -90,7 +90,7 @@ def read_home(
 
 
 class Entry(NamedTuple):
-    """Content of a line of a ``places.lst``: image name, code, time in microseconds, and line number."""
+    """A line of a ``places.lst``: image name, code, time in microseconds, and line number."""
 
     image: str
     code: str
@@ -143,5 +143,5 @@ def read_places(file: Path) -> list[Entry]:
 
 
 def _sequences(site: Path) -> list[Path]:
-    # Not with glob: it silently skips unreadable folders.
+    # Avoid glob: it silently skips unreadable folders.
     return [folder for folder in site.iterdir() if (folder / LABEL_FILE).is_file()]

@@ -1,6 +1,6 @@
 """Layout with a folder of frames per home: ``<name>/*.jpg`` and ``<name>.csv`` or ``<name>/labels.csv``.
 
-Frames are JPEG or PNG files, see `placecat.footage.pictures.list_frames`. Without a CSV, every frame is
+Frames are JPEG or PNG files; see `placecat.footage.pictures.list_frames`. Without a CSV, every frame is
 unlabelled.
 """
 

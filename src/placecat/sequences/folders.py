@@ -1,4 +1,4 @@
-"""Checks that all layouts share: folders, names in them, and the frame rate."""
+"""Checks shared by all layouts: folders, names within them, and the frame rate."""
 
 import os
 from collections.abc import Collection, Iterable, Mapping
@@ -24,7 +24,7 @@ def inside(path: Path, folder: Path, origin: str) -> None:
 def check_listed(folder: Path, limit: Path, origin: str, listed: Mapping[str, str], remedy: str) -> None:
     """Refuse missing frames, and links that leave the folder `limit`.
 
-    `origin` is the file that lists the frames; `listed` maps frame names to places in that file.
+    `origin` is the file that lists the frames; `listed` maps each frame name to its place in that file.
     """
     inside(folder, limit, origin)
     links = {entry.name: entry.is_symlink() for entry in os.scandir(folder)} if folder.is_dir() else {}
@@ -69,7 +69,7 @@ def by_name(paths: Iterable[Path]) -> dict[str, Path]:
 def some_homes(homes: Collection[str], root: Path, expected: str) -> list[str]:
     """Sort home names in natural order.
 
-    If there are none, the PlacecatError says which files this layout `expected` below `root`.
+    If there are none, the PlacecatError names the files `expected` below `root`.
     """
     if not homes:
         raise PlacecatError(

@@ -1,4 +1,4 @@
-"""Labels as intervals of frames: checks, expansion, and the label CSV."""
+"""Check and expand labels given as frame intervals, and read label CSV files."""
 
 import codecs
 import csv
@@ -18,7 +18,7 @@ FRAME_HEADER = ("start", "end", "label")
 """CSV columns for intervals in frames, from 1, both ends included (as in VPC-2009)."""
 SECOND_HEADER = ("start_seconds", "end_seconds", "label")
 """CSV columns for intervals in seconds from 0, the end excluded."""
-# More frames than any footage has.
+# Both limits are above the number of frames of any footage.
 _WHOLE = re.compile(r"-?[0-9]{1,10}")
 _MOST_FRAMES = 1e10
 MOST_BYTES = 16 << 20
@@ -40,8 +40,8 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
     Parameters
     ----------
     file, sequence, counted
-        For messages: the label file, the owner of the frames (``floor 1``, ``the video``), and the source of
-        the count (``line 2``).
+        For messages: the label file, what the frames belong to (``floor 1``, ``the video``), and the source
+        of the count (``line 2``).
 
     Raises
     ------
@@ -88,9 +88,9 @@ def check_segments(segments: Sequence[Segment], count: int, file: Path, sequence
 
 
 def expand_segments(segments: Sequence[Segment]) -> tuple[list[str], NDArray[np.int32]]:
-    """Expand segments that `check_segments` accepted to frames.
+    """Expand segments that `check_segments` has accepted into one label per frame.
 
-    Returns the label of each frame, and the line of its segment, (frames,) int32.
+    Returns each frame's label and its segment's line, (frames,) int32.
     """
     lengths = [segment.end - segment.start + 1 for segment in segments]
     labels = [segment.label for segment, length in zip(segments, lengths, strict=True) for _ in range(length)]
@@ -121,7 +121,7 @@ class Labels(NamedTuple):
     names
         (n,) labels; "" for none.
     lines
-        (n,) int32, line of the label file for each; 0 for none.
+        (n,) int32, each frame's line in the label file; 0 for none.
     file
         The label file, relative to the folder of the homes, or None.
     """
@@ -132,10 +132,10 @@ class Labels(NamedTuple):
 
 
 def find_labels(root: Path, names: Sequence[str], timing: Timing, sequence: str) -> Labels:
-    """Read the label CSV that has one of these names, relative to `root`; without one, no frame has a label.
+    """Read the label CSV with one of these names, relative to `root`; if none exists, no frame has a label.
 
-    `timing` covers all frames; `sequence` and errors are as for :func:`read_label_csv`. Two such files are
-    also an error.
+    `timing` covers all frames; `sequence` and errors are as for :func:`read_label_csv`. Two such files also
+    raise PlacecatError.
     """
     files, count = label_csvs(root, *names), len(timing.seconds)
     if len(files) > 1:
@@ -228,7 +228,7 @@ def read_text(path: Path) -> str:
 
 
 def read_rows(path: Path) -> list[tuple[int, list[str]]]:
-    """Read a CSV: line number and cells of each row that is not empty.
+    """Read the line number and cells of each non-empty row of a CSV file.
 
     Raises PlacecatError like `read_text`, and, naming the line, if the file is not UTF-8 or not a CSV.
     """

@@ -33,7 +33,7 @@ def place_labels(
     classes, ignored
         The classes, numbered by their position, and the labels that have no class.
     aliases
-        Other spellings and codes: label to class or ignored label. An alias overrides a class of the same
+        Maps other spellings and codes to classes or ignored labels. An alias overrides a class of the same
         name.
     home
         The home of the labels, for messages.
@@ -45,8 +45,8 @@ def place_labels(
     Raises
     ------
     PlacecatError
-        If a label is not a class, an ignored label or an alias, or if these three settings contradict each
-        other.
+        If a label is not a class, an ignored label or an alias, or if `classes`, `ignored` and `aliases`
+        contradict each other.
     """
     _check_names(classes, ignored, aliases)
     numbers = {name: number for number, name in enumerate(classes)}
@@ -65,7 +65,7 @@ def place_labels(
 def require_classes(labels: NDArray[np.int16], classes: Sequence[str], home: str) -> None:
     """Check that a home shows every class; the PlacecatError names the classes without frames.
 
-    `labels` is (frames,) int16 from `place_labels`; `home` is the name for messages.
+    `labels` is (frames,) int16 from `place_labels`; `home` is its name, for messages.
     """
     present = np.bincount(labels[labels >= 0], minlength=len(classes)) > 0
     absent = [name for name, there in zip(classes, present, strict=True) if not there]

@@ -28,7 +28,7 @@ from placecat.sequences.sqlite_file import Columns, SqliteFile, opened
 
 DATABASE, PICTURES = "rh.db", "files/rgbd"
 OBSERVATIONS = {"labelled": ("rh_lblrgbd",), "all": ("rh_lblrgbd", "rh_raw")}
-"""Values of `observations`: those with labelled objects only, or all, including discarded ones."""
+"""Tables for each value of `observations`: frames with labelled objects, or all, even discarded ones."""
 FILES = "rh2_old2new_rgbd_files"
 COLOR = "_intensity.png"
 """Suffix of colour pictures; other files hold depth and labels."""
@@ -90,8 +90,8 @@ def read_home(
     Parameters
     ----------
     fps
-        Frames per second, replacing the times of the database. None keeps these times, and the rate follows
-        from the median time between frames.
+        Frames per second, which replaces the times in the database. None keeps these times; the rate then
+        follows from the median time between frames.
     camera
         ``RGBD_1`` to ``RGBD_4``.
     observations
@@ -99,8 +99,8 @@ def read_home(
     turn
         Clockwise rotation of the pictures in degrees.
     longest_gap
-        Longest time between two frames of a session, in seconds; longer gaps (between rooms) are shortened
-        to this.
+        Longest time between two frames of a session, in seconds; longer gaps (between rooms) are shortened to
+        it.
     database, pictures
         Paths of the database and of the folder with colour pictures, relative to `root`.
     """
@@ -172,7 +172,7 @@ def _known(named: Mapping[int, _Named], number: int, where: str, table: str) -> 
 
 
 def _times(frames: list[_Observation], longest_gap: float) -> tuple[list[int], list[float], float | None]:
-    """Return the number of each frame in its session, its seconds, and the rate of the median step."""
+    """Return each frame's number in its session, each frame's seconds, and the rate of the median step."""
     # Whole ticks are exact; seconds since 1601 are not.
     longest = round(longest_gap * TICKS)
     numbers, ticks, steps = [1], [0], []

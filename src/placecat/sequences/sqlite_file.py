@@ -11,19 +11,19 @@ from placecat.errors import PlacecatError
 from placecat.sequences.labels import shown
 
 Columns = Mapping[str, type | UnionType]
-"""Column name to the type of its values: int, str, or either with None."""
+"""Maps each column name to the type of its values: int, str, or either with None."""
 MOST_BYTES = 1 << 20
-"""Largest size of a row, far above a path or a name. Our choice."""
+"""Largest size of a row, far larger than a path or a name. Our choice."""
 
 
 class SqliteFile:
-    """An open database, see :func:`opened`."""
+    """An open database; see :func:`opened`."""
 
     def __init__(self, path: Path, connection: sqlite3.Connection, tables: Mapping[str, Columns]) -> None:
         self._path, self._connection, self._tables = path, connection, tables
 
     def rows(self, table: str, **equal: int) -> Iterator[tuple[Any, ...]]:
-        """Read the expected columns of the rows with these values. Raises PlacecatError for a wrong type."""
+        """Yield the expected columns of the rows with the values `equal`; PlacecatError for a wrong type."""
         columns = self._tables[table]
         condition = " AND ".join(f"{name} = ?" for name in equal) or "TRUE"
         query = f"SELECT {', '.join(columns)} FROM {table} WHERE {condition}"
@@ -39,10 +39,10 @@ class SqliteFile:
 
 @contextmanager
 def opened(path: Path, tables: Mapping[str, Columns]) -> Iterator[SqliteFile]:
-    """Open a database to read some columns of some tables, without writing any file.
+    """Open a database to read the columns in `tables`, without writing any file.
 
-    Raises PlacecatError if the file is missing, damaged, not a database, or being written by a program, or
-    lacks a table or a column.
+    Raises PlacecatError if the file is missing, damaged or not a database, if a program is writing to it, or
+    if it lacks a table or a column.
     """
     if not path.is_file():
         raise PlacecatError(f"{path}: the database is missing; restore it, or correct dataset.root.")

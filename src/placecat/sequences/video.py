@@ -19,7 +19,7 @@ SUFFIXES = (".avi", ".m4v", ".mkv", ".mov", ".mp4", ".mpeg", ".mpg", ".webm")
 
 
 def list_homes(root: Path) -> list[str]:
-    """List the videos by name without suffix; see `placecat.sequences.list_homes`. Duplicates are refused."""
+    """List the videos' names without suffixes; see `placecat.sequences.list_homes`. Refuse duplicates."""
     videos = by_name(_videos(data_folder(root)))
     return some_homes(videos, root, f"videos ({', '.join(SUFFIXES)})")
 

@@ -1,7 +1,7 @@
 """The VPC-2009 home database: ``HomeN/<floor>/%08d.jpg`` and ``HomeN/label.txt``.
 
-The label file lists the floors one after the other: folder, number of frames, segments (``first last label``,
-from 1 on every floor, both ends included) and an end line. A second end line ends the labels; free text may
+The label file lists for each floor in turn: folder, number of frames, segments (``first last label``, from 1
+on every floor, both ends included) and an end line. A second end line ends the labels; free text may
 follow. Spaces or tabs separate columns.
 
 References
@@ -30,7 +30,7 @@ _FRAME = re.compile(r"([0-9]{1,10})\.jpe?g", re.IGNORECASE)
 
 @dataclass(frozen=True)
 class Floor:
-    """A floor: folder, declared number of frames, line of that number, and segments in order."""
+    """A floor: folder, declared number of frames, the line that declares it, and segments in order."""
 
     name: str
     count: int
