@@ -46,7 +46,7 @@ def feature_options(params: Mapping[str, Any], descriptors: Mapping[str, Any]) -
 def plan(
     home: str, root: Path, options: Mapping[str, Any], variants: Mapping[str, Any] | None = None
 ) -> items.Work:
-    """Plan tasks for :func:`describe` that describe all frames of a home.
+    """Plan the tasks for :func:`describe` that cover all frames of a home.
 
     Parameters
     ----------

@@ -10,7 +10,7 @@ from placecat.stages import run
 
 
 def main() -> None:
-    """Write reports/figures/: PNGs, PDFs, and a figures.json with captions and why figures are missing."""
+    """Write reports/figures/: PNGs, PDFs, and figures.json with captions and reasons for missing figures."""
     of_run = Run(settings.load())
     settings.refuse_unknown(
         settings.get(of_run.params, "figures"), ["example", "clusters", *figures.names()], "figures"

@@ -97,7 +97,7 @@ def _figure(entry: dict[str, Any], params: dict[str, Any]) -> Figure:
 
 
 def _replication() -> dict[str, Any] | None:
-    """Return the findings on many homes that git contains; None if missing."""
+    """Return the findings on many homes, as kept in git; None if missing."""
     if not (paths.REPLICATION_FACTS.is_file() and paths.REPLICATED_FINDINGS.is_file()):
         return None
     findings = files.read_table(paths.REPLICATED_FINDINGS, _TEXT)
@@ -105,7 +105,7 @@ def _replication() -> dict[str, Any] | None:
 
 
 def _times() -> dict[str, Any] | None:
-    """Return the times that git contains; None if missing or empty."""
+    """Return the times kept in git; None if missing or empty."""
     if not (paths.KEPT_TIMES.is_file() and paths.KEPT_TIMES_FACTS.is_file()):
         return None
     by_stage, facts = files.read_csv(paths.KEPT_TIMES), files.read_json(paths.KEPT_TIMES_FACTS)
@@ -115,7 +115,7 @@ def _times() -> dict[str, Any] | None:
 
 
 def _speed() -> dict[str, Any] | None:
-    """Return the benchmarks that git contains; None if missing."""
+    """Return the benchmarks kept in git; None if missing."""
     facts = paths.BENCHMARKS.with_suffix(".json")
     if not (paths.BENCHMARKS.is_file() and facts.is_file()):
         return None
@@ -124,7 +124,7 @@ def _speed() -> dict[str, Any] | None:
 
 
 def _scale() -> dict[str, Any] | None:
-    """Return the run at the real home database's scale that git contains; None if missing."""
+    """Return the run kept in git, at the real home database's scale; None if missing."""
     kept = (paths.SCALE_STAGES, paths.SCALE_GROWTH, paths.SCALE_FACTS)
     if not all(path.is_file() for path in kept):
         return None

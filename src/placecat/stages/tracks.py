@@ -28,7 +28,7 @@ def main() -> None:
 
 
 def plan(home: str, params: Mapping[str, Any]) -> items.Work:
-    """Plan tasks for :func:`track` that track regions through all frames of one home."""
+    """Plan the tasks for :func:`track` that cover all frames of one home."""
     tracking = dict(settings.get(params, "tracking"))
     wanted = {name: settings.get(params, f"descriptors.local.{name}") for name in tracking.pop("descriptors")}
     options = {

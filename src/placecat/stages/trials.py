@@ -27,7 +27,7 @@ FACT_COLUMNS = ["trial", "home", "seed", "nu_lowest", "nu_highest", "flat_sigmoi
 
 
 def main() -> None:
-    """Train and test every trial of every study; write how often each decision was made."""
+    """Train and test every trial of every study; write the decision counts."""
     params = settings.load()
     homes = list(settings.get(params, "dataset.homes"))
     shared = [settings.get(params, f"dataset.{name}") for name in ("name", "homes", "classes")]
