@@ -20,7 +20,7 @@ def smoothing_settings(params: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def fused_parts(plan: Plan, *, method: str, extra: bool) -> tuple[Part, ...]:
-    """Return the parts that train an integration method: the cues' own if it learns from held-out frames."""
+    """Return an integration's training parts: the cues' parts if the method learns from held-out frames."""
     if integrate.learns_from_held_out(method):
         return plan.cues
     return (*plan.integration, *(plan.extra if extra else ()))

@@ -25,7 +25,7 @@ class Fold:
         "5-5-1": cues and integration train on different frames of all other homes. "4-5-1": one of the other
         homes trains only the integration, not the cues.
     without
-        Homes that no trained component has seen, the tested home first; empty if all homes are used to train.
+        Homes that no trained component has seen, the tested home first; empty if no home is held out.
     cue_homes
         Homes that codebooks, scalings and cue classifiers train on.
     integration_homes
