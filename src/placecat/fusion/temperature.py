@@ -28,6 +28,7 @@ def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> flo
     """Find the temperature, in [0.01, 100], with the lowest log-loss on frames that the model has not seen.
 
     It is rounded to four significant digits.
+
     The thesis does not use temperatures. Naive Bayes multiplies codewords as if they were independent and is
     far too certain; the parallel scheme averages and is not certain enough.
 
