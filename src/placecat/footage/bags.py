@@ -141,7 +141,7 @@ class Bag:
                 yield Picture(number, str(connection.topic), int(received), int(stamp), message, name)
 
     def strings(self, topic: str) -> Iterator[tuple[int, str]]:
-        """Yield the time of reception in nanoseconds and the text of each string of a topic."""
+        """Yield the reception time in nanoseconds and the text of each string on a std_msgs/String topic."""
         for connection, received, raw in self._messages((STRING,)):
             if connection.topic == topic:
                 with self._explained():
