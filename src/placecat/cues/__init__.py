@@ -1,8 +1,8 @@
-"""Cues: from the descriptors of a frame to a distribution over places (thesis 3.3.1 and 3.3.2).
+"""Cues, which turn a frame's descriptors into a distribution over places (thesis 3.3.1 and 3.3.2).
 
 Each module is one model, such as `one_against_all` (Figure 8, two-class classifiers), `knn` (Figure 8,
-modified nearest neighbours) and `joint_probability` (Figure 10). The setting ``classifier.model`` of a cue
-names the module; a new module needs no registration.
+modified nearest neighbours) and `joint_probability` (Figure 10). A cue's setting ``classifier.model`` names
+its module; a new module needs no registration.
 """
 
 import logging
@@ -25,14 +25,14 @@ logger = logging.getLogger(__name__)
 
 __all__ = ["Codebook", "CueModel", "Descriptors", "cross_validate", "fit", "model_names", "of_regions_only"]
 
-# Number of parts when frames are left out instead of homes.
+# Number of parts if frames are left out instead of homes.
 _PARTS = 5
-# Minimum of training frames per place in the other homes; calibration needs them.
+# Minimum number of training frames per place in the other homes; calibration needs them.
 _LEAST = 2
 
 
 def model_names() -> list[str]:
-    """Return the names of the models: modules of this package with a `fit`."""
+    """Return the names of the models: modules of this package with a function `fit`."""
     return lookup.names(__name__, "fit")
 
 
@@ -47,11 +47,11 @@ def fit(
 ) -> CueModel:
     """Train one cue on the descriptors of training frames.
 
-    `labels` are (n,) class indices in [0, len(classes)), every class present. `homes` is the (n,) home of
-    each frame: cross-validation keeps homes together, since neighbouring frames are near-duplicates.
-    ``model`` in `classifier` names a module of this package; the other keys are its settings. `codebook`
-    holds clusters of the same training homes, for models that need them. Raises PlacecatError for an unknown
-    model, unknown or impossible settings, or a class without training frames.
+    `labels` are (n,) class indices in [0, len(classes)); every class must be present. `homes` is (n,), each
+    frame's home: cross-validation keeps a home's frames together, since neighbouring frames are
+    near-duplicates. ``model`` in `classifier` names a module of this package; the other keys are its
+    settings. `codebook` holds clusters from the same training homes, for models that need them. Raises
+    PlacecatError for an unknown model, unknown or invalid settings, or a class without training frames.
     """
     missing = sorted(set(range(len(classes))) - set(np.unique(labels).tolist()))
     if missing:
@@ -74,12 +74,12 @@ def cross_validate(
     classes: Sequence[str],
     codebook: Codebook | None = None,
 ) -> NDArray[np.float64]:
-    """Judge each home's training frames by a cue trained on the other homes: (n, n_classes) distributions.
+    """Return (n, n_classes) distributions; a cue trained on the other homes predicts each home's frames.
 
     Parameters and errors are as in :func:`fit`. Everything is refitted for each home, including calibration
-    and scaling, so distributions of different homes are comparable. Only the codebook, which uses no labels,
-    is shared. If the other homes have fewer than two frames of a place, or there is only one home, five parts
-    of consecutive frames of each place are left out instead of homes, with a warning.
+    and scaling, so the homes' distributions are comparable. Only the codebook, which uses no labels, is
+    shared. If the other homes have fewer than two frames of a place, or there is only one home, a warning is
+    logged, and five parts of consecutive frames of each place are left out in turn instead of homes.
     """
     index = labels.astype(np.intp)
     names = np.unique(homes)
@@ -102,7 +102,7 @@ def cross_validate(
 
 
 def of_regions_only(name: str) -> bool:
-    """Whether a model accepts only sets of regions, never whole frames."""
+    """Return whether a model accepts only sets of regions, never whole frames."""
     return bool(getattr(_load(name), "OF_REGIONS_ONLY", False))
 
 

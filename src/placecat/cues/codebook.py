@@ -1,4 +1,4 @@
-"""Codewords of a frame: one tree for all salient regions, or one tree per cell of a holistic descriptor."""
+"""A frame's codewords: one tree for all salient regions, or one tree per cell of a holistic descriptor."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from placecat.errors import PlacecatError
 from placecat.learning.flat_kmeans import FlatKMeans
 from placecat.learning.hierarchical_kmeans import HierarchicalKMeans
 
-# Names of descriptor settings, and of renamed values, in the text that seeds are derived from. Frozen: a
-# different text changes the clustering. A renamed setting keeps its old name here.
+# Names of descriptor settings, and of renamed values, in the text from which seeds are derived. They are
+# frozen, since a different text changes the clustering. A renamed setting keeps its old name here.
 FROZEN = {
     name: name for name in ("kind", "name", "y_pos", "y_weight", "color", "max_regions", "tracked", "variant")
 }
@@ -27,12 +27,11 @@ RENAMED: dict[Any, str] = {}
 def seed_of(
     dataset: str, descriptor: Mapping[str, Any], cells: int, training_set: str, seed: int | str
 ) -> int:
-    """Derive the seed of a codebook, in [0, 2**32), from its data; equal clusterings share a seed.
+    """Derive a codebook's seed, in [0, 2**32), from its inputs; equal clusterings share a seed.
 
-    The data are the name of the data set, the descriptor as in the cue, the number of cells of a holistic
-    descriptor, the name of the training set, and one of ``protocol.seeds``. Renaming a setting or a
-    descriptor does not change the seed (`FROZEN`, `RENAMED`); a setting that is not in `FROZEN` raises
-    PlacecatError.
+    The inputs are the data set's name, the descriptor as in the cue, a holistic descriptor's number of cells,
+    the training set's name, and one of ``protocol.seeds``. Renaming a setting or a descriptor does not change
+    the seed (`FROZEN`, `RENAMED`); a setting that is not in `FROZEN` raises PlacecatError.
     """
     settings.refuse_unknown(descriptor, list(FROZEN), "the text that seeds of codebooks derive from")
     content = json.dumps(
@@ -42,10 +41,10 @@ def seed_of(
 
 
 def settings_of(params: Mapping[str, Any], name: str) -> dict[str, Any]:
-    """Look up the settings of a codebook; add the cluster numbers of its cues if the codebook needs them.
+    """Look up a codebook's settings; add its cues' numbers of clusters if the codebook needs them.
 
     A hierarchy serves every number up to ``max_clusters``. Flat k-means clusters once per number, so its
-    ``tree`` has ``numbers``. `name` is one of ``codebooks``, else PlacecatError.
+    ``tree`` has ``numbers``. Raises PlacecatError if `name` is not one of ``codebooks``.
     """
     codebook = dict(settings.get(params, f"codebooks.{name}"))
     tree = codebook["tree"]
@@ -57,9 +56,9 @@ def settings_of(params: Mapping[str, Any], name: str) -> dict[str, Any]:
 
 
 class Codebook:
-    """Trees that serve every cluster number (thesis 3.3.1.1, 4.2).
+    """Trees that serve every number of clusters (thesis 3.3.1.1, 4.2).
 
-    Salient regions share one tree. A holistic descriptor, whose cells are stored one after another, has one
+    Salient regions share one tree. A holistic descriptor, which stores its cells one after another, has one
     tree per cell.
     """
 
@@ -79,10 +78,10 @@ class Codebook:
     ) -> Codebook:
         """Cluster the descriptors of n training frames.
 
-        `cells` is the number of equal parts of a holistic descriptor (16 in the thesis); 1 for regions. The
-        seed of each tree is derived from `seed` and the cell. `tree` holds the ``name`` of a clustering
-        module of `placecat.learning` and its settings. `numbers` are the cluster numbers that will be used;
-        None for the numbers in the settings.
+        `cells` is the number of equal parts of a holistic descriptor (16 in the thesis); 1 for regions. Each
+        tree's seed is derived from `seed` and the cell. `tree` holds the ``name`` of a clustering module of
+        `placecat.learning` and its settings. `numbers` are the numbers of clusters that will be used; None
+        means those in the settings.
         """
         if train.is_set:
             parts = [train.rows()]
@@ -101,7 +100,7 @@ class Codebook:
         return cls(trees, of_sets=train.is_set)
 
     def words(self, frames: Descriptors, n_clusters: int) -> NDArray[np.int32]:
-        """Return the nearest cluster of each region, (n, max_regions) padded with -1, or cell, (n, cells)."""
+        """Return the nearest clusters of regions, (n, max_regions) padded with -1, or cells, (n, cells)."""
         if self.of_sets:
             words = np.full(frames.x.shape[:2], -1, dtype=np.int32)
             words[frames.valid()] = self.trees[0].assign(frames.rows(), n_clusters)
@@ -122,7 +121,7 @@ class Codebook:
 
     @classmethod
     def from_arrays(cls, arrays: Mapping[str, np.ndarray]) -> Codebook:
-        """Inverse of :meth:`to_arrays`."""
+        """Restore a codebook from the arrays of :meth:`to_arrays`."""
         trees = []
         for number in range(int(arrays["n_trees"])):
             prefix = f"{number:02d}/"

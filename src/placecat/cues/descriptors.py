@@ -1,4 +1,4 @@
-"""Input of a cue: descriptors of frames."""
+"""A cue's input: descriptors of frames."""
 
 from dataclasses import dataclass
 
@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 class Descriptors:
     """Descriptors of n frames: one vector (holistic) or a set of vectors (salient regions) per frame.
 
-    `x` is float32: (n, d) for holistic descriptors, (n, max_regions, d) for regions. `counts` is the (n,)
-    number of regions per frame; the other rows are padding. It is None for holistic descriptors.
+    `x` is float32: (n, d) for holistic descriptors, (n, max_regions, d) for regions. `counts` is (n,), each
+    frame's number of regions; further rows are padding. It is None for holistic descriptors.
     """
 
     x: NDArray[np.float32]
@@ -30,16 +30,16 @@ class Descriptors:
         return self.counts is not None
 
     def valid(self) -> NDArray[np.bool_]:
-        """(n, max_regions) mask of the rows that are not padding."""
+        """Return the (n, max_regions) mask of the rows that are not padding."""
         assert self.counts is not None
         return np.arange(self.x.shape[1])[None, :] < self.counts[:, None]
 
     def rows(self) -> NDArray[np.float32]:
-        """All vectors, stacked: (n, d), or (sum of counts, d) in the order of frames and regions."""
+        """Return all vectors, stacked: (n, d), or (sum of counts, d) in the order of frames and regions."""
         return self.x if self.counts is None else self.x[self.valid()]
 
     def frame_of_row(self) -> NDArray[np.int64]:
-        """Frame of each row of :meth:`rows`."""
+        """Return the frame index of each row of :meth:`rows`."""
         if self.counts is None:
             return np.arange(len(self.x))
         return np.repeat(np.arange(len(self.x)), self.counts)

@@ -28,7 +28,7 @@ class DiscriminativeRegionsCue:
         self.facts: dict[str, Any] = cue.facts | {"kept_codewords": int(kept.sum())}
 
     def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
-        """(n, n_classes) distributions over places."""
+        """Return (n, n_classes) distributions over places."""
         return self.cue.predict_proba(only(frames, self.codebook.words(frames, len(self.kept)), self.kept))
 
 
@@ -54,7 +54,7 @@ def fit(
 ) -> DiscriminativeRegionsCue:
     """Choose codewords on the training frames, then train a cue on their regions.
 
-    `cue` holds the settings of that cue's classifier; its number of clusters is `clusters` too. `keep` is the
+    `cue` holds the settings of that cue's classifier, which also uses `clusters` clusters. `keep` is the
     share of clusters to choose, see :func:`placecat.learning.discriminative.discriminative_codewords`.
     """
     from placecat import cues

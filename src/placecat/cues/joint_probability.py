@@ -1,4 +1,4 @@
-"""Places by the joint probability of a frame's codewords (thesis 3.3.2, Figure 10; 4.2 for cells)."""
+"""Classify places by the joint probability of a frame's codewords (thesis 3.3.2, Figure 10; cells: 4.2)."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -25,14 +25,14 @@ class JointProbabilityCue:
     facts: dict[str, Any] = field(default_factory=dict)
 
     def codes(self, frames: Descriptors) -> NDArray[Any]:
-        """Values (n, variables) of the random variables c_1 .. c_N of equation (10)."""
+        """Return the (n, variables) values of the random variables c_1 .. c_N in equation (10)."""
         words = self.codebook.words(frames, self.clusters)
         if frames.counts is None:
             return words
         return activations(words, self.clusters, counts=frames.counts)
 
     def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
-        """(n, n_classes) distributions over places."""
+        """Return (n, n_classes) distributions over places."""
         return self.estimator.predict_proba(self.codes(frames))
 
 
@@ -49,7 +49,7 @@ def fit(
     """Train a joint model.
 
     `base` is an estimator of `placecat.learning` over integer codes: `naive_bayes` (equation 12) or
-    `dependency_tree` (equation 11). `clusters` is the number of clusters of each codebook, (16-1) k + 1.
+    `dependency_tree` (equation 11). `clusters` is the number of clusters per tree, (16-1) k + 1.
     """
     if codebook is None:
         raise PlacecatError(

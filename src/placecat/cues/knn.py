@@ -1,4 +1,4 @@
-"""The modified nearest-neighbour classifier on regions or on whole frames (thesis 3.3.1.1)."""
+"""The modified nearest-neighbour classifier for regions or whole frames (thesis 3.3.1.1)."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -22,7 +22,7 @@ class NearestNeighboursCue:
     facts: dict[str, Any] = field(default_factory=dict)
 
     def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
-        """(n, n_classes) distributions over places."""
+        """Return (n, n_classes) distributions over places."""
         if frames.counts is None:
             return self.estimator.predict_proba(frames.x)
         return self.estimator.predict_proba_sets(frames.x, frames.counts)
@@ -38,7 +38,7 @@ def fit(
     base: Mapping[str, Any],
     clusters: Count,
 ) -> NearestNeighboursCue:
-    """Train the modified nearest neighbours on all regions (or frames); a region has its frame's label."""
+    """Train the modified nearest neighbours on all regions (or frames); regions take their frame's label."""
     if codebook is None:
         raise PlacecatError("classifier.model 'knn' needs a codebook: set the cue's codebook and input")
     if len(codebook.trees) != 1:

@@ -9,19 +9,19 @@ from placecat.cues.descriptors import Descriptors
 
 
 class CueModel(Protocol):
-    """A trained cue; `facts` about its training, e.g. the feasible nu, contain only JSON types."""
+    """A trained cue; `facts` describes its training, e.g. the feasible nu, with JSON types only."""
 
     facts: dict[str, Any]
 
     def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
-        """(n, n_classes) distributions over places; rows sum to 1."""
+        """Return (n, n_classes) distributions over places; rows sum to 1."""
         ...
 
 
 def product_of_rows(
     log_proba: NDArray[np.float64], frame_of_row: NDArray[np.int64], n_frames: int
 ) -> NDArray[np.float64]:
-    """Multiply the distributions of a frame's regions and normalise (thesis 3.3.1 and 4.4.1).
+    """Multiply and normalise the distributions of each frame's regions (thesis 3.3.1 and 4.4.1).
 
     `log_proba` holds the (rows, n_classes) log-probabilities of the regions, and `frame_of_row` the (rows,)
     frame index of each region. Returns (n_frames, n_classes); uniform for a frame without regions.

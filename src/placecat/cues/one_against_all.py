@@ -18,7 +18,7 @@ from placecat.ranges import Count, OneOf, Positive
 
 
 class OneAgainstAllCue:
-    """Cue that reduces and scales the descriptor, then applies the multi-class scheme."""
+    """Cue that reduces and scales its descriptor, then applies the multi-class scheme."""
 
     def __init__(self, steps: list[Any], scheme: Any) -> None:
         self.steps = steps
@@ -32,10 +32,10 @@ class OneAgainstAllCue:
         return x
 
     def predict_proba(self, frames: Descriptors) -> NDArray[np.float64]:
-        """Distributions (n, n_classes) over places; for regions, the product over the regions of a frame."""
+        """Return (n, n_classes) distributions over places; those of a frame's regions are multiplied."""
         _, rows = remembered("rows", (frames, None), lambda: _rows(frames, None))
         if len(rows) == 0:
-            # Without frames or regions the matrix is empty, and estimators refuse it.
+            # Without frames or regions, the matrix is empty; estimators refuse that.
             proba = np.empty((0, len(self.scheme.classes_)))
         else:
             proba = self.scheme.predict_proba(self.transform(rows))
@@ -46,7 +46,7 @@ class OneAgainstAllCue:
 
 
 def _rows(frames: Descriptors, most: int | None) -> tuple[NDArray[np.intp], NDArray[np.float32]]:
-    """Numbers and vectors of all rows, or of at most `most` evenly spaced rows."""
+    """Return the indices and vectors of all rows, or of at most `most` evenly spaced rows."""
     x = frames.rows()
     if most is None or most >= len(x):
         return np.arange(len(x)), x
@@ -77,10 +77,10 @@ def fit(
 
     `base` is a two-class estimator of `placecat.learning`: `nu_svm`, `rvm` or `gentle_adaboost`; `scheme` is
     a multi-class one: `one_against_all` (parallel) or `sequential`. `scaling` is the kind of
-    :class:`~placecat.learning.scaling.KernelScaling`, `gamma_scale` its factor for squared distances.
+    :class:`~placecat.learning.scaling.KernelScaling`, and `gamma_scale` its factor for squared distances.
     `reduction` holds settings of :class:`~placecat.learning.spatial_pca.SpatialPCA`, e.g. 16 cells of 64
-    components for spatial PACT. `max_rows` limits the training rows, evenly spaced, for slow classifiers (not
-    given in the thesis).
+    components for spatial PACT. `max_rows` limits slow classifiers to that many evenly spaced training rows
+    (not in the thesis).
     """
     kept, x = remembered("rows", (train, max_rows), lambda: _rows(train, max_rows))
     frame = train.frame_of_row()[kept]
@@ -104,7 +104,7 @@ def fit(
 
 
 def facts_of(scheme: Any) -> dict[str, Any]:
-    """Facts about a fitted multi-class scheme: nu in use, flat sigmoids of each class, reliabilities."""
+    """Return facts about a fitted multi-class scheme: nu, flat sigmoids per class, and reliabilities."""
     facts: dict[str, Any] = {"flat_sigmoids": [int(count) for count in scheme.flat_]}
     if np.isfinite(scheme.nu_).all():
         facts["nu"] = [round(float(nu), 6) for nu in scheme.nu_]

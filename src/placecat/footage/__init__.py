@@ -1,1 +1,1 @@
-"""Frames of files, with their times."""
+"""Read frames and their timestamps from files."""

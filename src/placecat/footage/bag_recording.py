@@ -1,4 +1,4 @@
-"""The frames of one topic of a bag: numbers, times and losses."""
+"""The frames of one topic in a bag, with their numbers, times and losses."""
 
 from collections.abc import Generator
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ from placecat.footage.image_messages import Damaged
 from placecat.footage.recording import Size, are, named
 
 MOST_LATE = 1.0
-"""Largest step back in time between frames, in seconds; a larger one means that the clock was set. Our
+"""Largest backward step in time between frames, in seconds; a larger one means that the clock was set. Our
 choice."""
 _NANOSECOND = Fraction(1, 10**9)
 
@@ -44,21 +44,21 @@ class BagFrame:
 
 
 class BagRecording:
-    """The frames of a bag: the pictures of a topic, ordered by their stamps.
+    """A bag's frames: the pictures of one topic, ordered by their stamps.
 
     Opening reads the topic once. A frame that is not later than all frames before it came late or twice: it
     is skipped and has no number. Raises PlacecatError if the bag cannot be read, the topic has no pictures,
-    or its times are impossible.
+    or its times are implausible.
 
     Parameters
     ----------
     path
         The bag.
     topic
-        The topic; None uses the only one with pictures.
+        The topic; None uses the only topic with pictures.
     fps
-        Frames per second, for wrong stamps: all frames count and are evenly spaced. None uses the stamps, or
-        the times of reception if stamps are zero.
+        Frames per second, if the stamps are wrong: all frames count and are evenly spaced. None uses the
+        stamps, or the times of reception if any stamp is zero.
     settings
         Prefix of ``topic`` and ``fps`` in messages.
 
@@ -75,7 +75,7 @@ class BagRecording:
     received
         (count,) int64, time of reception in nanoseconds.
     start
-        Stamp of the first frame in nanoseconds since 1970.
+        The first frame's stamp in nanoseconds since 1970.
     lost
         Numbers, from 1, of the frames that could not be decoded.
     damaged
@@ -122,14 +122,14 @@ class BagRecording:
         self._why = self._why or why
 
     def size(self) -> Size:
-        """Return (width, height) of the first readable frame in pixels. Raises PlacecatError without one."""
+        """Return the first readable frame's (width, height) in pixels; PlacecatError if there is none."""
         for frame in self.pictures():
             if (size := frame.size) is not None:
                 return size
         raise PlacecatError(f"{self.path}: no picture on {self.topic} can be decoded: {self._why}")
 
     def note(self) -> str:
-        """Describe problems that the last pass found; "" if there were no problems."""
+        """Describe problems found on opening and in the last pass; "" if there were none."""
         parts = list(self._remarks)
         if self.lost:
             parts.insert(

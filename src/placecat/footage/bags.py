@@ -1,4 +1,4 @@
-"""Read topics, pictures and strings from a bag of ROS 1 or ROS 2.
+"""Read topics, pictures and strings from a ROS 1 or ROS 2 bag.
 
 The library rosbags reads the bag and decodes messages with its built-in definitions. Definitions in the bag
 are untrusted, and rosbags would turn them into Python code.
@@ -20,7 +20,7 @@ from placecat.footage.image_messages import compressed_image, raw_image
 ROS_1, SINGLE = ".bag", (".mcap", ".db3")
 IMAGE, COMPRESSED, STRING = "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage", "std_msgs/msg/String"
 _PICTURES = (IMAGE, COMPRESSED)
-# Suffix to repair command for a bag whose end is missing; "" is a folder.
+# Maps each suffix to a repair command for a bag whose end is missing; "" stands for a folder.
 _MENDING = {
     ROS_1: "`rosbag reindex`",
     ".mcap": "`mcap recover`",
@@ -30,7 +30,7 @@ _MENDING = {
 
 
 def is_bag(path: Path) -> bool:
-    """Return whether a path is a bag: a file by its suffix, a folder if it contains parts of a ROS 2 bag."""
+    """Return whether a path is a bag: a file with a bag's suffix, or a folder with parts of a ROS 2 bag."""
     if path.is_dir():
         return any(one.name == "metadata.yaml" or one.suffix in SINGLE for one in path.iterdir())
     return path.suffix.lower() in (ROS_1, *SINGLE) and path.is_file()
@@ -45,9 +45,9 @@ class Picture:
     number
         Number among the picture messages of all topics, from 1, in order of reception.
     topic
-        Topic of the message.
+        The message's topic.
     received, stamp
-        Time of reception, and time in the header, in nanoseconds.
+        Time of reception and time in the header, in nanoseconds.
     """
 
     number: int
@@ -58,7 +58,7 @@ class Picture:
     _name: str
 
     def image(self) -> NDArray[np.uint8]:
-        """Decode to (height, width, 3) uint8, BGR; errors as in `placecat.footage.image_messages`."""
+        """Decode to (height, width, 3) uint8, BGR; errors are as in `placecat.footage.image_messages`."""
         decode = compressed_image if hasattr(self._message, "format") else raw_image
         return decode(self._message, self._name)
 
@@ -71,12 +71,12 @@ class Bag:
     Parameters
     ----------
     path
-        A ``.bag`` of ROS 1, a folder of ROS 2, or a single ``.mcap`` or ``.db3`` of ROS 2.
+        A ROS 1 ``.bag``, a ROS 2 folder, or a single ROS 2 ``.mcap`` or ``.db3``.
 
     Attributes
     ----------
     topics
-        Topic to message type and number of messages, sorted by topic.
+        Maps each topic to its message type and number of messages, sorted by topic.
     count
         Number of messages with pictures.
     """
@@ -93,9 +93,9 @@ class Bag:
         self.count = sum(count for kind, count in self.topics.values() if kind in _PICTURES)
 
     def topic_of_pictures(self, topic: str | None, setting: str) -> str:
-        """Check the topic of the frames; None chooses the only topic with pictures.
+        """Check and return the frames' topic; None chooses the only topic with pictures.
 
-        Raises PlacecatError, naming the `setting`, if the topic is unknown or the choice is ambiguous.
+        Raises a PlacecatError that names the `setting` if the topic is wrong or the choice is ambiguous.
         """
         if topic is not None:
             self.require(topic, _PICTURES, setting)
@@ -128,9 +128,9 @@ class Bag:
             raise PlacecatError(f"{self.path}: the topic {topic!r} has no message; correct {setting}.")
 
     def pictures(self, topic: str | None = None) -> Generator[Picture, None, None]:
-        """Iterate over the pictures of all topics or of one, in order of reception, without decoding pixels.
+        """Iterate over one or all topics' pictures in order of reception, without decoding pixels.
 
-        Pictures keep their number among all topics, even if only one topic is read.
+        Pictures keep their numbers among all topics, even if only one topic is read.
         """
         for number, (connection, received, raw) in enumerate(self._messages(_PICTURES), 1):
             if topic is None or connection.topic == topic:
@@ -141,7 +141,7 @@ class Bag:
                 yield Picture(number, str(connection.topic), int(received), int(stamp), message, name)
 
     def strings(self, topic: str) -> Iterator[tuple[int, str]]:
-        """Yield the strings of a topic (std_msgs/String): time of reception in nanoseconds, and text."""
+        """Yield the reception time in nanoseconds and the text of each string on a std_msgs/String topic."""
         for connection, received, raw in self._messages((STRING,)):
             if connection.topic == topic:
                 with self._explained():
@@ -154,7 +154,7 @@ class Bag:
     def _messages(self, kinds: Collection[str]) -> Generator[tuple[Any, int, bytes], None, None]:
         with self._opened() as reader:
             chosen = [one for one in reader.connections if one.msgtype in kinds]
-            # Given no connections, rosbags returns all messages.
+            # Without connections, rosbags would return all messages.
             found = reader.messages(connections=chosen) if chosen else iter(())
             while True:
                 with self._explained():
@@ -203,7 +203,7 @@ class Bag:
 
 @cache
 def _store(is_ros1: bool) -> Any:
-    """Return message definitions of ROS 1 or ROS 2; all versions agree on pictures and strings."""
+    """Return ROS 1 or ROS 2 message definitions; all versions agree on pictures and strings."""
     from rosbags.typesys import Stores, get_typestore
 
     return get_typestore(Stores.ROS1_NOETIC if is_ros1 else Stores.ROS2_HUMBLE)

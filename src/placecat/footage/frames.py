@@ -1,4 +1,4 @@
-"""Decode the frames of a home."""
+"""Decode a home's frames."""
 
 from collections.abc import Generator, Iterator
 from contextlib import ExitStack, closing
@@ -22,8 +22,8 @@ def read_frames(
     """Decode frames in the order of the rows.
 
     A video is decoded from the last frame at which decoding can start; a bag is read from its start. A row
-    that lies before the previous row restarts the pass, so rows in increasing position need at most one pass.
-    The code never seeks in a file, because containers may silently return a nearby frame.
+    with an earlier position than the previous row restarts the pass, so rows in ascending order need at most
+    one pass. The code never seeks in a file, because containers may silently return a nearby frame.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ def read_frames(
     Raises
     ------
     PlacecatError
-        If a frame is missing, unreadable, or of another size. The message names its file.
+        If a frame is missing, unreadable, or of another size. The message names the frame's file.
     """
     root = Path(home_root)
     turns = frames["turn"] if "turn" in frames else [0] * len(frames)
@@ -68,7 +68,7 @@ def read_frames(
             yield image
 
 
-# Opening a video again takes about as long as decoding this many frames.
+# Reopening a video takes about as long as decoding this many frames.
 _WORTH_A_JUMP = 30
 
 
@@ -105,7 +105,7 @@ class _Video:
         return image
 
     def _is_elsewhere(self, number: int) -> bool:
-        """Return whether to restart: the frame is behind, or far enough ahead that a jump saves time."""
+        """Return whether to restart because the frame is behind, or so far ahead that a jump saves time."""
         if self._last is None or number < self._last.number:
             return True
         if isinstance(self._recording, Bag):
@@ -113,6 +113,6 @@ class _Video:
         return self._recording.start_before(number) - self._last.number > _WORTH_A_JUMP
 
     def _from(self, number: int) -> Generator[Any, None, None]:
-        """Iterate over pictures that start at this frame or earlier."""
+        """Iterate over the pictures, starting at this frame or earlier."""
         recording = self._recording
         return recording.pictures() if isinstance(recording, Bag) else recording.pictures(number)

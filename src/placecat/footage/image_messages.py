@@ -11,7 +11,7 @@ from placecat.footage.pictures import MOST_BYTES, check_size, decode_image
 
 
 class Damaged(PlacecatError):
-    """A picture cannot be decoded; others in the same recording may be intact."""
+    """A picture that cannot be decoded; others in the same recording may be intact."""
 
 
 class Image(Protocol):
@@ -32,7 +32,7 @@ class CompressedImage(Protocol):
 
 
 class _Encoding(NamedTuple):
-    """Bytes per pixel in a row, OpenCV's conversion to BGR, and rows of data per two rows of pixels."""
+    """Bytes per pixel within a row, OpenCV's conversion to BGR, and data rows per two rows of pixels."""
 
     width: int
     conversion: int | None

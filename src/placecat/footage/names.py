@@ -13,9 +13,10 @@ def natural(name: str) -> tuple[tuple[tuple[int, int, str], ...], str]:
 
 
 def relative(name: str, origin: str) -> PurePosixPath:
-    """Check that the text of a relative POSIX path stays below its folder; links are not followed.
+    """Check that a relative POSIX path stays below its folder; links are not followed.
 
-    Raises PlacecatError, beginning with `origin`, if the path is empty, absolute, or contains ``..``.
+    Raises a PlacecatError that begins with `origin` if the path is empty or absolute, or contains ``..``, a
+    backslash or a NUL.
     """
     path = PurePosixPath(name)
     if not path.parts or path.is_absolute() or ".." in path.parts or "\\" in name or "\0" in name:

@@ -1,4 +1,4 @@
-"""Image files: list the frames of a folder in order, and decode them.
+"""Image files: list a folder's frames in order, and decode them.
 
 A frame is a JPEG or PNG file. Other kinds of pictures raise an error, because skipping them silently could
 lose frames.
@@ -47,7 +47,7 @@ def has_pictures(folder: Path) -> bool:
 
 
 def list_frames(folder: Path) -> list[str]:
-    """List the frames of a folder in order.
+    """List a folder's frames in order.
 
     Numbers in names are compared as numbers (frame2 before frame10), including decimal numbers such as times
     (1.25 before 1.5). If trailing zeros show that the digits after the point are a counter (1.9, 1.10), these
@@ -65,8 +65,8 @@ def list_frames(folder: Path) -> list[str]:
     Raises
     ------
     PlacecatError
-        If the folder cannot be read, has pictures of other kinds, or has two pictures of one frame: the same
-        name with two suffixes, or the same numbers with different words, such as colour and depth.
+        If the folder cannot be read, contains other kinds of pictures, or contains two pictures of one frame:
+        the same name with two suffixes, or the same numbers with different words, such as colour and depth.
     """
     paths = _visible(folder)
     others = sorted(path.name for path in paths if path.suffix.lower() in OTHERS)
@@ -77,7 +77,7 @@ def list_frames(folder: Path) -> list[str]:
         )
     names = in_order(path.name for path in paths if path.suffix.lower() in SUFFIXES)
     numbers = [tuple(_NUMBER.findall(Path(name).stem)) for name in names]
-    # Numbers that all names share do not count frames.
+    # If all names share their numbers, the numbers do not count frames.
     are_counted = len(set(numbers)) > 1
     seen: dict[object, str] = {}
     for name, own in zip(names, numbers, strict=True):
@@ -179,7 +179,7 @@ def _damaged(path: Path | str, size: int, why: str) -> PlacecatError:
 
 
 def _check_jpeg(path: Path | str, content: bytes) -> None:
-    """Refuse damage that OpenCV hides: it fills in areas that it cannot decode."""
+    """Refuse damage that OpenCV hides by filling in areas that it cannot decode."""
     try:
         height, width, colors, _ = simplejpeg.decode_jpeg_header(content)
         check_size(path, width, height)

@@ -1,4 +1,4 @@
-"""A video file: its frames with their numbers and times, and its losses."""
+"""A video file: its frames, with their numbers and times, and its losses."""
 
 import bisect
 from collections.abc import Generator, Iterator
@@ -23,7 +23,7 @@ from placecat.footage import streams, timing
 Size = tuple[int, int]
 
 MOST_PIXELS = 2**26
-"""Largest number of pixels of a frame; 8K video has half as many."""
+"""Largest number of pixels in a frame; 8K video has half as many."""
 _FLATTEST = 4.0
 # Playlist formats are excluded: FFmpeg would open the files and addresses that they list.
 _FORMATS = "asf,avi,flv,h264,hevc,m4v,matroska,mov,mpeg,mpegts,mpegvideo,ogg"
@@ -86,17 +86,17 @@ class Recording:
             self._rates = (stream.average_rate, stream.guessed_rate)
 
     def size(self) -> Size:
-        """Return (width, height) of the first frame as shown, in pixels. Raises PlacecatError without one."""
+        """Return the first frame's (width, height) as shown, in pixels; PlacecatError if there is none."""
         first = next(self.pictures(), None)
         if first is None:
             raise self._empty()
         return first.size
 
     def timing(self, fps: float | None = None, setting: str = "dataset.fps") -> timing.Timing:
-        """Return the times of all frames: from the file or, if `fps` is given, at `fps` frames per second.
+        """Return the times of all frames: from the file, or at `fps` frames per second if it is not None.
 
-        Raises PlacecatError, naming the `setting` of `fps`, if the times in the file are missing or
-        impossible.
+        Raises a PlacecatError that names the `setting` of `fps` if the times in the file are missing or
+        implausible.
         """
         if fps is not None:
             return timing.even(self.count, fps)
@@ -132,7 +132,7 @@ class Recording:
                 return
 
     def start_before(self, number: int) -> int:
-        """Return the last frame up to `number` at which decoding can start and yield the same bytes."""
+        """Return the last frame, up to `number`, from which decoding yields the same bytes."""
         after = bisect.bisect_right(self._fresh, number)
         return 1 if self._is_careful or after == 0 else self._fresh[after - 1]
 
@@ -152,7 +152,7 @@ class Recording:
         return sorted(self._erroneous & self._seen)
 
     def note(self) -> str:
-        """Describe the lost and damaged frames of the last pass; "" without damage."""
+        """Describe the damage that the last pass found; "" if there was none."""
         parts = []
         if self.lost:
             parts.append(f"{named(self.lost)} of {self.count} cannot be decoded and {are(self.lost)} lost")
@@ -218,7 +218,7 @@ class Recording:
         return PlacecatError(f"{self.path}: the video has no readable frame; restore or convert it.")
 
     def _stream(self, container: av.container.InputContainer) -> VideoStream:
-        """Return the first video stream; covers of music files do not count."""
+        """Return the first video stream, ignoring the cover pictures of music files."""
         videos = [one for one in container.streams.video if not streams.is_cover(one)]
         if not videos:
             if container.streams.video:
@@ -293,9 +293,9 @@ class Recording:
                 self._unread.append(f"it ends {until - furthest:.1f} s early: it may be cut off")
 
     def _decoded(self, start: int) -> Generator[Picture, None, None]:
-        """Decode once from the frame `start`, but yield only frames after `_reached`.
+        """Decode once, starting at the frame `start`, but yield only frames after `_reached`.
 
-        Raises _Damaged at an error while several frames are decoded at once.
+        Raises _Damaged on an error if several frames are decoded at once.
         """
         given, last, is_in = self._reached, start - 1, start == 1
         with self._opened() as (container, stream):
@@ -333,7 +333,7 @@ class Recording:
 
 
 def are(numbers: list[int]) -> str:
-    """Return the verb, "is" or "are", for these frames."""
+    """Return the verb for these frames: "is" or "are"."""
     return "are" if len(numbers) > 1 else "is"
 
 

@@ -1,4 +1,4 @@
-"""Packets of a file and errors of its decoder, through PyAV."""
+"""A file's packets and its decoder's errors, through PyAV."""
 
 from collections.abc import Iterator
 from itertools import pairwise
@@ -16,7 +16,7 @@ _UNITS = {"h264": (4, 0, 0x1F, (5,)), "hevc": (21, 1, 0x3F, (19, 20))}
 
 
 def packets(container: av.container.InputContainer, stream: VideoStream | None = None) -> Iterator[av.Packet]:
-    """Yield the packets of a file or of one of its streams; damaged parts are skipped."""
+    """Yield the packets of a file or one of its streams, skipping damaged parts."""
     failures = 0
     while failures < _PATIENCE:
         try:
@@ -32,7 +32,7 @@ def packets(container: av.container.InputContainer, stream: VideoStream | None =
 
 
 def is_frame(packet: av.Packet, stream: VideoStream) -> bool:
-    """Return whether a packet is shown: edit lists cut some, and hidden frames serve only as references."""
+    """Return whether a packet is shown: edit lists cut some, and hidden frames are only references."""
     is_hidden = stream.codec_context.name in ("vp8", "libvpx") and not memoryview(packet)[0] & 0x10
     return not packet.is_discard and not is_hidden
 
@@ -75,7 +75,7 @@ def run_forward(stamps: tuple[int | None, ...]) -> bool:
 
 
 def drain(stream: VideoStream) -> None:
-    """Let the decoder threads end; a thread that reports an error while Python closes it hangs forever."""
+    """Let the decoder threads finish; a thread that reports an error while Python closes it hangs forever."""
     for _ in range(_PATIENCE):
         try:
             if not stream.codec_context.is_open or not stream.codec_context.decode(None):

@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 MOST_RATE = 500.0
-"""Highest rate in frames per second. Slow motion has 240; headers with 1,000 or more list clock units."""
+"""Highest rate in frames per second. Slow motion has 240; headers with 1,000 or more give clock units."""
 LONGEST = 3600.0
 """Longest gap between two frames in seconds; timestamps with a longer gap are damaged."""
 
-# Rounding error in seconds of a file that was converted from one with milliseconds.
+# Rounding error, in seconds, of a file converted from one that stores milliseconds.
 _ROUNDING = 0.001
 
 
@@ -29,7 +29,7 @@ class Timing:
     end
         End of the last frame in seconds.
     fps
-        Frames per second: the rate of the file or, for uneven frames, the rate while frames come fast.
+        Frames per second: the file's rate or, if the times do not fit it, the rate without long gaps.
     is_even
         Whether frame i, from 0, is shown at i / `fps`.
     """
@@ -59,10 +59,10 @@ def usual(count: int, rates: Sequence[Fraction | None]) -> Timing | None:
 def measure(
     ticks: NDArray[np.int64], tick: Fraction, last: int, rates: Sequence[Fraction | None]
 ) -> Timing | None:
-    """Find the times and the rate of frames.
+    """Find the frames' times and rate.
 
     Containers round times, some of them to milliseconds. If all times are multiples of a frame period within
-    this rounding, they are replaced by the exact multiples.
+    this rounding, the exact multiples replace them.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def measure(
     tick
         Length of a tick in seconds.
     last
-        Duration of the last frame in ticks; used only if it is plausible compared with other frames.
+        The last frame's duration in ticks; used only if it is plausible compared with other frames.
     rates
         Frame rates stored in the file, the most reliable first.
 
@@ -101,9 +101,9 @@ def measure(
 
 
 def check_gaps(found: Timing, title: str, setting: str) -> None:
-    """Refuse times with a gap of more than `LONGEST` between two frames.
+    """Refuse times with a gap longer than `LONGEST` between two frames.
 
-    The PlacecatError names the frame after the gap, the file (`title`) and the `setting` of the frame rate.
+    The PlacecatError names the frame after the gap, the file (`title`) and the frame rate's `setting`.
     """
     steps = np.diff(found.seconds)
     if len(steps) and steps.max() > LONGEST:

@@ -1,1 +1,1 @@
-"""From the cues' distributions to one decision: integration and smoothing."""
+"""Integration and smoothing, which turn the cues' distributions into one decision."""

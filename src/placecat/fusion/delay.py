@@ -1,4 +1,4 @@
-"""The first-order delay behind the hidden Markov model (thesis 3.4, equations 14 to 16)."""
+"""The first-order delay that follows the hidden Markov model (thesis 3.4, equations 14 to 16)."""
 
 import math
 
@@ -13,12 +13,12 @@ class Delay:
 
     The thesis sets alpha = -1 in equation (14) and leaves h open, so its lag depends on the frame rate. Here
     alpha = -1 / tau with a time constant tau, and h = 1 - exp(-dt / tau) is the exact solution of equation
-    (14) for a set point that stays for dt seconds. After tau seconds the output has covered 63 % of the way
-    to a new set point, at any frame rate.
+    (14) for a set point that stays for dt seconds. After tau seconds the output has gone 63 % of the way to a
+    new set point, at any frame rate.
 
     The output for frame t is p(t+1), which uses p*(t): it depends on frame t but on no later frame. The first
-    output is the first set point. tau is `seconds`, 0 or more, else PlacecatError; 0 passes the input through
-    unchanged.
+    output is the first set point. tau is `seconds`; 0 leaves the input unchanged, and a value that is
+    negative or not finite raises PlacecatError.
     """
 
     def __init__(self, seconds: float) -> None:

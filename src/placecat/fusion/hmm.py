@@ -20,17 +20,17 @@ def transition_matrix(
     frame_rates: Sequence[float] | None = None,
     smoothing: float = 1.0,
 ) -> Float:
-    """Count transitions between places in training sequences, at the highest of their frame rates.
+    """Estimate transition probabilities from training sequences, at the highest of their frame rates.
 
-    Successive labelled frames are counted. Unlabelled frames (-1) between them are skipped, so a walk from
-    the kitchen through a corridor to the bedroom counts once as kitchen to bedroom. A sequence with a lower
-    frame rate counts as if its frames were repeated: the camera changes place as often but stays for
+    Transitions between successive labelled frames are counted. Unlabelled frames (-1) are skipped, so a walk
+    from the kitchen through a corridor to the bedroom counts once as kitchen to bedroom. A sequence with a
+    lower frame rate counts as if its frames were repeated: the camera changes place as often but stays for
     proportionally more frames.
 
     `sequences` holds (frames,) class indices in temporal order, -1 for unlabelled frames. `frame_rates` are
-    in frames per second, above 0; None if they are all equal. `smoothing`, finite and above 0, else
-    PlacecatError, is added to every count. The thesis does not give it. Without it, a transition never seen
-    in training could never happen. Returns (n_classes, n_classes): row q', column q is p(l_t = q | l_{t-1} =
+    in frames per second, above 0; None if they are all equal. `smoothing` (not given in the thesis) is added
+    to every count; without it, a transition never seen in training could never happen. It must be finite and
+    above 0, else PlacecatError. Returns (n_classes, n_classes): row q', column q is p(l_t = q | l_{t-1} =
     q'). Rows sum to 1.
     """
     counts = np.full((n_classes, n_classes), above_zero("smoothing.transition_counts", smoothing))
@@ -55,11 +55,11 @@ def emission_matrix(
 ) -> Float:
     """Estimate p(o | l), how the integrator decides in each place, from its cross-validated outputs.
 
-    `truth` is the (n,) class indices of training frames. `proba` is the integrator's (n, n_classes)
+    `truth` holds the (n,) class indices of training frames. `proba` holds the integrator's (n, n_classes)
     distributions, each from a model that saw neither the frame nor its home. `reliability` "hard" counts the
     decisions (arg-max), "soft" adds up the distributions; `smoothing`, finite and above 0, is added to every
-    count. Other values raise PlacecatError. The thesis gives neither. Returns (n_classes, n_classes): row q,
-    column o is p(o | l = q). Rows sum to 1.
+    count. Other values raise PlacecatError. The thesis gives neither setting. Returns (n_classes, n_classes):
+    row q, column o is p(o | l = q). Rows sum to 1.
     """
     if reliability == "hard":
         answers = np.eye(n_classes)[np.argmax(proba, axis=1)]
@@ -73,13 +73,13 @@ def emission_matrix(
 
 
 def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Float:
-    """Likelihood of each frame's observation under each place, p(o_t | l_t = q): (frames, n_classes).
+    """Return each observation's likelihood in each place, p(o_t | l_t = q): (frames, n_classes).
 
-    `proba` is the integrator's (frames, n_classes) distributions; `emission` comes from
+    `proba` holds the integrator's (frames, n_classes) distributions; `emission` comes from
     :func:`emission_matrix`. The result is positive wherever the emission is positive. With `evidence` "hard"
     the observation is the decision, p(o_t | q) = emission[q, argmax]. With "soft" the decision is uncertain,
     p(o_t | q) = sum_o emission[q, o] proba[o], as equation (6) treats the outputs of the two-class
-    classifiers. The thesis does not say which.
+    classifiers. The thesis does not say which it uses.
     """
     if evidence == "hard":
         return emission.T[np.argmax(proba, axis=1)]
@@ -89,7 +89,7 @@ def likelihoods(proba: Float, emission: Float, *, evidence: str = "hard") -> Flo
 
 
 class ForwardFilter:
-    """Filter one sequence forwards, frame by frame: equation (13). Frame t uses frames up to t only.
+    """Filter one sequence forwards, frame by frame: equation (13). Frame t uses only frames up to t.
 
     `transition` is (n_classes, n_classes), from one frame to the next at its frame rate; rows sum to 1.
     `initial` is the (n_classes,) distribution of the first place, uniform by default (not given in the
@@ -109,8 +109,8 @@ class ForwardFilter:
 
         `likelihood` is (n_classes,) p(o_t | l_t = q), 0 or more, at least one above 0. `steps` is the time
         since the last frame, 0 or more, in steps of the transition matrix: places change with P^steps.
-        `weight`, the exponent of the likelihood, is the number of frames that this frame counts as, 0 or
-        more. With `steps` and `weight` 1, this is exactly equation (13).
+        `weight`, the likelihood's exponent, is the number of frames that this frame counts as, 0 or more.
+        With `steps` and `weight` 1, this is exactly equation (13).
         """
         predicted = self._initial if self._filtered is None else self._filtered @ self._transitions(steps)
         if weight != 1.0:

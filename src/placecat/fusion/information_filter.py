@@ -9,10 +9,10 @@ from placecat.errors import PlacecatError
 
 
 def threshold_of(share: float, information: NDArray[np.float32]) -> float:
-    """Return the threshold below which a given share of the training frames lies.
+    """Return the threshold below which a share of the training frames lies.
 
-    `share` is between 0 and 1, rounded down to whole frames. `information` is (frames,) measures of at least
-    one frame. The thesis gives its threshold in an undefined unit and does not say how many frames it drops.
+    `share` is between 0 and 1, rounded down to whole frames. `information` is (frames,), with at least one
+    frame. The thesis gives its threshold in an undefined unit and does not say how many frames it drops.
     """
     return float(np.sort(information)[int(share * len(information))])
 
@@ -20,7 +20,7 @@ def threshold_of(share: float, information: NDArray[np.float32]) -> float:
 def dropped(
     information: NDArray[np.float32], labels: NDArray[np.int16], threshold: float
 ) -> dict[str, float]:
-    """Count all, dropped, labelled and dropped labelled frames; the threshold is included."""
+    """Return the threshold and the numbers of all, dropped, labelled, and dropped labelled frames."""
     low = ~(information >= threshold)
     return {
         "threshold": threshold,
@@ -38,15 +38,16 @@ def hold(
     threshold: float,
     sequences: Sequence[slice],
 ) -> NDArray[np.float64]:
-    """Let a frame with little information repeat the distribution of the last accepted one (thesis 4.6).
+    """Give each frame with little information the last accepted frame's distribution (thesis 4.6).
 
     A frame is accepted if its information reaches the threshold. The thesis uses 0.09766, and 0.13021 in a
-    check; :func:`threshold_of` computes another. Frames before the first accepted frame of a sequence keep
-    their distributions (not given in the thesis). Frame t uses frames up to t only.
+    check; :func:`threshold_of` computes another. Frames before a sequence's first accepted frame keep their
+    distributions (not given in the thesis). Frame t uses only frames up to t.
 
-    `proba` is (frames, classes) distributions; the result has the same shape. `information` is (frames,)
-    measures from `placecat.vision.information.information`; a different length raises PlacecatError.
-    `sequences` are uncut stretches that together cover all frames; the filter restarts at each.
+    `proba` holds (frames, classes) distributions; the result has the same shape. `information` holds the
+    (frames,) measures from `placecat.vision.information.information`; a different length raises
+    PlacecatError. `sequences` are uncut stretches that together cover all frames; the filter restarts at
+    each.
     """
     if len(information) != len(proba):
         raise PlacecatError(f"{len(proba)} distributions, but {len(information)} measures of information")

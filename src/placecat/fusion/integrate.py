@@ -1,6 +1,6 @@
 """Integration of cues: SVM-DAS or a plain vote (thesis 3.3.3), or a log-opinion pool (an addition).
 
-SVM-DAS is the discriminative accumulation scheme by Nilsback and Caputo, and Pronobis et al.
+SVM-DAS is the discriminative accumulation scheme of Nilsback and Caputo, and of Pronobis et al.
 """
 
 from collections.abc import Mapping, Sequence
@@ -20,16 +20,16 @@ METHODS = ("das", "vote_distribution", "vote_decision", "log_pool")
 
 
 def learns_from_held_out(method: str) -> bool:
-    """Whether a method learns from frames of homes that the cues have not seen."""
+    """Return whether a method learns from frames of homes that the cues have not seen."""
     return method == "log_pool"
 
 
 @dataclass
 class Integrator:
-    """A trained integration by one of `METHODS`.
+    """A trained integration that uses one of `METHODS`.
 
     `model` is the integrating classifier of SVM-DAS. `weights` are the (cues,) weights of the logarithmic
-    opinion pool and `smallest` its floor (:func:`placecat.fusion.log_pool.pool`). They are None for other
+    opinion pool, and `smallest` is its floor (:func:`placecat.fusion.log_pool.pool`). They are None for other
     methods. `temperatures` are (cues,) numbers that first temper the cues' distributions
     (:func:`placecat.fusion.temperature.temper`); None leaves them unchanged.
     """
@@ -41,7 +41,7 @@ class Integrator:
     smallest: float | None = None
 
     def predict_proba(self, proba: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Fuse (frames, cues, n_classes) distributions to (frames, n_classes); rows sum to 1."""
+        """Fuse (frames, cues, n_classes) distributions into (frames, n_classes); rows sum to 1."""
         if self.temperatures is not None:
             proba = temper(proba, self.temperatures)
         if self.weights is not None:
@@ -55,8 +55,8 @@ class Integrator:
 class Trained:
     """A trained integration, with facts about its training in JSON types.
 
-    `cross_validated` are (n, n_classes) distributions of the training frames, home by home, each from a model
-    that saw neither the frame nor its home; None if not requested. `truth` is their (n,) classes.
+    `cross_validated` holds (n, n_classes) distributions for the training frames, home by home, each from a
+    model that saw neither the frame nor its home; None if not requested. `truth` holds their (n,) classes.
     """
 
     integrator: Integrator
@@ -85,7 +85,7 @@ def fit(
         Maps each home to the cues' (n, cues, n_classes) distributions for its training frames. If
         :func:`learns_from_held_out` is true for the method, the cues must not have seen the home.
     truth
-        Maps each home to the (n,) class indices of the same frames; may contain more homes.
+        Maps each home to the (n,) class indices of the same frames; may contain additional homes.
     classes, method
         Names of the places, and one of `METHODS`: ``das`` is SVM-DAS.
     classifier
@@ -95,7 +95,7 @@ def fit(
     temperatures
         One per cue, as in :class:`Integrator`.
     cross_validated
-        Whether to also judge each home's frames by an integration trained on the other homes.
+        Whether an integration trained on the other homes also predicts each home's frames.
     """
     if method not in METHODS:
         raise PlacecatError(f"integrator.method {method!r} does not exist: use one of {', '.join(METHODS)}")
@@ -107,7 +107,7 @@ def fit(
     if method == "log_pool":
         return _fit_pool(tempered, labels, homes, own, shrinkage, smallest)
     if method != "das":
-        # A vote has nothing to train, so its statistics need no cross-validation.
+        # A vote does not train, so its statistics need no cross-validation.
         vote = Integrator(method, None, own)
         return Trained(vote, vote.predict_proba(together) if cross_validated else None, labels, {})
     if classifier is None:
@@ -133,7 +133,7 @@ def _fit_pool(
     shrinkage: float,
     smallest: float,
 ) -> Trained:
-    """Fit a logarithmic opinion pool; weights from the other homes judge each home's frames."""
+    """Fit a logarithmic opinion pool; cross-validate each home with weights from the other homes."""
     settings = {"shrinkage": shrinkage, "smallest": smallest}
     weights = log_pool.fit_weights(proba, labels, homes, **settings)
     held_out = np.empty((len(proba), proba.shape[2]))

@@ -17,9 +17,9 @@ SMALLEST = 1e-6
 def pool(proba: Float, weights: Float, smallest: float = SMALLEST) -> Float:
     """Raise each distribution to the power of its cue's weight, multiply them and normalise.
 
-    `proba` is (n, cues, n_classes) distributions; probabilities below `smallest`, in (0, 1), are raised to
-    it. `weights` are (cues,), 0 or more; if all are 0, the result is uniform. Returns (n, n_classes); rows
-    sum to 1.
+    `proba` holds (n, cues, n_classes) distributions; probabilities below `smallest`, in (0, 1), become
+    `smallest`. `weights` are (cues,), 0 or more; if all are 0, the result is uniform. Returns (n, n_classes);
+    rows sum to 1.
 
     >>> pool(np.array([[[0.8, 0.2], [0.1, 0.9]]]), np.array([1.0, 0.0])).round(3).tolist()
     [[0.8, 0.2]]
@@ -38,13 +38,13 @@ def fit_weights(
 ) -> Float:
     """Find the (cues,) weights, 0 or more, with the lowest log-loss on frames that the cues have not seen.
 
-    The loss is convex in the weights. All homes weigh the same, and so do the classes within a home. Each cue
+    The loss is convex in the weights. All homes have equal weight, as do the classes within a home. Each cue
     alone at its best power is a candidate, so without shrinkage the pool is at least as good as any cue on
     these frames.
 
-    `proba` is (n, cues, n_classes) distributions by cues that saw neither the frame nor its home; the floor
-    `smallest` is as in :func:`pool`. `truth` is (n,) class indices and `homes` the (n,) homes of the frames.
-    `shrinkage`, 0 or more, times the sum of squared weights is added to the loss (in nats). Raises
+    `proba` holds (n, cues, n_classes) distributions from cues that saw neither the frame nor its home; the
+    floor `smallest` is as in :func:`pool`. `truth` holds the frames' (n,) class indices, and `homes` their
+    (n,) homes. The loss (in nats) includes `shrinkage`, 0 or more, times the sum of squared weights. Raises
     PlacecatError if no finite weights are found.
 
     References
@@ -77,7 +77,7 @@ def fit_weights(
     found = minimize(loss, start, jac=True, method="L-BFGS-B", bounds=bounds, options=options)
     if not np.isfinite(found.x).all():
         raise PlacecatError("no finite integration weights were found: raise integrator.shrinkage")
-    # Further decimals depend on the processor, since the search ends within about a millionth.
+    # Further decimals depend on the processor, since the search is accurate to about a millionth.
     weights: Float = found.x.round(6)
     return weights
 
@@ -87,8 +87,8 @@ def _logs(proba: Float, smallest: float) -> Float:
 
 
 def _scores(logs: Float, weights: Float) -> Float:
-    """Weighted sums, (n, n_classes), of (n, cues, n_classes) logarithms; the largest in each row is 0."""
-    # One cue at a time: a frame's bits then do not depend on the other frames.
+    """Return (n, n_classes) weighted sums of (n, cues, n_classes) logarithms, less each row's maximum."""
+    # Add one cue at a time, so that a frame's bits do not depend on other frames.
     total = np.zeros((len(logs), logs.shape[2]))
     for cue, weight in enumerate(weights.tolist()):
         total += weight * logs[:, cue]
@@ -96,7 +96,7 @@ def _scores(logs: Float, weights: Float) -> Float:
 
 
 def _importance(truth: NDArray[np.intp], homes: NDArray[np.str_]) -> Float:
-    """Frame weights (n,) that sum to 1; homes weigh the same, and so do the classes within a home."""
+    """Return (n,) frame weights that sum to 1; homes have equal weight, as do classes within a home."""
     _, home = np.unique(homes, return_inverse=True)
     group = home * (truth.max() + 1) + truth
     sizes = np.bincount(group)

@@ -1,4 +1,4 @@
-"""Smoothing of a home's decisions: the hidden Markov model, then the delay (thesis 3.4)."""
+"""Smooth a home's decisions with the hidden Markov model, then the delay (thesis 3.4)."""
 
 import math
 from collections.abc import Sequence
@@ -18,12 +18,12 @@ _ROUNDING = 1e-6
 
 @dataclass(frozen=True)
 class SmoothingModel:
-    """Statistics of training homes, and the smoothing settings.
+    """The training homes' statistics, and the smoothing settings.
 
     `transition` and `emission` are (n_classes, n_classes); they and `evidence` are explained in
     `placecat.fusion.hmm`. `evidence_seconds` is the longest time for which one frame is evidence, see
     :class:`Smoother`. `delay_seconds` is explained in :class:`placecat.fusion.delay.Delay`. `frame_rate` is
-    the frame rate of the transitions, in frames per second.
+    the transitions' frame rate, in frames per second.
     """
 
     transition: NDArray[np.float64]
@@ -35,12 +35,12 @@ class SmoothingModel:
 
 
 class Smoother:
-    """Smooth one sequence, frame by frame; frame t uses frames up to t only.
+    """Smooth one sequence, frame by frame; frame t uses only frames up to t.
 
-    The frame rate may be anything and may change: transitions, evidence and delay are measured in seconds. A
-    frame counts as many times as frames at the model's rate fit into the time since the last frame: doubling
-    the rate repeats the same views and adds no evidence. After a long gap the view was not there all the
-    time, so a frame counts for at most `evidence_seconds` (or one frame of the model, if that is longer).
+    Any frame rate works, and it may change: transitions, evidence and delay are measured in seconds. A frame
+    counts as the number of frames at the model's rate that fit into the time since the last frame: doubling
+    the rate repeats the same views and adds no evidence. A frame is not evidence for all of a long gap, so it
+    counts for at most `evidence_seconds` (or one frame of the model, if that is longer).
     """
 
     def __init__(self, model: SmoothingModel) -> None:
@@ -51,10 +51,10 @@ class Smoother:
     def step(
         self, proba: NDArray[np.float64], seconds: float | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return the distributions of the filter and of the delay for the next frame.
+        """Return the filter's and the delay's distributions for the next frame.
 
-        `proba` is the (n_classes,) distribution of the integrator. `seconds` is the time since the last
-        frame (for the first frame, its duration), finite and 0 or more, else PlacecatError. None means one
+        `proba` is the integrator's (n_classes,) distribution. `seconds` is the time since the last frame (for
+        the first frame, its duration); it must be finite and 0 or more, else PlacecatError. None means one
         frame at the model's rate; passing that time explicitly returns the same bits.
         """
         steps = 1.0
@@ -89,14 +89,14 @@ def fit(
     transition_counts: float,
     emission_counts: float,
 ) -> SmoothingModel:
-    """Count the statistics of training homes; raise PlacecatError for a setting of the wrong type or range.
+    """Estimate training homes' statistics; raise PlacecatError for a setting of the wrong type or range.
 
     The transitions use `training_sequences`, the labels of the training homes in temporal order (-1 for
     unlabelled), and `training_frame_rates`, their frames per second; the model uses the highest rate, see
-    :func:`placecat.fusion.hmm.transition_matrix`. The emission uses `training_proba` and `training_truth`,
-    cross-validated outputs of the integrator on training frames and their classes. `delay_seconds` is as in
-    :class:`placecat.fusion.delay.Delay`, `evidence_seconds`, finite and above 0, as in :class:`Smoother`; the
-    other settings are as in `placecat.fusion.hmm`.
+    :func:`placecat.fusion.hmm.transition_matrix`. The emission uses the integrator's cross-validated outputs
+    on training frames, `training_proba`, and these frames' classes, `training_truth`. `delay_seconds` is as
+    in :class:`placecat.fusion.delay.Delay`; `evidence_seconds`, finite and above 0, is as in
+    :class:`Smoother`; the other settings are as in `placecat.fusion.hmm`.
     """
     Delay(delay_seconds)
     above_zero("smoothing.evidence_seconds", evidence_seconds)
@@ -124,7 +124,7 @@ def smooth(
     times: NDArray[np.float64] | None = None,
     **training: Any,
 ) -> dict[str, NDArray[np.float64]]:
-    """Smooth one home with statistics from its training homes: :func:`fit` on `training`, then `apply`."""
+    """Smooth one home using statistics from its training homes: :func:`fit` on `training`, then `apply`."""
     return apply(fit(**training), proba, sequences, frame_rate=frame_rate, times=times)
 
 
@@ -138,10 +138,10 @@ def apply(
 ) -> dict[str, NDArray[np.float64]]:
     """Smooth one home with a model.
 
-    `proba` is (frames, n_classes) distributions for every frame of the home, labelled or not. `sequences` are
-    uncut stretches of frames; the filter restarts at each. `frame_rate` is in frames per second. `times` are
-    (frames,) seconds since the start of the sequence; None if frames are evenly spaced. Returns ``hmm`` and
-    ``delayed``, each (frames, n_classes); rows sum to 1.
+    `proba` holds (frames, n_classes) distributions for every frame of the home, labelled or not. `sequences`
+    are uncut stretches of frames; the filter restarts at each. `frame_rate` is in frames per second. `times`
+    are (frames,) seconds since the start of the sequence; None if frames are evenly spaced. Returns ``hmm``
+    and ``delayed``, each (frames, n_classes); rows sum to 1.
     """
     filtered, delayed = np.empty(proba.shape), np.empty(proba.shape)
     for part in sequences:

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
-# Range of the exponents 1 / T that are tried.
+# Range of the exponents 1 / T to try.
 _EXPONENTS = (0.01, 100.0)
 
 
@@ -27,13 +27,13 @@ def temper(proba: NDArray[np.float64], temperature: float | NDArray[np.float64])
 def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> float:
     """Find the temperature, in [0.01, 100], with the lowest log-loss on frames that the model has not seen.
 
-    It has four digits.
+    It is rounded to four significant digits.
 
     The thesis does not use temperatures. Naive Bayes multiplies codewords as if they were independent and is
     far too certain; the parallel scheme averages and is not certain enough.
 
-    `proba` is (n, n_classes) distributions by a model that saw neither the frame nor its home; `truth` is
-    (n,) class indices; all classes present weigh the same.
+    `proba` holds (n, n_classes) distributions from a model that saw neither the frame nor its home; `truth`
+    holds (n,) class indices; all classes present have equal weight.
 
     References
     ----------
@@ -59,5 +59,5 @@ def fit_temperature(proba: NDArray[np.float64], truth: NDArray[np.int16]) -> flo
 
     # The loss is convex in the exponent, so it has a single minimum in the log exponent too.
     found = minimize_scalar(loss, bounds=np.log(_EXPONENTS), method="bounded", options={"xatol": 1e-6})
-    # The search ends within a millionth; beyond that its end depends on the processor.
+    # The search is accurate to a millionth; further digits depend on the processor.
     return float(f"{np.exp(-found.x):.4g}")

@@ -8,7 +8,7 @@ Float = NDArray[np.float64]
 
 
 def generator(transition: Float) -> Float:
-    """Return the rates of change of place per step of a transition matrix: Q with exp(Q) = P or close to P.
+    """Return a transition matrix's rates of changing place per step: Q, with exp(Q) equal or close to P.
 
     P is (n, n), 0 or more; rows sum to 1. Q is (n, n), 0 or more off the diagonal; rows sum to 0. Q is the
     logarithm of P if that is a rate matrix. Some stochastic matrices have no such logarithm (they are not
@@ -37,7 +37,7 @@ class TransitionPower:
     def __init__(self, transition: Float) -> None:
         self._transition = transition
         self._generator: Float | None = None
-        # Most footage has one frame rate.
+        # Remember the last power: most footage has one frame rate.
         self._last: tuple[float, Float] = (1.0, transition)
 
     def __call__(self, exponent: float) -> Float:

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 def vote_distribution(proba: NDArray[np.float64]) -> NDArray[np.float64]:
     """Average the cues' distributions: every cue votes with its full distribution.
 
-    From (frames, cues, n_classes) to (frames, n_classes).
+    `proba` is (frames, cues, n_classes); the result is (frames, n_classes).
     """
     return np.asarray(proba, dtype=np.float64).mean(axis=1)
 
@@ -15,7 +15,7 @@ def vote_distribution(proba: NDArray[np.float64]) -> NDArray[np.float64]:
 def vote_decision(proba: NDArray[np.float64]) -> NDArray[np.float64]:
     """Let every cue vote only for its most probable class, weighted by the probability of that class.
 
-    From (frames, cues, n_classes) to (frames, n_classes); rows sum to 1.
+    `proba` is (frames, cues, n_classes); the result is (frames, n_classes), and its rows sum to 1.
     """
     proba = np.asarray(proba, dtype=np.float64)
     decided = np.eye(proba.shape[2])[np.argmax(proba, axis=2)]

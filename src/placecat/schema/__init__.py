@@ -1,4 +1,4 @@
-"""The schema of params.yaml and of an experiment, which refuses wrong settings early."""
+"""The schemas of params.yaml and of an experiment, which refuse wrong settings early."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -16,10 +16,10 @@ _SHOWN = 80
 
 
 def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
-    """Refuse settings that are unknown, missing, of a wrong type or out of range.
+    """Refuse settings that are unknown, missing, of the wrong type or out of range.
 
-    `content` are settings as plain containers, `model` is their section. The PlacecatError gives the dotted
-    name of the first wrong setting.
+    `content` holds the settings in plain containers; `model` is their section. The PlacecatError gives the
+    dotted name of the first wrong setting.
     """
     try:
         model.model_validate(content)
@@ -28,7 +28,7 @@ def check(content: Mapping[str, Any], model: type[Section] = Params) -> None:
 
 
 def check_value(value: Any, adapter: TypeAdapter[Any], where: str) -> None:
-    """Refuse a value of a wrong type or range; `adapter` is from :func:`of_type`, `where` a dotted name."""
+    """Refuse a value of the wrong type or range; `adapter` is from :func:`of_type`, `where` a dotted name."""
     try:
         adapter.validate_python(value)
     except ValidationError as error:
@@ -36,12 +36,12 @@ def check_value(value: Any, adapter: TypeAdapter[Any], where: str) -> None:
 
 
 def of_type(kind: Any) -> TypeAdapter[Any]:
-    """Make a strict check for values of a type, which excludes NaN and infinity."""
+    """Make a strict check for values of a type; it rejects NaN and infinity."""
     return TypeAdapter(kind, config=ConfigDict(strict=True, allow_inf_nan=False))
 
 
 def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str, ...] = ()) -> str:
-    """The first mistake, in one line."""
+    """Describe the first mistake in one line."""
     errors = error.errors(include_url=False)
     places = [_place(content, (*before, *one["loc"])) for one in errors]
     # If a value may have several types, report the nearest type.
@@ -74,7 +74,7 @@ def _told(content: Mapping[str, Any], error: ValidationError, before: tuple[str,
 
 
 def _place(content: Any, loc: tuple[Any, ...]) -> tuple[str, ...]:
-    """The place of a mistake, without the type name that pydantic adds to `loc` for unions."""
+    """Return a mistake's place, without the type name that pydantic adds to `loc` for unions."""
     place: list[str] = []
     for part in loc:
         if isinstance(content, Mapping | list) and _has(content, part):
@@ -88,6 +88,6 @@ def _has(here: Any, part: Any) -> bool:
 
 
 def _short(value: Any) -> str:
-    """A value in approximate YAML, shortened in the middle."""
+    """Return a value in approximate YAML, shortened in the middle."""
     text = printable(str(value).replace("\n", "\\n"))
     return text if len(text) <= _SHOWN else f"{text[: _SHOWN // 2]}...{text[-_SHOWN // 2 :]}"

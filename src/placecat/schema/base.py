@@ -8,7 +8,7 @@ from pydantic import BaseModel, ConfigDict
 from placecat.ranges import Seed
 from placecat.schema.names import Distinct, Key
 
-# Settings that a function checks itself.
+# Settings that are checked by the function that takes them.
 Own = dict[str, Any]
 Seeds = Annotated[Distinct[Seed], MinLen(1)]
 Schemes = Annotated[Distinct[Literal["5-5-1", "4-5-1"]], MinLen(1)]

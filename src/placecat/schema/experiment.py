@@ -9,21 +9,21 @@ from placecat.schema.sections import Descriptor
 
 
 class ExperimentFrames(Section):
-    """Frames of an experiment; None means as in params.yaml."""
+    """An experiment's frames; None uses the value in params.yaml."""
 
     offset: Index | None
     step: Count | None
 
 
 class ExperimentCodebook(Section):
-    """Codebook of an experiment; None means the classifier's default."""
+    """An experiment's codebook; None uses the classifier's default."""
 
     cells: Count | None
     tree: Own
 
 
 class Limits(Section):
-    """Limits of an experiment, which users may raise."""
+    """An experiment's limits, which users may raise."""
 
     kernel_rows: Count
 

@@ -8,7 +8,7 @@ from typing import Annotated, TypeVar
 from pydantic import AfterValidator
 
 _Item = TypeVar("_Item", bound=Hashable)
-# A file name has at most 255 bytes; some are reserved for prefix and suffix.
+# A file name has at most 255 bytes; some are reserved for a prefix and a suffix.
 _LONGEST_NAME, _LONGEST_TEXT = 200, 4000
 _KEY = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_-]*")
 # Values of `protocol.test_homes` that are not names of homes.
@@ -31,7 +31,7 @@ def _folder(text: str) -> str:
         raise ValueError("it is an address: copy the data into a folder, and name the folder")
     if text.startswith("~"):
         raise ValueError("~ is not expanded here: write the whole path")
-    # DVC accepts no folder that a stage writes into.
+    # DVC rejects a data folder that a stage writes into.
     if Path("data").resolve().is_relative_to(Path(text).resolve()):
         raise ValueError("the stages write into this folder: put the homes in another folder")
     return text

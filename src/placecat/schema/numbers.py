@@ -1,4 +1,4 @@
-"""Types of image sizes: levels of a pyramid, and windows with a centre."""
+"""Types of image sizes: pyramid levels, and windows with a centre."""
 
 from typing import Annotated
 

@@ -1,4 +1,4 @@
-"""The settings of the import of panoramas (conf/panoramas.yaml): names, types and ranges."""
+"""The schema of panorama imports (conf/panoramas.yaml): names, types and ranges."""
 
 from typing import Annotated
 
@@ -51,7 +51,7 @@ class Faces(Section):
 
 
 class Cubes(Section):
-    """File names of the six pictures of a panorama."""
+    """File names of a panorama's six pictures."""
 
     file: Text
     faces: Faces

@@ -48,7 +48,7 @@ class Dataset(Section):
     @model_validator(mode="before")
     @classmethod
     def _without_those_of_the_layout(cls, content: Any) -> Any:
-        """Leave out the settings of the layout's reader, which checks them."""
+        """Leave out the layout reader's settings, which the reader checks itself."""
         if not isinstance(content, Mapping) or set(content) <= set(cls.model_fields):
             return content
         own = lookup.parameters("placecat.sequences", str(content.get("layout")), "read_home")
@@ -89,7 +89,7 @@ class Regions(Section):
 
 
 class Frames(Section):
-    """Every ``step``-th frame from ``offset``."""
+    """Every ``step``-th frame from ``offset`` on."""
 
     offset: Index
     step: Count
@@ -135,7 +135,7 @@ class Tracking(Section):
 
 
 class Extra(Section):
-    """Further training data."""
+    """Additional training data."""
 
     split: Key
     sequences: Annotated[Distinct[FileName], MinLen(1)]
@@ -223,7 +223,7 @@ class Descriptors(Section):
 
 
 class Descriptor(Section):
-    """The reference of a cue or codebook to a descriptor."""
+    """A cue's or codebook's reference to a descriptor."""
 
     kind: Literal["local", "holistic"]
     name: Key
@@ -235,7 +235,7 @@ class Descriptor(Section):
 
 
 class Codebook(Section):
-    """A file of conf/codebook."""
+    """A file in conf/codebook."""
 
     descriptor: Descriptor
     tree: Own
@@ -244,7 +244,7 @@ class Codebook(Section):
 
 
 class Cue(Section):
-    """A file of conf/cue."""
+    """A file in conf/cue."""
 
     title: Label
     codebook: Key | None
@@ -256,7 +256,7 @@ class Cue(Section):
 
 
 class Integrator(Section):
-    """A file of conf/integrator."""
+    """A file in conf/integrator."""
 
     method: Literal["das", "vote_distribution", "vote_decision", "log_pool"]
     classifier: Own | None = None
@@ -276,7 +276,7 @@ class Integrator(Section):
 
 
 class System(Section):
-    """A file of conf/system."""
+    """A file in conf/system."""
 
     title: Label
     scheme: Literal["5-5-1", "4-5-1"]
@@ -293,7 +293,7 @@ class System(Section):
 
 
 class Filter(Section):
-    """A file of conf/filter."""
+    """A file in conf/filter."""
 
     threshold: NonNegative | None
     share: PartShare | None
@@ -308,14 +308,14 @@ class Filter(Section):
 
 
 class Part(Section):
-    """A training sequence of a split."""
+    """A split's training sequence."""
 
     sequence: FileName
     places: Annotated[Distinct[Label], MinLen(1)] | None
 
 
 class Split(Section):
-    """A file of conf/split."""
+    """A file in conf/split."""
 
     dataset: Dataset
     integrator: Integrator
@@ -333,7 +333,7 @@ class Split(Section):
 
 
 class Example(Section):
-    """The example of Figures 2 to 7."""
+    """The example in Figures 2 to 7."""
 
     home: Count | None = None
     frame: Index | None = None
@@ -349,7 +349,7 @@ class Figures(BaseModel):
 
 
 class Points(Section):
-    """Points of the circles."""
+    """The circles' points."""
 
     radius: Positive
     inside: Annotated[float, Interval(gt=0, lt=0.785)]
@@ -375,7 +375,7 @@ class Toy(Section):
 
 
 class Params(Section):
-    """params.yaml. The stage that reads a missing section reports it."""
+    """params.yaml; a stage that reads a missing section reports it."""
 
     dataset: Dataset | None = None
     attention: Attention | None = None

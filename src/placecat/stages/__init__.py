@@ -1,4 +1,4 @@
-"""The DVC stages, one module each, with the same name: they read and write files, other packages compute."""
+"""The DVC stages, each in a module of its name: stages read and write files; other packages compute."""
 
 import argparse
 import inspect
@@ -15,15 +15,15 @@ from placecat import compute, shadowed
 from placecat.errors import PlacecatError, exiting
 from placecat.runs import lifeline, lock, mend, unchanged
 
-# A stage imports this package first, so its time includes its own imports.
+# A stage imports this package first, so the measured time includes the stage's imports.
 _STARTED = time.perf_counter()
 
 
 def _use_common_kernels() -> None:
     """Make OpenBLAS use its AVX2 kernels, which all current x86-64 processors support.
 
-    By default the kernels depend on the processor, and their sums differ in the last bits. This must happen
-    before NumPy is imported, so it happens when this package is imported. OPENBLAS_CORETYPE overrides it.
+    By default OpenBLAS picks kernels for the processor, and their sums differ in the last bits. The choice
+    must precede NumPy's import, so importing this package makes it. OPENBLAS_CORETYPE overrides it.
     """
     if os.environ.get("OPENBLAS_CORETYPE") or platform.machine() not in ("x86_64", "AMD64"):
         return
@@ -36,7 +36,7 @@ _use_common_kernels()
 
 
 def _end(kind: type[BaseException], error: BaseException, traceback: TracebackType | None) -> None:
-    """Print the traceback of an error in a stage's imports, except for a user's mistake or Ctrl-C."""
+    """Print an error in a stage's imports: a traceback, or a message for a user's mistake; ignore Ctrl-C."""
     if issubclass(kind, PlacecatError):
         print(f"placecat: {error}", file=sys.stderr)
     elif not issubclass(kind, KeyboardInterrupt):
@@ -44,17 +44,17 @@ def _end(kind: type[BaseException], error: BaseException, traceback: TracebackTy
 
 
 sys.excepthook = _end
-# Hide the message that matplotlib builds its font cache.
+# Hide matplotlib's message about building its font cache.
 logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)
 shadowed.check()
 
-# Before the stage's code is imported, since it may change a moment later. Not in workers.
+# Start before importing the stage's code, which may change a moment later. Workers skip this.
 if f"{__name__}.{os.environ.get('DVC_STAGE')}" in sys.orig_argv:
     unchanged.start(os.environ["DVC_STAGE"])
 
 
 def _check_settings() -> None:
-    """Refuse impossible settings again, since `dvc exp run` and editors also write params.yaml."""
+    """Refuse invalid settings again, since `dvc exp run` and editors also write params.yaml."""
     from placecat import paths, settings
     from placecat.check import check
 
@@ -65,9 +65,9 @@ def _check_settings() -> None:
 def run(stage: Callable[[], None]) -> None:
     """Run a stage from the command line: ``python -m placecat.stages.NAME``.
 
-    Its loops run on this machine or a cluster, by the settings (:mod:`placecat.compute`). After a user's
-    mistake, or if its dependencies change meanwhile (:mod:`placecat.runs.unchanged`), it ends with a message
-    and status 1, without a traceback. After success, its time is written to data/times
+    The settings choose whether its loops run on this machine or a cluster (:mod:`placecat.compute`). After a
+    user's mistake, or if its dependencies change while it runs (:mod:`placecat.runs.unchanged`), it exits
+    with a message and status 1, without a traceback. On success, it writes its running time to data/times
     (:mod:`placecat.times`).
     """
     argparse.ArgumentParser(description=(stage.__doc__ or "").splitlines()[0]).parse_args()
@@ -82,7 +82,7 @@ def run(stage: Callable[[], None]) -> None:
         with compute.as_set():
             stage()
         unchanged.check()
-        # Late, since it imports NumPy.
+        # Import this late, since it imports NumPy.
         from placecat import times
 
         times.record(name, time.perf_counter() - _STARTED)

@@ -1,4 +1,4 @@
-"""Stage `codebooks`: one tree per training set and seed, for all numbers of clusters and all classifiers."""
+"""Stage `codebooks`: cluster once per training set and seed, for all cluster numbers and classifiers."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,7 +12,7 @@ from placecat.training.cue import Cue, cluster, read_frames
 
 
 def main() -> None:
-    """Cluster the descriptors of every codebook for every training set of its schemes and every seed."""
+    """Cluster every codebook's descriptors, once for each seed and training set of its schemes."""
     params = settings.load()
     homes = list(settings.get(params, "dataset.homes"))
     shared = [settings.get(params, name) for name in ("dataset.name", "dataset.homes")]
@@ -30,7 +30,7 @@ def main() -> None:
 
 
 def plan(name: str, params: Mapping[str, Any]) -> items.Work:
-    """Plan the trees of one codebook, one for every training set of its schemes and every seed."""
+    """Plan one codebook's clusterings, one for each seed and training set of its schemes."""
     codebook = settings_of(params, name)
     cue = Cue(codebook["descriptor"], {}, codebook)
     tested = settings.get(params, "protocol.test_homes")
@@ -50,7 +50,7 @@ def plan(name: str, params: Mapping[str, Any]) -> items.Work:
 
 
 def make_one(plan: plans.Plan, cue: Cue, seed: int) -> dict[str, Any]:
-    """Cluster the frames of one training set."""
+    """Cluster one training set's frames; return the codebook's arrays."""
     return cluster(read_frames(plan.cues, cue.descriptor), plan, cue, seed).to_arrays()
 
 

@@ -12,7 +12,7 @@ from placecat.training.cue import Cue, fit, read_frames
 
 
 def main() -> None:
-    """Train and apply every cue in every fold of each of its schemes."""
+    """Train and apply every cue in every fold of its schemes."""
     params = settings.load()
     homes = list(settings.get(params, "dataset.homes"))
     shared = [homes, settings.get(params, "dataset.classes"), settings.get(params, "protocol")]
@@ -24,7 +24,7 @@ def main() -> None:
 
 
 def _paths(cue: Mapping[str, Any], homes: Sequence[str], params: Mapping[str, Any]) -> Iterator[Path]:
-    """The files that a cue reads."""
+    """Yield the files that a cue reads."""
     if cue["codebook"] is None:
         descriptor = cue["descriptor"]
     else:
@@ -37,13 +37,13 @@ def _paths(cue: Mapping[str, Any], homes: Sequence[str], params: Mapping[str, An
 
 
 def _extra_homes(params: Mapping[str, Any]) -> list[str]:
-    """Sequences of another data set, on which the integration may also train (thesis 4.5)."""
+    """Return the sequences of another data set that may also train the integration (thesis 4.5)."""
     extra = settings.get(params, "protocol.extra")
     return [f"{extra['split']}/{sequence}" for sequence in extra["sequences"]]
 
 
 def plan(name: str, params: Mapping[str, Any]) -> items.Work:
-    """Plan the training of one cue in every fold of each of its schemes, and name the files of results."""
+    """Plan one cue's training in every fold of its schemes, and name its result files."""
     own, cue = settings.get(params, f"cues.{name}"), Cue.of(params, name)
     tested = settings.get(params, "protocol.test_homes")
     seeds = settings.get(params, "protocol.seeds") if cue.codebook is not None else [None]
@@ -68,9 +68,9 @@ def plan(name: str, params: Mapping[str, Any]) -> items.Work:
 
 
 def apply(plan: plans.Plan, cue: Cue, clusters: Path | None, cross_validate: bool) -> dict[str, Any]:
-    """Train one cue by a plan; return its distributions for the frames that later stages need.
+    """Train one cue as planned; return its distributions for the frames that later stages need.
 
-    `clusters` is the file of the cue's codebook.
+    `clusters` is the cue's codebook file; None if the cue has no codebook.
     """
     codebook = None if clusters is None else cues.Codebook.from_arrays(files.read_arrays(clusters))
     frames = read_frames(plan.cues, cue.descriptor)

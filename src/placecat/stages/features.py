@@ -1,4 +1,4 @@
-"""Stage `features`: compute every descriptor in one pass over the frames of a home."""
+"""Stage `features`: compute every descriptor in one pass over each home's frames."""
 
 from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
@@ -27,15 +27,15 @@ def main() -> None:
 
 
 def inputs(home: str, read: Any) -> items.Inputs:
-    """The inputs of a home's features: settings, its frames and the checksums of their files."""
+    """Return the inputs of a home's features: settings, frame lists and the checksums of source files."""
     listed = paths.sequences(home)
     return items.Inputs(read, (listed / "frames.csv", listed / "sources.csv", listed / "home.json"))
 
 
 def feature_options(params: Mapping[str, Any], descriptors: Mapping[str, Any]) -> dict[str, Any]:
-    """Gather the settings of :func:`placecat.vision.frame.describe_frame` from all settings.
+    """Collect the settings that :func:`placecat.vision.frame.describe_frame` needs.
 
-    `descriptors` maps ``local`` and ``holistic`` to the descriptors to compute, with their settings.
+    `descriptors` maps ``local`` and ``holistic`` to the descriptors to compute and their settings.
     """
     sections = ("attention", "regions", "information")
     options = {name: settings.get(params, name) for name in sections} | dict(descriptors)
@@ -46,18 +46,18 @@ def feature_options(params: Mapping[str, Any], descriptors: Mapping[str, Any]) -
 def plan(
     home: str, root: Path, options: Mapping[str, Any], variants: Mapping[str, Any] | None = None
 ) -> items.Work:
-    """Plan the descriptors of all frames of a home as tasks for :func:`describe`.
+    """Plan the tasks for :func:`describe` that cover all frames of a home.
 
     Parameters
     ----------
     home
-        As for :func:`placecat.paths.features`.
+        As in :func:`placecat.paths.features`.
     root
         Folder of the data set.
     options
         From :func:`feature_options`.
     variants
-        Variants of the salient regions and their frames, as in conf/region_variants.
+        Variants of the salient regions, and the frames to describe with them, as in conf/region_variants.
     """
     frames = listing.read_frames(home)
     also, rows = {}, np.arange(0)
@@ -68,7 +68,7 @@ def plan(
         }
         check({**options, "variants": also})
         rows = np.arange(variants["frames"]["offset"], len(frames), variants["frames"]["step"])
-    # A part of a video is reached by decoding the frames before it, so use few parts.
+    # Reaching a part of a video requires decoding all frames before it, so use few parts.
     is_video = bool((frames["position"] >= 0).any())
     chunk = max(32, -(-len(frames) // (4 * parallel.workers()))) if is_video else 32
     size, varied = listing.frame_size(home), set(rows.tolist())
@@ -98,7 +98,7 @@ def describe_home(
     *,
     variants: Mapping[str, Any] | None = None,
 ) -> None:
-    """Write the descriptors of all frames of one home to a folder; parameters as for :func:`plan`."""
+    """Write the descriptors of one home's frames to a folder; parameters are as in :func:`plan`."""
     tasks, write = plan(home, root, options, variants)
     write(folder, parallel.in_parallel(describe, tasks, f"features of {home}"))
 
@@ -111,9 +111,9 @@ def describe(
     variants: Mapping[str, Any],
     rows: Collection[int],
 ) -> dict[str, np.ndarray]:
-    """Describe some frames of a home; frames in `rows` also get the variants of their regions.
+    """Describe some of a home's frames; those in `rows` are also described with each region variant.
 
-    The first axis of each array is the frame; arrays of variants have only the frames of `rows`.
+    Each array's first axis is the frame; the variants' arrays contain only the frames in `rows`.
     """
     keep_freed_memory()
     more = {**options, "variants": variants}
@@ -123,7 +123,7 @@ def describe(
 
 
 def _names(described: Sequence[Mapping[str, np.ndarray]]) -> list[str]:
-    """Names of the arrays in order; some parts have no variants."""
+    """Return the arrays' names in order; some parts have no variants."""
     return list(dict.fromkeys(name for one in described for name in one))
 
 

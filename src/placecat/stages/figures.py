@@ -1,4 +1,4 @@
-"""Stage `figures`: draw the figures of the thesis and added ones, as far as the data allow."""
+"""Stage `figures`: draw the thesis's figures and additional ones, as far as the data allow."""
 
 import logging
 
@@ -10,7 +10,7 @@ from placecat.stages import run
 
 
 def main() -> None:
-    """Write reports/figures/: PNGs and PDFs, and figures.json with captions and reasons for missing ones."""
+    """Write reports/figures/: PNGs, PDFs, and figures.json with captions and reasons for missing figures."""
     of_run = Run(settings.load())
     settings.refuse_unknown(
         settings.get(of_run.params, "figures"), ["example", "clusters", *figures.names()], "figures"
@@ -26,7 +26,7 @@ def main() -> None:
             except SettingError:
                 raise
             except PlacecatError as error:
-                # Leave out a figure that these data do not allow.
+                # Leave out a figure that cannot be drawn from these data.
                 logging.warning("%s is left out: %s", name, error)
                 entries.append(entry | {"file": None, "reason": str(error)})
         files.write_json(folder / "figures.json", entries)

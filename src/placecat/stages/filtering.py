@@ -14,7 +14,7 @@ from placecat.results.measured import DROPPED_COLUMNS
 from placecat.stages import run
 from placecat.training import protocol
 
-# Arrays for smoothing, besides the frames of the test home; these are not filtered.
+# Arrays that smoothing needs besides the test home's distributions; they are not filtered.
 STATISTICS = ("cross_validated", "cross_validated_truth")
 
 
@@ -50,7 +50,7 @@ def main() -> None:
 
 
 def _threshold(options: Mapping[str, Any], training: Sequence[str]) -> float:
-    """The threshold of a filter; a share is converted with the labelled frames of the training homes."""
+    """Return a filter's threshold; a share is converted using the training homes' labelled frames."""
     if options.get("threshold") is not None:
         return float(options["threshold"])
     seen = [_information(home)[listing.read_labels(home) >= 0] for home in training]
@@ -62,7 +62,7 @@ def _information(home: str) -> NDArray[np.float32]:
 
 
 def _sources(params: Mapping[str, Any], options: Mapping[str, Any]) -> dict[str, Path]:
-    """Folders of the results that a filter names."""
+    """Return the folders of the results that a filter names."""
     found = {}
     for cue in options["cues"]:
         scheme = settings.get(params, f"cues.{cue}.schemes")[0]
@@ -74,7 +74,7 @@ def _sources(params: Mapping[str, Any], options: Mapping[str, Any]) -> dict[str,
 
 
 def filter_home(source: Path, home: str, threshold: float) -> dict[str, np.ndarray]:
-    """Return the filtered distributions of one home, and the statistics for smoothing."""
+    """Return one home's filtered distributions, and the arrays that smoothing needs."""
     proba = fold_file.read(source, "test")
     held = hold(proba, _information(home), threshold=threshold, sequences=listing.sequence_slices(home))
     found = {"test": held}

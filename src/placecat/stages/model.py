@@ -7,7 +7,7 @@ from placecat.stages import run
 
 
 def main() -> None:
-    """Train the system of conf/model on all homes; write data/model.placecat."""
+    """Train the system named in conf/model on all homes; write data/model.placecat."""
     params = settings.load()
     name, seed = (settings.get(params, f"model.{setting}") for setting in ("system", "seed"))
     trained = measured(train(params, name), params, held_out.of_stages(params, name, seed))

@@ -21,7 +21,7 @@ from placecat.stages import run
 from placecat.thesis import in_text, notes
 from placecat.thesis.tables import dataset_of, folder_of, tables_of
 
-# Columns of text, even where it looks like numbers, e.g. section 4.10.
+# Text columns, even if the text looks like a number, e.g. section 4.10.
 _TEXT = ("group", "row", "column", "name", "section", "quantity", "home", "note")
 
 
@@ -47,7 +47,7 @@ def main() -> None:
     versions = {stage: data_version(stage) for stage in listing_stages}
     explained = explanations(cells, params, versions)
     files.write_text(paths.EXPLANATIONS, lines.to_text(explained))
-    # Without later stages, which dvc.lock may not have yet.
+    # Leave out later stages, which dvc.lock may not list yet.
     named = sorted({stage for cell in cells for stage in cell.stages})
     recorded = lines.stage_texts(settings.read_yaml(LOCK))
     report = Report(
@@ -97,7 +97,7 @@ def _figure(entry: dict[str, Any], params: dict[str, Any]) -> Figure:
 
 
 def _replication() -> dict[str, Any] | None:
-    """The findings on many homes in git; None if missing."""
+    """Return the findings on many homes, as kept in git; None if missing."""
     if not (paths.REPLICATION_FACTS.is_file() and paths.REPLICATED_FINDINGS.is_file()):
         return None
     findings = files.read_table(paths.REPLICATED_FINDINGS, _TEXT)
@@ -105,7 +105,7 @@ def _replication() -> dict[str, Any] | None:
 
 
 def _times() -> dict[str, Any] | None:
-    """The times in git; None if missing or empty."""
+    """Return the times kept in git; None if missing or empty."""
     if not (paths.KEPT_TIMES.is_file() and paths.KEPT_TIMES_FACTS.is_file()):
         return None
     by_stage, facts = files.read_csv(paths.KEPT_TIMES), files.read_json(paths.KEPT_TIMES_FACTS)
@@ -115,7 +115,7 @@ def _times() -> dict[str, Any] | None:
 
 
 def _speed() -> dict[str, Any] | None:
-    """The benchmarks in git; None if missing."""
+    """Return the benchmarks kept in git; None if missing."""
     facts = paths.BENCHMARKS.with_suffix(".json")
     if not (paths.BENCHMARKS.is_file() and facts.is_file()):
         return None
@@ -124,7 +124,7 @@ def _speed() -> dict[str, Any] | None:
 
 
 def _scale() -> dict[str, Any] | None:
-    """The run in git at the scale of the real home database; None if missing."""
+    """Return the run kept in git, at the real home database's scale; None if missing."""
     kept = (paths.SCALE_STAGES, paths.SCALE_GROWTH, paths.SCALE_FACTS)
     if not all(path.is_file() for path in kept):
         return None

@@ -19,10 +19,10 @@ from placecat.training import protocol
 
 
 def main() -> None:
-    """Write scores.csv and missing.csv of the main pipeline, the splits, the trials and the toy problem.
+    """Write scores.csv and missing.csv for the main pipeline, the splits, the trials and the toy problem.
 
-    Also write stays.csv, the scores of the splits by stay; dropped.csv, the frames that each information
-    filter drops; and probabilities.csv, the quality of probabilities in the main pipeline and the splits.
+    Also write stays.csv, the splits' scores per stay; dropped.csv, how many frames each information filter
+    drops; and probabilities.csv, the quality of the main pipeline's and the splits' probabilities.
     """
     params = settings.load()
     rows, by_stay, untested, qualities = ([] for _ in range(4))
@@ -50,7 +50,7 @@ def main() -> None:
 
 
 def measure(source: Source, options: Mapping[str, Any]) -> tuple[Measured, Quality]:
-    """Count the decisions of one result in its test homes, and measure the distributions (`home_quality`)."""
+    """Count one result's decisions in its test homes, and measure its distributions (`home_quality`)."""
     labels = {home: listing.read_labels(source.listed(home)) for home in source.homes}
     parts = {home: listing.sequence_slices(source.listed(home)) for home in source.homes}
     confusion, quality = [], []
@@ -68,7 +68,7 @@ def measure(source: Source, options: Mapping[str, Any]) -> tuple[Measured, Quali
 
 
 def measure_stays(source: Source) -> Measured:
-    """Count the decisions of one result in each stay in its test homes."""
+    """Count one result's decisions in each stay in its test homes."""
     names, by_seed = [], []
     stays = {}
     for home in source.homes:

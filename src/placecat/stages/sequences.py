@@ -16,7 +16,7 @@ from placecat.stages import run
 
 
 def main() -> None:
-    """Write frames.csv, labels.csv and home.json of every home."""
+    """Write frames.csv, labels.csv and home.json for every home."""
     list_homes(settings.get(settings.load(), "dataset"), paths.SEQUENCES, "dataset")
 
 
@@ -30,7 +30,7 @@ def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
         )
     if not dataset["homes"]:
         raise PlacecatError(f"{setting}.homes is empty: name the homes to use")
-    # Readable frames are found by decoding the video.
+    # Only decoding a video shows which frames are readable.
     tasks = [(Path.cwd(), dataset, name) for name in dataset["homes"]]
     with files.replacing(target) as folder:
         homes = parallel.stream(_open, tasks, "sequences", unit="homes", locally=True)
@@ -41,7 +41,7 @@ def list_homes(dataset: Mapping[str, Any], target: Path, setting: str) -> None:
 
 
 def _open(folder: Path, dataset: Mapping[str, Any], name: str) -> Home:
-    # A worker stays in the folder in which it was started, and messages name paths as the user wrote them.
+    # A worker stays in the folder it was started in, but messages name paths as the user wrote them.
     with contextlib.chdir(folder):
         return open_home_of(dataset, name)
 
@@ -61,7 +61,7 @@ def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:
     files.write_csv(folder / "labels.csv", table)
     files.write_csv(folder / "sources.csv", _checksums(home))
     facts = {"fps": home.fps, "camera": home.camera, "width": home.width, "height": home.height}
-    # Empty for undamaged footage with a constant frame rate.
+    # Undamaged footage with a constant frame rate adds nothing.
     odd = {"lost_frames": list(home.lost), "damaged_frames": list(home.damaged)}
     facts |= {name: value for name, value in odd.items() if value}
     if not home.is_even:
@@ -70,7 +70,7 @@ def _write(folder: Path, home: Home, dataset: Mapping[str, Any]) -> None:
 
 
 def _checksums(home: Home) -> pd.DataFrame:
-    """SHA-256 of every source file of a home, in the order of frames; a bag may be a folder."""
+    """Return the SHA-256 of each source file of a home, in frame order; a bag may be a folder."""
     sources = [home.root / source for source in dict.fromkeys(home.frames["source"])]
     listed = [file for path in sources for file in (sorted(path.iterdir()) if path.is_dir() else [path])]
     rows = [(path.relative_to(home.root).as_posix(), files.checksum(path)) for path in listed]

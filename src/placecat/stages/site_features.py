@@ -1,4 +1,4 @@
-"""Stage `site_features`: describe every sequence of the further data sets (thesis 4.9 and 4.10)."""
+"""Stage `site_features`: describe every sequence in the splits' data sets (thesis 4.9 and 4.10)."""
 
 from pathlib import Path
 
@@ -8,7 +8,7 @@ from placecat.stages.features import describe, feature_options, inputs, plan
 
 
 def main() -> None:
-    """Describe all frames of every sequence in the data sets of the splits."""
+    """Describe all frames of every sequence in the splits' data sets."""
     params = settings.load()
     splits = settings.get(params, "splits")
     items.keep_only(paths.SITE_FEATURES, splits)

@@ -1,4 +1,4 @@
-"""Stage `splits`: train and test all, from cues to smoothing, on fixed splits (thesis 4.9 and 4.10)."""
+"""Stage `splits`: train and test everything from cues to smoothing on fixed splits (thesis 4.9, 4.10)."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -35,7 +35,7 @@ def main() -> None:
 
 
 def _cues(split: Mapping[str, Any]) -> list[str]:
-    """Names of the cues in a split's systems."""
+    """Return the names of the cues in a split's systems."""
     return list(dict.fromkeys(cue for system in split["systems"].values() for cue in system))
 
 
@@ -86,7 +86,7 @@ def apply_system(
     integrator: Mapping[str, Any],
     smoothing: Mapping[str, Any],
 ) -> dict[str, Probabilities]:
-    """Integrate the outputs of cues and smooth the decisions, for every tested sequence."""
+    """Integrate the cues' outputs and smooth the decisions for every tested sequence."""
     fused = fuse(plan.integration, [train for train, _ in outputs], plan.classes, integrator)
     assert fused.cross_validated is not None
     result = {}

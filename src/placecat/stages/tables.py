@@ -1,4 +1,4 @@
-"""Stage `tables`: write all accuracies, and compare the numbers of the thesis with those of this run."""
+"""Stage `tables`: write all accuracies, and compare the thesis's numbers with those of this run."""
 
 import pandas as pd
 
@@ -14,11 +14,11 @@ from placecat.thesis.tables import dataset_of, tables_of
 
 
 def main() -> None:
-    """Write every table as CSV, Markdown and LaTeX, and reports/*.csv, metrics.json, summary.json, plots/."""
+    """Write tables as CSV, Markdown and LaTeX, and reports/*.csv, metrics.json, summary.json and plots/."""
     params = settings.load()
     results = read_results(params)
     filled = {}
-    # DVC needs the folder even if no table is optional.
+    # DVC requires the folder even if there are no optional tables.
     paths.OPTIONAL_TABLES.mkdir(parents=True, exist_ok=True)
     with files.replacing(paths.TABLES) as folder:
         for name, table in tables_of(params).items():

@@ -16,7 +16,7 @@ from placecat.stages import run
 
 
 class Task(NamedTuple):
-    """One problem: the points, and the named schemes to compare."""
+    """One problem: its points, and the schemes to compare, by name."""
 
     schemes: dict[str, Any]
     points: dict[str, float]
@@ -26,10 +26,10 @@ class Task(NamedTuple):
 
 
 def main() -> None:
-    """Train the schemes on each seed's points and test them on others, also with other radii and decisions.
+    """Train the schemes on each seed's points and test them on new ones, also with other radii and decisions.
 
-    Results are ``toy/parallel`` and ``toy/sequential``; ``toy/last/...``, the same for the points of the last
-    class in the sequential scheme's list; and ``toy/RADIUS/parallel`` and ``toy/RADIUS/sequential/DECISION``.
+    The results are ``toy/parallel`` and ``toy/sequential``; ``toy/last/...``, which counts only points of the
+    sequential scheme's last class; and ``toy/RADIUS/parallel`` and ``toy/RADIUS/sequential/DECISION``.
     """
     toy = settings.get(settings.load(), "toy")
     numbers = toy["training"], toy["testing"]
@@ -55,7 +55,7 @@ def main() -> None:
 
 
 def _deciding(schemes: Mapping[str, Any], decisions: list[str], radius: float) -> dict[str, Any]:
-    """Schemes with the radius in their names: the parallel one, and the sequential one for each decision."""
+    """Name schemes after the radius: the parallel one, and the sequential one with each decision."""
     found = {f"{radius:g}/parallel": schemes["parallel"]}
     for decision in decisions:
         found[name := f"{radius:g}/sequential/{decision}"] = copy.deepcopy(schemes["sequential"])
@@ -66,7 +66,7 @@ def _deciding(schemes: Mapping[str, Any], decisions: list[str], radius: float) -
 def compare(
     schemes: Mapping[str, Any], points: Mapping[str, float], training: int, testing: int, seed: int
 ) -> tuple[dict[str, np.ndarray], int]:
-    """Confusion matrix of each scheme on one seed's test points, and the last class of the last scheme."""
+    """Return each scheme's confusion matrix on a seed's test points, and a sequential scheme's last class."""
     X, y = toy_circles(training, seeds.derive("toy", "training", seed), **points)
     X_test, y_test = toy_circles(testing, seeds.derive("toy", "testing", seed), **points)
     found, last = {}, -1

@@ -1,4 +1,4 @@
-"""Stage `tracking`: log each table to MLflow as a run with a nested run per row, and figures and findings."""
+"""Stage `tracking`: log tables, figures and findings to MLflow; each table's rows become nested runs."""
 
 import json
 from collections.abc import Mapping
@@ -61,7 +61,7 @@ def main() -> None:
 
 
 def _settings(table: Mapping[str, Any], params: Mapping[str, Any]) -> dict[str, Any]:
-    """The settings behind a table's numbers; changes of other settings do not supersede the table."""
+    """Return the settings behind a table's numbers; changes to others do not supersede the table."""
     shown: dict[str, Any] = {"protocol": params["protocol"]}
     if "trial" in table:
         return shown | {

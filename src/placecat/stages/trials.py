@@ -1,4 +1,4 @@
-"""Stage `trials`: train and test the cues in the tables of each study (thesis 4.2 and 4.4)."""
+"""Stage `trials`: train and test the cues in each study's tables (thesis 4.2 and 4.4)."""
 
 import json
 import logging
@@ -27,7 +27,7 @@ FACT_COLUMNS = ["trial", "home", "seed", "nu_lowest", "nu_highest", "flat_sigmoi
 
 
 def main() -> None:
-    """Train and test all trials of all studies; write the counts of decisions."""
+    """Train and test every trial of every study; write the decision counts."""
     params = settings.load()
     homes = list(settings.get(params, "dataset.homes"))
     shared = [settings.get(params, f"dataset.{name}") for name in ("name", "homes", "classes")]
@@ -68,7 +68,7 @@ def main() -> None:
 
 
 class Outcomes:
-    """The outcomes of the trials of some studies.
+    """The outcomes of several studies' trials.
 
     Trials with the same clusters, or with the same kind of classifier and the same descriptors, share
     computations and form one task, even across studies.
@@ -82,7 +82,7 @@ class Outcomes:
         self._waiting: Iterator[tuple[list[_Cell], list[Outcome]]] = iter(())
 
     def plan(self, studies: Sequence[Sequence[Trial]]) -> None:
-        """Start the trials of all studies in one pool, in the order of the studies."""
+        """Start all studies' trials in one pool, study by study."""
         groups = list(self._group([trial for trials in studies for trial in trials]).values())
         tasks = [
             (self._plans[home], [of_settings(json.loads(key)) for key, _, _ in cells], seed)
@@ -93,7 +93,7 @@ class Outcomes:
         self._waiting = zip(groups, results, strict=True)
 
     def of(self, trial: Trial) -> dict[_Cell, Outcome]:
-        """Outcomes of a trial in its homes, for each seed; untested homes are left out."""
+        """Return a trial's outcomes for each of its homes and each seed; untested homes are left out."""
         cells = [cell for cell in self._cells(trial) if cell[1] in self._plans]
         while not self._computed.keys() >= set(cells):
             group, results = next(self._waiting)
@@ -101,7 +101,7 @@ class Outcomes:
         return {cell: self._computed[cell] for cell in cells}
 
     def end(self) -> None:
-        """End the pool and its progress bar."""
+        """Close the pool and its progress bar."""
         next(self._waiting, None)
 
     def _cells(self, trial: Trial) -> list[_Cell]:
@@ -120,7 +120,7 @@ class Outcomes:
 
 
 def _shared(trial: Mapping[str, Any]) -> str:
-    """Name a group of trials by its clusters, or by all settings except base classifier and scheme."""
+    """Name a trial's group by descriptor and codebook, or classifier without scheme and base settings."""
     codebook, classifier = trial.get("codebook"), trial["classifier"]
     if codebook is None:
         codebook = {name: value for name, value in classifier.items() if name != "scheme"}
@@ -144,7 +144,7 @@ def _collect(
     seeds: Sequence[int],
     classes: Sequence[str],
 ) -> tuple[pd.DataFrame, pd.DataFrame]:
-    """Rows of counts and of reasons of every trial; a home counts if every seed has a number."""
+    """Return rows of counts and rows of reasons; a home has counts only if every seed has a result."""
     scores, missing = [], []
     for trial in trials:
         own_seeds = list(seeds) if trial.settings.get("codebook") is not None else [None]
@@ -166,7 +166,7 @@ def _collect(
 
 
 def _facts(trials: Sequence[Trial], outcomes: Mapping[_Cell, Outcome]) -> pd.DataFrame:
-    """The nu used and the number of flat sigmoids in every trial with two-class classifiers."""
+    """Return the range of nu and the number of flat sigmoids for trials with two-class classifiers."""
     rows = []
     for trial in trials:
         for (key, home, seed), (_, facts) in outcomes.items():

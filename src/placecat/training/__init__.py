@@ -1,1 +1,1 @@
-"""Training plans, and training and application of systems by a plan."""
+"""Training plans, and the training and application of systems according to them."""

@@ -1,4 +1,4 @@
-"""Training of one cue by a plan: read frames, cluster them, learn, and judge other frames."""
+"""Train one cue according to a plan: read frames, cluster them, learn, and predict other frames."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Cue:
 
     @classmethod
     def of(cls, params: Mapping[str, Any], name: str) -> Cue:
-        """Look up a cue of params.yaml."""
+        """Look up a cue in params.yaml."""
         cue = settings.get(params, f"cues.{name}")
         if cue["codebook"] is None:
             return cls(cue["descriptor"], cue["classifier"])
@@ -53,9 +53,9 @@ class TrainingFrames:
     Attributes
     ----------
     described
-        Descriptors of the frames.
+        The frames' descriptors.
     truth, home_of_frame
-        (n,) classes of the frames, and the names of their sequences.
+        (n,) classes of the frames, and (n,) names of their sequences.
     """
 
     described: Descriptors
@@ -70,13 +70,13 @@ class TrainedCue:
     Attributes
     ----------
     descriptor
-        Descriptor of the cue.
+        The cue's descriptor.
     model
-        Trained model.
+        The trained model.
     truth, home_of_frame
-        (n,) classes of the training frames, and the names of their sequences.
+        (n,) classes of the training frames, and (n,) names of their sequences.
     cross_validated
-        (n, n_classes) distributions of these frames by :func:`placecat.cues.cross_validate`, if requested.
+        (n, n_classes) distributions for these frames from :func:`placecat.cues.cross_validate`, or None.
     """
 
     descriptor: Mapping[str, Any]
@@ -86,15 +86,15 @@ class TrainedCue:
     cross_validated: NDArray[np.float64] | None
 
     def predict(self, home: str, rows: NDArray[np.int64] | None = None) -> NDArray[np.float64]:
-        """Distributions (n, n_classes) for some frames of a sequence, or for all frames if `rows` is None."""
+        """Return (n, n_classes) distributions for a sequence's frames in `rows`; None means all frames."""
         return self.model.predict_proba(store.read_descriptors(home, self.descriptor, rows))
 
     def predict_chosen(self, parts: Sequence[Part]) -> dict[str, NDArray[np.float64]]:
-        """Distributions for the chosen frames of each part, by name of the sequence."""
+        """Map each part's sequence name to the distributions for its chosen frames."""
         return {part.home: self.predict(part.home, part.chosen()[0]) for part in parts}
 
     def held_out(self) -> dict[str, NDArray[np.float64]]:
-        """Distributions for the training frames, by sequence, from cues that have not seen the sequence."""
+        """Map each training sequence to its frames' distributions from cues that have not seen it."""
         assert self.cross_validated is not None
         return {
             str(home): self.cross_validated[self.home_of_frame == home]
@@ -108,9 +108,9 @@ class TrainedCue:
 
 
 def read_frames(parts: Sequence[Part], descriptor: Mapping[str, Any]) -> TrainingFrames:
-    """Read the chosen frames of the parts, in order.
+    """Read the parts' chosen frames, in order.
 
-    Raises PlacecatError for a descriptor that was not computed, see :func:`placecat.store.read_descriptors`.
+    Raises PlacecatError if the descriptor was not computed, see :func:`placecat.store.read_descriptors`.
     """
     chosen = {part.home: part.chosen() for part in parts}
     rows = {home: frames for home, (frames, _) in chosen.items()}
@@ -124,16 +124,16 @@ def read_frames(parts: Sequence[Part], descriptor: Mapping[str, Any]) -> Trainin
 def cluster(
     frames: TrainingFrames, plan: Plan, cue: Cue, seed: int, *, numbers: Sequence[int] | None = None
 ) -> Codebook:
-    """Cluster the training frames of a cue.
+    """Cluster a cue's training frames.
 
     Parameters
     ----------
     frames
         Frames that train the plan's cues.
     seed
-        One of ``protocol.seeds``; the clustering's seed is derived from it and the names in the plan.
+        One of ``protocol.seeds``; the clustering's seed is derived from it, the plan and the cue.
     numbers
-        Cluster numbers that will be used; None for the numbers in the codebook's settings.
+        The numbers of clusters that will be used; None means those in the codebook's settings.
     """
     assert cue.codebook is not None
     cells = cue.codebook["cells"]
@@ -156,8 +156,8 @@ def fit(
 ) -> TrainedCue:
     """Train a cue on frames, with a codebook if it needs one. Errors are as in :func:`placecat.cues.fit`.
 
-    With `cross_validate`, each sequence's frames are also judged by a cue trained on the others. `classes`
-    are the names of the places.
+    With `cross_validate`, a cue trained on the other sequences also predicts each sequence's frames.
+    `classes` are the names of the places.
     """
     data = frames.described, frames.truth, frames.home_of_frame
     options: dict[str, Any] = {"classifier": cue.classifier, "classes": classes, "codebook": codebook}
@@ -174,7 +174,7 @@ def train(
     numbers: Sequence[int] | None = None,
     cross_validate: bool = False,
 ) -> TrainedCue:
-    """Train a cue by a plan: read its frames, cluster them if needed, and learn.
+    """Train a cue according to a plan: read the plan's frames, cluster them if needed, and learn.
 
     `seed` and `numbers` are as in :func:`cluster` (not needed without clusters), `cross_validate` as in
     :func:`fit`. Raises PlacecatError like :func:`read_frames` and :func:`fit`.

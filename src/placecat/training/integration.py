@@ -1,4 +1,4 @@
-"""Integration and smoothing of the cues' distributions by a plan."""
+"""Integrate and smooth the cues' distributions according to a plan."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -14,13 +14,13 @@ Probabilities = Mapping[str, NDArray[np.float64]]
 
 
 def smoothing_settings(params: Mapping[str, Any]) -> dict[str, Any]:
-    """Read the settings of params.yaml for :func:`placecat.fusion.smoothing.fit`."""
+    """Read the settings in params.yaml for :func:`placecat.fusion.smoothing.fit`."""
     section = settings.get(params, "smoothing")
     return {name: value for name, value in section.items() if name not in ("cues", "filtered")}
 
 
 def fused_parts(plan: Plan, *, method: str, extra: bool) -> tuple[Part, ...]:
-    """Return the parts that an integration method trains on: those of the cross-validation, or others."""
+    """Return an integration's training parts: the cues' parts if the method learns from held-out frames."""
     if integrate.learns_from_held_out(method):
         return plan.cues
     return (*plan.integration, *(plan.extra if extra else ()))
@@ -42,7 +42,7 @@ def fuse(
     parts
         Parts that train the integration.
     outputs
-        One dictionary per cue: from the name of a part to the distributions of its chosen frames.
+        One dictionary per cue, which maps each part's name to the distributions for its chosen frames.
     classes
         Names of the places.
     integrator, temperatures, cross_validated
@@ -56,7 +56,7 @@ def fuse(
 
 
 def training_walks(parts: Sequence[Part]) -> tuple[list[NDArray[np.int16]], list[float]]:
-    """Return the labels and the frame rate of each uncut stretch, to count transitions.
+    """Return each uncut stretch's labels and frame rate, for counting transitions.
 
     Unevenly timed frames are resampled as a camera with this frame rate would have shown them.
     """
@@ -85,16 +85,16 @@ def smooth(
     training_truth: NDArray[np.int16],
     options: Mapping[str, Any],
 ) -> dict[str, NDArray[np.float64]]:
-    """Smooth the distributions of one sequence with statistics from other sequences.
+    """Smooth one sequence's distributions using statistics from other sequences.
 
     Parameters
     ----------
     proba
         (frames, n_classes) for every frame of `home`.
     parts
-        Parts that the statistics come from.
+        Parts that provide the statistics.
     training_proba, training_truth
-        (n, n_classes) cross-validated distributions of their frames, and (n,) classes.
+        (n, n_classes) cross-validated distributions for these parts' frames, and their (n,) classes.
     options
         As in :func:`placecat.fusion.smoothing.fit`.
 

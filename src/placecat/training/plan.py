@@ -1,4 +1,4 @@
-"""Training plans: which sequences and frames train each part, and which sequences are tested."""
+"""Training plans: the sequences and frames that train each component, and the tested sequences."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Part:
     home
         Name of the sequence, as in :func:`placecat.paths.sequences`.
     numbers
-        Class index of each place in the data set of the sequence; -1 for a place that does not count.
+        Class index of each place in the sequence's data set; -1 for a place that does not count.
     offset, step
         Selection of frames, see :func:`placecat.training.protocol.select_frames`.
     """
@@ -38,11 +38,11 @@ class Part:
         return self.home.rpartition("/")[2]
 
     def labels(self) -> NDArray[np.int16]:
-        """Class indices (frames,) of all frames of the sequence; -1 for a frame that does not count."""
+        """Return the (frames,) class indices of all frames; -1 for a frame that does not count."""
         return np.array([*self.numbers, -1], dtype=np.int16)[listing.read_labels(self.home)]
 
     def chosen(self) -> tuple[NDArray[np.int64], NDArray[np.int16]]:
-        """Ascending indices (n,) of the chosen frames, which all have a class, and their classes (n,)."""
+        """Return the (n,) ascending indices of the chosen frames, all with a class, and (n,) classes."""
         labels = self.labels()
         rows = protocol.select_frames(labels, offset=self.offset, step=self.step)
         return rows, labels[rows]
@@ -50,7 +50,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Plan:
-    """Which sequences train, and which are tested.
+    """The training sequences and the tested sequences.
 
     Attributes
     ----------
@@ -61,9 +61,9 @@ class Plan:
     integration
         Parts that train the integration and the smoothing.
     extra
-        Further sequences that train the integration if a system asks for them (thesis 4.5).
+        Additional sequences that train the integration if a system asks for them (thesis 4.5).
     tested
-        Sequences that no trained part has seen.
+        Sequences that no trained component has seen.
     dataset
         Name of the data set.
     left_out
@@ -90,7 +90,7 @@ class Plan:
         return part.home
 
     def with_cue_frames(self, frames: Mapping[str, int]) -> Plan:
-        """Return the same plan with other frames (``offset`` and ``step``) to train the cues."""
+        """Return this plan, but with other frames (``offset`` and ``step``) to train the cues."""
         return replace(
             self,
             cues=tuple(replace(part, offset=frames["offset"], step=frames["step"]) for part in self.cues),
@@ -116,7 +116,7 @@ def of_homes(
 def of_release(
     params: Mapping[str, Any], scheme: str, without: Sequence[str] = (), *, extra: bool = False
 ) -> Plan:
-    """Plan a system for other footage: all homes train except those in `without`, which are tested.
+    """Plan a system for other footage: test the homes in `without`, and train on all others.
 
     Parameters
     ----------
@@ -130,13 +130,13 @@ def of_release(
 
 
 def without_homes(params: Mapping[str, Any], left_out: Sequence[str], tested: Sequence[str]) -> Plan:
-    """Plan a test on training homes: homes in `left_out` do not train; some of them, `tested`, are tested."""
+    """Plan a test on training homes: train on all but `left_out`, and test some of those: `tested`."""
     homes = [home for home in settings.get(params, "dataset.homes") if home not in left_out]
     return _of_main(params, homes, homes, tested, tuple(left_out))
 
 
 def of_split(params: Mapping[str, Any], split: str) -> Plan:
-    """Plan a fixed split, where some sequences train with some of their places (thesis 4.9 and 4.10)."""
+    """Plan a fixed split; it may train on only some places of a sequence (thesis 4.9 and 4.10)."""
     own = settings.get(params, f"splits.{split}")
     classes = own["dataset"]["classes"]
 
@@ -159,9 +159,9 @@ def of_split(params: Mapping[str, Any], split: str) -> Plan:
 
 
 def on_training_homes(plan: Plan) -> list[Plan]:
-    """Plan a test on each training home of a plan; the plan's single tested sequence is not used.
+    """For each training home of a plan, plan a test on it that trains on the plan's other training homes.
 
-    The other training homes train.
+    The plan's single tested sequence is not used.
     """
     training = [part for part in plan.cues if part.home != plan.test]
     return [
@@ -188,7 +188,7 @@ def _of_main(
     tested: Sequence[str],
     left_out: tuple[str, ...],
 ) -> Plan:
-    """Make a plan for homes of the main data set, without further sequences."""
+    """Make a plan for homes of the main data set, without additional sequences."""
     return Plan(
         classes=tuple(settings.get(params, "dataset.classes")),
         cues=_parts(params, cues, "cue_frames"),
@@ -201,14 +201,14 @@ def _of_main(
 
 
 def _parts(params: Mapping[str, Any], homes: Sequence[str], frames: str | None) -> tuple[Part, ...]:
-    """Frames of homes of the main data set; all labelled frames if no setting selects them."""
+    """Return one part per home, with the frames that a setting selects, or all labelled frames."""
     numbers = tuple(range(len(settings.get(params, "dataset.classes"))))
     chosen: Mapping[str, int] = {} if frames is None else settings.get(params, f"protocol.{frames}")
     return tuple(Part(home, numbers, **chosen) for home in homes)
 
 
 def _extra(params: Mapping[str, Any]) -> tuple[Part, ...]:
-    """Sequences of ``protocol.extra``; their places are matched by name."""
+    """Return the sequences of ``protocol.extra``; their places are matched by name."""
     split, sequences = (settings.get(params, f"protocol.extra.{name}") for name in ("split", "sequences"))
     classes = settings.get(params, "dataset.classes")
     places = settings.get(params, f"splits.{split}.dataset.classes")
@@ -218,7 +218,7 @@ def _extra(params: Mapping[str, Any]) -> tuple[Part, ...]:
 
 
 def _numbers(classes: Sequence[str], counted: Sequence[str] | None) -> tuple[int, ...]:
-    """Class index of each place, -1 for places that do not count; None counts all."""
+    """Return each place's class index, or -1 if it does not count; None counts all places."""
     return tuple(
         number if counted is None or place in counted else -1 for number, place in enumerate(classes)
     )

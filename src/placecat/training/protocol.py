@@ -1,4 +1,4 @@
-"""Protocols 5-5-1 and 4-5-1 of thesis 4.5 for any number of homes: which homes train, which is tested."""
+"""Protocols 5-5-1 and 4-5-1 (thesis 4.5) for any number of homes: the training homes and the tested one."""
 
 import difflib
 from collections.abc import Sequence
@@ -11,21 +11,21 @@ from placecat.errors import PlacecatError
 
 SCHEMES = ("5-5-1", "4-5-1")
 ALL = "all"
-# Why a result lacks a home that is not tested.
+# Why a result lacks an untested home.
 NOT_TESTED = "not among protocol.test_homes"
 
 
 @dataclass(frozen=True)
 class Fold:
-    """A test home and the homes that train for it.
+    """A test home and its training homes.
 
     Attributes
     ----------
     scheme
-        "5-5-1": cues and integration train on all other homes, on different frames. "4-5-1": one of the other
+        "5-5-1": cues and integration train on different frames of all other homes. "4-5-1": one of the other
         homes trains only the integration, not the cues.
     without
-        Homes that no trained part has seen, the tested home first; empty if all homes train.
+        Homes that no trained component has seen, the tested home first; empty if no home is held out.
     cue_homes
         Homes that codebooks, scalings and cue classifiers train on.
     integration_homes
@@ -39,7 +39,7 @@ class Fold:
 
     @property
     def test(self) -> str:
-        """The tested home; "" if all homes train."""
+        """The tested home; "" if there is none."""
         return self.without[0] if self.without else ""
 
     @property
@@ -55,7 +55,7 @@ class Fold:
 
 
 def training_set(left_out: Sequence[str]) -> str:
-    """Name a training set by the homes that it leaves out."""
+    """Name a training set after the homes that it leaves out."""
     return "without-" + "-".join(left_out) if left_out else "all"
 
 
@@ -93,7 +93,7 @@ def folds(homes: Sequence[str], scheme: str, tested: str | Sequence[str] = ALL) 
     scheme
         "5-5-1" or "4-5-1"; the names are the thesis's, for any number of homes.
     tested
-        As in :func:`tested_homes`. The fold of a home does not depend on it.
+        As in :func:`tested_homes`. A home's fold does not depend on it.
 
     Raises
     ------
@@ -106,10 +106,10 @@ def folds(homes: Sequence[str], scheme: str, tested: str | Sequence[str] = ALL) 
 
 
 def fold_without(homes: Sequence[str], scheme: str, without: Sequence[str] = ()) -> Fold:
-    """Let all homes except `without` train, to test on these or on other footage.
+    """Make a fold that trains on all homes except `without`, to test on those or on other footage.
 
-    In 4-5-1 the home after the first of `without` (cyclically) does not train the cues, or the first home if
-    every home trains.
+    In 4-5-1 the next home (cyclically) after the first of `without` does not train the cues; if `without` is
+    empty, the first home does not.
 
     Parameters
     ----------
@@ -135,8 +135,8 @@ def fold_without(homes: Sequence[str], scheme: str, without: Sequence[str] = ())
 
 
 def least_homes(scheme: str) -> int:
-    """Number of homes that a scheme needs, including the tested home."""
-    # Cross-validation by home yields the statistics, so at least two homes must train the cues.
+    """Return the number of homes that a scheme needs, including the tested home."""
+    # The statistics come from cross-validation by home, so at least two homes must train the cues.
     return 3 if scheme == "5-5-1" else 4
 
 
@@ -158,7 +158,7 @@ def _check(homes: Sequence[str], scheme: str, left_out: int) -> None:
 def select_frames(labels: NDArray[np.int16], *, offset: int, step: int) -> NDArray[np.int64]:
     """Select labelled training frames of one home: every `step`-th frame from `offset` on.
 
-    The step counts all frames; the unlabelled ones are then dropped. So two selections with the same step and
+    The step counts all frames; unlabelled ones are dropped afterwards. So selections with the same step and
     different offsets never share a frame (thesis 4.2 and 4.5).
 
     Parameters

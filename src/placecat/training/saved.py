@@ -1,4 +1,4 @@
-"""Saved results of cues and systems, read for further training."""
+"""Read saved results of cues and systems for further training."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -15,7 +15,7 @@ from placecat.training.plan import Part, Plan
 
 
 class CueResults:
-    """Results of the stage `cues` for the cues of a system, for one test home and one seed.
+    """The stage `cues`' results for a system's cues, one test home and one seed.
 
     Parameters
     ----------
@@ -46,18 +46,18 @@ class CueResults:
         return found
 
     def outputs(self, plan: Plan, parts: Sequence[Part]) -> list[dict[str, NDArray[np.float64]]]:
-        """For each cue, map the name of each part to the distributions of its chosen frames."""
+        """For each cue, map each part's name to the distributions for its chosen frames."""
         found: list[dict[str, NDArray[np.float64]]] = [{} for _ in self._places]
         for part in parts:
             is_extra = part in plan.extra
             name = f"extra_{part.sequence}" if is_extra else f"integration_{part.home}"
             for of_cue, proba in zip(found, self.arrays(name), strict=True):
-                # Cues judge every frame of a further sequence.
+                # Cues predict every frame of an additional sequence.
                 of_cue[part.home] = proba[part.chosen()[0]] if is_extra else proba
         return found
 
     def held_out(self, plan: Plan) -> list[dict[str, NDArray[np.float64]]]:
-        """For each cue, return distributions of its training frames by cues that have not seen their home."""
+        """For each cue, map each training home to its frames' distributions from cues that never saw it."""
         ends = np.cumsum([len(part.chosen()[0]) for part in plan.cues])
         return [
             dict(zip((part.home for part in plan.cues), np.split(proba, ends[:-1]), strict=True))
@@ -73,7 +73,7 @@ class CueResults:
         return self.outputs(plan, parts)
 
     def temperatures(self) -> list[float]:
-        """Read the temperature of each cue.
+        """Read each cue's temperature.
 
         Raises
         ------
@@ -92,10 +92,10 @@ class CueResults:
 
 
 def smooth_home(source: Path, plan: Plan, model: Mapping[str, Any]) -> dict[str, np.ndarray]:
-    """Smooth the test home of one fold with statistics from its training homes.
+    """Smooth one fold's test home using statistics from the fold's training homes.
 
-    `source` is the fold's result file of a cue or a system; a file without cross-validation raises
-    PlacecatError. `model` is as in :func:`placecat.fusion.smoothing.fit`.
+    `source` is a cue's or a system's result file for the fold; without cross-validated distributions it
+    raises PlacecatError. `model` is as in :func:`placecat.fusion.smoothing.fit`.
     """
     if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(

@@ -1,4 +1,4 @@
-"""Training and application of one system by a plan: cues, integration and smoothing."""
+"""Train and apply one system according to a plan: cues, integration and smoothing."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ class System:
     Attributes
     ----------
     cues
-        By name, in order.
+        The cues by name, in order.
     integrator
         ``method`` and ``classifier``, as in :func:`placecat.fusion.integrate.fit`.
     tempered
         Whether the cues' distributions are tempered first.
     extra
-        Whether the integration also trains on the plan's further sequences.
+        Whether the integration also trains on the plan's additional sequences.
     smoothing
         As in :func:`placecat.fusion.smoothing.fit`.
     """
@@ -49,7 +49,7 @@ class System:
 
     @classmethod
     def of(cls, params: Mapping[str, Any], name: str) -> System:
-        """Look up a system of params.yaml."""
+        """Look up a system in params.yaml."""
         system = settings.get(params, f"systems.{name}")
         cues = {cue: Cue.of(params, cue) for cue in system["cues"]}
         tempered, extra = bool(system["temperature"]), bool(system["extra"])
@@ -72,9 +72,9 @@ class Trained:
     Attributes
     ----------
     cues
-        By name, in order.
+        The trained cues by name, in order.
     integrator, smoothing
-        Trained on the cues' distributions.
+        The models trained on the cues' distributions.
     """
 
     cues: Mapping[str, TrainedCue]
@@ -84,8 +84,8 @@ class Trained:
     def test(self, home: str) -> dict[str, NDArray[np.float64]]:
         """Estimate the place in every frame of a sequence.
 
-        Returns (frames, n_classes) distributions: of each cue by name, of the ``integration``, of the filter
-        (``hmm``) and after the delay (``delayed``).
+        Returns (frames, n_classes) distributions by name: one per cue, the integration's (``integration``),
+        the filter's (``hmm``) and the delay's (``delayed``).
         """
         by_cue = {name: cue.predict(home) for name, cue in self.cues.items()}
         fused = self.integrator.predict_proba(np.stack(list(by_cue.values()), axis=1))
@@ -100,10 +100,10 @@ class Trained:
 
 
 def train(plan: Plan, system: System, seed: int) -> Trained:
-    """Train a system by a plan; its cues are trained in parallel.
+    """Train a system according to a plan; train its cues in parallel.
 
     `seed`, for the clusterings, is one of ``protocol.seeds``. Raises PlacecatError for missing features or
-    impossible settings.
+    invalid settings.
     """
     method = system.integrator["method"]
     parts = fused_parts(plan, method=method, extra=system.extra)
@@ -136,7 +136,7 @@ def _train_cue(
 ) -> tuple[TrainedCue, Probabilities, float]:
     """Train one cue; return it, its distributions for the integration's frames, and its temperature.
 
-    Without `parts`, the integration trains on the frames that the cue was cross-validated on.
+    If `parts` is None, the integration trains on the frames that the cue was cross-validated on.
     """
     trained = of_cue.train(plan, cue, seed, cross_validate=tempered or parts is None)
     outputs = trained.held_out() if parts is None else trained.predict_chosen(parts)

@@ -1,4 +1,4 @@
-"""Trials of cues by a plan: decisions on the tested sequence."""
+"""Trials of cues: train them according to a plan, and count decisions on the tested sequence."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -14,21 +14,21 @@ from placecat.learning.memory import remembering
 from placecat.training.cue import Cue, TrainingFrames, cluster, fit, read_frames
 from placecat.training.plan import Plan
 
-# Counts of decisions (rows are true places) or the reason they are missing, and facts about the model.
+# Decision counts (rows are true places) or the reason they are missing, and facts about the model.
 Outcome = tuple[NDArray[np.int64] | str, Mapping[str, Any]]
 # (frames, classes) distributions or the reason they are missing, and facts about the model.
 Prediction = tuple[NDArray[np.float64] | str, Mapping[str, Any]]
 
 
 def of_settings(settings: Mapping[str, Any]) -> Cue:
-    """Read the settings of a trial: ``descriptor``, ``classifier`` and, if it has one, ``codebook``."""
+    """Read a trial's settings: ``descriptor``, ``classifier`` and, if it has one, ``codebook``."""
     return Cue(settings["descriptor"], settings["classifier"], settings.get("codebook"))
 
 
 def judge(plan: Plan, cues: Sequence[Cue], seed: int | None) -> list[Outcome]:
     """Train cues that share a descriptor and clusters; count their decisions on the tested sequence.
 
-    Parameters as for :func:`predict`.
+    Parameters are as in :func:`predict`.
     """
     truth, predictions = predict(plan, cues, seed)
     return [
@@ -45,9 +45,10 @@ def predict(plan: Plan, cues: Sequence[Cue], seed: int | None) -> tuple[NDArray[
     Parameters
     ----------
     plan
-        Plan with one tested sequence. Its labelled frames count; for a region variant, the described frames.
+        Plan with one tested sequence. Its labelled frames are scored; with a region variant, only described
+        ones.
     cues
-        Cues that all share the first one's descriptor and codebook.
+        Cues with the same descriptor and the same codebook settings.
     seed
         One of ``protocol.seeds``; None without clusters.
     """
