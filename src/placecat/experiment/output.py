@@ -18,7 +18,7 @@ KILLED = "its process was killed, perhaps because memory ran out"
 
 
 def failure(message: str) -> dict[str, Any]:
-    """The result of an experiment that failed."""
+    """Make the result of a failed experiment."""
     return {FAILED: message, "accuracy": None, "reason": None}
 
 

@@ -169,7 +169,7 @@ def text(ran: Sequence[Ran]) -> str:
 
 
 def _tables(ran: Sequence[Ran]) -> str:
-    """Tables of the available measures, side by side or, if that is too wide, one below the other."""
+    """Format tables of the available measures, side by side or, if that is too wide, one below the other."""
     found = {
         measure: grid(ran, measure)
         for measure in output.MEASURES

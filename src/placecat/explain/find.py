@@ -1,4 +1,4 @@
-"""Look up cells by number, or by table and labels."""
+"""Look up cells by their numbers, or by table and labels."""
 
 import difflib
 import re

@@ -62,7 +62,7 @@ def plan(panoramas: Sequence[Panorama], settings: Mapping[str, Any]) -> dict[str
 def unseen(
     panoramas: Sequence[Panorama], plans: Mapping[str, Mapping[str, Sequence[Look]]]
 ) -> list[Panorama]:
-    """Return the panoramas that no look shows, in the given order."""
+    """Return the panoramas that no look shows, in their original order."""
     shown = {look.panorama for floors in plans.values() for looks in floors.values() for look in looks}
     return [one for one in panoramas if one not in shown]
 

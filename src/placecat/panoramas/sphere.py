@@ -1,4 +1,7 @@
-"""Render views of equirectangular panoramas, with longitude by column, latitude by row, and ahead central."""
+"""Render views of an equirectangular panorama.
+
+Columns are longitudes, rows are latitudes, and the centre is straight ahead.
+"""
 
 import cv2
 import numpy as np

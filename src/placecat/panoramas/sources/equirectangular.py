@@ -1,4 +1,4 @@
-"""Equirectangular pictures from 360-degree cameras, and a table of their rooms."""
+"""Equirectangular pictures from 360-degree cameras, and a table of the pictures' rooms."""
 
 from collections.abc import Mapping
 from pathlib import Path
