@@ -1,5 +1,6 @@
-"""Benchmarks of the pieces of `placecat` against their best alternatives (``make bench``).
+"""Benchmark the pieces of `placecat` against their best alternatives (``make bench``).
 
-Each module of `pieces` is one piece; `scale` measures the stages at the size of VPC-2009. `placecat` imports
-nothing from here. Only this package imports the peers, which the optional extra ``bench`` installs.
+Each module of `pieces` benchmarks one piece; `scale` measures the stages at the size of VPC-2009. `placecat`
+imports nothing from here. Only this package imports the alternatives ("peers"), most of which the optional
+extra ``bench`` installs.
 """

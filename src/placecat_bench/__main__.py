@@ -10,7 +10,7 @@ from placecat.errors import exiting
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Measure the named pieces, or all."""
+    """Measure the named pieces or, by default, all pieces."""
     parser = argparse.ArgumentParser(
         prog="python -m placecat_bench",
         description="Time each piece against its best alternative, on one thread, and write "
@@ -18,7 +18,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     )
     parser.add_argument("pieces", nargs="*", metavar="PIECE", help="by default all")
     options = parser.parse_args(arguments)
-    # For libraries that read it on import, such as the peers' OpenMP.
+    # Some libraries, such as the peers' OpenMP, read this variable on import.
     os.environ["OMP_NUM_THREADS"] = "1"
     from placecat_bench.run import run
 

@@ -1,4 +1,4 @@
-"""Comparisons in a benchmark: ours with a peer, or a number with a limit."""
+"""The entries of a benchmark: they compare our code with a peer, or a number with a limit."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 LEAST_REPEATS = 5
-# The extra of peers that need torch.
+# The optional extra with the peers that need torch.
 TORCH = "bench-torch"
 
 
@@ -14,8 +14,8 @@ TORCH = "bench-torch"
 class Peer:
     """An alternative that a user could pick, e.g. "scikit-image: local_binary_pattern and histogram".
 
-    `package` is its distribution, whose version is recorded. It may be in a separate `folder`, or come from
-    an `extra` other than bench, which need not be installed.
+    `package` is its distribution, whose version is recorded. It may be in a separate `folder`, or belong to
+    an `extra` other than ``bench``; such an extra need not be installed.
     """
 
     name: str
@@ -26,12 +26,13 @@ class Peer:
 
 @dataclass(frozen=True)
 class Comparison:
-    """Ours and a peer, timed in turn on the same input; raises ValueError without one target or 5 repeats.
+    """Our code and a peer, timed in alternation on the same input.
 
-    The target is `faster` (the least factor by which ours is faster) or `at_most` (the largest multiple of
-    the peer's time). `ours` and `theirs` are the calls to time, `repeats` the number of pairs. `warm_up`
-    calls each once before; turn it off if a call takes minutes. `parts` of ours are timed if the target is
-    missed, to show where the time goes.
+    The target is `faster`, the least factor by which our code must be faster, or `at_most`, the largest
+    allowed multiple of the peer's time. `ours` and `theirs` are the calls to time; `repeats` is the number of
+    pairs. `warm_up` first makes each call once; turn it off if a call takes minutes. If the target is missed,
+    the `parts` of our code are timed, to show where the time goes. Raises ValueError unless there are exactly
+    one target and at least 5 repeats.
     """
 
     piece: str
@@ -58,7 +59,7 @@ class Comparison:
         return f"at most {self.at_most:g}x its time"
 
     def ratio(self, ours: float, theirs: float) -> float:
-        """Ratio of two times in seconds, to compare with the target."""
+        """Return the ratio of two times in seconds that the target applies to."""
         return theirs / ours if self.faster is not None else ours / theirs
 
     def is_met(self, ratio: float) -> bool:
@@ -68,10 +69,10 @@ class Comparison:
 
 @dataclass(frozen=True)
 class Limit:
-    """A number with a limit, `at_most` or `at_least`; raises ValueError unless exactly one limit is set.
+    """A number with a limit, `at_most` or `at_least`.
 
     `measure` returns the number, and `quantity` names it, e.g. "frames/s" or "largest difference of a
-    probability". `parts` are as for `Comparison`.
+    probability". `parts` are as for `Comparison`. Raises ValueError unless exactly one limit is set.
     """
 
     piece: str
@@ -100,7 +101,7 @@ class Limit:
 
 @dataclass(frozen=True)
 class Absent:
-    """A peer that cannot be measured on `input` of a piece, and the reason."""
+    """A peer that cannot be measured on a piece's `input`, and the reason."""
 
     piece: str
     input: str
@@ -108,7 +109,7 @@ class Absent:
     reason: str
 
 
-# The entries of a piece.
+# What a piece yields.
 Entry = Comparison | Limit | Absent
 
 

@@ -1,7 +1,7 @@
-"""OpenCV's contributed saliency, in a separate process, since its package replaces the one placecat uses.
+"""Run OpenCV's contributed saliency in a separate process, since its package replaces the one placecat uses.
 
-As a program, ``python contributed.py NAME FILE`` computes the maps of all pictures in an .npz for every line
-that it reads, and answers with a line.
+As a program, ``python contributed.py NAME FILE`` answers each line that it reads: it computes the maps of all
+pictures in an .npz file, and then prints a line.
 """
 
 import os
@@ -18,15 +18,15 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 
 PACKAGE = "opencv-contrib-python-headless"
-# `make bench` installs it here, apart from the environment's packages.
+# `make bench` installs the package here, apart from the environment's packages.
 FOLDER = Path(sys.prefix) / "contributed"
 
 
 @contextmanager
 def contributed(name: str, pictures: Sequence[NDArray[np.uint8]]) -> Iterator[Callable[[], None]]:
-    """Make a function that computes the maps of pictures (H, W, 3) with the class `name` of ``cv2.saliency``.
+    """Make a function that computes the maps of (H, W, 3) pictures with the class `name` of ``cv2.saliency``.
 
-    Raises PlacecatError if the package is missing or its process ends.
+    The function raises PlacecatError if the package is missing or its process ends.
     """
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "pictures.npz"

@@ -1,4 +1,4 @@
-"""Frames for the vision pieces, one from each rendered home."""
+"""Frames for the pieces on vision, one from each rendered home."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -20,14 +20,15 @@ HOMES = Path("data/homes")
 REGIONS = 25
 
 Image = NDArray[np.uint8]
-# Maps of a frame, and its salient regions.
+# A frame's maps and its salient regions.
 Described = tuple[FrameMaps, NDArray[np.float32]]
 
 
 def jpegs(homes: Path = HOMES) -> list[Image]:
-    """Encode the frame one third into each rendered home's video as JPEG, with OpenCV's default quality.
+    """Encode a frame of each rendered home's video as JPEG, with OpenCV's default quality.
 
-    Returns the bytes of each file. Raises PlacecatError if the folder has no videos or one cannot be read.
+    The frame is one third into the video. Returns each JPEG's bytes. Raises PlacecatError if the folder has
+    no videos or a video cannot be read.
     """
     videos = sorted(homes.glob("*.mp4"))
     if not videos:
@@ -36,7 +37,7 @@ def jpegs(homes: Path = HOMES) -> list[Image]:
 
 
 def encoded(frame: Image) -> Image:
-    """Encode a (H, W, 3) uint8 BGR frame as JPEG; return the bytes."""
+    """Encode an (H, W, 3) uint8 BGR frame as JPEG; return the bytes."""
     return np.asarray(cv2.imencode(".jpg", frame)[1])
 
 
@@ -46,18 +47,18 @@ def decoded(jpeg: Image) -> Image:
 
 
 def size(frame: NDArray[Any]) -> str:
-    """Width and height as text."""
+    """Return a frame's width and height as text."""
     return f"{frame.shape[1]}x{frame.shape[0]}"
 
 
 def options() -> dict[str, Any]:
-    """The settings of the stage features."""
+    """Return the settings of the stage `features`."""
     params = settings.load()
     return feature_options(params, settings.get(params, "descriptors"))
 
 
 def with_regions(frames: Sequence[Image], count: int = REGIONS) -> list[Described]:
-    """Compute the maps and salient regions of (H, W, 3) uint8 BGR frames, as the stage features does."""
+    """Compute the maps and salient regions of (H, W, 3) uint8 BGR frames, as the stage `features` does."""
     own = options()
     maps = [compute_maps(frame, **own["attention"]) for frame in frames]
     return [(one, find_regions(one, **(own["regions"] | {"max_regions": count}))) for one in maps]

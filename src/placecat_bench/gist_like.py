@@ -1,11 +1,11 @@
 """Synthetic frames of walks through homes, as hard to learn from as Gist descriptors.
 
-The time of kernel machines depends on the frames: with few support vectors they and their peers have little
-work. The constants below therefore make 2000 of these frames resemble 1978 real ones (five rendered homes,
-Gist with 1024 standardised numbers; their values in brackets). The first, the first 21 and the first 101
-principal components have 0.23, 0.74 and 0.95 of the variance (0.22, 0.73 and 0.94); 66 % of the frames are
-support vectors of a class's nu-SVM (56 %); a class's RVM has 63 to 82 relevance vectors (51 to 99); and 36 %
-of the frames in an unseen home are classified right (36 %).
+The time that kernel machines take depends on the frames: with few support vectors, they and their peers have
+little to do. The constants below therefore make 2000 synthetic frames resemble 1978 real ones (five rendered
+homes, Gist with 1024 standardised numbers), whose values follow in brackets. The first, the first 21 and the
+first 101 principal components explain 0.23, 0.74 and 0.95 of the variance (0.22, 0.73 and 0.94); 66 % of the
+frames are support vectors of a class's nu-SVM (56 %); a class's RVM has 63 to 82 relevance vectors (51 to
+99); and 36 % of the frames in an unseen home are classified correctly (36 %).
 """
 
 from collections.abc import Sequence
@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 CLASSES = 5
-# Independent sources of variance, and the decay of their standard deviations.
+# Number of independent sources of variance, decay of their standard deviations, and factor of the first one.
 _SOURCES, _DECAY, _FIRST = 256, 0.6, 1.2
-# Other standard deviations; the views have 1.
+# Standard deviations of classes, rooms and frames; that of views is 1.
 _CLASS, _ROOM, _FRAME = 0.12, 0.2, 0.5
 _VIEWS = 20
 _FRAMES_TO_THE_NEXT_VIEW = 5
@@ -26,7 +26,7 @@ _VISITS = 4
 
 @dataclass(frozen=True)
 class Frames:
-    """Described frames: (n, D) float32 descriptors, (n,) int64 places and homes."""
+    """Frames as (n, D) float32 descriptors, with their (n,) int64 places and homes."""
 
     descriptors: NDArray[np.float32]
     place: NDArray[np.int64]
@@ -34,10 +34,10 @@ class Frames:
 
 
 def draw_frames(n: int, features: int, homes: Sequence[int], seed: int = 0) -> Frames:
-    """Walk through homes: visit each room four times, every frame between two of the room's views.
+    """Walk through homes: visit each room four times; each frame lies between two of the room's views.
 
-    Homes are numbers of 0 or more. Each has about n / len(homes) frames of D `features` and does not depend
-    on the other homes. `seed` determines the places and the descriptor.
+    Homes are numbers of 0 or more. Each home has about n / len(homes) frames with D `features`, and does not
+    depend on the other homes. `seed` determines the appearance of the places and the descriptor.
     """
     rng = np.random.default_rng(seed)
     mixing = rng.normal(size=(_SOURCES, features))

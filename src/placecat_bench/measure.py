@@ -1,4 +1,4 @@
-"""Measure the entries of a benchmark, one row each."""
+"""Measure the entries of a benchmark; each gives one row."""
 
 import statistics
 import sys
@@ -25,18 +25,18 @@ COLUMNS = [
     "met",
     "spent",
 ]
-# Instead of "yes" or "no" for a peer that cannot be measured.
+# Replaces "yes" or "no" for a peer that cannot be measured.
 ABSENT = "not measured"
 _PART_REPEATS = 3
 
 
 def measure(entry: Entry) -> dict[str, object]:
-    """Measure one entry; return a row with `COLUMNS`, None where a value is missing.
+    """Measure one entry; return a row with `COLUMNS`, in which missing values are None.
 
-    ``ours`` and ``theirs`` are medians of seconds, or the number of a `Limit`. ``ratio`` is the median of the
-    ratios of pairs, ``low`` and ``high`` are the smallest and the largest. ``met`` is "yes" or "no".
-    ``spent`` says where the time goes if the target is missed, or why a peer cannot be measured.
-    Raises PlacecatError if the peer is not installed.
+    ``ours`` and ``theirs`` are median seconds; for a `Limit`, ``ours`` is its number. ``ratio`` is the median
+    of the pairs' ratios; ``low`` and ``high`` are the smallest and the largest ratio. ``met`` is "yes", "no"
+    or `ABSENT`. ``spent`` says where the time goes if the target is missed, or why a peer cannot be measured.
+    Raises PlacecatError if a peer of the extra ``bench`` is not installed.
     """
     if isinstance(entry, Absent):
         return _absent(entry.piece, entry.input, entry.peer, entry.reason)
@@ -70,7 +70,7 @@ def _absent(piece: str, text: str, peer: str, reason: str) -> dict[str, object]:
 
 
 def _version(peer: Peer) -> str | None:
-    """Version of a peer; None if it is missing and belongs to another extra than bench."""
+    """Return a peer's version, or None if it belongs to the extra `TORCH` and is not installed."""
     folders = sys.path if peer.folder is None else [str(peer.folder)]
     for found in distributions(name=peer.package, path=folders):
         return found.version
@@ -83,7 +83,7 @@ def _version(peer: Peer) -> str | None:
 
 
 def _spent(parts: Mapping[str, Callable[[], Any]], whole: float | None) -> str:
-    """Parts, the largest first, with their share of the total seconds, or their seconds without a total."""
+    """List parts, slowest first, with their shares of the total time or, without a total, their seconds."""
     times = {name: median_seconds(part, _PART_REPEATS) for name, part in parts.items()}
     ordered = sorted(times.items(), key=lambda item: -item[1])
     if whole is None:
@@ -92,5 +92,5 @@ def _spent(parts: Mapping[str, Callable[[], Any]], whole: float | None) -> str:
 
 
 def _rounded(value: float) -> float:
-    """Four significant digits."""
+    """Round to four significant digits."""
     return float(f"{value:.4g}")

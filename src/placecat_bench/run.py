@@ -1,4 +1,4 @@
-"""Measure pieces one after the other, and write the file of measurements."""
+"""Measure pieces one after another, and write the measurements to a file."""
 
 import platform
 from collections.abc import Sequence
@@ -18,12 +18,13 @@ _MODULE = "module"
 
 
 def run(chosen: Sequence[str], target: Path = paths.BENCHMARKS) -> pd.DataFrame:
-    """Measure pieces on one thread; write the rows after each piece, and keep the rows of other pieces.
+    """Measure pieces on one thread; write their rows after each piece, and keep other pieces' rows.
 
-    `chosen` are names of modules in :mod:`placecat_bench.pieces`; empty means all. `target` is the CSV file;
-    the facts of the machine go to a JSON file with the same name. Returns the CSV's content, with the column
-    module and :data:`placecat_bench.measure.COLUMNS`. Raises PlacecatError for an unknown piece, a missing
-    peer, or other rows that were measured on another machine.
+    `chosen` are names of modules in :mod:`placecat_bench.pieces`; if empty, all are measured. `target` is the
+    CSV file; facts about the machine and the packages go to a JSON file of the same name. Returns the CSV's
+    content, which has the column ``module`` and :data:`placecat_bench.measure.COLUMNS`. Raises PlacecatError
+    for an unknown piece, a missing peer, or kept rows that were measured on another machine or with other
+    packages.
     """
     all_names, facts, facts_file = pieces.names(), _facts(), target.with_suffix(".json")
     generators = {name: pieces.load(name) for name in dict.fromkeys(chosen or all_names)}
@@ -39,7 +40,7 @@ def run(chosen: Sequence[str], target: Path = paths.BENCHMARKS) -> pd.DataFrame:
     for name, entries in generators.items():
         rows = pd.DataFrame(single_threaded(_measure_piece, (name, entries)), columns=table.columns)
         others = table[table[_MODULE] != name]
-        # Sort by piece; rows of a piece stay in order.
+        # Sort by piece, and keep the order of each piece's rows.
         table = pd.concat([others, rows]) if len(others) else rows
         table = table.sort_values(_MODULE, kind="stable", ignore_index=True)
         files.write_csv(target, table)
@@ -57,7 +58,7 @@ def _measure_piece(name: str, entries: pieces.Entries) -> list[dict[str, object]
 
 
 def summary(row: dict[str, object]) -> str:
-    """One line about a measured row."""
+    """Summarise a measured row on one line."""
     what = ", ".join(str(row[name]) for name in ("piece", "input") if row[name])
     if row["met"] == ABSENT:
         return f"{what}: {row['peer']} {ABSENT}: {row['spent']}"
@@ -71,7 +72,7 @@ def summary(row: dict[str, object]) -> str:
 
 
 def _facts() -> dict[str, str]:
-    """Facts that the numbers depend on, except the peers' versions."""
+    """Return facts that the numbers depend on, except the peers' versions."""
     processor = Path("/proc/cpuinfo")
     lines = processor.read_text(encoding="utf-8").splitlines() if processor.exists() else []
     model = next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), "")

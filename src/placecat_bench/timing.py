@@ -1,4 +1,4 @@
-"""Wall times of alternating calls."""
+"""Measure the wall times of alternating calls."""
 
 import gc
 import statistics
@@ -11,9 +11,9 @@ from typing import Any
 def time_in_turn(
     ours: Callable[[], Any], theirs: Callable[[], Any], *, repeats: int, warm_up: bool = True
 ) -> tuple[list[float], list[float]]:
-    """Time pairs of calls A B, B A, A B, ..., so a temporary slowdown of the machine affects both.
+    """Time pairs of calls in the order A B, B A, A B, ..., so that a temporary slowdown affects both.
 
-    `warm_up` first calls each once, untimed. Returns `repeats` seconds of ours and of theirs.
+    `warm_up` first makes each call once, untimed. Returns the seconds of our and of their `repeats` calls.
     """
     if warm_up:
         ours()
@@ -26,7 +26,7 @@ def time_in_turn(
 
 
 def seconds(call: Callable[[], Any]) -> float:
-    """Wall time of one call, after garbage collection."""
+    """Return the wall time of one call in seconds, after garbage collection."""
     gc.collect()
     start = time.perf_counter()
     call()
@@ -34,12 +34,12 @@ def seconds(call: Callable[[], Any]) -> float:
 
 
 def median_seconds(call: Callable[[], Any], repeats: int) -> float:
-    """Median wall time of several calls."""
+    """Return the median wall time of several calls in seconds."""
     return statistics.median(seconds(call) for _ in range(repeats))
 
 
 class Latest:
-    """Calls of ours and theirs that keep the last result, since it is compared too and may take minutes."""
+    """Our and their calls, with their last results, which are compared too and may take minutes."""
 
     def __init__(self, ours: Callable[[], Any], theirs: Callable[[], Any]) -> None:
         self._calls = {"ours": ours, "theirs": theirs}
@@ -47,11 +47,11 @@ class Latest:
         self.calls = partial(self.call, "ours"), partial(self.call, "theirs")
 
     def call(self, name: str) -> None:
-        """Make the call of this name."""
+        """Make the call "ours" or "theirs", and keep its result."""
         self._results[name] = self._calls[name]()
 
     def result(self, name: str) -> Any:
-        """Result of the last call; make one if there was none."""
+        """Return the last call's result; make the call first if there was none."""
         if name not in self._results:
             self.call(name)
         return self._results[name]

@@ -1,1 +1,1 @@
-"""Choose settings that the thesis leaves open, on training homes."""
+"""Choose the settings that the thesis leaves open, judging them on training homes."""

@@ -9,7 +9,7 @@ from placecat.errors import exiting
 
 
 def main() -> None:
-    """Judge the candidates of the named kinds, or of all."""
+    """Judge the candidates of the named kinds or, by default, of all kinds."""
     kinds = tuple(sys.argv[1:]) or KINDS
     for kind in kinds:
         if kind not in KINDS:

@@ -1,4 +1,4 @@
-"""Candidates for settings, and how one is chosen."""
+"""Candidate settings, and how to choose among them."""
 
 import itertools
 from collections.abc import Mapping, Sequence
@@ -24,7 +24,7 @@ def combinations(grids: Sequence[Mapping[str, Sequence[Any]]]) -> list[dict[str,
 
 
 def changed(config: Mapping[str, Any], overrides: Mapping[str, Any], where: str) -> dict[str, Any]:
-    """Copy the settings and change some by their dotted names; unknown ones raise PlacecatError."""
+    """Copy settings and override some by dotted name; raises PlacecatError for an unknown name."""
     return settings.changed(config, overrides, "conf/choice.yaml tries", where)
 
 
@@ -38,9 +38,9 @@ def choose(table: pd.DataFrame, margin: float) -> pd.DataFrame:
 
     ``accuracy`` (percent) and ``log_loss`` are means over training homes that the model has not seen;
     ``test_accuracy`` and ``test_log_loss`` are ignored. Candidates whose mean accuracy is within `margin`
-    points of the best count as equal; the first of these with the least log-loss is chosen. Returns one row
-    per candidate: kind, name, candidate, accuracy, log_loss, chosen. All data sets have the same weight, and
-    so have all test homes of a data set.
+    points of the best count as equally accurate; of these, the first with the lowest log-loss is chosen. All
+    data sets have the same weight, and so do all test homes of a data set. Returns one row per candidate:
+    kind, name, candidate, accuracy, log_loss, chosen.
     """
     means = table.groupby([*KEYS, "data"], sort=False)[NUMBERS].mean()
     means = means.groupby(level=KEYS, sort=False).mean().reset_index()

@@ -22,7 +22,7 @@ _DECIMALS = {"accuracy": 2, "test_accuracy": 2, "log_loss": 4, "test_log_loss": 
 
 
 def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
-    """Read conf/choice.yaml; raises PlacecatError if a setting is unknown, missing or of the wrong type."""
+    """Read conf/choice.yaml; raises PlacecatError if a setting is unknown, missing or invalid."""
     content = conf_file.read(path, ("margin", "smallest", *KINDS))
     margin = content["margin"]
     if isinstance(margin, bool) or not isinstance(margin, int | float) or not 0 <= margin < 100:
@@ -37,11 +37,11 @@ def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
 
 
 def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> pd.DataFrame:
-    """Judge every candidate on the data set of params.yaml; return the choice over all data sets in `output`.
+    """Judge every candidate on the data set of params.yaml, and choose over all data sets in `output`.
 
-    Rows of this data set and these kinds are replaced in `output`, other rows stay. The choice is made by
-    :func:`placecat.choice.candidates.choose`. Raises PlacecatError for wrong settings, or if features or cues
-    were not computed.
+    Rows of this data set and these kinds are replaced in `output`; other rows stay. Returns the result of
+    :func:`placecat.choice.candidates.choose`. Raises PlacecatError for invalid settings, or if features or
+    cues have not been computed.
     """
     options, params = read_settings(), settings.load()
     data = str(settings.get(params, "dataset.title"))
@@ -56,7 +56,7 @@ def run(kinds: Sequence[str] = KINDS, output: Path = paths.CROSS_VALIDATION) -> 
     return choose(table, float(options["margin"]))
 
 
-# Name and label of a candidate, and arguments of the function that judges it.
+# A cue's or system's name, a candidate's label, and the arguments for the function that judges it.
 Task = tuple[str, str, tuple[Any, ...]]
 Tasks = tuple[Callable[..., list[Judgement]], list[Task]]
 
@@ -142,7 +142,7 @@ _TASKS = {"cues": _cue_tasks, "systems": _system_tasks, "smoothing": _smoothing_
 
 
 def text(chosen: pd.DataFrame) -> str:
-    """The choice as text: the three best candidates of each cue and system, the chosen one first."""
+    """Format the choice: for each cue and system, the chosen candidate and the three best others."""
     lines = []
     for (kind, name), part in chosen.groupby(["kind", "name"], sort=False):
         ordered = part.sort_values(["chosen", "accuracy"], ascending=False)

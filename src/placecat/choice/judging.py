@@ -1,4 +1,4 @@
-"""Judge candidates on training homes, from the stages' features and cues."""
+"""Judge candidates on training homes, using the stages' features and cues."""
 
 import itertools
 from collections.abc import Mapping, Sequence
@@ -21,27 +21,27 @@ Judgement = tuple[str, str, float, float]
 
 
 def judge(truth: NDArray[np.int16], proba: NDArray[np.float64], smallest: float) -> tuple[float, float]:
-    """Accuracy (percent) and log-loss (nats) of one home's frames, both means over the places."""
+    """Return the accuracy (percent) and log-loss (nats) of one home's frames, both as means over places."""
     confusion = confusion_matrix(truth, proba.argmax(axis=1), proba.shape[1])
     return home_accuracy(confusion), log_loss(truth, proba, smallest=smallest)
 
 
 def left_out(homes: Sequence[str]) -> list[tuple[str, ...]]:
-    """List the sets of homes to leave out together: every pair, and every home alone."""
+    """List the sets of homes to leave out together: every pair of homes, and every single home."""
     return [*itertools.combinations(homes, 2), *((home,) for home in homes)]
 
 
 def predict_unseen(plan: plans.Plan, cue: Cue) -> dict[str, NDArray[np.float64]]:
-    """Train a cue without clusters by a plan; return distributions for all frames of the tested homes."""
+    """Train a cue without clusters by a plan; map each tested home to distributions for all its frames."""
     trained = train(plan, cue)
     return {part.home: trained.predict(part.home) for part in plan.tested}
 
 
 def judge_cue(plan: plans.Plan, cue: Cue, smallest: float) -> list[Judgement]:
-    """Train a cue without clusters by a plan that leaves out some homes, and judge the cue on these.
+    """Train a cue without clusters by a plan that leaves out some homes, and judge the cue on those homes.
 
-    The plan tests one or two homes. Of two, each is an unseen training home when the other is tested.
-    `smallest` is as for :func:`placecat.evaluation.probabilities.log_loss`.
+    The plan tests one or two homes. If it tests two, each is an unseen training home, with the other as the
+    test home. `smallest` is as for :func:`placecat.evaluation.probabilities.log_loss`.
     """
     unseen = predict_unseen(plan, cue)
     judged = {home: judge_home(home, proba, smallest) for home, proba in unseen.items()}
@@ -49,18 +49,18 @@ def judge_cue(plan: plans.Plan, cue: Cue, smallest: float) -> list[Judgement]:
 
 
 def judge_home(home: str, proba: NDArray[np.float64], smallest: float) -> tuple[float, float]:
-    """Judge the distributions of a home's labelled frames."""
+    """Judge a home's distributions on its labelled frames."""
     labels = listing.read_labels(home)
     rows = np.flatnonzero(labels >= 0)
     return judge(labels[rows], proba[rows], smallest)
 
 
 def judge_system(system: Mapping[str, Any], plan: plans.Plan, seed: int, smallest: float) -> list[Judgement]:
-    """Train an integration on the cues of a fold, and judge it on the homes that the cues have not seen.
+    """Train an integration on a fold's cues, and judge it on the homes that the cues have not seen.
 
-    `system` has the ``scheme`` of the plan. In 4-5-1 the integration trains on the homes of the cues, as in
-    5-5-1, and is judged on the home that the cues have not seen and on the test home. In 5-5-1 it is judged
-    on the test home.
+    `system` has the plan's ``scheme``. In 4-5-1, the integration trains only on the cues' training homes, as
+    in 5-5-1, and is judged on the test home and on the other home that the cues have not seen. In 5-5-1, it
+    is judged on the test home.
     """
     read = CueResults(system, plan.test, seed)
     cue_homes, method = {part.home for part in plan.cues}, system["integrator"]["method"]
@@ -84,7 +84,7 @@ _HELD_OUT = ("cross_validated", "cross_validated_truth")
 
 
 def _both_ways(without: tuple[str, ...], judged: Mapping[str, tuple[float, float]]) -> list[Judgement]:
-    """Pair each home with its test home: the other one of two, or itself if alone."""
+    """Pair each judged home with its test home: the other home if there are two, otherwise itself."""
     if len(without) == 1:
         return [(without[0], without[0], *judged[without[0]])]
     first, second = without

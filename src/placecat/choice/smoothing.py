@@ -1,6 +1,6 @@
 """Judge smoothing candidates on training homes, for single cues only.
 
-Integrations cannot be judged like this. Their training distributions look too good, since they come from cues
+Integrations cannot be judged this way: their training distributions look too good, since they come from cues
 that have seen other frames of the same home.
 """
 
@@ -26,12 +26,13 @@ def judge_smoothing(
     unseen: Mapping[str, NDArray[np.float64]],
     smallest: float,
 ) -> list[Judgement]:
-    """Smooth the homes of one fold of a cue with settings of :func:`placecat.fusion.smoothing.fit`.
+    """Smooth the homes of a cue's fold, and judge the result.
 
-    `source` is the file of the stage `cues` for the fold; PlacecatError if it lacks cross-validation by home.
-    `unseen` has (frames, n_classes) distributions of all frames of each training home, from a cue that has
-    seen neither this home nor the test home. A training home is smoothed with statistics of the other
-    training homes, the test home with statistics of all of them.
+    `smoothing` has the settings of :func:`placecat.fusion.smoothing.fit`. `source` is the fold's file from
+    the stage `cues`; raises PlacecatError if it lacks cross-validated distributions. `unseen` maps each
+    training home to (frames, n_classes) distributions of all its frames, from a cue that has seen neither
+    this home nor the test home. A training home is smoothed with statistics of the other training homes, and
+    the test home with statistics of all training homes.
     """
     if not fold_file.has(source, "cross_validated"):
         raise PlacecatError(

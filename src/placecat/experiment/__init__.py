@@ -1,8 +1,8 @@
-"""Experiments with any descriptor, classifier and data on existing features, alone or as a sweep.
+"""Experiments with any descriptor, classifier and data, run on existing features, singly or in sweeps.
 
-``placecat experiment`` is a Hydra application of conf/experiment.yaml. It uses the functions and seeds of the
-tables, so the numbers are equal.
+``placecat experiment`` is the Hydra application of conf/experiment.yaml. It uses the same functions and seeds
+as the tables, so it gives the same numbers.
 """
 
-# Must precede NumPy: it chooses OpenBLAS's kernels, as in the stages.
+# Must be imported before NumPy, because it chooses OpenBLAS's kernels as the stages do.
 import placecat.stages  # noqa: F401

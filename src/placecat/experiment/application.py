@@ -14,15 +14,15 @@ from placecat.errors import PlacecatError
 from placecat.experiment import options
 from placecat.experiment.job import job
 
-# Largest number of characters of keys in a folder's name.
+# A folder's name contains at most this many characters of keys.
 _LONGEST = 80
 
 
 def main(arguments: Sequence[str]) -> None:
     """Run the experiments that Hydra's arguments describe.
 
-    Raises PlacecatError outside a project's folder; SystemExit with a message or status 1 if a setting is
-    wrong or an experiment failed.
+    Raises PlacecatError outside a project's folder. Raises SystemExit, with a message or status 1, if a
+    setting is wrong or an experiment fails.
     """
     for path in (paths.CONF / f"{options.CONFIG}.yaml", paths.PARAMS):
         if not path.is_file():
@@ -33,7 +33,7 @@ def main(arguments: Sequence[str]) -> None:
     given = get_args(arguments)
     overrides.check(given.overrides, several=True)
     if given.help:
-        # Hydra prints no help for a sweep.
+        # Hydra prints no help for sweeps.
         arguments = ["--help"]
     elif given.multirun:
         if given.cfg or given.info:
@@ -41,7 +41,7 @@ def main(arguments: Sequence[str]) -> None:
         if not any(one.startswith("hydra.sweep.dir=") for one in given.overrides):
             arguments.append(f"hydra.sweep.dir={folder_of(given.overrides)}")
     options.register()
-    # Hydra's launcher uses as many processes as joblib counts cores.
+    # Hydra's launcher starts one process for each core that joblib counts.
     workers = compute.wanted_workers()
     if workers is not None:
         os.environ.setdefault("LOKY_MAX_CPU_COUNT", str(workers))
@@ -54,14 +54,14 @@ def main(arguments: Sequence[str]) -> None:
 
 
 def folder_of(given: Sequence[str]) -> str:
-    """Name a sweep's folder by its overrides except ``hydra.``, so the same command finds it again."""
+    """Name a sweep's folder after its overrides, except Hydra's, so that the same command finds it again."""
     own = [one for one in given if not one.startswith(("hydra.", "hydra/launcher"))]
     keys = "-".join(re.sub(r"[^\w.]", "", one.partition("=")[0]) for one in own)
     return f"multirun/{keys[:_LONGEST]}-{hashlib.sha256(repr(own).encode()).hexdigest()[:8]}"
 
 
 def search(arguments: Sequence[str]) -> None:
-    """Search settings; the first argument may name a file of conf/search, the others are as for `main`."""
+    """Search for settings. The first argument may name a file in conf/search; the rest are as for `main`."""
     rest = list(arguments)
     if rest and "=" not in rest[0] and not rest[0].startswith("-"):
         rest[0] = f"+search={rest[0]}"

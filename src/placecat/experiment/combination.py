@@ -1,4 +1,4 @@
-"""Resolve one combination of settings, and check that it can be computed."""
+"""Resolve a combination of settings, and check that it can be computed."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -23,13 +23,13 @@ from placecat.training.plan import Plan
 
 @dataclass(frozen=True)
 class Experiment:
-    """A checked experiment: its training and test data, and the names of the test homes.
+    """A checked experiment: its data, the names of its test homes, and its settings.
 
-    `judge` is ``test_home`` or ``training_homes``, see :meth:`~placecat.experiment.data.Data.plans`.
-    `settings` are ``descriptor``, ``classifier`` and, for classifiers on clusters, ``codebook``, as in a
-    table's trial. `frames` are ``offset`` and ``step`` of the training frames. `seeds` are the seeds of the
-    clusters, or a single None if nothing is random. `probabilities` are params.yaml's settings of that name,
-    as for :func:`placecat.evaluation.quality.probability_quality`.
+    `judge` is ``test_home`` or ``training_homes``; see :meth:`~placecat.experiment.data.Data.plans`.
+    `settings` has ``descriptor``, ``classifier`` and, for classifiers on clusters, ``codebook``, as in a
+    table's trial. `frames` has the ``offset`` and ``step`` of the training frames. `seeds` are the seeds of
+    the clusters, or a single None if nothing is random. `probabilities` are the params.yaml settings of that
+    name, as for :func:`placecat.evaluation.quality.probability_quality`.
     """
 
     data: Data
@@ -41,14 +41,14 @@ class Experiment:
     probabilities: dict[str, Any]
 
     def plans(self) -> dict[str, list[Plan]]:
-        """The plans of each test home; their mean accuracy is the home's accuracy."""
+        """Map each test home to its plans; their mean accuracy is the home's accuracy."""
         return {
             home: [plan.with_cue_frames(self.frames) for plan in self.data.plans(home, self.judge)]
             for home in self.homes
         }
 
     def described(self) -> dict[str, Any]:
-        """All settings that the numbers depend on, in JSON types."""
+        """Every setting that affects the numbers, as JSON types."""
         return {
             "data": self.data.name,
             "judge": self.judge,
@@ -61,10 +61,11 @@ class Experiment:
 
 
 def resolve(config: Mapping[str, Any], params: Mapping[str, Any]) -> Experiment:
-    """Resolve a combination, or refuse an impossible one; reads labels and array sizes, but no features.
+    """Resolve a combination of settings; read labels and array sizes, but no features.
 
     `config` is the composed conf/experiment.yaml as plain containers. `params` is the params.yaml that the
-    features were computed with. The PlacecatError names the mistake and the remedy.
+    features were computed with. Raises PlacecatError if the combination is invalid; the message names the
+    mistake and the remedy.
     """
     schema.check(config, schema.Experiment)
     data = data_sets.find(params, config["data"])
@@ -108,13 +109,13 @@ def _seeds(wanted: int | Sequence[int] | None, default: Sequence[int]) -> tuple[
 
 
 def _probabilities(own: Mapping[str, Any]) -> dict[str, Any]:
-    """Refuse wrong settings before anything runs."""
+    """Refuse invalid settings before anything runs."""
     settings.call(probability_quality, [0], np.ones((1, 1)), settings=own, where="probabilities")
     return dict(own)
 
 
 def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
-    """The descriptor as tables write it, since seeds derive from the text."""
+    """Write the descriptor as the tables do, since seeds are derived from that text."""
     own = dict(wanted)
     if own["kind"] == "holistic":
         settings.refuse_unknown(own, ["kind", "name"], f"descriptor {own['name']}, of whole frames,")
@@ -130,7 +131,7 @@ def _descriptor(wanted: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _check_classifier(classifier: Mapping[str, Any]) -> bool:
-    """Run the checks of the classifier's modules; return whether it works on clusters."""
+    """Run the checks of the classifier's modules; return whether the classifier uses clusters."""
     model = lookup.require(cues.__name__, classifier.get("model"), "classifier.model", "fit")
     valid = list(lookup.parameters(cues.__name__, model, "fit"))
     options = {name: value for name, value in classifier.items() if name != "model"}
@@ -148,7 +149,7 @@ def _check_classifier(classifier: Mapping[str, Any]) -> bool:
 
 
 def _base(classifier: Mapping[str, Any]) -> Any:
-    """The untrained estimator of a classifier; None if there is none."""
+    """The untrained estimator of a classifier, or None if it has none."""
     return estimators.build(classifier["base"], "classifier.base") if "base" in classifier else None
 
 
@@ -186,7 +187,7 @@ def _codebook(
 
 
 def _check_data(experiment: Experiment, kernel_rows: int) -> None:
-    """Check against data/: features, their sizes, and labels of the training frames."""
+    """Check the experiment against the features, their sizes and the labels of the frames in data/."""
     plans = [plan for of_home in experiment.plans().values() for plan in of_home]
     training = {part.home: part.chosen() for plan in plans for part in plan.cues}
     every = sorted({plan.test for plan in plans} | set(training))
@@ -232,7 +233,7 @@ def _counts(home: str, descriptor: Mapping[str, Any]) -> np.ndarray:
 
 
 def _length(data: Data, home: str, descriptor: Mapping[str, Any]) -> int:
-    """Length of the joined descriptor; refuses a descriptor that was not computed for enough regions."""
+    """Return the length of the joined descriptor; refuse one that was not computed for enough regions."""
     folder, kind = store.folder_of(home, descriptor), descriptor["kind"]
     computed = sorted(path.stem.removeprefix(f"{kind}_") for path in folder.glob(f"{kind}_*.npy"))
     length = int(bool(descriptor.get("y_pos", False)))
@@ -270,7 +271,7 @@ def _check_length(own: Mapping[str, Any], length: int) -> None:
         return
     settings.check(SpatialPCA, reduction, "classifier.reduction")
     try:
-        # It checks its settings before it refuses a single sample.
+        # It checks its settings before it refuses to fit a single sample.
         SpatialPCA(**reduction).fit(np.zeros((1, length), np.float32))
     except NotComputable:
         pass

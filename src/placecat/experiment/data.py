@@ -1,4 +1,4 @@
-"""The data of an experiment: training plans and test homes."""
+"""An experiment's data: its training plans and test homes."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -14,9 +14,9 @@ from placecat.training.plan import Plan
 
 @dataclass(frozen=True)
 class Data:
-    """A data set with features: its name (the main one or a split), and the names of the places.
+    """A data set with features: its name (the main data set's or a split's) and its places' names.
 
-    `by_test` maps each sequence that can be tested to the plan that tests only it.
+    `by_test` maps each sequence that can be tested to the plan that tests only that sequence.
     """
 
     name: str
@@ -24,16 +24,16 @@ class Data:
     by_test: Mapping[str, Plan]
 
     def plans(self, test: str, judge: str) -> list[Plan]:
-        """The plans behind the accuracy of one test home of `by_test`.
+        """Return the plans behind the accuracy of a test home, which must be in `by_test`.
 
-        If `judge` is ``test_home``, this is the home's plan. If it is ``training_homes``, there is one plan
-        per training home, which tests that home and trains on the others; the test home is not used.
+        If `judge` is ``test_home``, this is the home's own plan. If it is ``training_homes``, each training
+        home has a plan that tests it and trains on the others; no plan uses the test home.
         """
         plan = self.by_test[test]
         if judge == TEST_HOME:
             return [plan]
         plans = planning.on_training_homes(plan)
-        # As in the tables, cross-validation needs two homes that train a cue.
+        # As in the tables, cross-validation needs two homes to train a cue on.
         if len(plans) < 3:
             raise PlacecatError(
                 f"judge=training_homes leaves out one training home and needs two others, but {self.name} "
@@ -43,7 +43,7 @@ class Data:
 
 
 def find(params: Mapping[str, Any], name: str) -> Data:
-    """Look up the data, ``main`` or a split of params.yaml; for others the PlacecatError lists all."""
+    """Look up ``main`` or a split of params.yaml; for another name, raise a PlacecatError that lists all."""
     if name == MAIN:
         plans = planning.of_homes(params, "5-5-1")
         return Data(plans[0].dataset, plans[0].classes, {plan.test: plan for plan in plans})
@@ -55,7 +55,10 @@ def find(params: Mapping[str, Any], name: str) -> Data:
 
 
 def find_homes(data: Data, wanted: Any) -> tuple[str, ...]:
-    """Find test homes: ``all``, or names compared by letters and digits; the PlacecatError lists them."""
+    """Find test homes: ``all``, or names, of which only letters and digits are compared.
+
+    Raises PlacecatError if a name is unknown, ambiguous or repeated.
+    """
     if wanted == ALL:
         return tuple(data.by_test)
     spellings: dict[str, list[str]] = {}
@@ -85,7 +88,7 @@ def find_homes(data: Data, wanted: Any) -> tuple[str, ...]:
 
 
 def need_features(homes: Sequence[str]) -> None:
-    """Refuse sequences, named as for :func:`placecat.paths.sequences`, without features."""
+    """Refuse sequences that have no labels or features; names are as for :func:`placecat.paths.sequences`."""
     for home in homes:
         for path in (paths.sequences(home) / "labels.csv", paths.features(home)):
             if not path.exists():

@@ -1,4 +1,4 @@
-"""The Hydra job of one combination, in this process or in a worker."""
+"""The Hydra job that runs one combination of settings, in this process or in a worker."""
 
 import logging
 import math
@@ -18,7 +18,7 @@ from placecat.errors import PlacecatError
 from placecat.experiment import output
 from placecat.runs import lifeline
 
-# Environment variable that tells workers the process of the sweep.
+# Environment variable that tells workers the id of the sweep's process.
 WORKERS_OF = "PLACECAT_SWEEP"
 _log = logging.getLogger(__name__)
 
@@ -26,12 +26,12 @@ _log = logging.getLogger(__name__)
 def job(config: DictConfig) -> float:
     """Compute one experiment, write result.json to Hydra's output folder, and return the accuracy.
 
-    The accuracy is the mean over test homes in percent, NaN if there is no number. result.json has the result
-    of :func:`placecat.experiment.running.compute` and its origin. In a sweep nothing is raised, so a failure
-    does not end the other experiments: result.json has the reason, and the sweep ends with status 1. A single
-    experiment is printed and logged here.
+    The accuracy is the mean over test homes in percent, or NaN if there is no number. result.json holds the
+    result of :func:`placecat.experiment.running.compute` and its origin. In a sweep, the job raises nothing,
+    so that its failure does not end the other experiments: result.json holds the reason, and the sweep ends
+    with status 1. A single experiment is also printed and logged here.
     """
-    # Late, since these import scikit-learn, which `--help` does not need.
+    # Imported here, since these import scikit-learn, which `--help` does not need.
     from placecat.experiment import running
     from placecat.experiment.combination import resolve
     from placecat.experiment.made_from import made_from
@@ -42,12 +42,12 @@ def job(config: DictConfig) -> float:
     if os.environ.get(WORKERS_OF) == str(os.getppid()):
         lifeline.end_with(os.getppid())
     start = time.perf_counter()
-    # Written first, since a killed job cannot report that it was killed.
+    # Written first, since a killed job cannot report its end.
     files.write_json(folder / output.RESULT, output.failure(output.KILLED))
     (folder / output.TRACEBACK).unlink(missing_ok=True)
     origin: dict[str, Any] = {}
     try:
-        # The experiments of a sweep run in parallel, unless each can use a cluster.
+        # A sweep already runs its experiments in parallel, unless each of them can use a cluster.
         workers = parallel.workers() if is_single or compute.cluster() is not None else 1
         experiment = resolve(OmegaConf.to_container(config, resolve=True), settings.load())  # type: ignore[arg-type]
         origin = made_from(experiment)
@@ -60,9 +60,9 @@ def job(config: DictConfig) -> float:
         result = output.failure(
             f"{type(error).__name__}: {error} (an error of placecat: see {folder / output.TRACEBACK})"
         )
-    # In another file, since result.json must not depend on time and place.
+    # Kept in a separate file, since result.json must not depend on when and where it was computed.
     files.write_json(folder / output.SECONDS, round(time.perf_counter() - start, 2))
-    # Written last: after a killed sweep, it marks the job as finished.
+    # Written last: if the sweep is killed later, this marks the job as finished.
     files.write_json(folder / output.RESULT, result | origin)
     if not is_single:
         _log.info("%s: %s", " ".join(hydra.overrides.task), output.shown(result))

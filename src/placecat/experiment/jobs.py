@@ -1,4 +1,4 @@
-"""Run the jobs of a sweep: skip finished jobs, and continue after a killed one."""
+"""Run a sweep's jobs: skip finished ones, and continue after one is killed."""
 
 import math
 import os
@@ -17,13 +17,13 @@ from placecat.experiment.made_from import is_finished, made_from
 from placecat.runs import lock
 
 _NO_RESULT = "no result"
-# Runs jobs with these overrides.
+# A function that runs one job for each list of overrides.
 Launch = Callable[[Sequence[Sequence[str]]], Any]
 
 
 @contextmanager
 def alone(folder: Path) -> Iterator[None]:
-    """Make and lock the folder of a sweep, after any other process; if stopped, print how to continue."""
+    """Create and lock a sweep's folder, waiting for any other process; on Ctrl-C, print how to continue."""
     folder.mkdir(parents=True, exist_ok=True)
     with lock.waiting(folder / ".lock", f"Another process is running this sweep ({folder}): waiting for it."):
         try:
@@ -41,18 +41,18 @@ def run(
     *,
     first: int = 0,
 ) -> list[float]:
-    """Run the unfinished jobs; each has a folder named by its number, starting with `first`.
+    """Run the unfinished jobs; each job's folder is named by its number, counted from `first`.
 
-    `lines` are the overrides of each job. `experiments` are the resolved experiments, None if only the job
-    itself can refuse its overrides. Returns the accuracies in percent, in the order of the jobs; NaN if a job
-    has none.
+    `lines` has each job's overrides. `experiments` has each job's resolved experiment, or None if it was
+    refused; the job itself then reports why. Returns the jobs' accuracies in percent, in order; a job
+    without an accuracy gives NaN.
     """
     numbers = range(first, first + len(lines))
     todo = []
     for number, experiment in zip(numbers, experiments, strict=True):
         own = folder / str(number)
         if experiment is None or not is_finished(own, made_from(experiment)):
-            # The existing result has other settings, data or code, or its job failed.
+            # There is no result, its job failed, or it comes from other settings, data or code.
             (own / output.RESULT).unlink(missing_ok=True)
             todo.append(number)
     if len(todo) < len(lines):
@@ -60,7 +60,7 @@ def run(
     os.environ[job.WORKERS_OF] = str(os.getpid())
 
     def start(some: Sequence[int]) -> None:
-        # Set the number here, since Hydra counts only the jobs of this call.
+        # Number the jobs here, since Hydra counts only the jobs of this call.
         launch([[*lines[number - first], f"hydra.sweep.subdir={number}"] for number in some])
 
     def failed(number: int) -> str | None:
@@ -71,7 +71,7 @@ def run(
             start(todo)
             break
         except TerminatedWorkerError:
-            # A killed job ends all jobs beside it: run each again alone.
+            # A killed job takes all running jobs down with it: run each of them again alone.
             killed = [number for number in todo if failed(number) == output.KILLED]
             if not killed:
                 raise

@@ -1,4 +1,4 @@
-"""The origin of an experiment's result, which tells a sweep whether a job is finished."""
+"""The origin of an experiment's result; a sweep uses it to tell whether a job is finished."""
 
 import hashlib
 from pathlib import Path
@@ -14,10 +14,10 @@ _OF_CODE = ("placecat", "Python", *PACKAGES, "OpenCV")
 
 
 def made_from(experiment: Experiment) -> dict[str, Any]:
-    """Describe the inputs of a result in JSON types, for result.json.
+    """Describe a result's inputs as JSON types, for result.json.
 
-    The parts are ``settings``; ``plans``, a checksum of the training and test sequences; ``data``, a checksum
-    of labels and descriptor for each sequence; ``code``, versions of placecat and the libraries.
+    The keys are ``settings``; ``plans``, a checksum of the training and test plans; ``data``, a checksum of
+    each sequence's labels and descriptors; and ``code``, the versions of placecat, Python and the libraries.
     """
     plans = [plan for of_home in experiment.plans().values() for plan in of_home]
     sequences = sorted({part.home for plan in plans for part in (*plan.cues, *plan.tested)})
@@ -31,12 +31,12 @@ def made_from(experiment: Experiment) -> dict[str, Any]:
 
 
 def made_from_of(result: dict[str, Any]) -> dict[str, Any]:
-    """Read the origin from a result; it is incomplete if the job failed early."""
+    """Extract the origin from a result; it is incomplete if the job failed early."""
     return {name: result[name] for name in ("settings", "plans", "data", "code") if name in result}
 
 
 def is_finished(folder: Path, wanted: dict[str, Any]) -> bool:
-    """Whether a job's folder has a result (accuracy or reason) with the wanted origin."""
+    """Whether a job's folder holds a result, an accuracy or a reason, with the wanted origin."""
     try:
         found = output.read(folder)
     except PlacecatError:

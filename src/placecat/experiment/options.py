@@ -1,4 +1,4 @@
-"""The options of an experiment: the descriptors and data in conf/."""
+"""The options of an experiment: the descriptors, classifiers and data sets in conf/."""
 
 from pathlib import Path
 from typing import Any
@@ -15,10 +15,11 @@ TEST_HOME = "test_home"
 
 
 def descriptors(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:
-    """Map names of descriptors in experiments to their settings in a cue (see :mod:`placecat.store`).
+    """Map each descriptor's name in experiments to its settings in a cue (see :mod:`placecat.store`).
 
-    They come from conf/descriptor, from cues whose descriptor has no file there, and from conf/optional. If a
-    name occurs in both kinds, ``NAME`` describes salient regions and ``holistic_NAME`` whole frames.
+    Descriptors come from conf/descriptor, from cues whose descriptor has no file there, and from
+    conf/optional. If both kinds use a name, ``NAME`` describes salient regions and ``holistic_NAME`` whole
+    frames.
     """
     further = (inferred.descriptors(conf), inferred.optional_descriptors(conf))
 
@@ -36,13 +37,13 @@ def descriptors(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:
 
 
 def classifiers(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:
-    """Name and content of each file of conf/classifier."""
+    """Map the name of each file in conf/classifier to its content."""
     files = sorted((conf / "classifier").glob("*.yaml"))
     return {path.stem: yaml.safe_load(path.read_text(encoding="utf-8")) for path in files}
 
 
 def splits(conf: Path = paths.CONF) -> list[str]:
-    """Names of the further data sets: the files of conf/split."""
+    """Names of the data sets besides the main one: the files in conf/split."""
     return sorted(path.stem for path in (conf / "split").glob("*.yaml"))
 
 

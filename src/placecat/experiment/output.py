@@ -1,4 +1,4 @@
-"""The files of an experiment, and its result in one line."""
+"""An experiment's files, and its result on one line."""
 
 from pathlib import Path
 from typing import Any
@@ -11,19 +11,19 @@ SECONDS = "seconds.json"
 TRACEBACK = "traceback.txt"
 SUMMARY = "summary.csv"
 FAILED = "failed"
-# Of every result, by the names in the tables' runs; results of older versions have the first one only.
+# Measures of a result, named as in the tables' runs; results of older versions have only the first.
 MEASURES = ("accuracy", "log_loss", "calibration_error")
-# The preliminary result of a job.
+# A job's preliminary result, which remains if its process is killed.
 KILLED = "its process was killed, perhaps because memory ran out"
 
 
 def failure(message: str) -> dict[str, Any]:
-    """The result of an experiment that failed."""
+    """Make the result of a failed experiment."""
     return {FAILED: message, "accuracy": None, "reason": None}
 
 
 def read(folder: Path) -> dict[str, Any]:
-    """Read result.json of a job's folder; raises PlacecatError if it is missing or not JSON."""
+    """Read result.json in a job's folder; raises PlacecatError if it is missing or not JSON."""
     path = folder / RESULT
     try:
         result: dict[str, Any] = files.read_json(path)
@@ -35,7 +35,7 @@ def read(folder: Path) -> dict[str, Any]:
 
 
 def shown(result: dict[str, Any]) -> str:
-    """A result in one line."""
+    """Format a result on one line."""
     if FAILED in result:
         return f"failed: {result[FAILED]}"
     if result["accuracy"] is None:
@@ -44,7 +44,7 @@ def shown(result: dict[str, Any]) -> str:
 
 
 def quality(result: dict[str, Any]) -> str:
-    """Log-loss and calibration error as the end of a line; "" if the result has none."""
+    """Format log-loss and calibration error as the end of a line, or "" if the result lacks either."""
     log_loss, error = (result.get(measure) for measure in MEASURES[1:])
     if log_loss is None or error is None:
         return ""

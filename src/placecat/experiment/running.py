@@ -16,17 +16,18 @@ from placecat.training import trial
 from placecat.training.cue import Cue
 from placecat.training.plan import Plan
 
-# Measures and confusion of one tested home and seed, or the reason why they are missing.
+# The measures and confusion of one tested home and seed, or the reason why there are none.
 Outcome = dict[str, Any] | str
 
 
 def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
-    """Train and test for every test home, fold and seed; no result depends on the number of `workers`.
+    """Train and test for every test home, fold and seed; the number of `workers` does not affect results.
 
-    Returns JSON types only: ``settings``; ``accuracy`` in percent, ``log_loss`` in nats and
-    ``calibration_error`` in percent, means over test homes or None; and ``homes``. Each test home has the
-    same measures, means over seeds and folds, or the ``reason`` why it has none, and ``folds``: the measures
-    and ``confusion`` (counts, true places as rows) of each tested home and seed.
+    Returns JSON types only: ``settings``; ``classes``; ``accuracy`` in percent, ``log_loss`` in nats and
+    ``calibration_error`` in percent, each a mean over test homes or None; ``reason``, why a test home has
+    none; and ``homes``. Each test home has the same measures as means over seeds and folds, or the
+    ``reason`` why it has none, and ``folds``: the measures and ``confusion`` (counts, true places as rows)
+    of each tested home and seed.
     """
     plans = experiment.plans()
     keys = [
@@ -52,7 +53,7 @@ def compute(experiment: Experiment, *, workers: int = 1) -> dict[str, Any]:
 
 
 def _measure(plan: Plan, cue: Cue, seed: int | None, probabilities: Mapping[str, Any]) -> Outcome:
-    """Train on one fold, and measure the distributions of its tested home."""
+    """Train on one fold, and measure the distributions predicted for its tested home."""
     truth, [(proba, _)] = trial.predict(plan, [cue], seed)
     if isinstance(proba, str):
         return proba
@@ -66,7 +67,7 @@ def _measure(plan: Plan, cue: Cue, seed: int | None, probabilities: Mapping[str,
 
 
 def _of_home(outcomes: list[tuple[str, int | None, Outcome]]) -> dict[str, Any]:
-    """Average as in a table's cell: a home counts if every seed has a number."""
+    """Average like a table's cell: a home has means only if none of its numbers is missing."""
     reasons = [found for _, _, found in outcomes if isinstance(found, str)]
     folds: dict[str, dict[str, Any]] = {}
     for test, seed, found in outcomes:

@@ -1,4 +1,4 @@
-"""Readable tables of the results of a sweep or an experiment."""
+"""Readable tables of a sweep's or an experiment's results."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ from placecat.results.measured import DECIMALS
 HOME = "test_home"
 AVERAGE = "average"
 _MOST_COLUMNS = 12
-# Characters in a line of a printed table.
+# Longest line of a printed table, in characters.
 _WIDTH = 100
 _UNITS = {
     "accuracy": "Accuracy in percent",
@@ -31,7 +31,7 @@ _DECIMALS = {"accuracy": 2} | DECIMALS
 
 @dataclass(frozen=True)
 class Ran:
-    """One experiment of a sweep: its number, the values of the swept keys, its folder and its result.json."""
+    """An experiment of a sweep: its number, its values of the swept keys, its folder and its result.json."""
 
     number: int
     values: dict[str, str]
@@ -45,13 +45,13 @@ class Ran:
 
     @property
     def seconds(self) -> float | None:
-        """Its duration."""
+        """The experiment's duration in seconds, or None if it was not recorded."""
         path = self.folder / output.SECONDS
         return float(files.read_json(path)) if path.is_file() else None
 
     @property
     def spread(self) -> float:
-        """The largest minus the smallest accuracy over seeds, as in the tables; NaN if nothing is random."""
+        """The largest minus the smallest seed's accuracy, as in the tables; NaN if nothing is random."""
         by_seed: dict[str, list[float]] = {}
         for home in self.result.get("homes", {}).values():
             for fold in home["folds"].values():
@@ -63,7 +63,7 @@ class Ran:
 
 
 def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
-    """Collect the results of a sweep; `combinations` are each experiment's values of the swept keys."""
+    """Collect a sweep's results; `combinations` has each experiment's values of the swept keys."""
     found = []
     for number, values in enumerate(combinations):
         own = folder / str(number)
@@ -76,9 +76,9 @@ def read(folder: Path, combinations: Sequence[dict[str, str]]) -> list[Ran]:
 
 
 def as_frame(ran: Sequence[Ran]) -> pd.DataFrame:
-    """One row per experiment: number, swept keys, measures with the accuracy's spread, and problems.
+    """One row per experiment: number, swept keys, measures, the accuracy's spread, and a note on problems.
 
-    ``log_loss`` is in nats, the other measures and ``spread`` are in percent; NaN for missing ones.
+    ``log_loss`` is in nats; the other measures and ``spread`` are in percent. A missing value is NaN.
     """
     rows = []
     for one in ran:
@@ -97,23 +97,23 @@ def as_frame(ran: Sequence[Ran]) -> pd.DataFrame:
 
 
 def _value(one: Ran, measure: str) -> float:
-    """One of the measures, unrounded; NaN for experiments without it."""
+    """An experiment's value of a measure, unrounded; NaN if it has none."""
     value = one.result.get(measure)
     return float("nan") if value is None else float(value)
 
 
 def _values(ran: Sequence[Ran], measure: str) -> pd.DataFrame:
-    """Swept keys and unrounded values of a measure; NaN for experiments without it."""
+    """The experiments' swept keys and unrounded values of a measure; NaN where there is none."""
     frame = pd.DataFrame([{**one.values, measure: _value(one, measure)} for one in ran])
-    # A sweep may contain a home in two spellings.
+    # A sweep may contain the same values twice.
     return frame.drop_duplicates(list(ran[0].values) or None)
 
 
 def grid(ran: Sequence[Ran], measure: str = "accuracy") -> pd.DataFrame:
-    """The values of a measure as a table of text over the swept keys.
+    """Tabulate a measure over the swept keys, as text.
 
-    The columns are the values of the first numeric key, or else of the last key except the test home. If
-    test homes were swept, their average is below them.
+    The columns are the values of the first numeric key or, without one, of the last key, but never of the
+    test home. If several test homes were swept, their average follows them.
     """
     swept, frame = list(ran[0].values), _values(ran, measure)
     others = [key for key in swept if key != HOME]
@@ -124,7 +124,7 @@ def grid(ran: Sequence[Ran], measure: str = "accuracy") -> pd.DataFrame:
     numbers = [key for key in others if pd.to_numeric(frame[key], errors="coerce").notna().all()]
     across = (numbers[:1] or others[-1:]) if len(swept) > 1 else []
     across = [key for key in across if frame[key].nunique() <= _MOST_COLUMNS]
-    # The homes come last, to keep the rows of an average together.
+    # The homes come last, to keep the rows that are averaged together.
     down = [key for key in others if key not in across] + [key for key in swept if key == HOME]
     for key in swept:
         # Keep the order of the sweep.
@@ -136,10 +136,13 @@ def grid(ran: Sequence[Ran], measure: str = "accuracy") -> pd.DataFrame:
 
 
 def highest(ran: Sequence[Ran]) -> tuple[dict[str, str], float] | None:
-    """The settings with the highest accuracy, averaged over swept test homes."""
+    """The settings with the highest accuracy, and that accuracy, averaged over swept test homes.
+
+    None if no settings have an accuracy in every home.
+    """
     frame = _values(ran, "accuracy")
     others = [key for key in ran[0].values if key != HOME]
-    # Settings without a number for one of the homes cannot be compared.
+    # Settings that lack a number for any home cannot be compared.
     means = [
         (float(own["accuracy"].mean(skipna=False)), {key: str(own[key].iloc[0]) for key in others})
         for _, own in (frame.groupby(others, sort=False) if others else [(None, frame)])
@@ -152,7 +155,7 @@ def highest(ran: Sequence[Ran]) -> tuple[dict[str, str], float] | None:
 
 
 def text(ran: Sequence[Ran]) -> str:
-    """The summary of a sweep, to print."""
+    """Format a sweep's summary for the terminal."""
     lines = [_tables(ran), ""]
     top = highest(ran)
     if top is not None and len(ran) > 1:
@@ -166,7 +169,7 @@ def text(ran: Sequence[Ran]) -> str:
 
 
 def _tables(ran: Sequence[Ran]) -> str:
-    """The measures that there are: side by side, or one below the other if that is too wide."""
+    """Format tables of the available measures, side by side or, if that is too wide, one below the other."""
     found = {
         measure: grid(ran, measure)
         for measure in output.MEASURES
@@ -185,7 +188,7 @@ def _tables(ran: Sequence[Ran]) -> str:
 
 
 def markdown(ran: Sequence[Ran]) -> str:
-    """The summary of a sweep as Markdown."""
+    """Format a sweep's accuracies as Markdown."""
     table = grid(ran)
     across = f" Columns: {formats.markdown(str(table.columns.name))}." if table.columns.name else ""
     shown = table.reset_index().map(lambda cell: formats.markdown(cell) if isinstance(cell, str) else cell)
@@ -195,7 +198,7 @@ def markdown(ran: Sequence[Ran]) -> str:
 
 
 def text_of_one(result: dict[str, Any]) -> str:
-    """The result of a single experiment: accuracy by home and seed, means of other measures, confusions."""
+    """Format one experiment's result: accuracy by home and seed, means of other measures, confusions."""
     if result["accuracy"] is None:
         return output.shown(result)
     own = result["settings"]
@@ -222,7 +225,7 @@ def text_of_one(result: dict[str, Any]) -> str:
 
 
 def confusion(result: dict[str, Any]) -> np.ndarray:
-    """(classes, classes) counts over all homes, folds and seeds; rows are true places."""
+    """Counts summed over all homes, folds and seeds, (classes, classes); rows are true places."""
     counts = [
         np.array(found["confusion"])
         for home in result["homes"].values()
@@ -233,5 +236,5 @@ def confusion(result: dict[str, Any]) -> np.ndarray:
 
 
 def label(values: dict[str, str]) -> str:
-    """Keys and values in one line."""
+    """Format keys and values on one line."""
     return " ".join(f"{key}={value}" for key, value in values.items())

@@ -1,4 +1,4 @@
-"""A sweep: check all experiments before the first one runs, then report and log the results."""
+"""A sweep: check all experiments before any of them runs, then report and log the results."""
 
 import itertools
 import sys
@@ -20,22 +20,22 @@ from placecat.experiment import jobs, output, summary
 from placecat.experiment.combination import Experiment, resolve
 
 _REFUSALS = (PlacecatError, HydraException, OmegaConfBaseException)
-# Largest number of refused combinations that a message lists for one reason.
+# A message lists at most this many refused combinations per reason.
 _LISTED = 8
 
 
 def grid(arguments: Sequence[str], loader: ConfigLoader) -> tuple[list[list[str]], list[dict[str, str]]]:
-    """List all combinations of the values in Hydra's overrides; `loader` is Hydra's, for ``glob``.
+    """List all combinations of the values in Hydra's overrides; ``glob`` needs Hydra's `loader`.
 
-    Returns the overrides of each experiment, in Hydra's order, and its values of the swept keys. An interval,
-    which only a search allows, raises PlacecatError.
+    Returns each experiment's overrides, in Hydra's order, and its values of the swept keys. Raises
+    PlacecatError for an interval, which only a search allows.
     """
     overrides = OverridesParser.create(config_loader=loader).parse_overrides(list(arguments))
     last = {one.get_key_element(): one for one in overrides}
     choices: list[list[tuple[str, dict[str, str]]]] = []
     for one in overrides:
         if one.is_sweep_override() and one is not last[one.get_key_element()]:
-            # Hydra uses the last value of a key.
+            # Hydra uses only the last override of a key.
             continue
         if not one.is_sweep_override():
             choices.append([(str(one.input_line), {})])
@@ -56,10 +56,10 @@ def grid(arguments: Sequence[str], loader: ConfigLoader) -> tuple[list[list[str]
 def check(
     config: DictConfig, lines: Sequence[Sequence[str]], combinations: Sequence[dict[str, str]]
 ) -> list[Experiment]:
-    """Resolve each combination; the PlacecatError lists the impossible ones, with reasons.
+    """Resolve each combination; raise a PlacecatError that lists the refused ones with reasons.
 
-    `config` is the composed sweep, including Hydra's settings. `lines` are the overrides of each experiment,
-    and `combinations` its swept values, for messages.
+    `config` is the sweep's composed configuration, including Hydra's settings. `lines` has each experiment's
+    overrides; `combinations` has its swept values, for messages.
     """
     params = settings.load()
     experiments: list[Experiment] = []
@@ -81,7 +81,7 @@ def check(
 
 
 def meant(config: DictConfig, line: Sequence[str]) -> Experiment | None:
-    """Resolve one combination; None if it is refused. Parameters as for `check`."""
+    """Resolve one combination, or return None if it is refused; the parameters are as for `check`."""
     try:
         return _meant(config, line, settings.load())
     except _REFUSALS:
@@ -95,25 +95,25 @@ def _meant(config: DictConfig, line: Sequence[str], params: Mapping[str, Any]) -
 
 @contextmanager
 def begun(config: DictConfig, combinations: Sequence[dict[str, str]]) -> Iterator[Path]:
-    """Lock and yield the folder of the sweep; keep finished jobs, and report even if the block fails."""
+    """Lock and yield the sweep's folder, with its finished jobs; if the block fails, report the results."""
     folder = Path(config.hydra.sweep.dir)
     with jobs.alone(folder):
-        # The old summary covers all jobs, but some may run again.
+        # Remove the old summary, since some of its jobs may run again.
         (folder / output.SUMMARY).unlink(missing_ok=True)
         OmegaConf.save(config, folder / "multirun.yaml")
         try:
             yield folder
         except Exception:
-            # Do not log yet, since the same command continues the sweep.
+            # Do not log yet, since the same command will continue the sweep.
             tell(folder, combinations, log=None)
             raise
 
 
 def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: Sequence[str] | None) -> bool:
-    """Print, write and log the results of a sweep; return whether all experiments succeeded.
+    """Print, write and log a sweep's results; return whether all experiments and the logging succeeded.
 
-    `combinations` are the swept keys and values of each started experiment. `log` has the overrides of the
-    sweep, for MLflow; None turns logging off.
+    `combinations` has the swept keys and values of each started experiment. `log` has the sweep's overrides,
+    for MLflow; None turns logging off.
     """
     ran = summary.read(folder, combinations)
     if not ran:
@@ -125,14 +125,14 @@ def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: Sequence[
 
 
 def tell_one(folder: Path, result: dict[str, object], *, log: bool) -> bool:
-    """Print and log the result of a single experiment, like `tell`."""
+    """Print and log a single experiment's result; return whether the logging succeeded."""
     print(f"\n{summary.text_of_one(result)}\n\nDetails: {folder / output.RESULT}")
     return not log or _log(lambda tracking: tracking.log_one(result, folder))
 
 
 def _log(write: Callable[[Any], str]) -> bool:
-    """Log to MLflow; print where, or why it failed. The results are on disk either way."""
-    # Late, since it imports MLflow.
+    """Log to MLflow; print where, or why it failed. The results are already on disk."""
+    # Imported here, since it imports MLflow.
     from placecat.experiment import tracking
 
     try:

@@ -1,4 +1,4 @@
-"""Log experiments to MLflow, in one process at the end: one run each, nested in a sweep's parent run."""
+"""Log finished experiments to MLflow from one process: a run for each, nested in a sweep's parent run."""
 
 import hashlib
 import json
@@ -31,10 +31,11 @@ _FILES = (output.SUMMARY, report.SUMMARY, report.RESULTS)
 
 
 def log_sweep(ran: Sequence[Ran], folder: Path, overrides: Sequence[str]) -> str:
-    """Log a sweep and its experiments once; replace an incomplete log. Returns its location as text.
+    """Log a sweep and its experiments, unless already logged; replace an incomplete log.
 
-    `folder` is the sweep's folder, with its summary. A sweep is identified by its overrides and by the
-    settings, data and code of its experiments. Raises PlacecatError if MLflow cannot be written to.
+    `folder` is the sweep's folder, with its summary. A sweep is identified by its overrides and by its
+    experiments' settings, data and code. Returns the log's location as text. Raises PlacecatError if MLflow
+    cannot be written to.
     """
     swept = list(ran[0].values)
     name = f"{' x '.join(swept) or 'one combination'}: {len(ran)} experiments"
@@ -82,7 +83,7 @@ def _log_sweep(
 
 
 def log_one(result: dict[str, Any], folder: Path) -> str:
-    """Log a single experiment; parameters and result as for `log_sweep`."""
+    """Log a single experiment with its result and its folder; return the log's location as text."""
     client, experiment, where = _open()
     used = result["settings"]
     name = f"{used['descriptor']['name']} {used['classifier']['base']['name']} {'+'.join(used['test_home'])}"
@@ -91,7 +92,7 @@ def log_one(result: dict[str, Any], folder: Path) -> str:
 
 
 def _open() -> tuple[Any, str, str]:
-    """Client, number of the data set's experiment, and its location as text."""
+    """Return MLflow's client, the id of the data set's MLflow experiment, and its location as text."""
     params = settings.load()
     name, title = (str(settings.get(params, f"dataset.{key}")) for key in ("name", "title"))
     uri = store.tracking_uri()
@@ -107,7 +108,7 @@ def _versions() -> dict[str, str]:
     try:
         version = data_version()
     except PlacecatError:
-        # DVC did not make the features.
+        # The features were not computed by DVC.
         version = "unknown"
     return {"data_version": version, store.COMMIT: git_commit()}
 
@@ -144,7 +145,7 @@ def _log_one(client: Any, experiment: str, name: str, one: Ran, parent: str | No
 
 
 def _params(used: dict[str, Any]) -> dict[str, str]:
-    """Parameters of an experiment, named as in the rows of tables."""
+    """An experiment's parameters, named as those of the tables' rows."""
     parts = ("descriptor", "classifier", "codebook")
     rest = settings.flatten({name: value for name, value in used.items() if name not in parts})
     cue = params_of_cue(used["descriptor"], used["classifier"], used.get("codebook"))

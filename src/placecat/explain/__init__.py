@@ -1,1 +1,1 @@
-"""Where every number comes from: its definition, settings, frames, seeds and stages."""
+"""Explain where each number comes from: its definition, settings, frames, seeds and stages."""

@@ -1,4 +1,4 @@
-"""One cell computed again: its last steps, from the files of the stages before them."""
+"""Recompute the last steps behind a cell, from the files of the stages before them."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -31,13 +31,13 @@ from placecat.training.trial import judge, of_settings
 
 Key = tuple[str, str, str]
 Array = NDArray[np.float64]
-# Home and seed to counts of decisions.
+# Maps (home, seed) to counts of decisions.
 Counts = dict[tuple[str, str], NDArray[np.int64]]
 
 
 @dataclass(frozen=True)
 class _Recomputed(Source):
-    """The distributions of a result; some homes were computed again."""
+    """A result's recomputed distributions, for some or all of its homes."""
 
     arrays: Mapping[tuple[str, str], Array] = field(default_factory=dict)
 
@@ -46,11 +46,11 @@ class _Recomputed(Source):
 
 
 def compute(number: str) -> tuple[bool, str]:
-    """Compute one cell (:func:`placecat.explain.find.find`) again, and compare it with the stored one.
+    """Recompute a cell (:func:`placecat.explain.find.find`), and compare it with the stored one.
 
-    A smoothed, filtered or integrated result is computed from the files of the previous step; a cue is
-    trained from its features and codebook; trials and splits are trained from their features. Returns whether
-    all bits agree, and a sentence that reports it. Raises PlacecatError if an earlier stage has not run.
+    Smoothed, filtered and integrated results are recomputed from the files of the previous step. Cues are
+    trained again on their features and codebook, trials and splits on their features. Returns whether all
+    bits agree, and a text that reports it. Raises PlacecatError if an earlier stage has not run.
     """
     params = settings.load()
     table = number.partition(".")[0]
@@ -73,7 +73,7 @@ def compute(number: str) -> tuple[bool, str]:
 
 
 def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[str, tuple[Key, Number]]:
-    """Number of each cell of one table to its labels and its value, computed from the results."""
+    """Map each cell's number in a table to its labels and to its value, computed from the results."""
     if table == in_text.NAME:
         rows = filling.text(results, params)[[*in_text.KEY, "number"]].itertuples(index=False, name=None)
         return {
@@ -87,7 +87,7 @@ def _numbers(table: str, params: Mapping[str, Any], results: Results) -> dict[st
 
 
 def _recompute(origin: Origin, results: Results, params: Mapping[str, Any], steps: list[str]) -> Results:
-    """The results, one of them computed again in the homes of an origin."""
+    """Return the results, with an origin's result recomputed for the origin's homes."""
     name = origin.result
     if name not in results.measured:
         return results
@@ -118,7 +118,7 @@ def _with_counts(results: Results, name: str, counts: Counts) -> Results:
 
 
 def _with_quality(results: Results, name: str, quality: Quality) -> Results:
-    # Rounded as in the stage's file.
+    # The conversion to rows and back rounds as the stage's file does.
     recomputed = from_rows(pd.DataFrame(quality_rows(name, quality), columns=QUALITY_COLUMNS))[name]
     one = results.quality[name]
     values = {key: array.copy() for key, array in one.values.items()}
@@ -131,7 +131,7 @@ def _with_quality(results: Results, name: str, quality: Quality) -> Results:
 def _distributions(
     name: str, source: Source, params: Mapping[str, Any], steps: list[str]
 ) -> Iterator[tuple[tuple[str, str], Array]]:
-    """(home, seed) to distributions that are computed again."""
+    """Yield recomputed distributions, each with its (home, seed)."""
     kind, _, rest = name.partition("/")
     if kind == "splits":
         steps.append("the whole split trained again from its features")
@@ -183,7 +183,7 @@ def _integration(name: str, source: Source, home: str, seed: str, params: Mappin
 
 
 def _saved(name: str, params: Mapping[str, Any]) -> tuple[Source, str]:
-    """The input of a filter or of the smoothing, and its protocol."""
+    """Return the input of a filter or of the smoothing, and the input's protocol."""
     known = sources(params)
     result = name.rpartition("/")[2]
     systems = settings.get(params, "systems")
@@ -246,7 +246,7 @@ def _toy(name: str, homes: Sequence[str], one: Measured, params: Mapping[str, An
     if not is_last and label not in schemes:
         radius = float(label.partition("/")[0])
         points = points | {"radius": radius}
-        # Private, since stages must not depend on this.
+        # Private, so that no stage comes to depend on it.
         schemes = toy._deciding(schemes, options["sensitivity"]["decisions"], radius)
     found = {}
     for seed in one.seeds:

@@ -1,4 +1,4 @@
-"""Every cell of every table, and every number in the text, with its explanation."""
+"""Every cell of the tables and every number in the text, each with its explanation."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -25,7 +25,7 @@ ALL_HOMES = "all"
 
 @dataclass(frozen=True)
 class Table:
-    """A table: its definition and name, its cells with notes, and its data set."""
+    """A table: its definition, including its name; its cells with notes; and its data set."""
 
     settings: Mapping[str, Any]
     cells: pd.DataFrame
@@ -34,34 +34,34 @@ class Table:
 
 @dataclass(frozen=True)
 class Explained:
-    """One cell.
+    """An explained cell, or number in the text.
 
     Attributes
     ----------
     id
-        The number on the page, e.g. ``table_26.9.3``; see :mod:`placecat.explain.numbering`.
+        The cell's number on the page, e.g. ``table_26.9.3``; see :mod:`placecat.explain.numbering`.
     table, title
-        Name of the table (``in_text`` for a number in the text), and its title.
+        The table's name (``in_text`` for a number in the text) and title.
     group, row, column
-        Labels; for a number in the text, its name, quantity and home.
+        The cell's labels; for a number in the text, its name, quantity and home.
     home
-        Its only home or sequence, "all" for several.
+        The cell's only home or sequence, or "all".
     measured, published, spread, seeds
         As in the table.
     unit
         "percent", "points", "nats", "times", or "" if the quantity names it.
     measurement
-        Its values and origins.
+        The cell's values and origins.
     notes
-        Notes on it.
+        Notes on the cell.
     data
-        Titles of the data sets of the measured and the published number, "" if nothing was published.
+        Titles of the measured and the published number's data sets; "" if nothing was published.
     made
-        How each of its results was made.
+        How each of the cell's results was made.
     trained
-        Test home to the frames of each plan, without duplicates.
+        Maps each test home to the frames of each of its plans, without duplicates.
     findings
-        Numbers of the findings that rest on its results.
+        Numbers of the findings that rest on the cell's results.
     """
 
     id: str
@@ -85,17 +85,17 @@ class Explained:
 
     @property
     def stages(self) -> tuple[str, ...]:
-        """DVC's stages that made it, in order."""
+        """The DVC stages that made the cell, in order."""
         return all_stages(self.made)
 
     @property
     def origins(self) -> tuple[Origin, ...]:
-        """The results behind it."""
+        """The results behind the cell."""
         return self.measurement.origins
 
     @property
     def difference(self) -> float:
-        """Measured minus published, 2 decimals; NaN unless there are both."""
+        """Measured minus published, rounded to 2 decimals; NaN if either is missing."""
         return round(self.measured - self.published, 2)
 
 
@@ -108,13 +108,13 @@ class Explaining:
     params
         All settings.
     tables
-        Filled tables, in the order of the report.
+        Filled tables, in the report's order.
     texts
         Numbers in the text, with their notes.
     origins
         Content of data/origins.json.
     comparisons
-        Of the findings: columns finding, left_results, right_results.
+        The findings' comparisons: columns finding, left_results, right_results.
     """
 
     params: Mapping[str, Any]
@@ -126,7 +126,7 @@ class Explaining:
     _trained: dict[tuple[str, bool, bool, str], Trained | None] = field(default_factory=dict, init=False)
 
     def cells(self) -> Iterator[Explained]:
-        """Every cell of the tables, then every number in the text."""
+        """Yield every cell of the tables, then every number in the text."""
         for table in self.tables:
             yield from self._of_table(table)
         yield from self._of_text()
@@ -189,7 +189,7 @@ class Explaining:
         for origin in origins:
             how = self._how(origin.result)
             is_split = how.plan in settings.get(self.params, "splits")
-            # A mean over all homes does not list the homes.
+            # The origin of a mean over all homes does not list them.
             homes = origin.homes or settings.get(self.params, "dataset.homes")
             for home in [how.plan] if is_split else homes:
                 key = (how.plan, how.fuses, how.extra, home)
@@ -206,7 +206,7 @@ class Explaining:
 
     @cached_property
     def _findings(self) -> dict[str, set[str]]:
-        """Number of a finding to the results that it compares."""
+        """Maps each finding's number to the results that the finding compares."""
         found: dict[str, set[str]] = {}
         columns = self.comparisons[["finding", "left_results", "right_results"]]
         for finding, left, right in columns.itertuples(index=False, name=None):
@@ -224,7 +224,7 @@ def _unit_in_text(quantity: str, origins: Sequence[Origin]) -> str:
 
 
 def quantity(origin: Origin, home: str) -> str:
-    """Describe the measured quantity of a result, e.g. "accuracy in home_3: mean over the places ..."."""
+    """Describe the quantity that was measured, e.g. "accuracy in home_3: mean over the places ..."."""
     where = f" in {home}" if home != ALL_HOMES else ""
     if origin.part in MEASURES:
         text = f"{MEASURES[origin.part].lower()} of the distributions"

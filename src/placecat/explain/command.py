@@ -1,4 +1,4 @@
-"""``placecat explain``: where a number comes from; imports no NumPy, so it takes a second."""
+"""``placecat explain``: print where a number comes from. It imports no NumPy, so it takes only a second."""
 
 import json
 import shutil
@@ -20,7 +20,7 @@ _INDENT = 24
 def explain_command(words: Sequence[str], *, again: bool = False) -> int:
     """Print the explanations of the cells that match the words (:func:`placecat.explain.find.find`).
 
-    With `again` each cell is computed again; the status is 1 if a bit differs.
+    With `again`, recompute each cell. Returns the exit status, which is 1 if a recomputed bit differs.
     """
     content = read()
     numbers = find(words, content)
@@ -40,7 +40,7 @@ def explain_command(words: Sequence[str], *, again: bool = False) -> int:
 
 
 def read() -> dict[str, Any]:
-    """Read the explanations of all cells; raises PlacecatError if the stage `report` has not run."""
+    """Read the explanations of all cells; raises PlacecatError if their file is missing."""
     if not paths.EXPLANATIONS.is_file():
         raise PlacecatError(
             f"{paths.EXPLANATIONS} is missing: run `dvc repro` to make it, or restore it from git"
@@ -50,7 +50,7 @@ def read() -> dict[str, Any]:
 
 
 def text_of(number: str, content: Mapping[str, Any], stages: Mapping[str, str]) -> str:
-    """The explanation of one cell for a terminal; `stages` is from :func:`stage_texts`."""
+    """Format a cell's explanation for the terminal; `stages` comes from :func:`stage_texts`."""
     lines: list[Line] = [("cell", number)]
     for label, text in lines_of(content, number):
         if label == STAGES:
@@ -78,7 +78,7 @@ def _shown(line: Line) -> str:
 
 
 def _code() -> str:
-    """The current commit, and whether code or settings have changed since."""
+    """Describe the current commit, and whether code or settings have changed since."""
     commit = git_commit()
     if not commit:
         return "outside a git repository"

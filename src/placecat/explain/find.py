@@ -1,4 +1,4 @@
-"""Look up cells by number, or by table and labels."""
+"""Look up cells by their numbers, or by table and labels."""
 
 import difflib
 import re
@@ -9,7 +9,7 @@ from placecat import paths
 from placecat.errors import PlacecatError
 from placecat.explain.lines import lines_of
 
-# If more cells match, they are listed instead of explained.
+# If more cells match, they are listed instead.
 MOST = 4
 _NAMED = 8
 _LABELS = ("group", "row", "column")
@@ -18,10 +18,10 @@ _LABELS = ("group", "row", "column")
 def find(words: Sequence[str], content: Mapping[str, Any]) -> list[str]:
     """Find the numbers of the cells that match the words.
 
-    The words are the number of a cell, e.g. ``table_26.9.3``; or the name of a table and labels of a group,
-    row or column, e.g. ``table_26 HMM home_3``, in any order. Part of a label is enough if no label matches
-    exactly. `content` is from :func:`placecat.explain.text.explanations`. Raises PlacecatError if no cell or
-    more than `MOST` cells match; the message names the nearest ones.
+    The words are either a cell's number, e.g. ``table_26.9.3``, or a table's name followed by labels of
+    groups, rows or columns in any order, e.g. ``table_26 HMM home_3``. A word may be part of a label if it
+    equals no label. `content` comes from :func:`placecat.explain.text.explanations`. Raises PlacecatError if
+    no cell or more than `MOST` cells match; the message suggests what to use instead.
     """
     name, *labels = words
     cells = content["cells"]
@@ -63,5 +63,5 @@ def _labels(number: str, content: Mapping[str, Any]) -> list[str]:
 
 
 def _plain(label: str) -> str:
-    """E.g. "home 3" of "home_3" and of "Home 3"."""
+    """Normalize a label: "home_3" and "Home 3" both become "home 3"."""
     return re.sub(r"[\s_]+", " ", label).strip().casefold()

@@ -1,4 +1,4 @@
-"""Training and test frames of results, home by home."""
+"""The training and test frames of results, home by home."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -17,18 +17,18 @@ Frames = tuple[tuple[str, int], ...]
 
 @dataclass(frozen=True)
 class Trained:
-    """Sequences and their numbers of frames, for one test home or, on a fixed split, for all test sequences.
+    """Training and test sequences with their numbers of frames, for a test home or a whole fixed split.
 
     Attributes
     ----------
     training_set
-        Name that determines the seeds of codebooks.
+        Name of the training set, from which the codebooks' seeds are derived.
     cues, integration
-        Frames that train the cues and the integration; `integration` is () without fusion.
+        Frames that the cues and the integration are trained on; `integration` is () without fusion.
     tested
         Labelled frames that are tested.
     places
-        Place to the number of its tested frames.
+        Maps each place to the number of its tested frames.
     """
 
     training_set: str
@@ -39,7 +39,7 @@ class Trained:
 
 
 def trained(made: Made, home: str, params: Mapping[str, Any]) -> Trained | None:
-    """Frames of a result in a test home (of a split, in all its homes); None for a result without a plan."""
+    """Return a result's frames for a test home or, on a split, for all its homes; None if it has no plan."""
     if not made.plan:
         return None
     if made.plan in settings.get(params, "splits"):
@@ -61,6 +61,6 @@ def _places(plan: Plan) -> dict[str, int]:
 
 @cache
 def _chosen(part: Part) -> tuple[int, ...]:
-    """Number of chosen frames of each class."""
+    """Count the chosen frames of each class."""
     _, classes = part.chosen()
     return tuple(map(int, np.bincount(classes, minlength=max(part.numbers, default=0) + 1)))

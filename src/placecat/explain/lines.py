@@ -1,4 +1,4 @@
-"""Lines of one cell's explanation, from the file of all explanations; imports little, for speed."""
+"""Read the lines of a cell's explanation from the file of all explanations; imports little, for speed."""
 
 import hashlib
 import json
@@ -7,12 +7,12 @@ from typing import Any
 
 # A label and a text.
 Line = tuple[str, str]
-# The label of the line that names the stages.
+# Label of the line that names the stages.
 STAGES = "stages"
 
 
 def lines_of(content: Mapping[str, Any], number: str) -> list[Line]:
-    """The lines of one cell, from the result of :func:`placecat.explain.text.explanations`."""
+    """Return a cell's lines, from the result of :func:`placecat.explain.text.explanations`."""
     lines: list[Line] = []
     for item in content["cells"][number]:
         shared = isinstance(item, int)
@@ -21,7 +21,7 @@ def lines_of(content: Mapping[str, Any], number: str) -> list[Line]:
 
 
 def to_text(content: Mapping[str, Any]) -> str:
-    """All explanations as JSON with one line per cell: git then shows which cells changed."""
+    """Format all explanations as JSON with one line per cell, so that git shows which cells changed."""
     parts = []
     for name, values in content.items():
         items = values.items() if isinstance(values, Mapping) else [(None, value) for value in values]
@@ -36,7 +36,7 @@ def _compact(value: Any) -> str:
 
 
 def stage_texts(lock: Mapping[str, Any]) -> dict[str, str]:
-    """Stage to its dependencies in dvc.lock as text, each with eight digits of its checksum.
+    """Map each stage in dvc.lock to its dependencies as text, each with eight digits of its checksum.
 
     All dependencies in src/ share one checksum.
     """

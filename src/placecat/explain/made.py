@@ -1,4 +1,4 @@
-"""How a result was made: its cues, system and filter, its settings, and the stages."""
+"""How a result was made: its cues, system, filter, settings and stages."""
 
 import json
 from collections.abc import Iterable, Mapping
@@ -22,23 +22,23 @@ class Made:
     Attributes
     ----------
     title
-        One readable line.
+        A readable description on one line.
     stages
-        DVC's stages in order, without `scores` and `tables`.
+        The DVC stages, without `scores` and `tables`.
     cues, classifiers, descriptors
-        Names of the cues, and of the classifier and the descriptor of each.
+        Names of the cues, and of each cue's classifier and descriptor.
     system, filter
-        Names, "" for none.
+        Names; "" if there is none.
     plan
-        Name of the protocol ("5-5-1"), of the split, "" for neither.
+        Name of the protocol ("5-5-1") or of the split; "" if there is neither.
     fuses
-        Whether an integration or a smoothing also trains.
+        Whether an integration or a smoothing is trained too.
     extra
-        Whether the integration trains on the sequences of ``protocol.extra``.
+        Whether the integration also trains on the sequences of ``protocol.extra``.
     settings
-        Part to its settings.
+        Maps each part to its settings.
     clusters
-        Cue to the descriptor as text and the number of cells, which determine the seeds of its codebooks.
+        Maps each cue to its descriptor as text and its number of cells, which determine its codebooks' seeds.
     """
 
     title: str
@@ -56,7 +56,7 @@ class Made:
 
 
 def trials_of(params: Mapping[str, Any]) -> dict[str, Trial]:
-    """Every trial of every study by its name."""
+    """Map names to trials, for every trial of every study."""
     homes = list(settings.get(params, "dataset.homes"))
     return {
         trial.name: trial
@@ -67,9 +67,9 @@ def trials_of(params: Mapping[str, Any]) -> dict[str, Trial]:
 
 
 def made(result: str, params: Mapping[str, Any], trials: Mapping[str, Trial]) -> Made:
-    """Describe how a result was made, by its name (:mod:`placecat.results.sources`).
+    """Describe how a result was made, from its name (see :mod:`placecat.results.sources`).
 
-    Raises PlacecatError if a setting that the name needs is missing.
+    Raises PlacecatError if a setting that the name refers to is missing.
     """
     kind, _, rest = result.partition("/")
     if kind == "cues":
@@ -96,7 +96,7 @@ def made(result: str, params: Mapping[str, Any], trials: Mapping[str, Trial]) ->
 
 
 def all_stages(made: Iterable[Made]) -> tuple[str, ...]:
-    """Stages that made some results and their tables, in the order of the pipeline."""
+    """The stages that made some results and their tables, in the pipeline's order."""
     known = [stage for one in made for stage in one.stages]
     return (*(stage for stage in _ORDER if stage in known), *(_LAST if known else ("tables",)))
 
@@ -108,7 +108,7 @@ _ORDER = (
 
 
 def _toy(name: str, toy: Mapping[str, Any]) -> dict[str, Any]:
-    """The settings of one result of the toy problem, without other schemes."""
+    """Settings of one result of the toy problem, without those of other schemes."""
     scheme = next(part for part in name.split("/") if part in toy["schemes"])
     shared = {key: value for key, value in toy.items() if key not in ("schemes", "sensitivity")}
     changed = {} if name.split("/")[0] in ("last", scheme) else {"sensitivity": toy["sensitivity"]}
@@ -124,7 +124,7 @@ def _of_cue(name: str, scheme: str, params: Mapping[str, Any]) -> Made:
 
 
 def _described_cue(name: str, params: Mapping[str, Any]) -> Made:
-    """A cue of params.yaml, without a title, stages and a plan."""
+    """Describe a cue of params.yaml, without title, stages or plan."""
     own = settings.get(params, f"cues.{name}")
     if own["codebook"] is None:
         return _described(name, own["descriptor"], own["classifier"], None, params)
@@ -139,7 +139,7 @@ def _described(
     codebook: Mapping[str, Any] | None,
     params: Mapping[str, Any],
 ) -> Made:
-    """A descriptor, a classifier and, if the classifier uses clusters, a codebook."""
+    """Describe a descriptor, a classifier and, if the classifier uses clusters, a codebook."""
     kind, module = descriptor["kind"], descriptor["name"]
     computed = (settings.get(params, "descriptors").get(kind) or {}).get(module, {})
     base = classifier.get("base", {}).get("name")
@@ -160,7 +160,7 @@ def _described(
 
 
 def _together(cues: Iterable[Made], title: str, stages: Iterable[str], **own: Any) -> Made:
-    """Several cues as one result; its settings come before the settings of the cues."""
+    """Combine several cues into one result, whose own settings precede those of the cues."""
     cues = list(cues)
     return Made(
         title,
@@ -175,7 +175,7 @@ def _together(cues: Iterable[Made], title: str, stages: Iterable[str], **own: An
 
 
 def _smoothing(params: Mapping[str, Any]) -> dict[str, Any]:
-    """Settings of the smoothing, without the lists of smoothed results."""
+    """Settings of the smoothing, without the lists of what it smooths."""
     section = settings.get(params, "smoothing")
     return {name: value for name, value in section.items() if name not in ("cues", "filtered")}
 
@@ -199,7 +199,7 @@ def _of_system(name: str, params: Mapping[str, Any]) -> Made:
 
 
 def _integrator(own: Mapping[str, Any]) -> dict[str, Any]:
-    """Settings of an integration, with the settings of its classifier at the top level."""
+    """Settings of an integration, with its classifier's settings at the top level."""
     integrator = own["integrator"]
     rest = {key: value for key, value in integrator.items() if key != "classifier"}
     of_system = {key: own[key] for key in ("temperature", "extra") if key in own}
@@ -207,7 +207,7 @@ def _integrator(own: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _named(name: str, params: Mapping[str, Any]) -> Made:
-    """A system, or a cue in the first of its protocols."""
+    """Describe a system, or a cue in the first of its protocols."""
     if name in settings.get(params, "systems"):
         return _of_system(name, params)
     return _of_cue(name, settings.get(params, f"cues.{name}.schemes")[0], params)

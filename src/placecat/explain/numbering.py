@@ -1,4 +1,4 @@
-"""Numbers of cells: ``table_26.9.3`` is the third column of the ninth row, ``in_text.5`` the fifth number."""
+"""Cell numbers: ``table_26.9.3`` is the ninth row's third column, ``in_text.5`` the text's fifth number."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -10,19 +10,19 @@ Key = tuple[str, str, str]
 
 
 def ordered(names: Iterable[str]) -> Sequence[str]:
-    """Names without duplicates, the average last; cells that only this run has follow the published ones."""
+    """Remove duplicate names, and move the average to the end; otherwise keep their order."""
     found = list(dict.fromkeys(names))
     return [name for name in found if name != AVERAGE] + [name for name in found if name == AVERAGE]
 
 
 def layout(table: pd.DataFrame) -> tuple[dict[str, Sequence[str]], Sequence[str]]:
-    """Rows of each group of a filled table, and its columns, in the order in which the page shows them."""
+    """Return a filled table's rows by group, and its columns, in the order in which the page shows them."""
     rows = {str(group): ordered(part["row"]) for group, part in table.groupby("group", sort=False)}
     return rows, ordered(table["column"])
 
 
 def numbers(table: pd.DataFrame, name: str) -> Mapping[Key, str]:
-    """Number of each cell by its group, row and column; rows are counted through all groups."""
+    """Map each cell's group, row and column to its number; the count of rows continues across groups."""
     groups, columns = layout(table)
     lines = [(group, row) for group, rows in groups.items() for row in rows]
     return {

@@ -1,4 +1,4 @@
-"""Origins of every table cell; the stage `tables` writes them for the explanations."""
+"""The origins of every table cell, which the stage `tables` writes for the explanations."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -15,16 +15,16 @@ KEY = ("group", "row", "column")
 
 @dataclass(frozen=True)
 class Measurement:
-    """The number of a cell for each seed, and its origins.
+    """A cell's number for each seed, and its origins.
 
     Attributes
     ----------
     values
-        As in :class:`placecat.thesis.number.Number`, not rounded; () if there is no number.
+        As in :class:`placecat.thesis.number.Number`, unrounded; () if there is no number.
     seeds
-        Name of the seed of each value, e.g. "seed-0", or "no-seed".
+        Name of each value's seed, e.g. "seed-0", or "no-seed".
     origins
-        The origins of the number.
+        The number's origins.
     """
 
     values: tuple[float, ...]
@@ -33,7 +33,7 @@ class Measurement:
 
 
 def measurement(number: Number, results: Results) -> Measurement:
-    """Name the seeds of a number by its origins."""
+    """Name a number's seeds, as found in its origins' results."""
     values = tuple(map(float, number.values))
     names: tuple[str, ...] = (NO_SEED,) * len(values)
     if number.is_random:
@@ -46,7 +46,7 @@ def measurement(number: Number, results: Results) -> Measurement:
 
 
 def to_json(cells: pd.DataFrame, results: Results, key: Iterable[str] = KEY) -> list[dict[str, Any]]:
-    """Column `number` of a filled table for JSON; the three columns `key` identify the cell."""
+    """Convert the column `number` of a filled table for JSON; the three columns `key` identify each cell."""
     rows = []
     for *labels, number in cells[[*key, "number"]].itertuples(index=False, name=None):
         one = measurement(number, results)
@@ -55,7 +55,7 @@ def to_json(cells: pd.DataFrame, results: Results, key: Iterable[str] = KEY) -> 
 
 
 def from_json(rows: Iterable[Mapping[str, Any]]) -> dict[tuple[str, str, str], Measurement]:
-    """Cell to its measurement, from the rows of :func:`to_json`."""
+    """Map each cell's labels to its measurement, from the rows of :func:`to_json`."""
     found = {}
     for row in rows:
         origins = tuple(Origin(result, tuple(homes), part) for result, homes, part in row["origins"])

@@ -1,4 +1,4 @@
-"""Explanations as lines of a label and a text; lines that many cells share are stored once."""
+"""Write explanations as lines, each a label and a text; lines that many cells share are stored once."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -14,11 +14,11 @@ from placecat.paths import NO_SEED
 def explanations(
     cells: Iterable[Explained], params: Mapping[str, Any], data_versions: Mapping[str, str]
 ) -> dict[str, Any]:
-    """All explanations, for JSON.
+    """Collect all explanations, for JSON.
 
-    `params` are all settings; `data_versions` maps each stage that lists frames to DVC's checksum of the
+    `params` are all settings. `data_versions` maps each stage that lists frames to DVC's checksum of that
     list. Returns ``lines``, each a label and a text; ``blocks``, each a list of line numbers, from 0; and
-    ``cells``, number of a cell to its lines in order: each is a line or the number of a block.
+    ``cells``, which maps each cell's number to an ordered list of lines and block numbers.
     """
     pool: dict[Line, int] = {}
     blocks: dict[tuple[int, ...], int] = {}
@@ -46,7 +46,7 @@ def explanations(
 
 
 def settings_text(values: Mapping[str, Any]) -> str:
-    """Settings on one line, e.g. "gamma=2.0, base.nu=0.2"."""
+    """Format settings on one line, e.g. "gamma=2.0, base.nu=0.2"."""
     return ", ".join(f"{name}={value}" for name, value in settings.flatten(values).items())
 
 

@@ -1,4 +1,4 @@
-"""Every cell as one row of one table, with its origin."""
+"""Collect all cells in one table, with a row for each cell and its origin."""
 
 import json
 from collections.abc import Iterable
@@ -13,17 +13,17 @@ from placecat.thesis.notes import joined
 
 
 def tidy(cells: Iterable[Explained]) -> pd.DataFrame:
-    """One row per cell; see :func:`placecat.results.load` for the columns."""
+    """Build a table with one row per cell; :func:`placecat.results.load` explains the columns."""
     table = pd.DataFrame([_row(cell) for cell in cells])
     return table.astype({"seeds": "int64", "training_frames": "int64", "tested_frames": "int64"})
 
 
 def write(path: Path, table: pd.DataFrame) -> None:
-    """Write a table as Parquet, the same bytes for the same table and the same version of Arrow."""
+    """Write a table as Parquet; the same table and version of Arrow give the same bytes."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    # Without the metadata of pandas, which name its version.
+    # Remove pandas's metadata, which contain its version.
     arrow = pa.Table.from_pandas(table, preserve_index=False).replace_schema_metadata(None)
     with files.replacing(path) as temporary:
         pq.write_table(arrow, temporary, compression="zstd")
@@ -75,7 +75,7 @@ def _listed(names: Iterable[str]) -> str:
 
 
 def _total(trained: Iterable[Trained], kind: str) -> int:
-    """Frames of one kind, each plan of a cell counted once."""
+    """Count the frames of one kind; among plans with the same tested frames, only the largest counts."""
     by_test: dict[tuple[tuple[str, int], ...], int] = {}
     for one in trained:
         count = sum(frames for _, frames in getattr(one, kind))

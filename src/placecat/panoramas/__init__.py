@@ -1,1 +1,1 @@
-"""Homes from 360-degree pictures: seeded walks of a view through them (``placecat import panoramas``)."""
+"""Make homes from 360-degree pictures by seeded virtual walks (``placecat import panoramas``)."""

@@ -1,4 +1,4 @@
-"""Write the data card of homes made from panoramas, as README.md in their folder."""
+"""The data card of homes made from panoramas, the README.md in their folder."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -21,10 +21,10 @@ def card(
     settings: Mapping[str, Any],
     folder: str,
 ) -> str:
-    """Render the card from the looks of all homes and floors.
+    """Render the card from `plans`, which map each home and floor to its looks.
 
     `panoramas` are all panoramas of the source, including those in no frame; `settings` come from
-    conf/panoramas.yaml; `folder` is the name of the source folder.
+    conf/panoramas.yaml; `folder` is the source folder's name.
     """
     looks = [look for floors in plans.values() for own in floors.values() for look in own]
     by_home = {_plain(home): counts(floors) for home, floors in plans.items()}
@@ -51,5 +51,5 @@ def card(
 
 
 def _plain(text: str) -> str:
-    """Return a name that is safe in a Markdown table and in code."""
+    """Make a name safe for Markdown tables and code spans."""
     return one_line(text).replace("|", "/").replace("`", "'")

@@ -18,18 +18,18 @@ from placecat.settings import read_yaml
 
 SETTINGS = paths.CONF / "panoramas.yaml"
 LOOKS = "looks.csv"
-# Data set of conf/dataset that reads the homes.
+# Data set in conf/dataset that reads the homes.
 DATASET = "my_homes"
-# Number of unused panoramas that the terminal names; the card names all.
+# The terminal names at most this many unused panoramas; the card names all.
 _NAMED = 5
 
 Plans = Mapping[str, Mapping[str, Sequence[Look]]]
 
 
 def read_settings(changes: Sequence[str] = (), path: Path = SETTINGS) -> dict[str, Any]:
-    """Read conf/panoramas.yaml, with Hydra overrides such as ``fps=10.0``.
+    """Read conf/panoramas.yaml, and apply Hydra overrides such as ``fps=10.0``.
 
-    Raises PlacecatError if the file is missing, or if a setting is unknown, missing or of the wrong type.
+    Raises PlacecatError if the file is missing, or if a setting is unknown, missing or invalid.
     """
     content = conf_file.read(path, list(Panoramas.model_fields), changes)
     schema.check(content, Panoramas)
@@ -37,10 +37,10 @@ def read_settings(changes: Sequence[str] = (), path: Path = SETTINGS) -> dict[st
 
 
 def import_command(source: Path, destination: Path, changes: Sequence[str]) -> int:
-    """Turn the panoramas of a folder into homes, and print the next command.
+    """Turn the panoramas in a folder into homes, and print the next command.
 
-    `destination` is a new folder; it appears once everything is written. `changes` are as for
-    :func:`read_settings`. Returns 0; user errors raise PlacecatError and leave nothing behind.
+    `destination` is a new folder, which appears only when it is complete. `changes` are as for
+    :func:`read_settings`. Returns 0. User errors raise PlacecatError and leave nothing behind.
     """
     settings = read_settings(changes)
     classes = read_yaml(paths.CONF / "dataset" / f"{DATASET}.yaml")["classes"]
@@ -55,7 +55,7 @@ def import_command(source: Path, destination: Path, changes: Sequence[str]) -> i
             files.write_text(temporary / home / LABEL_FILE, label_file(floors))
             files.write_csv(temporary / home / LOOKS, looks_table(floors))
         files.write_text(temporary / card.FILE, card.card(plans, panoramas, settings, source.resolve().name))
-        # Another program may have created it in the meantime.
+        # Another program may have created the folder in the meantime.
         _refuse_existing(destination)
     _print(destination, plans, classes, settings, panoramas)
     return 0
@@ -111,7 +111,7 @@ def _print(
         print(f"{len(absent)} of {_number(len(panoramas), 'panorama')} {verb} in no frame: {some}")
         print("More visits or a smaller longest_look show more of them.")
     print(f"{one_line(destination)}/{card.FILE} says how they were made.")
-    # One home tests, one is left out, and at least two train.
+    # One home is tested, one is left out, and at least two are training homes.
     if len(plans) < 4:
         print("At least four homes are needed to train and test: add some.")
     else:
@@ -123,7 +123,7 @@ def _number(count: int, what: str) -> str:
 
 
 def _next(destination: Path, homes: Sequence[str], fps: float, *, is_complete: bool) -> str:
-    """Return the command that computes every table on these homes."""
+    """Return the command that computes all tables on these homes."""
     chosen = [
         f"dataset={DATASET}",
         f"dataset.root={overrides.text(str(destination))}",
@@ -133,5 +133,5 @@ def _next(destination: Path, homes: Sequence[str], fps: float, *, is_complete: b
     if not is_complete:
         chosen.append("dataset.require_all_classes=false")
     words = " ".join(shlex.quote(one) for one in chosen)
-    # make passes SET to a shell, which would expand these characters.
+    # make passes SET to a shell, which would interpret these characters.
     return f"placecat repro {words}" if set(words) & set('"$`\\') else f'make repro SET="{words}"'

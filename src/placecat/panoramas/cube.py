@@ -1,7 +1,7 @@
-"""Views from inside a cube of six square pictures.
+"""Render views from inside a cube of six square pictures.
 
-Front, right, back and left stand upright, side by side. The lower edge of ``up`` and the upper edge of
-``down`` touch the front.
+Front, right, back and left are upright, side by side. The lower edge of ``up`` and the upper edge of ``down``
+touch the front.
 """
 
 from collections.abc import Sequence
@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 FACES = ("front", "right", "back", "left", "up", "down")
-"""Order of the pictures in :func:`prepare`."""
-# Directions right, down and outward of each face, in the coordinates of placecat.panoramas.rays.
+"""Order of the pictures for :func:`prepare`."""
+# Each face's right, down and outward directions, in the coordinates of placecat.panoramas.rays.
 _AXES = np.array(
     [
         [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
@@ -26,15 +26,15 @@ _AXES = np.array(
 )
 # Pixels added around each face, for interpolation across its edges.
 _BORDER = 1
-# Number of faces per row of the combined picture.
+# Number of faces in a row of the combined picture.
 _IN_ROW = 3
 
 
 def prepare(faces: Sequence[NDArray[np.uint8]], focal: float) -> NDArray[np.uint8]:
-    """Prepare the faces of a cube, six (N, N, 3) uint8 in the order of `FACES`, for `look`.
+    """Prepare a cube's faces for `look`: six (N, N, 3) uint8 pictures in the order of `FACES`.
 
-    `focal` is as for :func:`placecat.panoramas.sphere.prepare`. Returns (2 (N' + 2), 3 (N' + 2), 3) uint8:
-    all faces, each with a border of pixels from its neighbours.
+    `focal` is as for :func:`placecat.panoramas.sphere.prepare`. Returns a (2 (N' + 2), 3 (N' + 2), 3) uint8
+    picture of all faces, each with a border of pixels from its neighbours.
     """
     side = min(len(faces[0]), int(np.ceil(2 * focal)))
     if side < len(faces[0]):
@@ -43,7 +43,7 @@ def prepare(faces: Sequence[NDArray[np.uint8]], focal: float) -> NDArray[np.uint
         cv2.copyMakeBorder(face, _BORDER, _BORDER, _BORDER, _BORDER, cv2.BORDER_REPLICATE) for face in faces
     ]
     atlas = np.concatenate([np.concatenate(tiles[:_IN_ROW], axis=1), np.concatenate(tiles[_IN_ROW:], axis=1)])
-    # Read all borders before writing any.
+    # Compute all borders before writing any.
     rows, columns = _border(side + 2 * _BORDER)
     flat = (2 * (np.stack([columns, rows]) - _BORDER + 0.5) / side) - 1
     seen = [look(atlas, (flat.T @ axes[:2] + axes[2])[None])[0] for axes in _AXES]
@@ -54,12 +54,12 @@ def prepare(faces: Sequence[NDArray[np.uint8]], focal: float) -> NDArray[np.uint
 
 
 def look(prepared: NDArray[np.uint8], rays: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """Render the view along rays with bilinear interpolation: (h, w, 3) uint8.
+    """Render the view along rays, (h, w, 3) uint8, with bilinear interpolation.
 
-    `prepared` comes from :func:`prepare`, `rays`, (h, w, 3), from :func:`placecat.panoramas.rays.view_rays`.
+    `prepared` comes from :func:`prepare`; `rays`, (h, w, 3), from :func:`placecat.panoramas.rays.view_rays`.
     """
     tile = len(prepared) // 2
-    # A ray hits the face with the nearest outward direction.
+    # A ray hits the face whose outward direction is nearest to it.
     outwards = rays @ _AXES[:, 2].T
     face = outwards.argmax(axis=-1)
     depth = np.take_along_axis(outwards, face[..., None], axis=-1)
@@ -72,7 +72,7 @@ def look(prepared: NDArray[np.uint8], rays: NDArray[np.float64]) -> NDArray[np.u
 
 
 def _border(tile: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Return rows and columns of the border pixels of a tile."""
+    """Return the rows and columns of a tile's border pixels."""
     is_border = np.ones((tile, tile), dtype=bool)
     is_border[_BORDER:-_BORDER, _BORDER:-_BORDER] = False
     rows, columns = np.nonzero(is_border)

@@ -1,4 +1,4 @@
-"""Turn the view in a panorama from one direction to the next, as smoothly as a hand moves.
+"""Turn the view in a panorama from one direction to the next, as smoothly as a hand would.
 
 References
 ----------
@@ -23,18 +23,20 @@ def gaze(
     rest: Sequence[float],
     rng: np.random.Generator,
 ) -> NDArray[np.float64]:
-    """Turn the view for a number of frames, at least one.
+    """Turn the view for a number of frames, which must be at least one.
 
     Parameters
     ----------
+    fps
+        Frames per second; it does not affect the turns, only when they are sampled.
     fov, tilt
         Ranges of the horizontal field of view, which stays constant, and of the tilt, in degrees.
     turn, speed
-        Ranges of the angle of a turn to either side, in degrees, and of its mean speed, in degrees/s.
+        Ranges of a turn's angle to either side, in degrees, and of its mean speed, in degrees/s.
     rest
         Range of the pause between two turns, in seconds.
     rng
-        Source of all random choices. Frame rates (`fps`, in frames per second) do not change the path.
+        Source of all random choices.
 
     Returns
     -------
@@ -67,7 +69,9 @@ def gaze(
 
 
 def least_jerk(done: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Map a share of the time to a share of the way, 0 to 1, at rest at both ends (Flash and Hogan 1985).
+    """Map the elapsed share of a movement's time to the share of its way (Flash and Hogan 1985).
+
+    Both shares are from 0 to 1; the movement starts and ends at rest.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""The label file of a home, and a table of the panorama that each frame shows."""
+"""A home's label file, and a table of the panoramas that its frames show."""
 
 from collections.abc import Mapping, Sequence
 from itertools import groupby
@@ -11,13 +11,13 @@ _END = "-1\t-1\tend\n"
 
 
 def segments(looks: Sequence[Look]) -> list[tuple[int, int, str]]:
-    """Return first frame, last frame and label of every stay on a floor."""
+    """Return the first frame, last frame and label of every stay on a floor."""
     stays = [list(stay) for _, stay in groupby(looks, key=lambda look: look.stay)]
     return [(stay[0].first, stay[-1].last, stay[0].panorama.label) for stay in stays]
 
 
 def label_file(floors: Mapping[str, Sequence[Look]]) -> str:
-    """Return the text of the ``label.txt`` of a home for `placecat.sequences.vpc2009`."""
+    """Return the text of a home's ``label.txt``, for `placecat.sequences.vpc2009`."""
     text = ""
     for floor, looks in floors.items():
         lines = [f"{first}\t{last}\t{label}\n" for first, last, label in segments(looks)]
@@ -26,7 +26,7 @@ def label_file(floors: Mapping[str, Sequence[Look]]) -> str:
 
 
 def looks_table(floors: Mapping[str, Sequence[Look]]) -> pd.DataFrame:
-    """Return a row per look: floor, stay (from 1), frames, field of view in degrees, room, label, picture."""
+    """Tabulate looks: floor, stay (from 1), frames, field of view in degrees, room, label, picture."""
     columns = ["floor", "stay", "start", "end", "fov", "room", "label", "panorama"]
     rows = [
         (
@@ -40,7 +40,7 @@ def looks_table(floors: Mapping[str, Sequence[Look]]) -> pd.DataFrame:
 
 
 def counts(floors: Mapping[str, Sequence[Look]]) -> dict[str, tuple[int, int]]:
-    """Return label to number of frames and number of stays in a home."""
+    """Map each label in a home to its numbers of frames and stays."""
     found: dict[str, tuple[int, int]] = {}
     for looks in floors.values():
         for first, last, label in segments(looks):

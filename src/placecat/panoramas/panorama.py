@@ -9,21 +9,21 @@ _NUMBER = re.compile(r"[\s_-]*[0-9]+$")
 
 @dataclass(frozen=True)
 class Panorama:
-    """The view from one point in all directions.
+    """The view in all directions from one point.
 
     Attributes
     ----------
     home, floor
-        Names of folders.
+        Names of the home and floor, used as folder names.
     room
-        Name of the room, unique on its floor.
+        The room's name, unique on its floor.
     label
-        Place category of the room.
+        The room's place category.
     files
-        One equirectangular picture, or six faces of a cube in the order of `placecat.panoramas.cube.FACES`:
-        POSIX paths relative to the folder of the source.
+        One equirectangular picture, or six faces of a cube in the order of `placecat.panoramas.cube.FACES`,
+        as POSIX paths relative to the source's folder.
     origin
-        File, and line if any, that lists the panorama; for messages.
+        The file and place in it that list the panorama, for messages.
     """
 
     home: str
@@ -35,7 +35,7 @@ class Panorama:
 
 
 def kind(name: str) -> str:
-    """Return the name of a room without its number, in lower case, with words joined by ``_``.
+    """Return a room's name without its number, in lower case, with its words joined by ``_``.
 
     Examples
     --------
@@ -46,6 +46,6 @@ def kind(name: str) -> str:
 
 
 def labels_by_kind(labels: Mapping[str, Iterable[str]]) -> dict[str, str]:
-    """Return the label of every `kind` of room that the setting `labels` names."""
+    """Map every `kind` of room in the setting `labels` to its label."""
     named = {kind(name): label for label, names in labels.items() for name in names}
     return named | {kind(label): label for label in labels}

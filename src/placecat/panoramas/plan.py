@@ -1,4 +1,4 @@
-"""Plan a walk through a home, floor by floor: where each frame looks."""
+"""Plan where each frame of a walk through a home looks, floor by floor."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ class Look:
     stay
         Number of the stay on this floor, from 0.
     first
-        Number of the first frame, counted from 1 on this floor.
+        Number of the first frame on this floor, from 1.
     path
         (frames, 3) float64: pan, tilt and horizontal field of view in degrees.
     """
@@ -40,15 +40,15 @@ class Look:
 
     @property
     def last(self) -> int:
-        """Number of the last frame."""
+        """Number of the last frame on this floor."""
         return self.first + len(self.path) - 1
 
 
 def plan(panoramas: Sequence[Panorama], settings: Mapping[str, Any]) -> dict[str, list[Look]]:
     """Plan the walk through a home from its panoramas and the settings of conf/panoramas.yaml.
 
-    Seeds depend on the names of home and floor and on the setting `walk`. Returns floor to looks in order;
-    floors are in natural order.
+    Seeds depend on the home's and the floor's names and on the setting `walk`. Maps each floor, in natural
+    order, to its looks in order.
     """
     floors: dict[str, list[Look]] = {}
     for floor in sorted({one.floor for one in panoramas}, key=natural):
@@ -62,13 +62,13 @@ def plan(panoramas: Sequence[Panorama], settings: Mapping[str, Any]) -> dict[str
 def unseen(
     panoramas: Sequence[Panorama], plans: Mapping[str, Mapping[str, Sequence[Look]]]
 ) -> list[Panorama]:
-    """Return the panoramas that no look shows, in their order."""
+    """Return the panoramas that no look shows, in their original order."""
     shown = {look.panorama for floors in plans.values() for looks in floors.values() for look in looks}
     return [one for one in panoramas if one not in shown]
 
 
 def seed(home: str, floor: str, number: int) -> int:
-    """Return the seed of a walk from the names of home and floor and the number of the walk."""
+    """Derive a walk's seed from the home's name, the floor's name and the walk's number."""
     return derive("panoramas", home, floor, number)
 
 

@@ -1,6 +1,6 @@
-"""Directions of the pixels of a view, for a pinhole camera that turns on the spot.
+"""Directions of a view's pixels, for a pinhole camera that turns on the spot.
 
-Directions are (x, y, z): x to the right, y down, z ahead, as seen from a camera without pan and tilt.
+Directions are (x, y, z): x to the right, y down, z ahead, as seen from a camera at zero pan and tilt.
 """
 
 import numpy as np
@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 
 def focal_length(fov: float, width: int) -> float:
-    """Return the focal length in pixels of a view that is `width` pixels wide.
+    """Return the focal length, in pixels, of a view that is `width` pixels wide.
 
     `fov` is the horizontal field of view in degrees, above 0 and below 180.
 
@@ -21,14 +21,14 @@ def focal_length(fov: float, width: int) -> float:
 
 
 def view_rays(pan: float, tilt: float, fov: float, width: int, height: int) -> NDArray[np.float64]:
-    """Return the direction of each pixel centre: (height, width, 3) float64, not normalized.
+    """Return the direction of each pixel's centre, as (height, width, 3) float64, not normalized.
 
-    `pan` is positive to the right, `tilt` is positive upwards, both in degrees; `fov` is as for
-    :func:`focal_length`. Pixels are square, and the optical axis passes through the centre of the view.
+    `pan`, positive to the right, and `tilt`, positive upwards, are in degrees; `fov` is as for
+    :func:`focal_length`. Pixels are square, and the optical axis passes through the view's centre.
 
     Examples
     --------
-    A view of one pixel looks along the axis: to the right, and straight up.
+    A view of one pixel looks along the optical axis, here to the right and then straight up.
 
     >>> view_rays(90.0, 0.0, 60.0, 1, 1).round(6).ravel().tolist()
     [1.0, 0.0, 0.0]

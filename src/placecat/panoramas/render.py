@@ -15,23 +15,24 @@ from placecat.panoramas.rays import focal_length, view_rays
 def render(
     files: tuple[Path, ...], origin: str, path: NDArray[np.float64], width: int, height: int, quality: int
 ) -> list[bytes]:
-    """Render views of a panorama, each as the content of a JPEG file.
+    """Render views of a panorama; return each as the content of a JPEG file.
 
     Parameters
     ----------
     files
         One equirectangular picture, or six faces of a cube in the order of `placecat.panoramas.cube.FACES`.
     origin
-        Where the files are listed, for messages.
+        The place that lists the files, for messages.
     path
         (frames, 3) float64: pan, tilt and horizontal field of view in degrees.
     width, height, quality
-        Size of a frame in pixels, and JPEG quality from 1 to 100.
+        Frame size in pixels, and JPEG quality from 1 to 100.
 
     Raises
     ------
     PlacecatError
-        If a picture cannot be read, a single picture is not 2:1, or faces are not squares of one size.
+        If a picture cannot be read, an equirectangular picture is not 2:1, or the faces are not squares of
+        the same size.
     """
     pictures = [read_image(file) for file in files]
     focal = focal_length(float(path[:, 2].min()), width)

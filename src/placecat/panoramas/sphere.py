@@ -1,4 +1,7 @@
-"""Views of an equirectangular panorama: columns are longitudes, rows are latitudes, the centre is ahead."""
+"""Render views of an equirectangular panorama.
+
+Columns are longitudes, rows are latitudes, and the centre is straight ahead.
+"""
 
 import cv2
 import numpy as np
@@ -9,20 +12,21 @@ _BORDER = 1
 
 
 def fits(height: int, width: int) -> bool:
-    """Return whether a picture of this size can be a whole sphere: it must be twice as wide as high."""
+    """Return whether a picture of this size can show a whole sphere: it must be twice as wide as high."""
     return width == 2 * height
 
 
 def prepare(picture: NDArray[np.uint8], focal: float) -> NDArray[np.uint8]:
-    """Prepare a panorama, (H, 2 H, 3) uint8, for :func:`look`: (H' + 2, 2 H' + 2, 3) uint8 with a border.
+    """Prepare a panorama, (H, 2 H, 3) uint8, for :func:`look`.
 
-    `focal` is the largest focal length of the views, in pixels. A panorama with a finer angular resolution
-    than the centre of that view is scaled down, because bilinear interpolation alone would skip pixels.
+    `focal` is the largest focal length of the views, in pixels. A panorama whose angular resolution is finer
+    than at the centre of that view is scaled down, because bilinear interpolation alone would skip pixels.
+    Returns (H' + 2, 2 H' + 2, 3) uint8: the panorama with a border.
     """
     side = int(np.ceil(np.pi * focal))
     if side < len(picture):
         picture = cv2.resize(picture, (2 * side, side), interpolation=cv2.INTER_AREA)  # type: ignore[assignment]
-    # Beyond a pole, the same row continues half a turn away.
+    # Beyond a pole, the picture continues with the same row, half a turn away.
     half = picture.shape[1] // 2
     rows = [np.roll(picture[:1], half, axis=1), picture, np.roll(picture[-1:], half, axis=1)]
     whole = np.concatenate(rows)
@@ -30,9 +34,9 @@ def prepare(picture: NDArray[np.uint8], focal: float) -> NDArray[np.uint8]:
 
 
 def look(prepared: NDArray[np.uint8], rays: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """Render the view along rays with bilinear interpolation: (h, w, 3) uint8.
+    """Render the view along rays, (h, w, 3) uint8, with bilinear interpolation.
 
-    `prepared` comes from :func:`prepare`, `rays`, (h, w, 3), from :func:`placecat.panoramas.rays.view_rays`.
+    `prepared` comes from :func:`prepare`; `rays`, (h, w, 3), from :func:`placecat.panoramas.rays.view_rays`.
     """
     height, width = (size - 2 * _BORDER for size in prepared.shape[:2])
     x, y, z = np.moveaxis(rays, -1, 0)

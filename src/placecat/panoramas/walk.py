@@ -1,4 +1,4 @@
-"""Plan a walk through the rooms of a floor: order of rooms and panoramas, and time in each."""
+"""Plan a walk through a floor's rooms: the order of rooms and panoramas, and the time spent in each."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import cycle
@@ -8,14 +8,14 @@ import numpy as np
 
 
 class Room(NamedTuple):
-    """The label of a room and the numbers of its panoramas."""
+    """A room's label and the numbers of its panoramas."""
 
     label: str
     panoramas: tuple[int, ...]
 
 
 class Part(NamedTuple):
-    """Part of a stay: numbers of stay, room and panorama, from 0, and the number of frames, at least one."""
+    """Part of a stay: the stay's, room's and panorama's numbers, from 0, and one or more frames."""
 
     stay: int
     room: int
@@ -35,16 +35,16 @@ def walk(
     longest_look: float,
     rng: np.random.Generator,
 ) -> list[Part]:
-    """Walk through the rooms of a floor.
+    """Walk through a floor's rooms.
 
-    The first round enters every room; later rounds enter rooms with further visits. No room follows itself.
+    The first round enters every room; later rounds enter rooms that have visits left. No room follows itself.
     Rooms with a label in `ways` are only passed through, one between any two other rooms. If there are more
     ways than the walk can pass, it enters the rest like other rooms.
 
     Parameters
     ----------
     rooms
-        At least one room; each has at least one panorama.
+        The floor's rooms: at least one, each with at least one panorama.
     fps
         Frames per second.
     visits
@@ -52,10 +52,10 @@ def walk(
     ways
         Labels of rooms that people only pass through.
     stays, other_stays
-        Mean and standard deviation of the duration of a stay in seconds, by label and for all other labels.
+        Mean and standard deviation of a stay's duration in seconds, by label and for all other labels.
         Durations have a gamma distribution.
     shortest_stay, longest_look
-        Limits in seconds. A stay longer than `longest_look` is shared among the panoramas of the room.
+        Limits in seconds. A stay longer than `longest_look` is split among the room's panoramas.
     rng
         Source of all random choices.
 
@@ -66,7 +66,7 @@ def walk(
     """
     is_way = [room.label in ways for room in rooms]
     ways_first = sorted(range(len(rooms)), key=lambda number: not is_way[number])
-    # A walk that enters n rooms once passes n - 1 ways; it enters the surplus ways like other rooms.
+    # A walk that enters n rooms once passes n - 1 ways; it enters surplus ways like other rooms.
     surplus = max(0, -(-(2 * sum(is_way) - len(rooms) + 1) // 2))
     entered = sorted(ways_first[:surplus] + ways_first[sum(is_way) :])
     passed = ways_first[surplus : sum(is_way)]
@@ -83,7 +83,7 @@ def walk(
 
 
 def _order(entered: Sequence[int], visits: Sequence[int], rng: np.random.Generator) -> list[int]:
-    """Return the rooms in the order of visits."""
+    """Return the rooms' numbers in the order of visits."""
     times = {number: int(rng.integers(visits[0], visits[1], endpoint=True)) for number in entered}
     order: list[int] = []
     for visit in range(1, visits[1] + 1):

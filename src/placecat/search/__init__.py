@@ -1,1 +1,1 @@
-"""Search an experiment's settings with Optuna, judged on training homes only."""
+"""Search for an experiment's best settings with Optuna, judging them on training homes only."""

@@ -1,4 +1,4 @@
-"""The report of a search."""
+"""Report the results of a search."""
 
 import shlex
 from collections.abc import Sequence
@@ -14,15 +14,15 @@ from placecat.search.study import Tried, best
 RESULTS = "optimization_results.yaml"
 SUMMARY = "search.md"
 _PROGRAM = "placecat experiment"
-# Settings that differ between the test and the search, or that have their default.
+# Settings that differ between search and test, or that keep their default.
 _REPLACED = ("search", "judge", "test_home", "track", "data=main")
 
 
 def write(folder: Path, tried: Sequence[Tried], space: Space, base: dict[str, str], home: str) -> str:
-    """Write the results and a summary to the folder of the sweep; return the summary as Markdown.
+    """Write the results and a summary to the sweep's folder; return the summary as Markdown.
 
-    `tried` are the settings that were tried, the starts first. `base` are the chosen options of
-    ``descriptor``, ``classifier`` and ``data``. `home` is the test home, which was not used.
+    `tried` lists the settings that were tried, starts first. `base` maps ``descriptor``, ``classifier`` and
+    ``data`` to their chosen options. `home` is the test home, which the search did not use.
     """
     starts, found = dict(zip(space.starts, tried, strict=False)), best(tried)
     without = [one for one in tried if one.accuracy is None]
@@ -90,5 +90,5 @@ def _command(one: Tried, common: Sequence[str], home: str) -> str:
 
 
 def _values(one: Tried) -> dict[str, Any]:
-    """Keys and values, with numbers converted."""
+    """Map keys to values, parsed as YAML."""
     return {key: yaml.safe_load(value) for key, value in values(one.overrides).items()}

@@ -1,4 +1,4 @@
-"""Check the requirements of a search before anything is computed."""
+"""Check a search's requirements before computing anything."""
 
 import importlib.util
 from collections.abc import Mapping
@@ -12,8 +12,8 @@ JUDGE = "training_homes"
 def check(config: Mapping[str, Any]) -> None:
     """Refuse a search whose result would be meaningless.
 
-    Raises PlacecatError if Optuna is not installed, ``judge`` is not ``training_homes``, or there are several
-    test homes.
+    Raises PlacecatError if Optuna is not installed, if ``judge`` is not ``training_homes``, or unless there
+    is exactly one test home.
     """
     need_optuna()
     if config.get("judge") != JUDGE:
@@ -31,6 +31,6 @@ def check(config: Mapping[str, Any]) -> None:
 
 
 def need_optuna() -> None:
-    """Refuse to search without Optuna."""
+    """Raise PlacecatError if Optuna is not installed."""
     if importlib.util.find_spec("optuna") is None:
         raise PlacecatError("a search needs Optuna: install it with `pip install -e .[search]`")

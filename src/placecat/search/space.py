@@ -1,4 +1,4 @@
-"""The space of a search, read from Hydra's overrides, and its first settings."""
+"""A search space, read from Hydra's overrides, and the settings that the search starts with."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -14,18 +14,18 @@ from placecat.search import starts
 if TYPE_CHECKING:
     from optuna.distributions import BaseDistribution
 
-# Settings of the method. Data, homes, seeds and judge belong to the measurement and are not searched.
+# Only the method's settings are searched; data, homes, seeds and judge belong to the measurement.
 _OF_THE_METHOD = ("descriptor", "classifier", "codebook", "clustering")
 
 
 @dataclass(frozen=True)
 class Space:
-    """The space of a search.
+    """A search space.
 
-    `distributions` maps keys to Optuna's distributions; choices have their values in Hydra's spelling.
-    `starts` maps the source of each start, e.g. ``conf/cue/hog_y.yaml``, to its keys and values. `fixed` are
-    the overrides of all experiments. `digits` are the significant digits of numbers chosen from intervals;
-    starts are not rounded.
+    `distributions` maps keys to Optuna's distributions, which spell choices as Hydra does. `starts` maps the
+    source of each start, e.g. ``conf/cue/hog_y.yaml``, to its keys and values. `fixed` are the overrides that
+    all experiments share. `digits` is the number of significant digits of floats that Optuna chooses; starts
+    are not rounded.
     """
 
     distributions: "dict[str, BaseDistribution]"
@@ -34,7 +34,7 @@ class Space:
     digits: int
 
     def overrides(self, chosen: Mapping[str, Any]) -> tuple[str, ...]:
-        """The overrides for the values that Optuna chose."""
+        """Return the overrides that set the values chosen by Optuna."""
         return tuple(f"{key}={self._written(key, chosen[key])}" for key in self.distributions)
 
     def _written(self, key: str, value: Any) -> Any:
@@ -46,7 +46,7 @@ class Space:
         return min(max(float(f"{value:.{self.digits}g}"), own.low), own.high)
 
     def ends(self) -> list[tuple[str, ...]]:
-        """Overrides that set each key to both ends of its range, and the others as in the first start."""
+        """Overrides of the first start, and of its variants that set one key to a limit or to a choice."""
         first = next(iter(self.starts.values()))
         found = [first]
         for key, own in self.distributions.items():
@@ -56,7 +56,7 @@ class Space:
 
 
 def values(overrides: Sequence[str]) -> dict[str, str]:
-    """Keys and values of overrides."""
+    """Map the overrides' keys to their values."""
     return dict(one.split("=", 1) for one in overrides)
 
 
@@ -71,10 +71,10 @@ def read(
     """Read the space from the configuration and the command line, which takes precedence.
 
     `spans` maps keys to spans as in conf/search, e.g. ``interval(0.1, 2)`` or ``choice(a, b)``. `arguments`
-    are overrides; keys with a single value there are not searched. `config` is the first start: the
-    experiment composed without the searched settings, including Hydra's. `params` is params.yaml, see
-    :func:`placecat.search.starts.find`. Raises PlacecatError if nothing is searched, a key does not belong to
-    the method, or a start lies outside the space.
+    are overrides; a key that has a single value there is not searched. `config` is the first start: the
+    experiment composed without the searched settings, but with Hydra's. `params` is the content of
+    params.yaml; see :func:`placecat.search.starts.find`. Raises PlacecatError if nothing is searched, a key
+    does not belong to the method, or a start lies outside the space.
     """
     parser = OverridesParser.create()
     written = [*(f"{key}={value}" for key, value in spans.items()), *arguments]
@@ -106,7 +106,7 @@ def read(
 def _distribution(
     override: Override, found: Mapping[str, Any], parser: OverridesParser
 ) -> "tuple[BaseDistribution, dict[str, Any]]":
-    """The distribution of a setting and its values in the starts, in Optuna's form."""
+    """Return a setting's distribution, and its value in each start as Optuna represents it."""
     from optuna.distributions import CategoricalDistribution, FloatDistribution, IntDistribution
     from optuna.trial import create_trial
 
@@ -133,7 +133,7 @@ def _distribution(
         }
     for name, value in as_known.items():
         try:
-            # Optuna checks whether the distribution contains a value.
+            # Optuna checks that the distribution contains the value.
             create_trial(params={key: value}, distributions={key: distribution}, value=0.0)
         except ValueError:
             raise PlacecatError(

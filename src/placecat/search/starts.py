@@ -1,4 +1,4 @@
-"""The first settings of a search; the result is at least as good as these."""
+"""The settings that a search starts with; its result is at least as good as these."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -12,11 +12,11 @@ SETTINGS = "the settings without a search"
 
 
 def find(keys: Sequence[str], config: DictConfig, params: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
-    """Find the settings to start with; map the source of each start to values of the searched keys.
+    """Find the settings to start with; map each start's source to its values of the searched keys.
 
-    `config` is the first start: the experiment composed without the searched settings, including Hydra's. A
-    key that it lacks raises PlacecatError. Cues of `params` with the experiment's descriptor and classifier
-    but other settings are also starts, since conf/cue has the best settings of the thesis.
+    `config` is the first start: the experiment composed without the searched settings, but with Hydra's.
+    Raises PlacecatError for a key that it lacks. Cues of `params` that have the experiment's descriptor and
+    classifier but other settings are also starts, since conf/cue has the thesis's best settings.
     """
     first = {key: _value(key, config) for key in keys}
     found = {SETTINGS: first}
@@ -28,7 +28,7 @@ def find(keys: Sequence[str], config: DictConfig, params: Mapping[str, Any]) -> 
 
 
 def _value(key: str, config: DictConfig) -> Any:
-    """The value of a setting, or the chosen option of a group."""
+    """Return a setting's value, or a group's chosen option."""
     choices = config.hydra.runtime.choices
     if key in choices:
         return choices[key]
@@ -42,7 +42,7 @@ def _value(key: str, config: DictConfig) -> Any:
 def _of_cue(
     cue: Mapping[str, Any], params: Mapping[str, Any], config: DictConfig, keys: Sequence[str]
 ) -> dict[str, Any]:
-    """The classifier settings of a cue if it has the experiment's descriptor and classifier, else None."""
+    """Return a cue's searched classifier settings; {} if its descriptor or classifier is another one."""
     codebook = cue.get("codebook")
     descriptor = cue["descriptor"] if codebook is None else params["codebooks"][codebook]["descriptor"]
     wanted = {f"descriptor.{name}": value for name, value in descriptor.items()}

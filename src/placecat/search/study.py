@@ -1,4 +1,4 @@
-"""Choose settings with Optuna, in batches that do not depend on the number of workers."""
+"""Choose settings with Optuna, in batches whose size does not depend on the number of workers."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -10,7 +10,7 @@ from placecat.search.space import Space
 
 @dataclass(frozen=True)
 class Tried:
-    """Settings that were tried: number of the experiment, values, and accuracy in percent or None."""
+    """Settings that were tried: the experiment's number, overrides, and accuracy in percent or None."""
 
     number: int
     overrides: tuple[str, ...]
@@ -26,24 +26,24 @@ def search(
     seed: int,
     n_startup_trials: int,
 ) -> list[Tried]:
-    """Search for the settings with the highest accuracy, by Optuna's tree-structured Parzen estimator.
+    """Search for the settings with the highest accuracy, using Optuna's tree-structured Parzen estimator.
 
-    The first trials are the starts, so the best is at least as good as each of them. Repeated settings are
-    not run again, since they give the same number. Returns all settings that were run, in the order of the
-    trials. Raises PlacecatError if a number is out of range, or if no experiment has an accuracy when the
-    sampler needs some.
+    The first trials are the starts, so the best settings are at least as good as each start. Repeated
+    settings are not run again, since they would give the same accuracy. Returns all settings that were run,
+    in order. Raises PlacecatError if `n_trials` or `batch_size` is too small, or if the experiments before
+    the sampler uses results all lack an accuracy.
 
     Parameters
     ----------
     run
-        Runs experiments; gets their overrides and the number of the first. Returns the accuracies in
-        percent, NaN for none.
+        Function that runs experiments, given their overrides and the first one's number. Returns their
+        accuracies in percent; NaN if one has none.
     n_trials
-        Number of settings to try, including starts and repetitions.
+        Number of trials, including starts and repeated settings.
     batch_size
-        Number of settings chosen together, without knowing each other's results.
+        Number of settings to choose at once, before any of their results are known.
     n_startup_trials
-        Number of trials drawn uniformly, before the sampler uses results.
+        Number of trials before the sampler uses results; except for the starts, they are drawn at random.
     """
     for name, value, least in (("n_trials", n_trials, len(space.starts)), ("batch_size", batch_size, 1)):
         if value < least:
@@ -81,5 +81,5 @@ def search(
 
 
 def best(tried: Sequence[Tried]) -> Tried:
-    """The settings with the highest accuracy; the first of equal ones, so starts come before others."""
+    """The settings with the highest accuracy; among ties, the first, so starts win over other settings."""
     return max(tried, key=lambda one: -math.inf if one.accuracy is None else one.accuracy)

@@ -1,4 +1,4 @@
-"""The pieces, one module each; its generator ``entries()`` yields the measurements one by one."""
+"""The pieces, one module each; a module's generator ``entries()`` yields the entries to measure."""
 
 from collections.abc import Callable, Iterator
 
@@ -14,6 +14,6 @@ def names() -> list[str]:
 
 
 def load(name: str) -> Entries:
-    """Return the function ``entries`` of a piece; raises PlacecatError if the piece does not exist."""
+    """Return a piece's function ``entries``; raises PlacecatError if the piece does not exist."""
     entries: Entries = lookup.module(__name__, name, "the piece", "entries").entries
     return entries

@@ -1,9 +1,9 @@
-"""Census histograms against local binary patterns of scikit-image and mahotas, in the cells of a grid.
+"""Census histograms against scikit-image's and mahotas's local binary patterns, in the cells of a grid.
 
-`local_binary_pattern` with 8 points at radius 1 sets a bit if a neighbour is at least the centre, the census
-transform if the centre is at least a neighbour; so they agree on the inverted image. The former interpolates
-the diagonal neighbours at distance 1, between pixels, so only the codes of the four straight neighbours are
-compared. It also computes codes of border pixels, which are cut off.
+`local_binary_pattern` with 8 points at radius 1 sets a bit if a neighbour is at least the centre; the census
+transform sets it if the centre is at least the neighbour. They therefore agree on the inverted image. The
+former interpolates the diagonal neighbours at distance 1, between pixels, so only the codes of the four
+straight neighbours are compared. It also computes codes of border pixels, which are cut off.
 """
 
 from collections.abc import Iterator, Sequence
@@ -19,7 +19,7 @@ from placecat_bench.frames import Image, decoded, jpegs, size
 PIECE = "Census histograms"
 PEER = Peer("scikit-image: local_binary_pattern and NumPy's histogram", "scikit-image")
 MAHOTAS = Peer("mahotas: lbp", "mahotas")
-# The bits of the right, upper, left and lower neighbour.
+# Bits of the right, upper, left and lower neighbours.
 OUR_STRAIGHT = (8, 64, 16, 2)
 THEIR_STRAIGHT = (1, 4, 16, 64)
 
@@ -32,10 +32,10 @@ def entries(
     cells: int = 4,
     repeats: int = 15,
 ) -> Iterator[Comparison | Limit]:
-    """Yield the times of both, and the difference of their histograms in `cells` along each axis.
+    """Yield comparisons of the times, and of the histograms, with `cells` cells along each axis.
 
-    `images` are (h, w) uint8 of one size; by default a frame of each rendered home, reduced to `width` and
-    `height`. A repeat is a pair of calls with all images.
+    `images` are (h, w) uint8 of one size; the default is a frame of each rendered home, reduced to `width`
+    and `height`. A repeat is a pair of calls with all images.
     """
     given = reduced_frames(width, height) if images is None else images
     text = f"{size(given[0])}, {cells}x{cells} cells"
@@ -73,19 +73,19 @@ def entries(
 
 
 def reduced_frames(width: int, height: int) -> list[Image]:
-    """Grey images of a frame of each rendered home, (height, width) uint8."""
+    """Return a frame of each rendered home as a grey image, (height, width) uint8."""
     greys = [cv2.cvtColor(decoded(file), cv2.COLOR_BGR2GRAY) for file in jpegs()]
     small = [cv2.resize(grey, (width, height), interpolation=cv2.INTER_AREA) for grey in greys]
     return [np.asarray(image, np.uint8) for image in small]
 
 
 def ours(image: Image, cells: int) -> NDArray[np.float32]:
-    """Census histograms of the cells, (cells**2, 256)."""
+    """Compute the cells' census histograms, (cells**2, 256)."""
     return cell_histograms(census(image), cells)
 
 
 def theirs(image: Image, cells: int) -> NDArray[np.float64]:
-    """Histograms of scikit-image's codes in the same cells, (cells**2, 256)."""
+    """Compute the histograms of scikit-image's codes in the same cells, (cells**2, 256)."""
     from skimage.feature import local_binary_pattern
 
     codes = local_binary_pattern(image, P=8, R=1)[1:-1, 1:-1]
@@ -102,7 +102,7 @@ def theirs(image: Image, cells: int) -> NDArray[np.float64]:
 
 
 def by_mahotas(image: Image, cells: int) -> NDArray[np.float64]:
-    """Histograms of mahotas' patterns in the same cells, (cells**2, 36); rotated patterns count as one."""
+    """Compute mahotas's histograms in the same cells, (cells**2, 36); it counts rotated patterns as one."""
     from mahotas.features import lbp
 
     height, width = image.shape
@@ -123,14 +123,14 @@ def by_mahotas(image: Image, cells: int) -> NDArray[np.float64]:
 
 
 def largest_difference(image: Image, cells: int) -> float:
-    """Largest difference of the shares of the sixteen codes of straight neighbours."""
+    """Return the largest difference between our and their shares of the 16 codes of straight neighbours."""
     found = of_straight(ours(255 - image, cells), OUR_STRAIGHT)
     expected = of_straight(theirs(image, cells), THEIR_STRAIGHT)
     return float(np.abs(found - expected).max())
 
 
 def of_straight(histograms: NDArray[np.floating], bits: tuple[int, ...]) -> NDArray[np.float64]:
-    """Add up the bins with the same four bits, (n, 256) to (n, 16)."""
+    """Add up the bins that agree in these four bits; turns (n, 256) into (n, 16)."""
     codes = np.arange(CODES)
     straight = sum(((codes & bit) > 0).astype(np.intp) << place for place, bit in enumerate(bits))
     return np.stack([np.bincount(straight, row, 16) for row in histograms])

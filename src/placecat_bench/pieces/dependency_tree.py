@@ -1,14 +1,14 @@
-"""Dependency tree against three peers: the tree of one class and its conditional probabilities.
+"""Dependency tree against three peers: one class's tree and its conditional probabilities.
 
-pgmpy needs two steps. ``TreeSearch`` computes the mutual information of all pairs (by scikit-learn's
-``mutual_info_score``) and the maximum spanning tree from the same root (by NetworkX). Then
-``DiscreteBayesianEstimator`` estimates the probabilities with the prior K2, which adds 1 to every count as we
-do. Both run in one process. Ours also checks the codes and splits them by class; pgmpy gets a finished table.
-The log-likelihoods of all samples show that both learn the same.
+pgmpy needs two steps. ``TreeSearch`` computes the mutual information of all pairs (with scikit-learn's
+``mutual_info_score``) and the maximum spanning tree from the same root (with NetworkX). Then
+``DiscreteBayesianEstimator`` estimates the probabilities with the prior K2, which adds 1 to every count as
+ours does. Both steps run in one process. Our code also checks the codes and splits them by class; pgmpy
+receives a finished table. Equal log-likelihoods of all samples show that both learn the same.
 
-deeprob-kit learns only binary trees, in float32, with all tables from one matrix product. pyAgrum's Chow-Liu
-classifier uses the first variable as the class, which is the root of the same tree; it also detects the types
-of the columns.
+deeprob-kit learns only trees of binary variables, in float32, and computes all tables with one matrix
+product. pyAgrum's Chow-Liu classifier uses the first variable, the root of the same tree, as the class; it
+also detects the columns' types.
 """
 
 import warnings
@@ -35,8 +35,8 @@ def entries(
 ) -> Iterator[Entry]:
     """Yield the tree of codewords in a grid of cells, and the trees of few and of many activations.
 
-    `samples` is the number of samples of the class, `clusters` the number of codewords. An activation has
-    two values; pgmpy would need too long for many of them.
+    `samples` is the number of the class's samples, `clusters` the number of codewords. An activation has two
+    values; pgmpy would take too long for many activations.
     """
     codes = chained_codes(samples, grid, clusters)
     text = f"{grid} variables x {clusters} values x {samples}"
@@ -100,7 +100,7 @@ def _comparison(
         lambda: call(table, n_values),
         faster=faster,
         repeats=repeats,
-        # pgmpy needs half a minute.
+        # With two values, pgmpy takes half a minute.
         warm_up=n_values > 2,
         parts={
             **({"product": lambda: both_ones(codes)} if n_values == 2 else {}),
@@ -113,7 +113,7 @@ def _comparison(
 def chained_codes(samples: int, variables: int, n_values: int, seed: int = 0) -> NDArray[np.int32]:
     """Draw codes, (samples, variables) int32 in [0, n_values), from a tree.
 
-    Half the samples of each variable repeat the value of an earlier variable.
+    About half of each variable's samples repeat the value of one earlier variable.
     """
     rng = np.random.default_rng(seed)
     codes = rng.integers(n_values, size=(samples, variables), dtype=np.int32)
@@ -124,14 +124,14 @@ def chained_codes(samples: int, variables: int, n_values: int, seed: int = 0) ->
 
 
 def ours(codes: NDArray[np.int32], n_values: int) -> DependencyTree:
-    """Learn the tree of one class."""
+    """Learn the tree of one class with our code."""
     return DependencyTree(n_values=n_values).fit(codes, np.zeros(len(codes), np.int64))
 
 
 def theirs(table: pd.DataFrame, n_values: int) -> Any:
     """Learn the same with pgmpy, as a ``pgmpy.models.DiscreteBayesianNetwork``."""
     with warnings.catch_warnings():
-        # On import it warns of its deprecated parts.
+        # pgmpy's import warns about its deprecated parts.
         warnings.simplefilter("ignore")
         from pgmpy.estimators import TreeSearch
         from pgmpy.models import DiscreteBayesianNetwork
@@ -144,18 +144,18 @@ def theirs(table: pd.DataFrame, n_values: int) -> Any:
 
 
 def largest_difference(codes: NDArray[np.int32], n_values: int) -> float:
-    """Learn with both, and compare the log-likelihoods of the samples."""
+    """Learn with both, and return the largest difference between their log-likelihoods of the samples."""
     found = ours(codes, n_values).predict_joint_log_likelihood(codes)[:, 0]
     expected = np.zeros(len(codes))
     for cpd in theirs(pd.DataFrame(codes), n_values).get_cpds():
-        # One row per value, one column per value of the parent; a single column for the root.
+        # One row per value, and one column per value of the parent; the root has a single column.
         columns = codes[:, cpd.variables[1]] if len(cpd.variables) > 1 else 0
         expected += np.log(cpd.get_values()[codes[:, cpd.variables[0]], columns])
     return float(np.abs(found - expected).max())
 
 
 def by_deeprob(table: pd.DataFrame, n_values: int = 2) -> Any:
-    """Learn a binary tree with deeprob-kit, as a ``BinaryCLT``; 1 is added to every cell as in ours."""
+    """Learn a binary tree with deeprob-kit, as a ``BinaryCLT``; like ours, it adds 1 to every cell."""
     from deeprob.spn.structure.cltree import BinaryCLT
 
     variables = table.shape[1]
@@ -165,7 +165,7 @@ def by_deeprob(table: pd.DataFrame, n_values: int = 2) -> Any:
 
 
 def deeprob_difference(codes: NDArray[np.int32]) -> float:
-    """Largest difference of the samples' log-likelihoods."""
+    """Return the largest difference between deeprob-kit's and our log-likelihoods of the samples."""
     expected = by_deeprob(pd.DataFrame(codes)).log_likelihood(codes.astype(np.float32))
     return float(np.abs(ours(codes, 2).predict_joint_log_likelihood(codes)[:, 0] - np.ravel(expected)).max())
 
@@ -176,7 +176,7 @@ def by_pyagrum(table: pd.DataFrame, n_values: int) -> Any:
     from pyagrum.skbn import BNClassifier
 
     codes = table.to_numpy()
-    # Columns with more values would be split into ten intervals.
+    # Columns with more values than this threshold would be split into ten intervals.
     types = DiscreteTypeProcessor(discretizationThreshold=n_values + 1)
     model = BNClassifier(type_processor=types, learningMethod="Chow-Liu", prior="Smoothing", priorWeight=1)
     model.fit(codes[:, 1:], codes[:, 0])
@@ -184,12 +184,12 @@ def by_pyagrum(table: pd.DataFrame, n_values: int) -> Any:
 
 
 def pyagrum_edges(codes: NDArray[np.int32]) -> set[tuple[int, int]]:
-    """Edges of pyAgrum's tree by the indices of variables: parent and child."""
+    """Return the edges of pyAgrum's tree, each as the variables' indices (parent, child)."""
     network = by_pyagrum(pd.DataFrame(codes), int(codes.max()) + 1).bn_
     places = {"y": 0} | {f"x{number}": number + 1 for number in range(codes.shape[1] - 1)}
     return {tuple(places[network.variable(end).name()] for end in arc) for arc in network.arcs()}  # type: ignore[misc]
 
 
 def edges(model: DependencyTree) -> set[tuple[int, int]]:
-    """Edges of the tree of our only class: parent and child."""
+    """Return the edges of our only class's tree, each as (parent, child)."""
     return {(int(parent), child) for child, parent in enumerate(model.parents_[0]) if parent >= 0}

@@ -1,8 +1,8 @@
 """All features of a frame against the decoding of its JPEG.
 
-The first measurement has the features of the thesis's cues: 25 salient regions with five descriptors, Gist,
-Centrist and the information measure. The second is that of the stage `features`, which adds features for
-trials: more regions (Table 22) and the variants of descriptors.
+The first measurement covers the features of the thesis's cues: 25 salient regions with five descriptors,
+Gist, Centrist and the information measure. The second covers all features of the stage `features`, which adds
+those of the trials: more regions (Table 22) and variants of descriptors.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -25,14 +25,14 @@ Options = Mapping[str, Any]
 
 
 def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iterator[Comparison | Limit]:
-    """Yield the times against decoding, and the frames per second including decoding.
+    """Yield comparisons of the time with decoding, and the frames per second including decoding.
 
     Parameters
     ----------
     frames
-        Frames of one size, by default one of each rendered home.
+        Frames of one size; by default, one from each rendered home.
     repeats
-        Number of pairs, each with all frames.
+        Number of pairs of calls, each with all frames.
     """
     keep_freed_memory()
     files = jpegs() if frames is None else [encoded(frame) for frame in frames]
@@ -71,7 +71,7 @@ def _of(
 
 
 def for_cues(every: Options) -> dict[str, Any]:
-    """Leave out variants of descriptors, and use the cues' number of regions."""
+    """Leave out the descriptors' variants, and use the cues' number of regions."""
     kept = {**every, "regions": {**every["regions"], "max_regions": REGIONS}}
     for kind in ("local", "holistic"):
         kept[kind] = {name: own for name, own in every[kind].items() if "descriptor" not in (own or {})}
@@ -79,7 +79,7 @@ def for_cues(every: Options) -> dict[str, Any]:
 
 
 def parts(frames: Sequence[Image], own: Options) -> dict[str, Callable[[], Any]]:
-    """Make a function for each part of the description of all frames.
+    """Make a function for each part of describing all frames.
 
     Parameters
     ----------
@@ -91,11 +91,11 @@ def parts(frames: Sequence[Image], own: Options) -> dict[str, Callable[[], Any]]
     Returns
     -------
     dict
-        Maps, regions, and each descriptor. Shared work counts for every descriptor that needs it.
+        Maps, regions and each descriptor. Shared work counts towards every descriptor that needs it.
     """
     maps = [compute_maps(frame, **own["attention"]) for frame in frames]
     regions = [find_regions(one, **own["regions"]) for one in maps]
-    # A copy has no cached results of earlier calls.
+    # Copies made by `replace` have no cached results of earlier calls.
     found: dict[str, Callable[[], Any]] = {
         "maps": lambda: [compute_maps(frame, **own["attention"]) for frame in frames],
         "regions": lambda: [find_regions(replace(one), **own["regions"]) for one in maps],

@@ -1,9 +1,9 @@
 """Gentle AdaBoost against three peers: one place against the rest, 50 stumps.
 
-OpenCV does the same boosting with the same trimming of light samples. It splits a feature between any two of
-its values, ours at 255 quantiles. With more values the stumps differ but are as good, so the shares of
-training frames decided right are compared too. LightGBM and XGBoost boost another loss, with as many trees of
-depth 1 and as many bins, all samples in every round and full steps.
+OpenCV boosts in the same way and trims light samples in the same way. It may split a feature between any two
+values, our code only at 255 quantiles. If a feature has more values, the stumps differ but are as good, so
+the shares of correctly decided training frames are compared too. LightGBM and XGBoost boost another loss,
+with as many trees of depth 1 and as many bins, using all samples in every round and full steps.
 """
 
 from collections.abc import Iterator
@@ -26,12 +26,12 @@ OTHERS = {
     "xgboost": Peer("XGBoost: XGBClassifier", "xgboost"),
 }
 HOMES = range(5)
-# OpenCV's flag for the sum of the stumps.
+# OpenCV's flag that asks for the sum of the stumps.
 _SUM = 256
 
 
 def entries(*, frames: int = 8000, features: int = 256, rounds: int = 50) -> Iterator[Entry]:
-    """Yield the times, and how well both decide the training frames after all stumps."""
+    """Yield comparisons of the times, and of how well both decide the training frames after all stumps."""
     drawn = draw_frames(frames, features, HOMES)
     X, positive = drawn.descriptors, drawn.place == 0
     text = f"{frames} x {features}, {rounds} rounds"
@@ -79,7 +79,7 @@ def by(name: str, X: NDArray[np.float32], positive: NDArray[np.bool_], rounds: i
 
 
 def ours(X: NDArray[np.float32], positive: NDArray[np.bool_], rounds: int) -> GentleAdaBoost:
-    """Boost with ours."""
+    """Boost with our code."""
     return GentleAdaBoost(rounds).fit(X, positive)
 
 

@@ -1,7 +1,7 @@
-"""Gist against torchgist: the descriptor of a frame, including the maps that ours reads.
+"""Gist against torchgist: a frame's descriptor, including the maps that our code reads.
 
-Ours averages the maps of visual attention in the cells of a grid (thesis section 3.2); torchgist filters a
-grey square of 256x256 pixels with 32 Gabor filters (Oliva and Torralba 2001). The numbers differ, but the
+Our code averages the maps of visual attention in the cells of a grid (thesis section 3.2); torchgist filters
+a grey square of 256x256 pixels with 32 Gabor filters (Oliva and Torralba 2001). The numbers differ, but their
 purpose is the same.
 """
 
@@ -23,7 +23,7 @@ _SIDE = 256
 
 
 def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iterator[Comparison]:
-    """Yield the times of both, by default for one frame of each rendered home."""
+    """Yield the comparison of the times, by default for one frame from each rendered home."""
     keep_freed_memory()
     pictures = [decoded(file) for file in jpegs()] if frames is None else frames
     attention = options()["attention"]
@@ -45,12 +45,12 @@ def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iter
 
 
 def ours(frame: Image, attention: dict[str, Any]) -> NDArray[np.float32]:
-    """Gist of a frame and its maps, (D,)."""
+    """Compute a frame's maps and Gist; return the Gist, (D,)."""
     return np.asarray(gist.describe(frame, compute_maps(frame, gist.MAPS, **attention)))
 
 
 def theirs(squares: Sequence[NDArray[np.uint8]]) -> list[NDArray[np.float32]]:
-    """torchgist's descriptors, each (512,), of pictures (256, 256, 3), on one thread."""
+    """Compute torchgist's descriptors, each (512,), of (256, 256, 3) pictures, on one thread."""
     import torch
     from torchgist.models.models import GIST
 

@@ -1,15 +1,15 @@
 """Hierarchical k-means against three peers: the centres of a codebook of SIFT descriptors.
 
-FLANN and ours split into 16 clusters from k-means++ seeds, with at most 11 Lloyd iterations, and cut the tree
-where the variance falls most. FLANN grows the tree down to cells of less than 16 points before it cuts. Ours
-grows only as far as the cut needs, with the same result. The seeds are drawn differently, so the inertia is
-compared too: the sum of squared distances of all points to the nearest centre.
+FLANN and our code split into 16 clusters from k-means++ seeds, with at most 11 Lloyd iterations, and cut the
+tree where the variance falls most. FLANN grows the tree down to cells of fewer than 16 points before it cuts.
+Our code grows it only as far as the cut needs, with the same result. The seeds are drawn differently, so the
+inertia, the sum of all points' squared distances to their nearest centres, is compared too.
 
-Two more peers find as many centres without our tree: superkmeans' hierarchical mode with its default
+Two more peers find as many centres without such a tree: superkmeans's hierarchical mode with its default
 iterations (3 coarse, 5 fine), and faiss's flat k-means with our iterations on all points. Their times are
-comparable if the inertia is equal.
+comparable if their inertia equals ours.
 
-The points are the project's SIFT descriptors of random places and scales in frames of a rendered home.
+The points are the project's SIFT descriptors at random places and scales in frames of rendered homes.
 """
 
 from collections.abc import Callable, Iterator
@@ -37,16 +37,17 @@ BRANCHING = 16
 ITERATIONS = 11
 _FRAME_STEP = 13
 _REGIONS = 4096
-# Number of points whose differences are in memory at once.
+# Number of points whose differences from their centres are in memory at once.
 _BLOCK = 1 << 14
 
 
 def entries(
     *, points: int = 200_000, clusters: tuple[int, int] = (196, 496), homes: Path = HOMES
 ) -> Iterator[Comparison | Limit]:
-    """Yield time and inertia of two cuts; `homes` is a folder of videos.
+    """Yield comparisons of the time and the inertia of two cuts; `homes` is a folder of videos.
 
-    Ours should be 2.5 times as fast as FLANN for the first number of clusters, and twice for the second.
+    Our code should be 2.5 times as fast as FLANN for the first number of clusters, and twice as fast for the
+    second.
     """
     descriptors = draw_descriptors(points, homes)
     for number, faster in zip(clusters, (2.5, 2.0), strict=True):
@@ -75,7 +76,7 @@ def _cut(
         lambda: centers.call("ours"),
         lambda: centers.call("theirs"),
         faster=faster,
-        # FLANN needs half a minute.
+        # FLANN takes half a minute.
         warm_up=False,
         parts={"first split": lambda: ours(points, BRANCHING)},
     )
@@ -84,7 +85,7 @@ def _cut(
 
 
 def draw_descriptors(points: int, homes: Path = HOMES, seed: int = 0) -> NDArray[np.float32]:
-    """Describe random positions and scales in every 13th frame of as many videos as necessary.
+    """Describe random positions and scales in every 13th frame, using as many videos as necessary.
 
     Returns (points, 128) float32, whole numbers from 0 to 255. Raises PlacecatError if the videos have too
     few frames.
@@ -129,7 +130,7 @@ def theirs(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
 
 
 def by_superkmeans(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32]:
-    """Return superkmeans' centres, (n_clusters, D) float32."""
+    """Return superkmeans's centres, (n_clusters, D) float32."""
     from superkmeans import SuperKMeans
 
     model = SuperKMeans(n_clusters, points.shape[1], hierarchical=True, n_threads=1)
@@ -141,7 +142,7 @@ def by_faiss(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32
     import faiss
 
     faiss.omp_set_num_threads(1)
-    # By default it uses at most 256 points per centre.
+    # By default, faiss uses at most 256 points per centre.
     own = {"niter": ITERATIONS, "max_points_per_centroid": len(points)}
     model = faiss.Kmeans(points.shape[1], n_clusters, seed=0, **own)
     model.train(points)
@@ -149,7 +150,7 @@ def by_faiss(points: NDArray[np.float32], n_clusters: int) -> NDArray[np.float32
 
 
 def inertia(points: NDArray[np.float32], centers: NDArray[np.float32]) -> float:
-    """Sum of squared distances of all points to the nearest centre, computed in float64."""
+    """Return the sum of all points' squared distances to their nearest centres, computed in float64."""
     nearest = nearest_centers(points, centers)[:, 0]
     total = 0.0
     for start in range(0, len(points), _BLOCK):

@@ -1,6 +1,6 @@
-"""HOG of salient regions against OpenCV's, called region by region.
+"""HOG of salient regions against OpenCV's HOG, called region by region.
 
-Both get the maps and regions of frames. For the peer, our function cuts the patches, which are then resized
+Both receive the frames' maps and regions. For the peer, our function cuts the patches, which are then resized
 and described one at a time. The descriptors are identical.
 """
 
@@ -27,9 +27,10 @@ DLIB = Absent(
 def entries(
     *, frames: Sequence[Image] | None = None, count: int = REGIONS, repeats: int = 15
 ) -> Iterator[Entry]:
-    """Yield the times of both, and the difference of their descriptors, for `count` regions per frame.
+    """Yield comparisons of the times, and of the descriptors, for `count` regions per frame.
 
-    `frames` have one size, by default one of each rendered home; a repeat is a pair of calls with all frames.
+    `frames` have one size; by default, there is one from each rendered home. A repeat is a pair of calls with
+    all frames.
     """
     keep_freed_memory()
     pictures = [decoded(file) for file in jpegs()] if frames is None else frames
@@ -47,7 +48,7 @@ def entries(
         parts={
             "cutting": lambda: [patches_of(*one) for one in given],
             "resizing": lambda: [[resized(patch) for patch in some] for some in patches],
-            # The rest is OpenCV's code, for all regions at once.
+            # The rest is OpenCV's code, called for all regions at once.
         },
     )
     yield Limit(
@@ -62,12 +63,12 @@ def entries(
 
 
 def ours(given: Sequence[Described]) -> list[NDArray[np.float32]]:
-    """HOG of the regions of each frame, (n, 128)."""
+    """Compute the HOG of each frame's regions, (n, 128)."""
     return [hog.describe(maps, regions) for maps, regions in given]
 
 
 def theirs(given: Sequence[Described]) -> list[NDArray[np.float32]]:
-    """The same, one region at a time."""
+    """Compute the same with OpenCV, one region at a time."""
     window = (hog.WINDOW, hog.WINDOW)
     descriptor = cv2.HOGDescriptor(window, (64, 64), (32, 32), (16, 16), 8)
     return [
@@ -77,10 +78,10 @@ def theirs(given: Sequence[Described]) -> list[NDArray[np.float32]]:
 
 
 def patches_of(maps: FrameMaps, regions: NDArray[np.float32]) -> Image:
-    """Cut the (n, side, side) patches of regions."""
+    """Cut out the regions' patches, (n, side, side)."""
     return to_bytes(cut(maps.grey, regions, region_side(maps.width)))
 
 
 def resized(patch: Image) -> Image:
-    """Resize a patch to the window of the descriptor."""
+    """Resize a patch to the descriptor's window."""
     return np.asarray(cv2.resize(patch, (hog.WINDOW, hog.WINDOW)))

@@ -1,19 +1,20 @@
 """nu-SVM against three variants of scikit-learn's: each of five classes against the rest, with probabilities.
 
-For each class both fit one nu-SVM on all frames, and one per home on the frames of the other homes; a sigmoid
-is fitted to the decisions for the homes left out. ``CalibratedClassifierCV`` does so with ``ensemble=False``
-and our folds. (By default it would skip the first nu-SVM and average the predictions over folds: fewer fits,
-but five times the work to predict, and different probabilities.) ``OneVsRestClassifier`` divides the
-probabilities of a frame by their sum, like our combination ``certainty``; the thesis's, ``parallel``, needs
-one more small matrix product. gamma, nu, the tolerance, the scaling and libsvm's cache, which holds the full
-kernel matrix, are the same. scikit-learn gets float64, since it would convert to it for every fit.
+For each class, both fit one nu-SVM on all frames, and one per fold on the frames outside the fold; a sigmoid
+is fitted to the decisions for the frames left out. ``CalibratedClassifierCV`` does so with ``ensemble=False``
+and our folds, random parts of the frames. (By default, it would skip the first nu-SVM and average the
+predictions over folds: fewer fits, but five times the work to predict, and different probabilities.)
+``OneVsRestClassifier`` divides a frame's probabilities by their sum, like our combination ``certainty``; the
+thesis's combination, ``parallel``, needs one more small matrix product. gamma, nu, the tolerance, the scaling
+and libsvm's cache, which holds the full kernel matrix, are the same. scikit-learn receives float64, since it
+would otherwise convert the data for every fit.
 
-The ratios depend on the number of support vectors and on how many of them several classes share: these need
-one kernel value in ours and one per class in scikit-learn. The frames are as hard as Gist's
+The ratios depend on the number of support vectors and on how many of them several classes share: a shared one
+needs one kernel value in our code, and one per class in scikit-learn. The frames are as hard as Gist's
 (:mod:`placecat_bench.gist_like`).
 
 The same scheme is also measured with a Gram matrix that is computed once (``kernel="precomputed"``), and with
-the ``NuSVC`` of scikit-learn-intelex, which gets float32.
+the ``NuSVC`` of scikit-learn-intelex, which receives float32.
 """
 
 from collections.abc import Callable, Iterator
@@ -44,14 +45,14 @@ THUNDERSVM = Absent(
 )
 BASE = NuSVM(gamma=2.0, nu=0.2)
 
-# Descriptors (n, D) to probabilities (n, classes).
+# Maps descriptors (n, D) to probabilities (n, classes).
 Predict = Callable[[NDArray[np.float32]], NDArray[np.floating]]
 
 
 def entries(*, frames: int = 8000, features: int = 1024, homes: int = 5, new: int = 2000) -> Iterator[Entry]:
-    """Yield the times of fit and prediction, and the difference of the probabilities.
+    """Yield comparisons of the times to fit and to predict, and of the probabilities.
 
-    `new` is the number of frames of another home to predict.
+    `new` is the number of frames to predict, which show another home.
     """
     train, test = draw_frames(frames, features, range(homes)), draw_frames(new, features, [homes])
     scaling = KernelScaling("standard").fit(train.descriptors)
@@ -117,13 +118,13 @@ def _beside(
 
 
 def ours(X: NDArray[np.float32], frames: Frames, gram: NDArray[Any] | None = None) -> OneAgainstAll:
-    """Fit our scheme, which holds out random parts of the frames."""
+    """Fit our scheme, which leaves out random parts of the frames in turn."""
     model = OneAgainstAll(BASE, combination="certainty")
     return model.fit(X, frames.place, gram=gram)
 
 
 def theirs(X: NDArray[np.float32], frames: Frames) -> Predict:
-    """Fit scikit-learn's ``OneVsRestClassifier`` on the same folds; return the function to probabilities."""
+    """Fit scikit-learn's ``OneVsRestClassifier`` on the same folds; return the function that predicts."""
     from sklearn.svm import NuSVC
 
     model = _one_against_all(NuSVC, X.astype(np.float64), frames)
@@ -131,7 +132,7 @@ def theirs(X: NDArray[np.float32], frames: Frames) -> Predict:
 
 
 def on_gram(X: NDArray[np.float32], frames: Frames) -> Predict:
-    """Fit scikit-learn's on a Gram matrix; return the function from descriptors to probabilities."""
+    """Fit the same on a Gram matrix; return the function that predicts from descriptors."""
     from sklearn.metrics.pairwise import rbf_kernel
     from sklearn.svm import NuSVC
 

@@ -1,13 +1,14 @@
 """Relevance vector machine against fastrvm and sklearn-rvm: one place against the rest.
 
-fastrvm and ours maximise the evidence by adding, re-estimating and deleting basis functions (Tipping and Faul
-2003), with the same kernel and a bias, and compute the Gram matrix. fastrvm updates its statistics after
-every change, ours after many. fastrvm needs thousands of changes, more than 3000 for two of the five places;
-the place with the fewest is used. The evidences cannot be compared, since fastrvm has no prior for the bias,
-but the shares of training frames decided right can. Only ours is timed on 8000 frames.
+fastrvm and our code maximise the evidence by adding, re-estimating and deleting basis functions (Tipping and
+Faul 2003), with the same kernel and a bias, and compute the Gram matrix. fastrvm updates its statistics after
+every change, our code after many changes. fastrvm needs thousands of changes, more than 3000 for two of the
+five places; the place that needs the fewest is used. The evidences cannot be compared, since fastrvm has no
+prior for the bias, but the shares of correctly decided training frames can. Only our code is timed on 8000
+frames.
 
 sklearn-rvm starts with all basis functions and prunes them (Tipping 2001). Its time grows with the third
-power of the number of frames, so it gets fewer frames.
+power of the number of frames, so it receives fewer frames.
 """
 
 from collections.abc import Callable, Iterator
@@ -35,9 +36,9 @@ PLACE = 1
 def entries(
     *, fewest: int = 400, few: int = 1600, many: int = 8000, features: int = 1024
 ) -> Iterator[Comparison | Limit]:
-    """Yield times and accuracies on few frames, and the time of the slowest of five classes on many.
+    """Yield comparisons of times and accuracies on few frames, and our slowest class's time on many frames.
 
-    `features` is the length of a descriptor.
+    sklearn-rvm receives the `fewest` frames, fastrvm a `few`. `features` is a descriptor's length.
     """
     yield from _beside(PRUNING, by_pruning, fewest, features, faster=10)
     yield from _beside(PEER, theirs, few, features, faster=1)
@@ -62,7 +63,7 @@ def _beside(
         return 100.0 * float(right["theirs"] - right["ours"])
 
     parts = {"Gram matrix": lambda: rbf_gram(X, GAMMA)}
-    # The peer needs a minute.
+    # The peer takes a minute.
     calls = partial(models.call, "ours"), partial(models.call, "theirs")
     yield Comparison(PIECE, text, peer, *calls, faster=faster, warm_up=False, parts=parts)
     quantity = f"points of training accuracy behind {peer.package}'s"
@@ -92,7 +93,7 @@ def scaled_frames(n: int, features: int) -> tuple[NDArray[np.float32], NDArray[n
 
 
 def ours(X: NDArray[np.float32], positive: NDArray[np.bool_]) -> RVM:
-    """Fit ours."""
+    """Fit our RVM."""
     return RVM(gamma=GAMMA).fit(X, positive)
 
 

@@ -1,8 +1,8 @@
-"""The saliency map of a frame against the decoding of its JPEG, and against OpenCV's two saliency maps.
+"""A frame's saliency map against the decoding of its JPEG, and against OpenCV's two saliency maps.
 
 OpenCV's maps are in its contributed modules, another build of the same package, so a separate process
-computes them. Both have one channel, intensity; the spectral residual has 64x64 pixels. Ours fuses intensity,
-two opponent colours and four orientations at several scales, and a residual.
+computes them. Both use one channel, intensity; the spectral residual has 64x64 pixels. Our map fuses
+intensity, two opponent colours and four orientations at several scales, and a residual.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -25,14 +25,15 @@ CONTRIBUTED = {
     "StaticSaliencySpectralResidual": Peer("OpenCV contributed: spectral residual", PACKAGE, FOLDER),
 }
 VOCUS2 = Absent(PIECE, "", "VOCUS2", "no package: C++ sources, whose build was not tried")
-# The maps that are fused; only descriptors use the colours themselves.
+# The maps that are needed for saliency; only descriptors use the colours themselves.
 READ = tuple(name for name in FIELDS if name != "color")
 
 
 def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iterator[Entry]:
-    """Yield the times against decoding, and against OpenCV's saliency.
+    """Yield comparisons of the time with decoding, and with OpenCV's saliency.
 
-    `frames` have one size, by default one of each rendered home; a repeat is a pair of calls with all frames.
+    `frames` have one size; by default, there is one from each rendered home. A repeat is a pair of calls with
+    all frames.
     """
     keep_freed_memory()
     files = jpegs() if frames is None else [encoded(frame) for frame in frames]
@@ -64,12 +65,12 @@ def entries(*, frames: Sequence[Image] | None = None, repeats: int = 15) -> Iter
 
 
 def saliency_of(frame: Image, own: Mapping[str, Any]) -> Saliency:
-    """Compute the saliency map of a frame, as the stage features does for its regions."""
+    """Compute a frame's saliency map, as the stage `features` does to find regions."""
     return saliency(compute_maps(frame, READ, **own["attention"]), **_fusion(own))
 
 
 def parts(frames: Sequence[Image], own: Mapping[str, Any]) -> dict[str, Callable[[], Any]]:
-    """Make a function for each part: the pyramids, each kind of maps with them, and the fusion."""
+    """Make a function for each part: the grey pyramid, each kind of map with its pyramids, and the fusion."""
     maps = [compute_maps(frame, READ, **own["attention"]) for frame in frames]
 
     def only(*fields: str) -> Callable[[], Any]:
@@ -81,7 +82,7 @@ def parts(frames: Sequence[Image], own: Mapping[str, Any]) -> dict[str, Callable
         "grey and colour pyramids and colour": only("color_contrast"),
         "grey pyramid and orientation": only("orientation"),
         "grey pyramid and residual": only("residual"),
-        # A copy has no cached results of earlier calls.
+        # Copies made by `replace` have no cached results of earlier calls.
         "fusion": lambda: [saliency(replace(one), **_fusion(own)) for one in maps],
     }
 

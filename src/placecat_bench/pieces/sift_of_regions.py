@@ -1,11 +1,11 @@
-"""SIFT of salient regions against OpenCV's on full levels, and kornia's on patches.
+"""SIFT of salient regions against OpenCV's SIFT on full levels, and kornia's on patches.
 
-The regions of a frame lie on several levels of its pyramid. OpenCV gets each level as an 8-bit image with a
+A frame's regions lie on several levels of its pyramid. OpenCV receives each level as an 8-bit image, with a
 keypoint for each region, whose cells have the same size as ours. It needs one call of `SIFT.compute` per
-level, which blurs the full level several times before it describes a point. Images and keypoints are prepared
-untimed.
+level, which blurs the full level several times before it describes a point. Preparing images and keypoints is
+not timed.
 
-kornia describes patches; it gets our patches, at the same size.
+kornia describes patches; it receives patches cut by our code, with the regions' size.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -26,23 +26,23 @@ PEER = Peer("OpenCV: SIFT.compute on each level", "opencv-python-headless")
 KORNIA = Peer("kornia: SIFTDescriptor of cut patches", "kornia", extra=TORCH)
 PIECE = "SIFT of regions"
 
-# A level and its keypoints.
+# A level of a pyramid, and its keypoints.
 Points = tuple[Image, list[cv2.KeyPoint]]
 
 
 def entries(
     *, frames: Sequence[Image] | None = None, count: int = REGIONS, repeats: int = 15
 ) -> Iterator[Comparison | Limit]:
-    """Yield the times of ours and the peers.
+    """Yield comparisons of our time with the peers' times.
 
     Parameters
     ----------
     frames
-        Frames of one size; one of each rendered home by default.
+        Frames of one size; by default, one from each rendered home.
     count
         Number of regions per frame.
     repeats
-        Number of pairs, each with all frames.
+        Number of pairs of calls, each with all frames.
     """
     keep_freed_memory()
     pictures = [decoded(file) for file in jpegs()] if frames is None else frames
@@ -73,18 +73,18 @@ def entries(
 
 
 def ours(given: Sequence[Described]) -> list[NDArray[np.float32]]:
-    """SIFT of the regions of each frame, (n, 128)."""
+    """Compute the SIFT descriptors of each frame's regions, (n, 128)."""
     return [sift.describe(maps, regions) for maps, regions in given]
 
 
 def theirs(points: Sequence[Sequence[Points]]) -> list[NDArray[np.float32]]:
-    """OpenCV's descriptors of each frame, level by level, (n, 128)."""
+    """Compute OpenCV's descriptors of each frame, level by level, (n, 128)."""
     descriptor = cv2.SIFT.create()
     return [np.concatenate([descriptor.compute(level, some)[1] for level, some in frame]) for frame in points]
 
 
 def by_kornia(patches: Sequence[NDArray[np.floating]]) -> list[NDArray[np.float32]]:
-    """kornia's descriptors of the patches of each frame, (n, 128), on one thread."""
+    """Compute kornia's descriptors of each frame's patches, (n, 128), on one thread."""
     import torch
     from kornia.feature import SIFTDescriptor
 
@@ -98,8 +98,8 @@ def by_kornia(patches: Sequence[NDArray[np.floating]]) -> list[NDArray[np.float3
 
 
 def keypoints(maps: FrameMaps, regions: NDArray[np.float32]) -> list[Points]:
-    """Make the 8-bit levels of regions, and upright keypoints whose 4x4 cells cover the regions."""
-    # OpenCV's cells have 1.5 times the size of the keypoint.
+    """Make the regions' levels in 8 bits, and upright keypoints whose 4x4 cells cover the regions."""
+    # OpenCV's cells are 1.5 times as large as the keypoint.
     across = region_side(maps.width) / 6
     found = []
     for scale, level in maps.grey.items():
@@ -110,7 +110,7 @@ def keypoints(maps: FrameMaps, regions: NDArray[np.float32]) -> list[Points]:
 
 
 def parts(given: Sequence[Described]) -> dict[str, Callable[[], Any]]:
-    """Make a function for each part of ours."""
+    """Make a function for each part of our code."""
     cell = region_side(given[0][0].width) / sift.CELLS
     radius = int(np.ceil((sift.CELLS + 1) / 2 * cell)) - 1
     upright = np.zeros(1)

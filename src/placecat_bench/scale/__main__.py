@@ -8,7 +8,7 @@ from placecat.errors import exiting
 
 
 def main() -> None:
-    """Build, run, measure and report; exit with a message and status 1 after a user's mistake."""
+    """Build, run, measure and report; exit with a message and status 1 on a user error."""
     from placecat import paths
 
     parser = argparse.ArgumentParser(

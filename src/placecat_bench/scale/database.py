@@ -1,4 +1,4 @@
-"""Frames of each label in a home database, and a possible order of its labels in a walk."""
+"""The numbers of frames per label in a home database, and a possible order of labels in a walk."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ TRANSITION = "transition"
 
 @dataclass(frozen=True)
 class Stretch:
-    """One or more consecutive frames of one label, on a floor (from 1) that is filmed without a cut."""
+    """One or more consecutive frames with one label, on a floor (from 1) that is filmed without a cut."""
 
     floor: int
     label: str
@@ -23,7 +23,7 @@ class Stretch:
 
 @dataclass(frozen=True)
 class Home:
-    """Counts in the label file of a home: floors, and frames and stretches by label; all at least 1."""
+    """Counts in a home's label file: floors, and each label's frames and stretches; all are at least 1."""
 
     name: str
     floors: int
@@ -31,11 +31,14 @@ class Home:
 
     @property
     def frames(self) -> int:
-        """Number of frames."""
+        """The home's number of frames."""
         return sum(frames for frames, _ in self.labels.values())
 
     def scaled(self, size: float) -> "Home":
-        """The same home with `size` times the frames of each label (at least 1), in stretches as before."""
+        """Return the home with `size` times each label's frames, at least 1.
+
+        The number of stretches stays the same, unless a label then has fewer frames.
+        """
         fewer = {label: max(1, round(frames * size)) for label, (frames, _) in self.labels.items()}
         stretches = {label: count for label, (_, count) in self.labels.items()}
         return Home(
@@ -45,7 +48,7 @@ class Home:
         )
 
     def walk(self) -> list[Stretch]:
-        """Put stretches of random lengths in random order, with transitions between; fixed for each home."""
+        """Shuffle stretches of random lengths, with transitions between them; the home's name is the seed."""
         rng = np.random.default_rng(seeds.derive("scale", "walk", self.name))
         places: list[tuple[str, int]] = []
         transitions: list[tuple[str, int]] = []
@@ -67,7 +70,7 @@ class Home:
 
 
 def read_homes(content: Mapping[str, Any]) -> list[Home]:
-    """Read the homes of conf/scale.yaml: ``floors`` and ``labels``; other content raises PlacecatError."""
+    """Read the ``floors`` and ``labels`` of the homes in conf/scale.yaml; raises PlacecatError if invalid."""
     homes = []
     for name, own in content.items():
         try:
@@ -90,7 +93,7 @@ def read_homes(content: Mapping[str, Any]) -> list[Home]:
 
 
 def classes_of(stretches: Sequence[Stretch], classes: Sequence[str], ignored: Sequence[str]) -> list[int]:
-    """Class index of each stretch, -1 for a label in `ignored`; raises PlacecatError for an unknown label."""
+    """Return each stretch's class index, -1 for labels in `ignored`; unknown labels raise PlacecatError."""
     for stretch in stretches:
         if stretch.label not in classes and stretch.label not in ignored:
             raise PlacecatError(

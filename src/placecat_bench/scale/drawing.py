@@ -1,4 +1,4 @@
-"""Draw more features from few: repeat frames of the same place and home, each with new jitter."""
+"""Draw many features from few: repeat a home's frames of the same place, with new jitter each time."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from placecat import files, paths, seeds
 from placecat_bench.scale.database import Stretch
 
-# Arrays whose second axis is regions, after frames.
+# The arrays whose second axis is regions are named REGIONS, or start with LOCAL.
 REGIONS = "regions"
 LOCAL = "local_"
 COUNT = "count"
@@ -24,13 +24,13 @@ def draw_frames(
     own: Sequence[int],
     home: str,
 ) -> NDArray[np.int64]:
-    """Choose a source frame for every frame of a home: (frames,) indices.
+    """Choose a source frame for every frame of a home; return (frames,) indices.
 
-    A stretch starts at a random frame of its label and runs through the following ones, starting over at the
-    end. Each frame is repeated, like in a video with a higher frame rate. `labels` and `classes` are
-    (sources,) label and class index of each source frame, -1 for no class. `own` is the class index of each
-    stretch. If no source frame has the label, frames of the class are used; if there are none, any frame. The
-    choice derives from the name of the home.
+    A stretch starts at a random source frame with its label and runs through the following ones, wrapping
+    around at the end. Frames are repeated, as in a video with a higher frame rate. If no source frame has the
+    label, frames of the class are used; if there are none, any frames. `labels` and `classes` are each source
+    frame's label and class index, (sources,), -1 for no class. `own` has each stretch's class index. The
+    home's name is the seed.
     """
     rng = np.random.default_rng(seeds.derive("scale", "frames", home))
     names = np.asarray(labels, dtype=str)
@@ -52,9 +52,9 @@ def draw_regions(
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Choose source regions for every frame: first those of its source frame, then others of its class.
 
-    `chosen` are (frames,) from :func:`draw_frames`. `counts` and `classes` are (sources,) number of regions
-    and class index of each source frame. Returns source frame and index in this frame of each region, both
-    (frames, wanted).
+    `chosen`, (frames,), comes from :func:`draw_frames`. `counts` and `classes` are each source frame's number
+    of regions and class index, both (sources,). Returns each region's source frame and its index in that
+    frame, both (frames, wanted).
     """
     rng = np.random.default_rng(seeds.derive("scale", "regions", home))
     frame = np.repeat(chosen[:, None], wanted, axis=1)
@@ -79,11 +79,11 @@ def write_jittered(
     jitter: float,
     home: str,
 ) -> None:
-    """Write an array of drawn rows; multiply each value by a random factor around 1.
+    """Write an array of drawn rows, with each value multiplied by a random factor around 1.
 
-    Zeros stay zeros, values stay in the source's range, and the dtype does not change; both files are
-    ``.npy``. `frame` and `place` are indices of source rows: (frames,) and None, or both (frames, regions).
-    `jitter` is the standard deviation of the factors, which derive from the name of the home.
+    Zeros stay zeros, values stay in the source's range, and the dtype does not change. Both files are
+    ``.npy``. `frame` and `place` are indices into the source: (frames,) and None, or both (frames, regions).
+    `jitter` is the standard deviation of the factors, which depend on the names of the home and the target.
     """
     array = files.read_array(source, memory_map=False)
     low, high = array.min(), array.max()
@@ -105,11 +105,11 @@ def write_jittered(
 
 
 def arrays_in(folder: Path) -> list[str]:
-    """Names of the arrays of features or tracks in a folder, except the counts of regions and the frames."""
+    """List a folder's arrays of features or tracks by name, except the counts of regions and the frames."""
     others = (f"{COUNT}.npy", paths.VARIANT_FRAMES)
     return sorted(path.stem for path in folder.glob("*.npy") if path.name not in others)
 
 
 def has_regions(name: str) -> bool:
-    """Whether an array has an axis of regions."""
+    """Whether the array of this name has an axis of regions."""
     return name == REGIONS or name.startswith(LOCAL)

@@ -1,4 +1,4 @@
-"""Estimate the time of a complete run on many frames that tests every home."""
+"""Estimate how long a complete run on many frames takes if it tests every home."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -11,18 +11,18 @@ from placecat.evaluation.trials import expand
 from placecat.thesis import definitions
 from placecat.training import protocol
 
-# Stages with the same work for every tested home.
+# Stages whose work is proportional to the number of tested homes.
 PER_TEST_HOME = ("codebooks", "cues", "integration", "filtering", "smoothing")
-# Stages with the same work for every frame.
+# Stages whose work is proportional to the number of frames.
 PER_FRAME = ("sequences", "features", "tracks")
 
 
 def estimate(measured: pd.DataFrame, params: Mapping[str, Any]) -> dict[str, Any]:
-    """Add up the times of the largest size, as often as in a full run, and of the stages not measured.
+    """Add up the measured stages' times at the largest size, scaled to a full run, and the other stages'.
 
-    Stages that work on frames (features, tracks) are assumed to take as long per frame as in the project's
-    last full run (reports/times.csv). Stages that do not depend on the homes' size (further data sets, toy
-    problem, figures, page) are assumed to take as long as there. `measured` has the columns
+    Stages that were not measured take their times from the project's last full run (reports/times.csv):
+    those that work on frames (sequences, features, tracks) the same time per frame, all others (further data
+    sets, toy problem, figures, page) the same time. `measured` has the columns
     `placecat_bench.scale.measurements.COLUMNS`; `params` are its settings. Returns ``hours``, and ``seconds``
     by stage.
     """
@@ -41,7 +41,7 @@ def estimate(measured: pd.DataFrame, params: Mapping[str, Any]) -> dict[str, Any
 
 
 def times_as_often(stage: str, params: Mapping[str, Any]) -> float:
-    """How many times a run that tests every home does the measured work of a stage, e.g. ``trials``."""
+    """Return how many times a stage's measured work is done in a run that tests every home."""
     homes = list(settings.get(params, "dataset.homes"))
     tested = protocol.tested_homes(homes, settings.get(params, "protocol.test_homes"))
     if stage in PER_TEST_HOME:

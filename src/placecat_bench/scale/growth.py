@@ -1,4 +1,4 @@
-"""Growth with the number of frames: the exponent of a power law."""
+"""Fit growth with the number of frames by a power law."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,9 +10,9 @@ import numpy as np
 class Growth:
     """A power law fitted to measurements.
 
-    The exponent is 1 if growth is proportional to the frames. `r2`, up to 1, is the explained share of the
-    variance of the logarithms. `last` is the exponent between the two largest sizes, where constant parts,
-    e.g. imports, matter little.
+    The exponent is 1 if the values are proportional to the number of frames. `r2`, at most 1, is the share of
+    the logarithms' variance that the fit explains. `last` is the exponent between the two largest sizes,
+    where constant costs, e.g. imports, matter little.
     """
 
     exponent: float
@@ -23,7 +23,7 @@ class Growth:
 def fit(frames: Sequence[float], values: Sequence[float]) -> Growth:
     """Fit values = factor * frames ** exponent by least squares on logarithms.
 
-    Both are (n,) positive, n >= 2, with at least two different numbers of frames.
+    `frames` and `values` are positive, (n,), n >= 2, with at least two different numbers of frames.
 
     >>> fit([100, 200, 400], [3.0, 12.0, 48.0]).exponent
     2.0

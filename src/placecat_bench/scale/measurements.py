@@ -1,4 +1,4 @@
-"""Run the stages in a folder, one after the other, and measure their time and memory."""
+"""Run stages in a folder, one after another, and measure their time and memory."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -8,13 +8,13 @@ import pandas as pd
 from placecat_bench.scale import growth
 from placecat_bench.scale.watching import watch
 
-# `item` is always ""; it remains a column of the files in git, since stages once ran per home or cue.
+# `item` is always ""; the column remains in the files in git from when stages ran per home or cue.
 COLUMNS = ["size", "frames", "stage", "item", "seconds", "cpu_seconds", "peak_gib"]
 GROWTH_COLUMNS = ["stage", "item", "exponent", "r2", "last_exponent", "seconds", "peak_gib"]
 
 
 def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frames: int) -> pd.DataFrame:
-    """Run and watch stages in a folder; return a row of `COLUMNS` each; PlacecatError if one fails."""
+    """Run stages in a folder; return a row of `COLUMNS` for each; raises PlacecatError if one fails."""
     rows = []
     for stage, command in steps.items():
         watched = watch(command, folder, folder / "logs" / f"{stage}.log")
@@ -26,10 +26,10 @@ def measure(folder: Path, steps: Mapping[str, Sequence[str]], size: float, frame
 
 
 def growths(measured: pd.DataFrame) -> pd.DataFrame:
-    """Fit how the time of every stage, and of all together, grows with the frames.
+    """Fit how the time of each stage, and of all stages together, grows with the number of frames.
 
-    `measured` has the columns `COLUMNS` and at least two numbers of frames. Returns columns `GROWTH_COLUMNS`:
-    the exponents are for CPU seconds; ``seconds`` (wall time) and ``peak_gib`` are for the largest number of
+    `measured` has the columns `COLUMNS` and at least two numbers of frames. Returns `GROWTH_COLUMNS`: the
+    exponents are for CPU seconds; ``seconds`` (wall time) and ``peak_gib`` are for the largest number of
     frames.
     """
     parts = [*measured.groupby("stage", sort=False), ("all", measured)]

@@ -1,4 +1,4 @@
-"""Build a project's folder of a chosen size: params.yaml, data/sequences, data/features and data/tracks."""
+"""Build a project folder of a chosen size: params.yaml, data/sequences, data/features and data/tracks."""
 
 import shutil
 from collections.abc import Mapping, Sequence
@@ -15,7 +15,7 @@ from placecat.runs import linked_folder
 from placecat_bench.scale import drawing
 from placecat_bench.scale.database import Home, Stretch, classes_of
 
-# Other inputs of the stages.
+# Other inputs of the stages, which the folder links to.
 LINKED = (
     paths.CONF,
     paths.SITE_SEQUENCES,
@@ -29,7 +29,7 @@ LINKED = (
 def build(
     folder: Path, homes: Sequence[Home], *, test_homes: Sequence[str], regions: int, jitter: float
 ) -> dict[str, Any]:
-    """Replace the folder by one with the given homes; return its settings.
+    """Replace a folder by a project with these homes; return the project's settings.
 
     `test_homes` are names of homes, `regions` is the number of regions in every frame, and `jitter` is as for
     :func:`placecat_bench.scale.drawing.write_jittered`. Raises PlacecatError if this project has not run, or
@@ -64,7 +64,7 @@ def _check_sources(sources: Sequence[str]) -> None:
 
 
 def _write_params(folder: Path, homes: Sequence[Home], test_homes: Sequence[str]) -> dict[str, Any]:
-    """The project's settings with other homes; numbers on these cannot be compared with others."""
+    """Write and return this project's settings, but for other homes, whose results are not comparable."""
     overrides = [
         f"dataset.homes=[{','.join(home.name for home in homes)}]",
         "dataset.name=scale",
@@ -86,7 +86,7 @@ def _plan(
     regions: int,
     jitter: float,
 ) -> list[tuple[Any, ...]]:
-    """Write the small files of a home; return tasks that write the large arrays."""
+    """Write a home's small files; return the tasks that write its large arrays."""
     dataset, frames = params["dataset"], params["region_variants"]["frames"]
     index = classes_of(walk, dataset["classes"], dataset["ignored"])
     _write_sequences(folder / paths.SEQUENCES / home, walk, index, paths.SEQUENCES / source)
@@ -101,7 +101,7 @@ def _plan(
         there = files.read_array(variant / paths.VARIANT_FRAMES, memory_map=False)
         rows = np.arange(frames["offset"], len(chosen), frames["step"])
         files.write_array(target / paths.VARIANT_FRAMES, rows)
-        # The last source frame with the variant, not after the drawn one.
+        # Use the last source frame that has the variant and does not follow the drawn frame.
         own = np.maximum(np.searchsorted(there, chosen[rows], side="right") - 1, 0)
         most = files.read_array(variant / f"{drawing.REGIONS}.npy").shape[1]
         tasks += _plan_arrays(variant, target, own, classes[there], most, jitter, home)
@@ -117,7 +117,10 @@ def _plan_arrays(
     jitter: float,
     home: str,
 ) -> list[tuple[Any, ...]]:
-    """The tasks for the arrays of one folder; `chosen` are indices of source rows with these `classes`."""
+    """Write a folder's small files; return the tasks that write its arrays.
+
+    `chosen` are indices of source rows; `classes` has each source row's class index.
+    """
     counts = files.read_array(source / f"{drawing.COUNT}.npy", memory_map=False)
     frame, place = drawing.draw_regions(chosen, counts.astype(np.int64), classes, regions, home)
     files.write_array(target / f"{drawing.COUNT}.npy", np.full(len(chosen), regions, counts.dtype))

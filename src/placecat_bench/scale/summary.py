@@ -1,4 +1,4 @@
-"""Summarise a scale run: machine, total time and peak memory."""
+"""Summarise a scale run: the machine, total time and peak memory."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -11,7 +11,7 @@ from placecat_bench.scale.watching import GIB
 
 
 def facts(measured: pd.DataFrame, own: Mapping[str, Any]) -> dict[str, Any]:
-    """Summarise measurements (`measurements.COLUMNS`); `own` is the content of conf/scale.yaml."""
+    """Summarise measurements with `measurements.COLUMNS`; `own` is the content of conf/scale.yaml."""
     most = measured[measured["frames"] == measured["frames"].max()]
     highest = most.loc[most["peak_gib"].idxmax()]
     peak = float(highest["peak_gib"])
@@ -36,7 +36,7 @@ def facts(measured: pd.DataFrame, own: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def text(found: Mapping[str, Any]) -> str:
-    """The summary as text."""
+    """Format the summary as text."""
     largest, full = found["largest"], found["full_run"]
     return (
         f"{largest['frames']} frames, tested on {', '.join(found['test_homes'])}: "

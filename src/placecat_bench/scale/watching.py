@@ -1,4 +1,4 @@
-"""Run a command and watch the time and memory of all its processes."""
+"""Run a command, and watch the time and memory of all its processes."""
 
 import os
 import subprocess
@@ -18,10 +18,10 @@ INTERVAL = 0.25
 
 @dataclass(frozen=True)
 class Watched:
-    """Wall seconds of a command, and CPU seconds and peak memory of all its processes together, in GiB.
+    """A command's wall seconds, and the CPU seconds and peak memory (GiB) of all its processes together.
 
-    CPU seconds depend less on the load of the machine. Memory that processes share counts once (proportional
-    set size, if the system has it).
+    CPU seconds depend less on the machine's load. Memory that processes share counts only once on Linux,
+    which reports the proportional set size.
     """
 
     seconds: float
@@ -30,12 +30,15 @@ class Watched:
 
 
 def watch(command: Sequence[str], folder: Path, log: Path) -> Watched:
-    """Run a command in a folder with output to a file; if it fails, PlacecatError shows the last line."""
+    """Run a command in a folder, writing its output to `log`; raises PlacecatError if the command fails.
+
+    The message shows the last line of the output.
+    """
     log.parent.mkdir(parents=True, exist_ok=True)
     start, peak = time.perf_counter(), 0
     cpu: dict[int, float] = {}
     with log.open("wb") as output:
-        # Unbuffered, so the last line in the file is the last output.
+        # Unbuffered, so that the last line in the file is the last output.
         environment = os.environ | {"PYTHONUNBUFFERED": "1"}
         process = subprocess.Popen(
             command, cwd=folder, env=environment, stdout=output, stderr=subprocess.STDOUT
@@ -61,7 +64,7 @@ def watch(command: Sequence[str], folder: Path, log: Path) -> Watched:
 
 
 def _look(pid: int, cpu: dict[int, float]) -> int:
-    """Memory in bytes of a process and its descendants; write their CPU seconds to `cpu`."""
+    """Return the memory in bytes of a process and its descendants; write their CPU seconds to `cpu`."""
     try:
         parent = psutil.Process(pid)
         family = [parent, *parent.children(recursive=True)]
@@ -80,7 +83,7 @@ def _look(pid: int, cpu: dict[int, float]) -> int:
 
 
 def memory(process: psutil.Process) -> int:
-    """Memory in bytes of a process with its share of shared memory, or else its resident memory."""
+    """Return a process's memory in bytes: proportional set size on Linux, resident memory elsewhere."""
     if psutil.LINUX:
         return int(process.memory_full_info().pss)
     return int(process.memory_info().rss)

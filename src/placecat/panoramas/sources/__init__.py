@@ -1,7 +1,7 @@
 """Sources of panoramas, one module per source.
 
-A source is a module of this package that defines ``read(root, settings)``. This function lists the panoramas
-in a folder according to the settings of conf/panoramas.yaml. The settings refer to a source by its file name.
+A source is a module of this package that defines ``read(root, settings)``, which lists the panoramas in a
+folder according to the settings of conf/panoramas.yaml. Those settings refer to a source by its file name.
 """
 
 from collections.abc import Mapping
@@ -17,10 +17,11 @@ _HOME, _ROOM = schema.of_type(FileName), schema.of_type(Label)
 
 
 def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
-    """List the panoramas in a folder, at least one, according to the settings of conf/panoramas.yaml.
+    """List the panoramas in a folder according to the settings of conf/panoramas.yaml.
 
-    Their pictures exist but are not decoded. Raises PlacecatError if the source or one of its files is
-    unknown, missing or wrong; the message names the file and, if possible, the line.
+    Checks that the pictures exist, but does not decode them. Raises PlacecatError if the source is unknown,
+    there is no panorama, or a file is missing or invalid; the message names the file and, if possible, the
+    line.
     """
     source = lookup.module(__name__, settings["source"], "source", "read")
     if not root.is_dir():

@@ -1,4 +1,4 @@
-"""Tours of cube tiles: six square pictures per panorama, and a table of their rooms."""
+"""Tours of cube tiles: six square pictures per panorama, and a table of the panoramas' rooms."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -10,9 +10,9 @@ from placecat.panoramas.sources.table import read_table
 
 
 def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
-    """List the panoramas of a folder; see `placecat.panoramas.sources.read`.
+    """List the panoramas in a folder; see `placecat.panoramas.sources.read`.
 
-    The setting `cubes` turns the cell `file` of the table into the names of the six pictures.
+    The setting `cubes` says how to turn a row's cell `file` into the names of the six pictures.
     """
     pattern, names = settings["cubes"]["file"], settings["cubes"]["faces"]
 

@@ -1,4 +1,4 @@
-"""Equirectangular pictures from 360-degree cameras, and a table of their rooms."""
+"""Equirectangular pictures from 360-degree cameras, and a table of the pictures' rooms."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -9,5 +9,5 @@ from placecat.panoramas.sources.table import read_table
 
 
 def read(root: Path, settings: Mapping[str, Any]) -> list[Panorama]:
-    """List the panoramas of a folder; see `placecat.panoramas.sources.read`."""
+    """List the panoramas in a folder; see `placecat.panoramas.sources.read`."""
     return read_table(root, settings, lambda file: [file])

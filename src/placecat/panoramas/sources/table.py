@@ -15,24 +15,24 @@ _NEEDED, _OPTIONAL = ("home", "file", "room"), ("floor",)
 FLOOR = re.compile(r"[A-Za-z0-9_-]{1,50}")
 """Floor names that label files allow."""
 _ONLY_FLOOR = "1"
-# Label used as an example in a message.
+# Label that a message uses as an example.
 _EXAMPLE = "living_room"
 
 
 def read_table(root: Path, settings: Mapping[str, Any], files: Callable[[str], list[str]]) -> list[Panorama]:
-    """Read the table in the folder of a source, one panorama per row.
+    """Read the table in a source's folder; each row is a panorama.
 
     Parameters
     ----------
     settings
-        Settings of conf/panoramas.yaml: `table` and `labels`.
+        Settings of conf/panoramas.yaml; `table` and `labels` are used.
     files
-        Function that maps the cell `file` to the pictures of a panorama, relative to `root`.
+        Function that maps a row's cell `file` to the panorama's pictures, relative to `root`.
 
     Raises
     ------
     PlacecatError
-        If the table is missing or not a CSV, or a row has the wrong cells, a path that leaves `root`, or a
+        If the table is missing or not a CSV, or if a row has invalid cells, a path that leaves `root`, or a
         room without a label; the message names the line.
     """
     path = root / settings["table"]

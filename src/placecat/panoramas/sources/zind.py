@@ -1,7 +1,7 @@
 """The Zillow Indoor Dataset: ``HOME/zind_data.json`` and the equirectangular pictures that it lists.
 
 A home is named ``zind_HOME``, because YAML would read a name of digits as a number. A room is the part of a
-complete room with one label: an open kitchen with a dining area is one complete room, but two rooms here.
+complete room that has one label: an open kitchen with a dining area is one complete room, but two rooms here.
 
 References
 ----------
@@ -21,7 +21,7 @@ from placecat.panoramas.sources.table import FLOOR
 
 DATA = "zind_data.json"
 MOST_BYTES = 64 << 20
-"""Largest size of the data of a home. Our choice; the sample of the data set has 0.1 MB."""
+"""Largest size of a home's data. This is our choice; the data set's sample has 0.1 MB."""
 _LEVELS = ("floor", "complete room", "partial room", "panorama")
 
 
@@ -69,7 +69,7 @@ def _load(path: Path) -> Any:
 
 
 def _panoramas(path: Path, content: Any) -> Iterator[tuple[list[str], dict[str, Any]]]:
-    """Yield each panorama with its path of names from the top level."""
+    """Yield each panorama with the names that lead to it from the top level."""
     merger = content.get("merger") if isinstance(content, dict) else None
     level = [(["merger"], merger)]
     for what in _LEVELS:
