@@ -1,1 +1,1 @@
-"""The look of all charts and figures: one style, one palette."""
+"""The common style and palette of all charts and figures."""

@@ -1,4 +1,4 @@
-"""Text in pictures, in the font of the figures, which OpenCV cannot draw."""
+"""Draw text in pictures in the figures' font, which OpenCV does not support."""
 
 from functools import lru_cache
 
@@ -10,20 +10,20 @@ from numpy.typing import NDArray
 from placecat.drawing.palette import written
 
 _FONT = "DejaVu Sans"
-# Fractions of the font size: below the baseline, and the total height.
+# Depth below the baseline and line height, as fractions of the font size.
 _DESCENT, _LINE = 0.28, 1.3
 
 
 def line_height(size: int) -> int:
-    """Height in pixels of a line of text."""
+    """Return the height in pixels of a line of text in font size `size`."""
     return round(_LINE * size)
 
 
 @lru_cache(maxsize=1024)
 def mask(text: str, size: int, *, bold: bool = False) -> NDArray[np.float32]:
-    """(line_height(size), width) float32 in [0, 1]: how much of each pixel one line of text covers.
+    """Return how much of each pixel a line of text covers.
 
-    `size` is the font size in pixels.
+    `size` is the font size in pixels. The result is (line_height(size), width) float32 in [0, 1].
     """
     text = written(text)
     if not text:
@@ -31,14 +31,14 @@ def mask(text: str, size: int, *, bold: bool = False) -> NDArray[np.float32]:
     properties = FontProperties(family=_FONT, size=size, weight="bold" if bold else "normal")
     width = int(np.ceil(_renderer(1, 1).get_text_width_height_descent(text, properties, False)[0])) + 2
     height = line_height(size)
-    # A figure with this text gives the same pixels, and takes twice as long.
+    # A figure with this text would have the same pixels but take twice as long.
     renderer = _renderer(width, height)
     renderer.draw_text(renderer.new_gc(), 1, height - _DESCENT * size, text, properties, 0)
     return (np.asarray(renderer.buffer_rgba())[:, :, 3] / 255).astype(np.float32)
 
 
 def _renderer(width: int, height: int) -> RendererAgg:
-    # At 72 dots an inch a point is a pixel.
+    # At 72 dots per inch, a point is a pixel.
     return RendererAgg(width, height, 72)
 
 
@@ -52,9 +52,9 @@ def write(
     bold: bool = False,
     align: str = "left",
 ) -> int:
-    """Write a line into a picture (H, W, 3) uint8, BGR, cut at its edges; returns the width of the text.
+    """Write a line into an (H, W, 3) uint8 BGR picture, cut off at its edges, and return the text's width.
 
-    `where` is x and y of the line's upper left corner, or upper right corner with ``align="right"``;
+    `where` is (x, y) of the line's upper left corner, or of its upper right corner if `align` is ``right``;
     `size` is the font size in pixels; `color` is BGR.
     """
     cover = mask(text, size, bold=bold)
@@ -69,7 +69,7 @@ def stamp(
     where: tuple[int, int],
     color: tuple[int, int, int],
 ) -> None:
-    """Colour a picture (H, W, 3), BGR, where a mask (h, w) covers it, its upper left corner at x and y."""
+    """Colour an (H, W, 3) BGR picture through an (h, w) mask whose upper left corner is at `where` (x, y)."""
     left, top = where
     x, y = max(left, 0), max(top, 0)
     part = picture[y : top + cover.shape[0], x : left + cover.shape[1]]

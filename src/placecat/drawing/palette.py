@@ -8,7 +8,7 @@ from matplotlib.colors import to_hex
 
 from placecat.errors import printable
 
-# After the palettes of Okabe and Ito and of Tol; the places of one data set differ in lightness.
+# Based on the palettes by Okabe and Ito and by Tol; places in the same data set differ in lightness.
 PLACES = {
     "bedroom": "#332288",
     "bathroom": "#7cc0ee",
@@ -24,7 +24,7 @@ OTHERS = ("#0072b2", "#661100", "#b3b3b3", "#117733", "#e69f00", "#aa4499", "#00
 
 INK = "#222222"
 MUTED = "#8a8a8a"
-# Characters of a line.
+# Maximum number of characters in a line.
 _LONGEST = 120
 TRUTH = "#0033cc"
 MAP = "Greys"
@@ -32,28 +32,29 @@ AMOUNT = "Greys"
 
 
 def place_colors(classes: Sequence[str]) -> dict[str, str]:
-    """Place to "#rrggbb"; a place without a fixed colour gets the next free one, in order."""
+    """Map each place to "#rrggbb"; places without a fixed colour take the spare colours in order."""
     unknown = [place for place in classes if place not in PLACES]
     spare = {place: OTHERS[number % len(OTHERS)] for number, place in enumerate(unknown)}
     return {place: PLACES.get(place) or spare[place] for place in classes}
 
 
 def written(text: str) -> str:
-    """A user's text for a figure: one line of limited length, without undrawable characters.
+    """Turn a user's text into one line of limited length, without undrawable characters, for a figure.
 
-    Matplotlib fails on broken characters (file names may have any encoding), and a long line takes minutes.
+    Matplotlib fails on invalid characters (file names may have any encoding), and takes minutes to draw a
+    long line.
     """
     line = printable(text).replace("\n", " ").replace("\t", " ")
     return line if len(line) <= _LONGEST else f"{line[: _LONGEST // 2]}…{line[-_LONGEST // 2 :]}"
 
 
 def place_title(place: str) -> str:
-    """Name of a place or a home as a figure writes it, e.g. "living room"."""
+    """Return the name of a place or home as figures show it, e.g. "living room"."""
     return written(place.replace("_", " "))
 
 
 def steps(count: int) -> list[str]:
-    """`count` colours for an ordered series, from light to dark."""
+    """Return `count` colours for an ordered series, from light to dark."""
     chosen = ("#f0c93a", "#56b4e9", "#d55e00", "#332288")
     if count <= len(chosen):
         return list(chosen[len(chosen) - count :])

@@ -1,4 +1,4 @@
-"""The style of every chart and figure, and writing them as PNG and PDF."""
+"""Apply the common style to charts and figures, and write them as PNG and PDF."""
 
 import io
 from collections.abc import Callable, Mapping
@@ -15,25 +15,25 @@ _STYLE = Path(__file__).with_name("placecat.mplstyle")
 
 
 def house_style(changes: Mapping[str, Any] | None = None) -> AbstractContextManager[None]:
-    """Draw in the style of `placecat.mplstyle` with `changes`, whatever the user's settings are."""
+    """Draw in the style of `placecat.mplstyle` with `changes`, ignoring the user's settings."""
     return style.context([_STYLE, dict(changes or {})], after_reset=True)
 
 
 def save(figure: Figure, target: Path) -> None:
-    """Write a figure as PNG at the style's resolution; the same figure gives the same bytes."""
+    """Write a figure as PNG at the style's resolution; the same figure always produces the same bytes."""
     with files.replacing(target) as temporary:
         figure.savefig(temporary, format="png", metadata={"Software": None})
 
 
 def save_pdf(figure: Figure, target: Path, *, title: str, settings: str) -> None:
-    """Write a figure as PDF, after `save`; the same figure gives the same bytes.
+    """Write a figure as PDF after calling `save`; the same figure always produces the same bytes.
 
-    The PDF's properties contain the `title`, and the `settings` as subject.
+    The PDF's properties contain `title` as its title and `settings` as its subject.
     """
-    # Its import takes as long as the rest of matplotlib.
+    # Import it only here, since this takes as long as importing the rest of matplotlib.
     from matplotlib.backends.backend_pdf import FigureCanvasPdf
 
-    # Reuse the layout of the PNG; otherwise `savefig` would draw everything twice to compute it.
+    # Reuse the PNG's layout; otherwise `savefig` would draw everything twice to compute it.
     figure.set_layout_engine("none")
     properties = {
         "Title": title,
@@ -47,9 +47,10 @@ def save_pdf(figure: Figure, target: Path, *, title: str, settings: str) -> None
 
 
 def png_of(draw: Callable[..., Figure | None], *arguments: Any) -> bytes | None:
-    """Draw a figure in the common style and return it as PNG; the same figure gives the same bytes.
+    """Draw a figure in the common style and return it as PNG, or None if `draw` returns None.
 
-    The text must not come from users: between two $ it is mathematics, as in the powers of ten on an axis.
+    The same figure always produces the same bytes. Do not draw text from users: anything between two $ is
+    typeset as mathematics, as in the powers of ten on an axis.
     """
     with house_style({"text.parse_math": True}):
         figure = draw(*arguments)

@@ -1,4 +1,4 @@
-"""Visual attention: the maps and salient regions of a frame (thesis 3.1.1)."""
+"""Visual attention: compute a frame's maps and salient regions (thesis 3.1.1)."""
 
 from collections.abc import Collection, Sequence
 from typing import Any
@@ -29,37 +29,37 @@ def compute_maps(
     use_residual: bool = True,
     **settings: Any,
 ) -> FrameMaps:
-    """Compute the pyramids and feature maps of a frame (thesis 3.1.1.1 and 3.1.1.2).
+    """Compute a frame's pyramids and feature maps (thesis 3.1.1.1 and 3.1.1.2).
 
     Parameters
     ----------
     frame_bgr
         (H, W, 3) uint8, BGR.
     fields
-        Fields of `FrameMaps` to compute; the others stay empty. The values of a field do not depend on this
-        choice. `find_regions` needs all fields except ``color``.
+        Fields of `FrameMaps` to compute; the others stay empty. This choice does not affect a field's values.
+        `find_regions` needs all fields except ``color``.
     scales
-        Pyramid levels to use, ascending, at least 1; (2, 3, 4, 5) in the thesis.
+        Pyramid levels to use, at least 1, in ascending order; (2, 3, 4, 5) in the thesis.
     radii
         Radii of the centre-surround neighbourhoods, in pixels of the level; 1 and 3 in the thesis (3x3, 7x7).
     clip_color
-        Set negative colour values of single pixels to 0, as Itti et al. do. The thesis does not give this.
+        Set each pixel's negative colour values to 0, as Itti et al. do. The thesis does not specify this.
     use_residual
-        Compute the spectral residual; without it `residual` is empty.
+        Compute the spectral residual; if false, `residual` is empty.
     **settings
         Settings of `placecat.vision.orientation.orientation_maps`, such as ``gabor_size``, and of
         `placecat.vision.spectral_residual.spectral_residual`, such as ``residual_box``.
 
     Returns
     -------
-    All maps, float32 and finite; black pixels have no colour (0).
+    The requested maps, float32 and finite; black pixels have no colour (0).
 
     Raises
     ------
     TypeError
-        If the frame is not an array of uint8.
+        If the frame is not a uint8 array.
     PlacecatError
-        If the frame is not (H, W, 3) or too small for the scales, or a setting is impossible.
+        If the frame is not (H, W, 3) or is too small for the scales, or if a setting is invalid.
     """
     gabor, residual = parts_of(settings, compute_maps, orientation_maps, spectral_residual)
     frame = check_frame(frame_bgr)
@@ -70,8 +70,7 @@ def compute_maps(
         raise PlacecatError(f"radii must be whole numbers of at least 1, such as (1, 3), not {sizes}")
     in_color = "color" in fields or "color_contrast" in fields
     total, planes = reduced_planes(frame, color=in_color, clip=clip_color)
-    # The sum of the colours is a whole number, so a flat frame stays exactly flat. It is divided by 3 at the
-    # end.
+    # The colours' sum is a whole number, so a flat frame stays exactly flat. Divide it by 3 only at the end.
     totals = gaussian_pyramid(total, 1, levels[-1] + 1)
     grey = {s: totals[s] / np.float32(3) for s in sorted({*levels, *(s + 1 for s in levels)})}
     pyramids = [gaussian_pyramid(plane, 1, levels[-1]) for plane in planes]
@@ -100,21 +99,21 @@ def compute_maps(
 
 @passing_on(select_regions, saliency)
 def find_regions(maps: FrameMaps, **settings: Any) -> FloatArray:
-    """Find the salient regions of a frame (thesis 3.1.1.3).
+    """Find a frame's salient regions (thesis 3.1.1.3).
 
     Parameters
     ----------
     maps
-        From `compute_maps`.
+        The result of `compute_maps`.
     **settings
         Settings of `placecat.vision.regions.select_regions`, such as ``max_regions``, and of
-        `placecat.vision.saliency.saliency`, such as ``use_residual``. An impossible setting raises
+        `placecat.vision.saliency.saliency`, such as ``use_residual``. An invalid setting raises
         PlacecatError.
 
     Returns
     -------
-    (n, 4) float32: x, y of the centre in pixels of the frame, scale, saliency; sorted by falling saliency. n
-    is at most ``max_regions``, and 0 for a flat frame.
+    (n, 4) float32: the centre's x and y in frame pixels, scale, saliency; sorted by decreasing saliency. n is
+    at most ``max_regions``, and 0 for a flat frame.
     """
     selection, fusion = parts_of(settings, find_regions, select_regions, saliency)
     return select_regions(maps, saliency(maps, **fusion), **selection)

@@ -1,4 +1,4 @@
-"""Census transform, its histograms, and the 3x3 Laplacian before it."""
+"""The census transform, its histograms, and the 3x3 Laplacian that may precede it."""
 
 from functools import lru_cache
 from itertools import product
@@ -12,10 +12,10 @@ from placecat.errors import PlacecatError
 
 CODES = 256
 
-# Up to this many pixels per cell, one histogram over cells and codes is faster than one per cell.
+# Up to this many pixels per cell, one joint histogram over cells and codes beats one histogram per cell.
 _FEW = 10_000
 
-# Left to right, top to bottom; the first is the highest bit.
+# Left to right, top to bottom; the first neighbour sets the highest bit.
 _NEIGHBOURS = ((-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1))
 
 LAPLACIANS = {
@@ -26,16 +26,16 @@ LAPLACIANS = {
 
 
 def census(images: NDArray[Any]) -> NDArray[np.uint8]:
-    """Census transform: one bit for each of the eight neighbours of a pixel.
+    """Compute the census transform: one bit for each of a pixel's eight neighbours.
 
-    A bit is set if the centre is at least as bright as the neighbour. The neighbours are read left to right
-    and top to bottom, from the highest bit (top left, 128) to the lowest (bottom right, 1). Border pixels
-    have no code.
+    A bit is set if the centre is at least as bright as the neighbour. Neighbours run from left to right and
+    top to bottom, from the highest bit (top left, 128) to the lowest (bottom right, 1). Border pixels have no
+    code.
 
     Parameters
     ----------
     images
-        (..., h, w) of any real type. h or w below 3 raises PlacecatError.
+        (..., h, w) of any real type. PlacecatError is raised if h or w is below 3.
 
     Returns
     -------
@@ -48,7 +48,7 @@ def census(images: NDArray[Any]) -> NDArray[np.uint8]:
     *_, height, width = images.shape
     if height < 3 or width < 3:
         raise PlacecatError(f"The census transform needs at least 3x3 pixels, not {width}x{height}.")
-    # In flat order each neighbour is a constant step away, even across images; only border pixels are wrong.
+    # In the flat array each neighbour is a constant step away, even across images; only borders are wrong.
     flat = np.ascontiguousarray(images).reshape(-1)
     margin = width + 1
     inner = slice(margin, max(margin, flat.size - margin))
@@ -64,7 +64,7 @@ def census(images: NDArray[Any]) -> NDArray[np.uint8]:
 
 
 def histograms(codes: NDArray[np.uint8]) -> NDArray[np.float32]:
-    """Histogram of each image of codes (n, h, w) uint8, from `census`: (n, 256) float32, rows sum to 1."""
+    """Return the histograms, (n, 256) float32, rows sum to 1, of (n, h, w) uint8 codes from `census`."""
     count = len(codes)
     if count == 0:
         return np.zeros((0, CODES), np.float32)
@@ -74,22 +74,22 @@ def histograms(codes: NDArray[np.uint8]) -> NDArray[np.float32]:
 
 
 def cell_histograms(codes: NDArray[np.uint8], cells: int) -> NDArray[np.float32]:
-    """Histogram of the codes in each cell of a ``cells`` x ``cells`` grid.
+    """Compute a histogram of the codes in each cell of a ``cells`` x ``cells`` grid.
 
-    Cells have whole pixels: cell k of n covers the pixels from floor(k length / n) up to, but excluding,
-    floor((k + 1) length / n). The thesis does not give this.
+    Cells consist of whole pixels: cell k of n covers the pixels from floor(k length / n) up to, but
+    excluding, floor((k + 1) length / n). The thesis does not specify this.
 
     Parameters
     ----------
     codes
         (h, w) uint8, from `census`.
     cells
-        Cells along each axis.
+        Number of cells along each axis.
 
     Returns
     -------
-    (cells**2, 256) float32, cells row by row from the top left; rows sum to 1, or 0 for a cell without a
-    pixel.
+    (cells**2, 256) float32, cells row by row from the top left; each row sums to 1, or to 0 for a cell
+    without pixels.
     """
     number = cells * cells
     if 0 < codes.size <= _FEW * number and number <= 256:
@@ -108,7 +108,7 @@ def cell_histograms(codes: NDArray[np.uint8], cells: int) -> NDArray[np.float32]
 
 
 def _cell_slices(height: int, width: int, cells: int) -> list[list[slice]]:
-    """Rows and columns of each cell."""
+    """Return each cell's rows and columns."""
     return [
         [slice(k * length // cells, (k + 1) * length // cells) for k in range(cells)]
         for length in (height, width)
@@ -117,7 +117,7 @@ def _cell_slices(height: int, width: int, cells: int) -> list[list[slice]]:
 
 @lru_cache(maxsize=8)
 def _places(height: int, width: int, cells: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
-    """Cell index of each pixel, (h, w), and number of pixels of each cell, at least 1, (cells**2, 1)."""
+    """Return each pixel's cell index, (h, w), and each cell's pixel count, at least 1, (cells**2, 1)."""
     places = np.empty((height, width), np.uint8)
     rows, columns = _cell_slices(height, width, cells)
     for number, where in enumerate(product(rows, columns)):
@@ -135,11 +135,11 @@ def laplacian(image: NDArray[Any], kernel: str = "cross") -> NDArray[Any]:
         (h, w) uint8 or float32.
     kernel
         ``cross`` (4 neighbours), ``full`` (8 neighbours) or ``diagonal`` (the 3x3 kernel of OpenCV's
-        Laplacian with aperture 3), else PlacecatError. The thesis gives only "Laplacian filter".
+        Laplacian with aperture 3); others raise PlacecatError. The thesis says only "Laplacian filter".
 
     Returns
     -------
-    (h, w) int16 for uint8, float32 for float32.
+    (h, w) int16 for a uint8 image, float32 for a float32 image.
     """
     check_kernel(kernel)
     depth = cv2.CV_16S if image.dtype == np.uint8 else cv2.CV_32F
@@ -147,6 +147,6 @@ def laplacian(image: NDArray[Any], kernel: str = "cross") -> NDArray[Any]:
 
 
 def check_kernel(kernel: str) -> None:
-    """Refuse an unknown Laplacian; the PlacecatError names the valid ones."""
+    """Raise a PlacecatError that names the valid Laplacian kernels if `kernel` is unknown."""
     if kernel not in LAPLACIANS:
         raise PlacecatError(f"Unknown Laplacian kernel '{kernel}': choose one of {', '.join(LAPLACIANS)}.")

@@ -16,8 +16,8 @@ COLOR_ROUNDING = 1e-5
 def _surround_difference(plane: FloatArray, radius: int, out: FloatArray) -> None:
     """Subtract from each pixel the mean of the others in its k x k neighbourhood, k = 2 radius + 1.
 
-    With the mean m of all k^2 pixels this is (centre - m) k^2 / (k^2 - 1), so a box blur suffices. The border
-    is mirrored without repeating the edge pixel (reflect-101; the thesis does not give this).
+    If m is the mean of all k^2 pixels, this is (centre - m) k^2 / (k^2 - 1), so a box blur suffices. The
+    border is mirrored without repeating the edge pixel (reflect-101; the thesis does not specify this).
     """
     size = 2 * radius + 1
     cv2.blur(plane, (size, size), dst=out, borderType=cv2.BORDER_REFLECT_101)
@@ -26,18 +26,18 @@ def _surround_difference(plane: FloatArray, radius: int, out: FloatArray) -> Non
 
 
 def intensity_contrast(grey: FloatArray, radii: Sequence[int] = (1, 3)) -> FloatArray:
-    """Return the bright-spot and dark-spot responses of the intensity (thesis 3.1.1.1).
+    """Return the intensity's bright-spot and dark-spot responses (thesis 3.1.1.1).
 
     Parameters
     ----------
     grey
         (h, w) float32, 0 to 255.
     radii
-        Radii of the neighbourhoods.
+        Radii of the centre-surround neighbourhoods.
 
     Returns
     -------
-    (radii, 2, h, w) float32, 0 to 255: the positive and the negative part of the difference. Values up to
+    (radii, 2, h, w) float32, 0 to 255: the difference's positive and negative parts. Values up to
     `GREY_ROUNDING` become 0.
     """
     out = np.empty((len(radii), 2, *grey.shape), np.float32)
@@ -48,14 +48,14 @@ def intensity_contrast(grey: FloatArray, radii: Sequence[int] = (1, 3)) -> Float
 
 
 def color_contrast(planes: Sequence[FloatArray], radii: Sequence[int] = (1, 3)) -> FloatArray:
-    """Return the responses of R, G, B, Y, centre above surround (thesis 3.1.1.1).
+    """Return how far R, G, B and Y in the centre exceed the surround (thesis 3.1.1.1).
 
     Parameters
     ----------
     planes
-        Colour planes of one level, as in `placecat.vision.color.channels`.
+        One level's colour planes, as in `placecat.vision.color.channels`.
     radii
-        Radii of the neighbourhoods.
+        Radii of the centre-surround neighbourhoods.
 
     Returns
     -------
@@ -64,7 +64,7 @@ def color_contrast(planes: Sequence[FloatArray], radii: Sequence[int] = (1, 3)) 
     out = np.empty((len(radii), 4, *planes[0].shape), np.float32)
     difference = np.empty_like(planes[0])
     for target, radius in zip(out, radii, strict=True):
-        # With three planes, the third and fourth channel are computed together.
+        # With three planes, the third and fourth channels are computed together.
         for plane, own in zip(planes, target if len(planes) == 4 else (*target[:2], difference), strict=True):
             _surround_difference(plane, radius, own)
         if len(planes) == 3:

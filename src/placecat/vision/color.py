@@ -1,12 +1,12 @@
-"""Intensity and intensity-normalised opponent colours of a frame, reduced in one pass.
+"""A frame's intensity and intensity-normalised opponent colours, reduced in one pass.
 
-After division by the intensity i = (r + g + b) / 3 the three colours sum to 3, so the channels R, G, B, Y of
-the thesis follow from three planes, R, G and D = |R - G|::
+After division by the intensity i = (r + g + b) / 3 the three colours sum to 3, so the thesis's channels
+R, G, B, Y follow from three planes, R, G and D = |R - G|::
 
     R = 1.5 (r/i - 1)        G = 1.5 (g/i - 1)        B = -(R + G)        Y = 2 (R + G) - 4/3 D
 
-Reduction and centre-surround are linear, so they are applied to R, G, D; B and Y are computed only where they
-are used. A black pixel has no colour and counts as grey: R = G = D = 0 yields B = Y = 0, so the identities
+Reduction and centre-surround are linear, so they are applied to R, G, D; B and Y are computed only where
+needed. A black pixel has no colour and counts as grey: R = G = D = 0 yields B = Y = 0, so the identities
 still hold.
 """
 
@@ -20,18 +20,18 @@ from placecat.errors import PlacecatError
 from placecat.vision.maps import FloatArray
 from placecat.vision.pyramid import level_size
 
-# Lower strips would fit the cache of a core, but the extra calls cost more time than this saves.
+# Fewer rows would fit a core's cache, but the extra calls would cost more time than this saves.
 STRIP_ROWS = 144
 SHIFT = np.float32(1.5)
 
 
 def check_frame(frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Check a frame, (H, W, 3) uint8 BGR, and return it C-contiguous.
+    """Check an (H, W, 3) uint8 BGR frame, and return it C-contiguous.
 
     Raises
     ------
     TypeError
-        If the frame is not an array of uint8.
+        If the frame is not a uint8 array.
     PlacecatError
         If the frame is empty or not (H, W, 3).
     """
@@ -50,19 +50,19 @@ def reduced_planes(
 ) -> tuple[FloatArray, list[FloatArray]]:
     """Return level 1 of the sum r + g + b and of the colour planes (thesis 3.1.1.1).
 
-    The frame is processed in strips to save memory; the result does not depend on them.
+    The function processes the frame in strips to save memory; the strips do not affect the result.
 
     Parameters
     ----------
     frame
         (H, W, 3) uint8, BGR.
     color
-        If false, compute only the sum and no planes.
+        If false, compute only the sum.
     clip
-        If false, the planes are R, G, D. If true, negative colour values of single pixels become 0, as in
-        Itti et al., and the planes are R, G, B, Y. The thesis does not give this.
+        If false, the planes are R, G, D. If true, each pixel's negative colour values become 0, as in Itti et
+        al., and the planes are R, G, B, Y. The thesis does not specify this.
     strip_rows
-        Rows per strip, even, at least 4.
+        Number of rows per strip, even, at least 4.
 
     Returns
     -------
@@ -70,7 +70,7 @@ def reduced_planes(
         (ceil(H / 2), ceil(W / 2)) float32, three times the intensity, 0 to 765.
     planes
         3 or 4 float32 planes of the same size: R and G from -1.5 to 3, D from 0 to 4.5; or R, G, B, Y from 0
-        to 3. Empty without `color`.
+        to 3. Empty if `color` is false.
     """
     frame = check_frame(frame)
     height, width = frame.shape[:2]
@@ -87,8 +87,8 @@ def reduced_planes(
         planes = _full_planes(frame[top:bottom], list(split[:, :count]), work[:, :count], color, clip)
         rows = slice(top // 2, (bottom + 1) // 2)
         for target, plane in zip(reduced, planes, strict=True):
-            # The outermost rows lack pixels. The next strip rewrites the lower row; the upper row is already
-            # right.
+            # The strip's outermost rows lack neighbours. The next strip rewrites the lower one; the upper one
+            # is already correct.
             above = target[top // 2].copy()
             cv2.pyrDown(plane, dst=target[rows])
             if top:
@@ -101,7 +101,7 @@ def reduced_planes(
 
 
 def channels(planes: Sequence[FloatArray]) -> FloatArray:
-    """Compute R, G, B, Y from the planes of `reduced_planes`, or from linear functions of them.
+    """Compute R, G, B, Y from the planes of `reduced_planes`, or from linear functions of these planes.
 
     Parameters
     ----------
@@ -110,7 +110,7 @@ def channels(planes: Sequence[FloatArray]) -> FloatArray:
 
     Returns
     -------
-    (4, h, w) float32. Per pixel R, G, B lie in -1.5 to 3 and Y in -6 to 3.
+    (4, h, w) float32. In each pixel R, G and B lie between -1.5 and 3, and Y between -6 and 3.
     """
     out = np.empty((4, *planes[0].shape), np.float32)
     out[0], out[1] = planes[:2]
@@ -137,7 +137,7 @@ def blue_yellow(
 def _full_planes(
     strip: NDArray[np.uint8], colors: list[NDArray[np.uint8]], work: FloatArray, color: bool, clip: bool
 ) -> list[FloatArray]:
-    """Return r + g + b of full-size rows and, with `color`, R + 1.5, G + 1.5, D (or clipped R, G, B, Y)."""
+    """Return full-size r + g + b and, if `color`, also R + 1.5, G + 1.5, D (or, if `clip`, R, G, B, Y)."""
     cv2.split(strip, colors)
     b, g, r = colors
     total, red, green, difference = work

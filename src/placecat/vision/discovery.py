@@ -1,4 +1,4 @@
-"""Look-up of descriptor modules by name, and checks of their settings."""
+"""Look up descriptor modules by name, and check their settings."""
 
 import inspect
 from collections.abc import Callable, Mapping
@@ -13,9 +13,9 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 
 def settings_of(function: Callable[..., Any]) -> dict[str, Any]:
-    """List the settings of a function (its keyword-only parameters) and their defaults, in order.
+    """Return a function's settings (its keyword-only parameters) with their defaults, in order.
 
-    The default of a required setting is `inspect.Parameter.empty`.
+    A required setting has the default `inspect.Parameter.empty`.
     """
     return dict(_keywords(function))
 
@@ -23,7 +23,7 @@ def settings_of(function: Callable[..., Any]) -> dict[str, Any]:
 def passing_on(*functions: Callable[..., Any]) -> Callable[[_Function], _Function]:
     """Decorate a function that passes its ``**settings`` to other functions.
 
-    `settings_of` then lists their settings too, so each default is written once, where it is used.
+    `settings_of` then also returns the other functions' settings, so each default is written only once.
     """
 
     def decorate(function: _Function) -> _Function:
@@ -44,9 +44,9 @@ def passing_on(*functions: Callable[..., Any]) -> Callable[[_Function], _Functio
 def parts_of(
     settings: Mapping[str, Any], owner: Callable[..., Any], *functions: Callable[..., Any]
 ) -> list[dict[str, Any]]:
-    """Distribute the settings of a function decorated with `passing_on` among the functions it calls.
+    """Split the settings of a function decorated with `passing_on` among the functions that it calls.
 
-    Raises TypeError for an unknown setting.
+    Raises TypeError if a setting is unknown.
     """
     unknown = settings.keys() - _keywords(owner)
     if unknown:
@@ -61,17 +61,17 @@ def _keywords(function: Callable[..., Any]) -> dict[str, Any]:
 
 
 def check_settings(function: Callable[..., Any], settings: Mapping[str, Any], owner: str) -> None:
-    """Refuse settings that a function does not accept.
+    """Reject settings that a function does not accept.
 
     Parameters
     ----------
     function
-        Function whose settings `settings_of` lists.
+        The function; `settings_of` returns its settings.
     settings
-        Maps settings to values.
+        Maps each setting to its value.
     owner
-        Owner of the settings in the message, e.g. "local descriptor 'hog'". The PlacecatError names the first
-        unknown setting and the valid ones.
+        What the message calls the settings' owner, e.g. "local descriptor 'hog'". The PlacecatError names
+        the first unknown setting and the valid ones.
     """
     refuse_unknown(settings, list(settings_of(function)), f"The {owner}")
 
@@ -79,31 +79,31 @@ def check_settings(function: Callable[..., Any], settings: Mapping[str, Any], ow
 def entry(
     package: str, name: str, settings: Mapping[str, Any], kind: str
 ) -> tuple[ModuleType, dict[str, Any]]:
-    """Find the descriptor module of an entry ``name: settings``, and check the settings.
+    """Find the descriptor module for an entry ``name: settings``, and check the settings.
 
-    The name is the module's name. A variant may have any name; ``descriptor`` then names the module:
+    The entry has the module's name. A variant may have any name; ``descriptor`` then names the module:
     ``centrist_laplacian: {descriptor: centrist, image: laplacian}``.
 
     Parameters
     ----------
     package
-        Full name of the package.
+        The package's full name.
     name
-        Name of the entry.
+        The entry's name.
     settings
-        Settings of the module's ``describe``, and ``descriptor`` for a variant.
+        Settings for the module's ``describe``; a variant also has ``descriptor``.
     kind
-        E.g. "local descriptor", for messages.
+        What messages call the entry, e.g. "local descriptor".
 
     Returns
     -------
     module, settings
-        Module of the descriptor, and the settings without ``descriptor``.
+        The descriptor's module, and the settings without ``descriptor``.
 
     Raises
     ------
     PlacecatError
-        For an unknown module or setting; it names the entry and the valid choices.
+        If the module or a setting is unknown; the message names the entry and the valid choices.
     """
     own = dict(settings)
     wanted = own.pop("descriptor", name)

@@ -1,4 +1,4 @@
-"""All features of a frame: maps, regions, descriptors, information."""
+"""Compute all features of a frame: maps, regions, descriptors, information."""
 
 from collections.abc import Mapping
 from types import ModuleType
@@ -26,14 +26,15 @@ from placecat.vision.variants import (
 SECTIONS = ("attention", "regions", "local", "holistic", "information", "variants")
 
 _Section = Mapping[str, Any]
-# Maps the name of an array to its module and settings.
+# Maps each array's name to its module and settings.
 _Entries = dict[str, tuple[ModuleType, dict[str, Any]]]
 
 
 def check(settings: Mapping[str, _Section | None]) -> None:
-    """Refuse unknown sections, descriptors and settings, before any frame is read.
+    """Reject unknown sections, descriptors and settings before any frame is read.
 
-    `settings` is as in `describe_frame`. The PlacecatError names the unknown entry and the valid ones.
+    `settings` has the same form as in `describe_frame`. The PlacecatError names the unknown entry and the
+    valid ones.
     """
     for section in settings:
         if section not in SECTIONS:
@@ -51,7 +52,7 @@ def check(settings: Mapping[str, _Section | None]) -> None:
 
 
 def _entries(settings: Mapping[str, _Section | None]) -> tuple[_Entries, _Entries]:
-    """Modules and settings of the local and the holistic descriptors."""
+    """Return the modules and settings of the local and holistic descriptors."""
     return (
         {name: local.entry(name, own or {}) for name, own in (settings.get("local") or {}).items()},
         {name: holistic.entry(name, own or {}) for name, own in (settings.get("holistic") or {}).items()},
@@ -64,7 +65,7 @@ def describe_frame(
     *,
     regions: NDArray[np.float32] | None = None,
 ) -> dict[str, NDArray[Any]]:
-    """Compute the maps of a frame once, and all requested features from them (thesis 3.1, 3.2, 4.6).
+    """Compute a frame's maps once, and all requested features from them (thesis 3.1, 3.2, 4.6).
 
     Parameters
     ----------
@@ -72,25 +73,26 @@ def describe_frame(
         (H, W, 3) uint8 BGR.
     settings
         Sections, each optional: ``attention`` (settings of `compute_maps`), ``regions`` (of `find_regions`),
-        ``information`` (of `information`), ``local`` and ``holistic`` (from descriptor names to settings;
-        only these descriptors are computed). A variant of a descriptor may have any name; its setting
+        ``information`` (of `information`), ``local`` and ``holistic`` (each maps descriptor names to their
+        settings; only these descriptors are computed). A descriptor's variant may have any name; its setting
         ``descriptor`` names the original: ``{"centrist_full": {"descriptor": "centrist", "width": None}}``.
-        ``variants`` are region variants (`describe_variants`), described with descriptors in ``local``.
+        ``variants`` are region variants (`wanted_variants`); their descriptors must be in ``local``.
     regions
-        (n, 4) float32 regions to describe, such as tracked regions (thesis 4.7); None to find them. If they
-        are passed, variants are not computed, nor are maps that no descriptor reads.
+        (n, 4) float32 regions to describe, such as tracked regions (thesis 4.7); None to find them. If
+        regions are passed, variants and maps that no descriptor reads are not computed.
 
     Returns
     -------
-    Arrays whose shapes are the same for every frame: ``count`` () int16, the number of regions;
+    Arrays that have the same shapes for every frame: ``count`` () int16, the number of regions;
     ``information`` () float32, see `placecat.vision.information.information`; ``regions`` (max_regions, 4)
-    float32, x, y (pixels of the frame), scale, strength, strongest first, and ``local_<name>``
-    (max_regions, D) float32, zeros from ``count`` on; ``holistic_<name>`` (D,) float32; then the variants.
+    float32: x, y (frame pixels), scale, strength, strongest first; ``local_<name>`` (max_regions, D) float32;
+    ``holistic_<name>`` (D,) float32; then the variants. Regions and their descriptors are zero from ``count``
+    on.
 
     Raises
     ------
     PlacecatError
-        For settings that `check` refuses, impossible values, or more regions than ``max_regions``.
+        If `check` rejects the settings, a value is invalid, or there are more than ``max_regions`` regions.
     """
     check(settings)
     own = {section: settings.get(section) or {} for section in SECTIONS}
@@ -108,7 +110,7 @@ def describe_frame(
         others = wanted_variants(own["variants"], own["regions"])
         shared = SharedRegions(maps, [wanted, *others.values()], own["local"])
         variants = describe_variants(shared, others)
-        # The regions are themselves a feature, so they are found even if no descriptor needs them.
+        # The regions are a feature themselves, so find them even if no descriptor needs them.
         regions = shared.find(wanted)
         described = {name: shared.describe(wanted, name) for name in locals_}
     else:
@@ -128,9 +130,9 @@ def describe_frame(
 
 
 def layout(settings: Mapping[str, _Section | None]) -> dict[str, tuple[tuple[int, ...], np.dtype[Any]]]:
-    """Return the shape and dtype of every array of `describe_frame`, by name and in its order.
+    """Return the shape and dtype of every array that `describe_frame` returns, by name, in the same order.
 
-    They depend only on the settings. Settings and errors are as in `describe_frame`.
+    Both depend only on the settings. Settings and errors are the same as in `describe_frame`.
     """
     blank = np.zeros((256, 256, 3), np.uint8)
     return {name: (array.shape, array.dtype) for name, array in describe_frame(blank, settings).items()}

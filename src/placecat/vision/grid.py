@@ -1,4 +1,4 @@
-"""Means and variances in the cells of a regular grid."""
+"""Compute means and variances in the cells of a regular grid."""
 
 from functools import lru_cache
 
@@ -10,15 +10,15 @@ from numpy.typing import NDArray
 def cell_weights(length: int, cells: int) -> NDArray[np.float64]:
     """Return weights that average ``length`` pixels into ``cells`` equal cells.
 
-    A pixel that a cell border cuts counts for both cells in proportion, so all cells have the same size. The
-    thesis does not say how it divides a length that is not a multiple of the grid.
+    A pixel cut by a cell border counts proportionally in both cells, so all cells have the same size. The
+    thesis does not say how it divides a length that is not a multiple of the number of cells.
 
     Parameters
     ----------
     length
         Number of pixels along the axis, at least 1; may be less than ``cells``.
     cells
-        Cells along the axis, at least 1.
+        Number of cells along the axis, at least 1.
 
     Returns
     -------
@@ -40,9 +40,9 @@ def _weights32(length: int, cells: int) -> NDArray[np.float32]:
 
 
 def cell_means(maps: NDArray[np.float32], cells: int) -> NDArray[np.float32]:
-    """Average each map (..., h, w) float32 in a ``cells`` x ``cells`` grid, with two small matrix products.
+    """Average each (..., h, w) float32 map in a ``cells`` x ``cells`` grid with two small matrix products.
 
-    Returns (..., cells, cells) float32, rows from the top, columns from the left.
+    Returns (..., cells, cells) float32: rows from the top, columns from the left.
     """
     height, width = maps.shape[-2:]
     means = (_weights32(height, cells) @ maps) @ _weights32(width, cells).T
@@ -50,23 +50,23 @@ def cell_means(maps: NDArray[np.float32], cells: int) -> NDArray[np.float32]:
 
 
 def mean_variance(patches: NDArray[np.float32], grid: int) -> NDArray[np.float32]:
-    """Compute means and variances of patch channels, over the full patch and in the cells of a grid.
+    """Compute each patch channel's mean and variance over the full patch and in the cells of a grid.
 
     Parameters
     ----------
     patches
         (n, c, h, w) float32.
     grid
-        Cells along each axis; 0 for the full patch only.
+        Number of cells along each axis; 0 for the full patch only.
 
     Returns
     -------
     (n, 2 c (1 + grid**2)) float32, one area after another: the full patch, then the cells row by row from the
-    top left. Each area has c means, then c variances (divisor N), which are never negative.
+    top left. Each area has c means, then c non-negative variances (divisor N).
     """
     count, channels = patches.shape[:2]
     values = patches.astype(np.float64)
-    # Variances are differences of squares; centred values keep their digits.
+    # Variances are differences of squares; centring the values preserves their precision.
     centre = values.mean(axis=(2, 3), keepdims=True)
     values -= centre
     areas = [_moments(values, centre[:, :, 0, 0], 1)]
@@ -77,7 +77,7 @@ def mean_variance(patches: NDArray[np.float32], grid: int) -> NDArray[np.float32
 
 
 def _moments(values: NDArray[np.float64], centre: NDArray[np.float64], cells: int) -> NDArray[np.float64]:
-    """Moments of (n, c, h, w) centred values: (n, cells**2, 2c)."""
+    """Return the moments, (n, cells**2, 2c), of (n, c, h, w) centred values."""
     count, channels, height, width = values.shape
     rows, columns = cell_weights(height, cells), cell_weights(width, cells).T
     mean = rows @ values @ columns

@@ -1,4 +1,4 @@
-"""The amount of information in a view: the band-pass measure of the information filter."""
+"""Measure the information in a view, for the information filter, with a band-pass."""
 
 import cv2
 
@@ -8,29 +8,29 @@ from placecat.vision.pyramid import expand, level_size
 
 
 def information(maps: FrameMaps, *, fine: int = 2, coarse: int | None = None, unit: float = 256 / 3) -> float:
-    """Measure the energy of a frame at intermediate frequencies (thesis 4.6).
+    """Measure a frame's energy at intermediate frequencies (thesis 4.6).
 
-    It is the mean absolute difference between level ``fine`` of the intensity pyramid and the expanded level
-    ``coarse``. The thesis gives no unit. Its thresholds 0.09766 and 0.13021 are 25 / 256 and 25 / 192. With
-    intensities from 0 to 1, the threshold 0.09766 would reject nearly every indoor view. By default, 256
-    levels of the sum r + g + b count as 1; then 0.09766 rejects a quarter of the views and 0.13021 two
-    fifths.
+    The measure is the mean absolute difference between the intensity pyramid's level ``fine`` and its
+    expanded level ``coarse``. The thesis gives no unit. Its thresholds 0.09766 and 0.13021 are 25 / 256 and
+    25 / 192. With intensities from 0 to 1, the threshold 0.09766 would reject nearly every indoor view. By
+    default, 256 levels of the sum r + g + b count as 1; then 0.09766 rejects a quarter of the views and
+    0.13021 two fifths.
 
     Parameters
     ----------
     maps
-        Maps of the frame; only ``grey`` is used.
+        The frame's maps; only ``grey`` is used.
     fine
-        The finer level: the "second" scale.
+        The finer level, which the thesis calls the "second" scale.
     coarse
-        The coarser level, above ``fine``; None for the last level.
+        The coarser level, above ``fine``; None selects the last level.
     unit
-        Grey levels of the intensity (r + g + b) / 3 that count as 1, > 0; 256 for intensities from 0 to 1.
+        How many grey levels of intensity, (r + g + b) / 3, count as 1, > 0; 256 for intensities from 0 to 1.
 
     Returns
     -------
     float
-        0 to 255 / unit. Raises PlacecatError for levels or a unit out of range.
+        0 to 255 / unit. Raises PlacecatError if a level or the unit is out of range.
     """
     if not unit > 0:
         raise PlacecatError(f"The unit of the information measure is {unit}: it must be positive.")

@@ -1,4 +1,4 @@
-"""The maps of one frame, computed once and shared by every descriptor."""
+"""A frame's maps, computed once and shared by all descriptors."""
 
 from __future__ import annotations
 
@@ -19,29 +19,29 @@ FIELDS = ("grey", "color", "intensity_contrast", "color_contrast", "orientation"
 
 @dataclass(frozen=True)
 class FrameMaps:
-    """Pyramids and feature maps of one frame (thesis 3.1.1); all arrays float32.
+    """A frame's pyramids and feature maps (thesis 3.1.1); all arrays are float32.
 
     Level ``s`` has size (ceil(height / 2**s), ceil(width / 2**s)). Fields that were not requested are empty.
 
     Attributes
     ----------
     width, height
-        Size of the frame in pixels (level 0).
+        The frame's size in pixels (level 0).
     scales
-        Pyramid levels in use, ascending; (2, 3, 4, 5) in the thesis. They are the keys of every dict below.
+        Pyramid levels in use, ascending; (2, 3, 4, 5) in the thesis. Every dict below has these keys.
     grey
         (h_s, w_s), the intensity pyramid, 0 to 255.
     color
         (4, h_s, w_s), the channels R, G, B, Y of intensity-normalised colour, dimensionless.
     intensity_contrast
-        (2 radii, 2, h_s, w_s), centre-surround of the intensity for the 3x3 and the 7x7 neighbourhood;
-        sub-channels on (bright spot) and off (dark spot), both >= 0.
+        (2 radii, 2, h_s, w_s), the intensity's centre-surround responses in 3x3 and 7x7 neighbourhoods; the
+        sub-channels are on (bright spot) and off (dark spot), both >= 0.
     color_contrast
-        (2 radii, 4, h_s, w_s), centre-surround of R, G, B, Y, centre above surround, >= 0.
+        (2 radii, 4, h_s, w_s), how far R, G, B, Y in the centre exceed the surround, >= 0.
     orientation
-        (4, h_s, w_s), Gabor magnitude at 0, 45, 90, 135 degrees on the Laplacian pyramid, >= 0.
+        (4, h_s, w_s), Gabor magnitudes at 0, 45, 90, 135 degrees on the Laplacian pyramid, >= 0.
     residual
-        (h_s, w_s), spectral residual saliency of the intensity (3.1.1.2), >= 0.
+        (h_s, w_s), the intensity's spectral residual saliency (3.1.1.2), >= 0.
     """
 
     width: int
@@ -60,7 +60,7 @@ class FrameMaps:
     def at_scales(self, scales: Collection[int]) -> FrameMaps:
         """Return the maps at some scales only, as if no other scales had been computed.
 
-        Raises PlacecatError if `scales` is empty or has a scale without maps.
+        Raises PlacecatError if `scales` is empty or contains a scale without maps.
         """
         wanted = tuple(scale for scale in self.scales if scale in scales)
         if not wanted or len(wanted) < len(set(scales)):
@@ -80,16 +80,16 @@ class FrameMaps:
         function
             A module-level function without side effects.
         array
-            The frame or one of the maps; it must not change.
+            The frame or one of its maps; it must not change.
         *arguments
-            Further arguments, hashable.
+            Further arguments; they must be hashable.
 
         Returns
         -------
-        The result. All descriptors share this object: do not write into it.
+        The result. All descriptors share this object, so do not modify it.
         """
         key = (function, id(array), *arguments)
-        # Store the array too, so no other array can get its id.
+        # Store the array too, so that no other array can reuse its id.
         known, result = self._kept.get(key, (None, None))
         if known is not array:
             result = function(array, *arguments)
@@ -97,7 +97,7 @@ class FrameMaps:
         return result
 
     def remembered(self, key: tuple[Hashable, ...], compute: Callable[[], Any]) -> Any:
-        """Return the result of `compute`, computed once per frame and key; do not write into it."""
+        """Return the result of `compute`, called once per frame and key; do not modify the result."""
         if key not in self._kept:
             self._kept[key] = None, compute()
         return self._kept[key][1]

@@ -1,4 +1,4 @@
-"""Oriented pyramid: Gabor magnitude on the Laplacian pyramid (thesis 3.1.1.1)."""
+"""The oriented pyramid: Gabor magnitudes on the Laplacian pyramid (thesis 3.1.1.1)."""
 
 from functools import lru_cache
 
@@ -24,7 +24,7 @@ def gabor_kernel(
 
         2 exp(-(u^2 + aspect^2 v^2) / (2 sigma^2)) cos(2 pi u / wavelength + phase) / sum of the exponentials
 
-    so the magnitude of a quadrature pair is the amplitude of a matching wave.
+    so a quadrature pair's magnitude is the amplitude of a matching wave.
 
     Parameters
     ----------
@@ -34,11 +34,11 @@ def gabor_kernel(
     phase
         Radians; 0 is even (lines), pi / 2 odd (edges).
     size
-        Side of the kernel in pixels, odd.
+        The kernel's side in pixels, odd.
     sigma, wavelength
-        Standard deviation of the envelope and length of the wave, in pixels.
+        The envelope's standard deviation and the wave's length, in pixels.
     aspect
-        Ratio of the envelope's extent along the wave to its extent along the crest.
+        Ratio of the envelope's extent along the wave to its extent along the wave's crests.
 
     Returns
     -------
@@ -51,7 +51,7 @@ def gabor_kernel(
 
     References
     ----------
-    The thesis mentions only Gabor filters and four angles. The formula follows cv2.getGaborKernel.
+    The formula follows cv2.getGaborKernel; the thesis mentions only Gabor filters and four angles.
     """
     if size < 1 or size % 2 == 0:
         raise PlacecatError(f"gabor_size must be an odd number of pixels, not {size}")
@@ -81,27 +81,27 @@ def orientation_maps(
 ) -> FloatArray:
     """Return the Gabor magnitude at 0, 45, 90 and 135 degrees (thesis 3.1.1.1).
 
-    The thesis does not give the parameters. The defaults follow the steerable pyramid of Itti et al.: a
+    The thesis does not specify the parameters. The defaults follow the steerable pyramid of Itti et al.: a
     quarter cycle per pixel, where the Laplacian level has its energy, under a round envelope.
 
     Parameters
     ----------
     laplacian
-        (h, w) float32, a level of the Laplacian pyramid in grey levels.
+        (h, w) float32, one level of the Laplacian pyramid, in grey levels.
     gabor_size, gabor_sigma, gabor_wavelength, gabor_aspect
         See `gabor_kernel`.
     gabor_phase
-        None for the modulus of the even and odd responses; a number, in radians, for the absolute value of
-        the response at this phase.
+        If None, the magnitude combines the even and odd responses; if a phase in radians, it is the absolute
+        response at that phase.
 
     Returns
     -------
-    (4, h, w) float32, >= 0, amplitude in grey levels; values within float32's rounding become 0. The border
-    is mirrored (reflect-101; the thesis does not give this).
+    (4, h, w) float32, >= 0, amplitudes in grey levels; values within float32's rounding error become 0. The
+    border is mirrored (reflect-101; the thesis does not specify this).
     """
     bank = _bank(gabor_size, gabor_sigma, gabor_wavelength, gabor_aspect, gabor_phase)
     responses = [_respond(laplacian, parts) for parts in bank]
-    # In place: the last bit of cv2.magnitude depends on where its arrays lie in memory.
+    # Work in place: the last bit of cv2.magnitude depends on where its arrays lie in memory.
     out = responses[0]
     if len(responses) == 1:
         np.abs(out, out=out)
@@ -118,7 +118,7 @@ def orientation_maps(
 def _bank(
     size: int, sigma: float, wavelength: float, aspect: float, phase: float | None
 ) -> tuple[tuple[Separable, ...], ...]:
-    """Return, per phase, the kernels at 0 and 90 and the even and odd parts (in x) of the one at 45."""
+    """Return each phase's kernels at 0 and 90 degrees, and its kernel at 45 split into even and odd in x."""
     phases = (0.0, np.pi / 2) if phase is None else (phase,)
     bank = []
     for shift in phases:
@@ -132,12 +132,12 @@ def _bank(
 
 
 def _respond(plane: FloatArray, parts: tuple[Separable, ...]) -> FloatArray:
-    """Responses at the four angles, (4, h, w)."""
+    """Return the responses at the four angles, (4, h, w)."""
     out = np.empty((len(ANGLES), *plane.shape), np.float32)
     level, rising, upright, falling = out
     _filter(plane, parts[0], level)
     _filter(plane, parts[1], upright)
-    # The kernel at 135 degrees is the kernel at 45 with x mirrored.
+    # The kernel at 135 degrees is the kernel at 45 degrees mirrored in x.
     even, odd = _filter(plane, parts[2]), _filter(plane, parts[3])
     np.add(even, odd, out=rising)
     np.subtract(even, odd, out=falling)
@@ -154,7 +154,7 @@ def _separate(kernel: NDArray[np.float64]) -> Separable:
 
 
 def _clean(factor: NDArray[np.float64]) -> FloatArray:
-    """Make a factor that is even or odd up to rounding exactly even or odd, which halves OpenCV's work."""
+    """Remove rounding errors from an even or odd factor: exact symmetry halves OpenCV's work."""
     for sign in (1, -1):
         if np.abs(factor - sign * factor[::-1]).max() < 1e-9 * np.abs(factor).max():
             factor = (factor + sign * factor[::-1]) / 2

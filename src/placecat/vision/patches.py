@@ -1,4 +1,4 @@
-"""Square patches around salient regions, from the pyramid level at each region's scale."""
+"""Cut square patches around salient regions, each from the pyramid level of the region's scale."""
 
 from collections.abc import Mapping
 from functools import lru_cache
@@ -13,10 +13,10 @@ BORDERS = ("replicate", "reflect")
 
 
 def region_side(width: int) -> int:
-    """Side of a region's patch in pixels of its level: the diameter, 2 width / 128 (thesis 3.1.1.3).
+    """Return the side of a region's patch: the region's diameter, 2 width / 128 (thesis 3.1.1.3).
 
-    `width` is the width of the frame in pixels (level 0). The side is rounded to whole pixels, at least 4. It
-    is the same at every scale, since the radius doubles with each level.
+    `width` is the frame's width in pixels (level 0). The side, in pixels of the region's level, is rounded to
+    a whole number and is at least 4. It is the same at every scale, since the radius doubles with each level.
     """
     return max(MIN_SIDE, round(width / 64))
 
@@ -30,20 +30,20 @@ def cut(
 ) -> NDArray[np.float32]:
     """Cut a square around each region from the pyramid level at its scale.
 
-    Position x of level 0 is x / 2**s in level s (cv2.pyrDown keeps the even pixels). A square with an odd
-    side is centred on the nearest pixel, a square with an even side on the nearest corner between pixels.
+    Position x in level 0 is x / 2**s in level s (cv2.pyrDown keeps the even pixels). A square with an odd
+    side is centred on the nearest pixel, and one with an even side on the nearest corner between pixels.
 
     Parameters
     ----------
     levels
-        A dict from `FrameMaps`: (..., h_s, w_s) float32 for each scale s.
+        A dict of `FrameMaps`, which maps each scale s to a (..., h_s, w_s) float32 array.
     regions
         (n, 4) float32, columns x, y (pixels of level 0), scale, strength.
     side
         Side of the squares in pixels of the level.
     border
-        How pixels outside the image are filled: ``replicate`` repeats the outermost pixels, ``reflect``
-        mirrors the image about them. The thesis does not give this.
+        How to fill pixels outside the image: ``replicate`` repeats the outermost pixels, ``reflect`` mirrors
+        the image about them. The thesis does not specify this.
 
     Returns
     -------
@@ -52,7 +52,7 @@ def cut(
     Raises
     ------
     PlacecatError
-        If the regions have another shape, a scale has no level, or the border is unknown.
+        If the regions have the wrong shape, a scale has no level, or the border is unknown.
     """
     if border not in BORDERS:
         raise PlacecatError(
@@ -74,25 +74,25 @@ def cut(
     return patches
 
 
-# Most descriptors of a frame cut the same squares.
+# Most descriptors cut the same squares from a frame.
 @lru_cache(maxsize=4)
 def _places(
     shapes: tuple[tuple[int, int, int], ...], regions: bytes, side: int, border: str
 ) -> list[tuple[int, NDArray[np.intp], NDArray[np.intp]]]:
-    """Find the regions of each level, and their pixels.
+    """Find each level's regions and their pixels.
 
     Parameters
     ----------
     shapes
-        Scale, height and width of each level.
+        Each level's scale, height and width.
     regions
-        The bytes of (n, 4) float32.
+        The bytes of an (n, 4) float32 array.
     side, border
-        As in `cut`.
+        Like those of `cut`.
 
     Returns
     -------
-    For each level with regions: its scale, their indices (m,) and flat pixel indices (m, side, side).
+    For each level with regions: its scale, the regions' indices (m,), and flat pixel indices (m, side, side).
     """
     x, y, scales, _ = np.frombuffer(regions, np.float32).reshape(-1, 4).astype(np.float64).T
     order = np.argsort(scales, kind="stable")
@@ -114,7 +114,7 @@ def _places(
 
 
 def _inside(index: NDArray[np.intp], length: NDArray[np.intp], border: str) -> NDArray[np.intp]:
-    """Replace pixel indices (n, side) outside the image by indices inside; `length` is (n, 1)."""
+    """Replace pixel indices (n, side) outside the image with indices inside it; `length` is (n, 1)."""
     if border == "replicate":
         return np.minimum(np.maximum(index, 0), length - 1)
     period = np.maximum(2 * length - 2, 1)

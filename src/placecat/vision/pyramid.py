@@ -1,4 +1,4 @@
-"""Gaussian and Laplacian pyramids, and their geometry."""
+"""Gaussian and Laplacian pyramids and their geometry."""
 
 from itertools import pairwise
 
@@ -11,15 +11,15 @@ from placecat.vision.maps import FloatArray
 
 
 def level_size(width: int, height: int, level: int) -> tuple[int, int]:
-    """Return (width, height) in pixels of a pyramid level, ceil(n / 2**level)."""
+    """Return a pyramid level's (width, height) in pixels, each ceil(n / 2**level)."""
     return -(-width >> level), -(-height >> level)
 
 
 def check_scales(scales: tuple[int, ...], width: int, height: int) -> tuple[int, ...]:
-    """Return the pyramid levels if they are possible for a frame of `width` x `height` pixels.
+    """Return the pyramid levels if they are valid for a frame of `width` x `height` pixels.
 
-    Raises PlacecatError for scales that are empty, not whole, below 1 or not ascending, or a frame whose
-    coarsest level would be less than two pixels wide or high.
+    Raises PlacecatError if the scales are empty, not whole, below 1 or not ascending, or if the coarsest
+    level would be less than two pixels wide or high.
     """
     given = tuple(scales)
     whole = all(isinstance(s, int | np.integer) and s >= 1 for s in given)
@@ -39,25 +39,25 @@ def check_scales(scales: tuple[int, ...], width: int, height: int) -> tuple[int,
 def reduce(plane: FloatArray) -> FloatArray:
     """Blur with the 5x5 binomial kernel and keep every second row and column (thesis 3.1.1.1).
 
-    The (h, w) float32 plane becomes (ceil(h / 2), ceil(w / 2)) float32; pixel (x, y) of the result lies at
-    (2x, 2y) of the input. The border is mirrored without repeating the edge pixel (reflect-101).
+    An (h, w) float32 plane becomes (ceil(h / 2), ceil(w / 2)) float32; pixel (x, y) of the result lies at
+    (2x, 2y) in the input. The border is mirrored without repeating the edge pixel (reflect-101).
     """
     return _float(cv2.pyrDown(plane))
 
 
 def expand(plane: FloatArray, width: int, height: int) -> FloatArray:
-    """Double a (ceil(height / 2), ceil(width / 2)) float32 level with the same 5x5 kernel.
+    """Expand a (ceil(height / 2), ceil(width / 2)) float32 level by two with the kernel of `reduce`.
 
-    Returns (height, width) float32; pixel (x, y) of the input lies at (2x, 2y). OpenCV mirrors at the left
-    and upper border, and repeats the last pixel at the right and lower border.
+    Returns (height, width) float32; pixel (x, y) of the input moves to (2x, 2y). OpenCV mirrors the left and
+    upper borders, and repeats the last pixel at the right and lower borders.
     """
     return _float(cv2.pyrUp(plane, dstsize=(width, height)))
 
 
 def gaussian_pyramid(plane: FloatArray, first: int, last: int) -> dict[int, FloatArray]:
-    """Reduce a (h, w) float32 plane, the level `first`, repeatedly (thesis 3.1.1.1).
+    """Reduce an (h, w) float32 plane, which is level `first`, repeatedly (thesis 3.1.1.1).
 
-    Returns a dict from level to float32 plane, for the levels `first` to `last`.
+    Returns a dict that maps each level from `first` to `last` to its float32 plane.
     """
     levels = {first: plane}
     for level in range(first + 1, last + 1):
@@ -66,9 +66,9 @@ def gaussian_pyramid(plane: FloatArray, first: int, last: int) -> dict[int, Floa
 
 
 def laplacian(gaussian: dict[int, FloatArray], level: int) -> FloatArray:
-    """Return a level of the approximate Laplacian pyramid, (h, w) float32, signed (thesis 3.1.1.1).
+    """Return one level of the approximate Laplacian pyramid, (h, w) float32, signed (thesis 3.1.1.1).
 
-    It is `level` of the Gaussian pyramid minus the expanded next level, in the units of the pyramid.
+    The result is the Gaussian pyramid's `level` minus its expanded next level, in the pyramid's units.
     """
     plane = gaussian[level]
     height, width = plane.shape

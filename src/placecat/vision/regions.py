@@ -1,4 +1,4 @@
-"""Salient points, their scales and the regions around them (thesis 3.1.1.3)."""
+"""Find salient points, their scales, and the regions around them (thesis 3.1.1.3)."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -11,40 +11,40 @@ from placecat.vision.discovery import parts_of, passing_on
 from placecat.vision.maps import FloatArray, FrameMaps
 from placecat.vision.saliency import Saliency, feature_maps, local_maxima
 
-# Points in one block.
+# Points per block.
 BLOCK = 128
 
 
 def radius(scale: FloatArray | float, width: int, *, radius_factor: float = 1 / 128) -> FloatArray:
-    """Return the radius of a region in pixels of the frame, width / 128 * 2^s (thesis 3.1.1.3).
+    """Return a region's radius in frame pixels, width / 128 * 2^s (thesis 3.1.1.3).
 
-    `scale`, s, may have any shape; the float32 result has the same shape. `width` is the width of the frame
-    in pixels. `radius_factor` is 1/128 in the thesis.
+    `scale` is s; it may have any shape, and the float32 result has the same shape. `width` is the frame's
+    width in pixels. `radius_factor` is 1/128 in the thesis.
     """
     return np.asarray(width * radius_factor * np.exp2(np.asarray(scale, np.float64)), np.float32)
 
 
 def find_scales(maps: FrameMaps, fused: Saliency, points: NDArray[np.intp]) -> NDArray[np.intp]:
-    """Find the scale of the strongest feature at salient points (thesis 3.1.1.3).
+    """Find the scale of the strongest feature at each salient point (thesis 3.1.1.3).
 
-    At each point, the conspicuity map with the highest response is chosen first, then its sub-channel, then
-    the scale. Conspicuity maps and sub-channels are compared after normalisation and weighting, as they enter
-    their sums. The response of a scale is its expanded feature map at the stronger radius (our reading; the
-    thesis says only "highest response"). Ties go to the first of intensity, color, orientation, residual, and
-    to the lower scale.
+    At each point, the function chooses the conspicuity map with the highest response, then its sub-channel,
+    then the scale. It compares conspicuity maps and sub-channels after normalisation and weighting, as they
+    are summed. A scale's response is its expanded feature map at the stronger radius (our reading; the thesis
+    says only "highest response"). Ties go to the first of intensity, color, orientation and residual, and to
+    the lower scale.
 
     Parameters
     ----------
     maps
-        Maps of the frame.
+        The frame's maps.
     fused
-        Result of `placecat.vision.saliency.saliency` for these maps.
+        The result of `placecat.vision.saliency.saliency` for these maps.
     points
         (n,) flat indices into the saliency map.
 
     Returns
     -------
-    (n,) scales, values of `maps.scales`.
+    (n,) scales, each one of `maps.scales`.
     """
     names = list(fused.conspicuity)
     terms = [fused.conspicuity[name].ravel()[points] * np.float32(fused.weights[name]) for name in names]
@@ -77,18 +77,18 @@ def accept(
     scale_distance: float = 1 / 256,
     min_distance: float = 1 / 40,
 ) -> NDArray[np.intp]:
-    """Accept points, one by one, that lie far enough from all accepted points (thesis 3.1.1.3).
+    """Accept points one by one if they lie far enough from all accepted points (thesis 3.1.1.3).
 
-    A new point q is accepted if, for every accepted point p::
+    A new point q is accepted if every accepted point p satisfies::
 
         sqrt((p_x - q_x)^2 + (p_y - q_y)^2 + (width/256)^2 (p_s - q_s)^2) > q_s width/40
 
     Parameters
     ----------
     points
-        (n, 3): x and y in pixels of the frame, and scale; the most salient point first.
+        (n, 3): x and y in frame pixels, and scale; the most salient point comes first.
     width
-        Width of the frame in pixels.
+        The frame's width in pixels.
     max_regions
         Maximum number of points; a value below 1 raises PlacecatError.
     scale_distance, min_distance
@@ -96,7 +96,7 @@ def accept(
 
     Returns
     -------
-    Indices of the accepted points, ascending.
+    The accepted points' indices, in ascending order.
     """
     if max_regions < 1:
         raise PlacecatError(f"max_regions must be at least 1, not {max_regions}")
@@ -108,7 +108,7 @@ def accept(
         block = np.arange(start, min(start + BLOCK, least.size))
         if accepted:
             block = block[_far(place, least, accepted, block).all(axis=0)]
-        # One integer per point, with a bit for each point far enough away: intersections are fast.
+        # One integer per point, with a bit for each point far enough away, makes intersections fast.
         far = np.packbits(_far(place, least, block, block), axis=1, bitorder="little")
         open_ = (1 << block.size) - 1
         while open_ and len(accepted) < max_regions:
@@ -126,7 +126,7 @@ def _far(
     old: Sequence[int] | NDArray[np.intp],
     new: NDArray[np.intp],
 ) -> NDArray[np.bool_]:
-    """Mark pairs of points that are far enough apart: (old, new); false for a point and itself."""
+    """Mark the pairs of points that are far enough apart: (old, new); a point paired with itself is false."""
     apart = np.zeros((len(old), len(new)))
     for axis in place:
         difference = axis[old][:, None] - axis[new]
@@ -144,21 +144,21 @@ def select_regions(
     maximum_window: int = 3,
     **settings: Any,
 ) -> FloatArray:
-    """Find the salient regions of a frame from its saliency map (thesis 3.1.1.3).
+    """Find a frame's salient regions from its saliency map (thesis 3.1.1.3).
 
     Parameters
     ----------
     maps, fused
-        Maps of the frame and their fusion.
+        The frame's maps and their fusion.
     max_regions, **settings
-        As in `accept`, with the same errors.
+        Passed to `accept`, which raises the same errors.
     maximum_window
         See `placecat.vision.saliency.local_maxima`.
 
     Returns
     -------
-    (n, 4) float32, 0 <= n <= `max_regions`: x, y of the centre in pixels of the frame, scale, saliency;
-    sorted by falling saliency, ties by y, then x.
+    (n, 4) float32, 0 <= n <= `max_regions`: the centre's x and y in frame pixels, scale, saliency; sorted by
+    decreasing saliency, then by y, then by x.
     """
     (distances,) = parts_of(settings, select_regions, accept)
     points = local_maxima(fused.saliency, maximum_window)
@@ -166,7 +166,7 @@ def select_regions(
     order = np.argsort(-strength, kind="stable")
     points, strength = points[order], strength[order]
     step = 2**fused.scale
-    # Weaker points do not affect stronger points, so the search goes further only if needed.
+    # Weaker points do not affect stronger ones, so consider more points only if needed.
     count = 16 * max_regions
     while True:
         rows, columns = np.divmod(points[:count], fused.saliency.shape[1])
@@ -186,18 +186,18 @@ def select_regions(
 def _corners(
     rows: NDArray[np.intp], columns: NDArray[np.intp], sizes: NDArray[np.intp], ups: NDArray[np.intp]
 ) -> tuple[NDArray[np.intp], FloatArray]:
-    """Interpolate maps bilinearly at n pixels of a finer level: indices and weights, each (maps, 4, n).
+    """Return indices and weights, each (maps, 4, n), to interpolate maps at n pixels of a finer level.
 
-    A map continues unchanged beyond its last pixel.
+    Interpolation is bilinear; a map's last pixel extends beyond its edge.
 
     Parameters
     ----------
     rows, columns
         (n,) pixel positions in the finer level.
     sizes
-        (maps, 2), height and width of each map.
+        (maps, 2), each map's height and width.
     ups
-        (maps,), doublings from each map to the finer level.
+        (maps,), how many doublings lead from each map to the finer level.
     """
     up = ups[:, None]
     height, width = sizes.T[:, :, None]

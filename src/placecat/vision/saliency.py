@@ -1,4 +1,4 @@
-"""Fusion of feature maps into conspicuity maps and the saliency map (thesis 3.1.1.1)."""
+"""Fuse feature maps into conspicuity maps and a saliency map (thesis 3.1.1.1)."""
 
 from dataclasses import dataclass
 from functools import partial
@@ -17,26 +17,26 @@ CHANNELS = ("intensity", "color", "orientation", "residual")
 
 @dataclass(frozen=True)
 class Saliency:
-    """Saliency map of a frame and its parts; maps are float32 and have the size of level `scale`.
+    """A frame's saliency map and its parts; all maps are float32 and have the size of level `scale`.
 
-    Pixel (x, y) of a map lies at (x, y) 2**scale of the frame.
+    Pixel (x, y) of a map lies at (x, y) 2**scale in the frame.
 
     Attributes
     ----------
     scale
-        Pyramid level of the maps.
+        The maps' pyramid level.
     saliency
-        (h, w), >= 0: the sum of the conspicuity maps times their weights.
+        (h, w), >= 0: the weighted sum of the conspicuity maps.
     conspicuity
-        From channel name to (h, w); values from 0 to the largest local maximum of the channel's feature maps,
-        divided by its unit.
+        Maps each channel name to its (h, w) map; values run from 0 to the largest local maximum of the
+        channel's `subchannels`, divided by the channel's unit.
     weights
-        From channel name to 1 / sqrt(m) of its conspicuity map.
+        Maps each channel name to its conspicuity map's weight, 1 / sqrt(m).
     subchannels
-        From channel name to (k, h, w), the feature maps added across scales and radii: I' (2: bright, dark),
-        C' (4: R, G, B, Y), O' (4: 0, 45, 90, 135 degrees) and the residual (1).
+        Maps each channel name to its feature maps, added across scales and radii, (k, h, w): I' (2: bright,
+        dark), C' (4: R, G, B, Y), O' (4: 0, 45, 90, 135 degrees) and the residual (1).
     subchannel_weights
-        From channel name to (k,), 1 / sqrt(m) of each sub-channel.
+        Maps each channel name to its sub-channels' weights, 1 / sqrt(m), (k,).
     """
 
     scale: int
@@ -48,9 +48,10 @@ class Saliency:
 
 
 def feature_maps(maps: FrameMaps, channel: str) -> dict[int, FloatArray]:
-    """Return the feature maps of a channel of `CHANNELS` in a common layout.
+    """Return the feature maps of one of the `CHANNELS` in a common layout.
 
-    Returns a dict from scale to (radii, subchannels, h, w) views; radii is 1 without centre-surround.
+    Returns a dict that maps each scale to a (radii, subchannels, h, w) view. Channels without centre-surround
+    have one radius.
     """
     if channel == "intensity":
         return maps.intensity_contrast
@@ -72,34 +73,35 @@ def saliency(
     orientation_unit: float = 127.5,
     residual_unit: float = 4.0,
 ) -> Saliency:
-    """Fuse the feature maps of a frame (thesis 3.1.1.1).
+    """Fuse a frame's feature maps (thesis 3.1.1.1).
 
-    Maps are added across scales and radii within each sub-channel. With weights 1 / sqrt(m) the sub-channels
-    are added into conspicuity maps. Each of these is stretched linearly to [0, largest local maximum of its
-    sub-channels], and they are added with weights 1 / sqrt(m) again. m is the number of local maxima of the
-    map strictly above their median. If m is 0, so is the weight: a map with a single peak does not count.
+    Maps are added across scales and radii within each sub-channel. Sub-channels are added, with weights
+    1 / sqrt(m), into conspicuity maps. Each conspicuity map is stretched linearly to [0, largest local
+    maximum of its sub-channels] and divided by its unit; the maps are then added, again with weights
+    1 / sqrt(m). m counts a map's local maxima that are strictly above their median. If m is 0, so is the
+    weight: a map with a single peak does not count.
 
     Parameters
     ----------
     maps
-        Maps of a frame.
+        The frame's maps.
     fusion_scale
-        Level of the sums, at most the lowest scale. The thesis does not give this.
+        Pyramid level of the sums, at most the lowest scale. The thesis does not specify this.
     use_residual
         Use the spectral residual as a fourth channel (3.1.1.2).
     maximum_window
-        Side of the neighbourhood that a local maximum dominates, odd. The thesis does not give this.
+        Side of the neighbourhood that a local maximum dominates, odd. The thesis does not specify this.
     intensity_unit, color_unit, orientation_unit, residual_unit
-        Divisors of the conspicuity maps, since the largest local maximum is in the units of its channel. The
-        units are black to white, pure red, and a wave from black to white. The residual reaches 1 in every
-        frame and at every scale, unlike the others; 4 makes it comparable in photographs of homes. The thesis
-        does not give these.
+        Divisors of the conspicuity maps, since each channel's largest local maximum has the channel's units.
+        The units are black to white, pure red, and a wave from black to white. Unlike the others, the
+        residual reaches 1 in every frame and at every scale; 4 makes it comparable in photographs of homes.
+        The thesis does not specify these.
 
     Raises
     ------
     PlacecatError
-        If the fusion scale is above the lowest scale or below 0, the window is even, a unit is not above 0,
-        or the residual is missing.
+        If the fusion scale is above the lowest scale or below 0, the window is even or below 3, a unit is not
+        above 0, or the residual is missing.
     """
     if not 0 <= fusion_scale <= maps.scales[0]:
         raise PlacecatError(
@@ -118,7 +120,7 @@ def saliency(
     total = np.zeros((height, width), np.float32)
     for channel in CHANNELS if use_residual else CHANNELS[:-1]:
         settings = (channel, fusion_scale, maximum_window, units[channel])
-        # Region variants may add different channels, but each channel is the same.
+        # Region variants may sum different channels, but each channel is the same.
         one = maps.remembered((_fuse, *settings), partial(_fuse, maps, *settings))
         total += np.float32(one.weight) * one.conspicuity
         fused[channel] = one
@@ -161,17 +163,17 @@ def add_across_scales(
     """Expand maps of several scales to one level and add them (thesis 3.1.1.1).
 
     Expansion is bilinear: pixel (x, y) of level s lies at (x, y) 2**(s - fusion_scale), as in the pyramid,
-    and a map continues unchanged beyond its last pixel. Repeated doubling equals direct expansion, so the sum
-    of the coarser levels is expanded step by step.
+    and a map's last pixel extends beyond its edge. Repeated doubling equals direct expansion, so the sum of
+    the coarser levels is expanded step by step.
 
     Parameters
     ----------
     levels
-        From scale to (k, h_s, w_s) float32.
+        Maps each scale to its (k, h_s, w_s) float32 maps.
     width, height
-        Frame size in pixels (level 0).
+        The frame's size in pixels (level 0).
     fusion_scale
-        Level of the result, at most the lowest scale.
+        Pyramid level of the result, at most the lowest scale.
 
     Returns
     -------
@@ -187,22 +189,23 @@ def add_across_scales(
 
 
 def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
-    """Find the local maxima of a map.
+    """Find a map's local maxima.
 
     A local maximum is above zero and not below any pixel in the window around it; pixels outside the map
-    count as low. Touching equal pixels count once, as the first by row, then column, and only if all of them
-    are local maxima. So a flat area next to a higher pixel has no maximum, and neither does a constant map.
+    count as low. Equal pixels that touch count once, as the first by row, then column, and only if all of
+    them are local maxima. So a flat area next to a higher pixel has no maximum, nor does a constant map.
 
     Parameters
     ----------
     plane
         (h, w) float32, finite.
     window
-        Side of the neighbourhood, odd, at least 3, else PlacecatError. The thesis does not give this.
+        Side of the neighbourhood; PlacecatError is raised unless it is odd and at least 3. The thesis does
+        not specify this.
 
     Returns
     -------
-    Flat indices, ascending.
+    Flat indices in ascending order.
     """
     if window < 3 or window % 2 == 0:
         raise PlacecatError(f"maximum_window must be an odd number of at least 3, not {window}")
@@ -222,9 +225,9 @@ def local_maxima(plane: FloatArray, window: int = 3) -> NDArray[np.intp]:
 
 
 def weight(peaks: FloatArray) -> float:
-    """Return the weight of a map from the strengths (n,) of its local maxima (thesis 3.1.1.1).
+    """Compute a map's weight from the strengths (n,) of its local maxima (thesis 3.1.1.1).
 
-    It is 1 / sqrt(m), m the number of strengths strictly above their median; 0 if m is 0.
+    The weight is 1 / sqrt(m), where m counts the strengths strictly above their median, or 0 if m is 0.
     """
     if peaks.size == 0:
         return 0.0
@@ -236,9 +239,9 @@ def weight(peaks: FloatArray) -> float:
 
 
 def stretch(plane: FloatArray, high: float) -> FloatArray:
-    """Map a (h, w) float32 plane linearly to [0, high]; a flat plane becomes 0.
+    """Map an (h, w) float32 plane linearly to [0, high]; a flat plane becomes 0.
 
-    This is the normalisation of the conspicuity maps (thesis 3.1.1.1).
+    This normalises the conspicuity maps (thesis 3.1.1.1).
     """
     least, most = float(plane.min()), float(plane.max())
     if most <= least:
@@ -256,7 +259,7 @@ def _sum_radii(stack: FloatArray) -> FloatArray:
 
 
 def _weighted_sum(stack: FloatArray, weights: FloatArray) -> FloatArray:
-    # Plane by plane, since the summation order of a matrix product may depend on threads.
+    # Add plane by plane: a matrix product's summation order may depend on the number of threads.
     total = stack[0] * weights[0]
     for plane, own in zip(stack[1:], weights[1:], strict=True):
         total += plane * own
@@ -274,23 +277,23 @@ def _double(stack: FloatArray, width: int, height: int) -> FloatArray:
     out = np.empty((count, 2 * rows, 2 * columns), np.float32)
     pairs = out.reshape(count * rows, 2, 2 * columns)
     pairs[:, 0] = wide.reshape(count * rows, 2 * columns)
-    # All planes at once: rows between two planes are overwritten later.
+    # Treat all planes as one; rows that mix two planes are overwritten later.
     _halfway(pairs[:-1, 0], pairs[1:, 0], pairs[:-1, 1])
     out[:, -1] = out[:, -2]
     return np.ascontiguousarray(out[:, :height, :width])
 
 
 def _halfway(first: FloatArray, second: FloatArray, out: FloatArray) -> None:
-    """Write the mean of two planes. Halves are exact, so only the sum is rounded."""
+    """Write the mean of two planes to `out`. Halving is exact, so only the sum is rounded."""
     if out.size:
         cv2.addWeighted(first, 0.5, second, 0.5, 0, dst=out)
 
 
 def _plateaus(plane: FloatArray, tied: NDArray[np.bool_]) -> NDArray[np.intp]:
-    """Find the first pixel of each flat top, as flat indices; tied pixels equal their highest neighbour."""
+    """Return the flat index of each flat top's first pixel; `tied` pixels equal their highest neighbour."""
     height, width = plane.shape
     found = np.flatnonzero(tied)
-    if found.size == plane.size:  # the same everywhere
+    if found.size == plane.size:  # The plane is constant.
         return found[:0]
     rows, columns = np.divmod(found, width)
     # A tied pixel next to an equal, untied pixel leads uphill.
@@ -301,7 +304,7 @@ def _plateaus(plane: FloatArray, tied: NDArray[np.bool_]) -> NDArray[np.intp]:
     uphill = others.any(axis=(0, 1))
     if uphill.all():
         return found[:0]
-    # Label only the rectangle around the ties: they are rare and close together, except in drawn images.
+    # Label only the ties' bounding box: except in drawn images, ties are rare and close together.
     rows -= rows.min()
     columns -= columns.min()
     mask = np.zeros((rows.max() + 1, columns.max() + 1), np.uint8)

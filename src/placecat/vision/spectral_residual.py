@@ -19,30 +19,31 @@ def spectral_residual(
 ) -> FloatArray:
     """Return the spectral residual saliency of an image (thesis 3.1.1.2).
 
-    The log amplitude spectrum minus its box mean is transformed back with the original phase. The squared
-    magnitude is smoothed and stretched to [0, 1], as in the authors' code, so the scales can be added. The
-    box is periodic like the spectrum, so the inverse transform is real.
+    The function subtracts the box mean from the log amplitude spectrum, restores the original phase and
+    inverts the transform. It smooths the squared magnitude and stretches it to [0, 1], as the authors' code
+    does, so that scales can be added. The box is periodic like the spectrum, so the inverse transform is
+    real.
 
     Parameters
     ----------
     grey
         (h, w) float32, 0 to 255, at least 2x2.
     residual_box
-        Side of the box filter over the log amplitude, odd; 3 in Hou and Zhang. The thesis does not give this.
+        Side of the box filter over the log amplitude, odd; 3 in Hou and Zhang, not specified in the thesis.
     residual_sigma
-        Standard deviation, in pixels, of the Gaussian over the squared magnitude; 0 turns it off. The thesis
-        does not give this. The authors' code uses 2.5 for a single image 64 pixels wide; several scales need
-        less.
+        Standard deviation, in pixels, of the Gaussian that smooths the squared magnitude; 0 turns it off. The
+        thesis does not specify this. The authors' code uses 2.5 for a single image 64 pixels wide; several
+        scales need less.
     residual_width
-        Width in pixels to which a wider image is reduced; the authors use 64. None for no reduction, as the
-        thesis describes for pyramid levels.
+        Width in pixels to which a wider image is reduced; the authors use 64. None for no reduction, which is
+        how the thesis treats pyramid levels.
     residual_floor
-        Floor f, in grey levels, in the logarithm of sqrt(amplitude^2 + f^2). Smaller amplitudes are float32
-        rounding errors, which the method would amplify. The thesis does not give this.
+        Floor f, in grey levels: the logarithm is of sqrt(amplitude^2 + f^2). Smaller amplitudes are float32
+        rounding errors, which the method would amplify. The thesis does not specify this.
 
     Returns
     -------
-    (h, w) float32, 0 to 1; all zero for a flat image.
+    (h, w) float32, 0 to 1; all zeros for a flat image.
 
     Raises
     ------
@@ -80,7 +81,7 @@ def spectral_residual(
     mean = _periodic_mean(logarithm, small.shape[1], residual_box)
     spectrum *= np.exp(np.float32(-0.5) * mean)
     power = np.square(scipy.fft.irfft2(spectrum, s=small.shape))
-    # Stretch before the blur: the whitened image has values of about 1 / number of pixels.
+    # Stretch before the blur, since the whitened image has values of about 1 / number of pixels.
     power /= power.max()
     if residual_sigma > 0:
         power = cv2.GaussianBlur(power, (0, 0), residual_sigma, borderType=cv2.BORDER_REFLECT_101)
@@ -94,7 +95,7 @@ def spectral_residual(
 
 
 def _periodic_mean(half: FloatArray, width: int, box: int) -> FloatArray:
-    """Box mean of an even periodic map; only its columns 0 to width // 2 are stored."""
+    """Compute the box mean of an even periodic map, stored only as its columns 0 to width // 2."""
     height, stored = half.shape
     reach = box // 2
     padded = np.empty((height + 2 * reach, stored + 2 * reach), np.float32)

@@ -1,4 +1,4 @@
-"""Tracking of salient regions from frame to frame (thesis 4.7)."""
+"""Track salient regions from frame to frame (thesis 4.7)."""
 
 from functools import partial
 
@@ -12,53 +12,54 @@ from placecat.vision.regions import accept
 
 
 class RegionTracker:
-    """Track salient regions until they leave the image (thesis 4.7), in one uncut sequence.
+    """Track salient regions through one uncut sequence until they leave the image (thesis 4.7).
 
-    The thesis does not describe its tracker. This tracker uses the pyramidal Lucas-Kanade method on the grey
+    The thesis does not describe its tracker. This one applies the pyramidal Lucas-Kanade method to the grey
     frame at a reduced width. In every frame
 
-    1. each region is moved. It is dropped if its centre leaves the image, if it is not found, or if tracking
-       it back does not lead to its old position (forward-backward check). Within half a window of the border,
-       a region may be lost shortly before its centre leaves;
+    1. the tracker moves each region. It drops a region that is not found, whose centre leaves the image, or
+       that does not return to its old position when tracked back (forward-backward check). Within half a
+       window of the border, a region may be lost shortly before its centre leaves;
     2. tracked regions (longest tracked first), then new regions (strongest first), must satisfy the
        acceptance inequality of 3.1.1.3. So a new region enters only where nothing is tracked, and if two
-       tracked regions come too close, the younger is dropped;
-    3. they fill at most `max_regions` places. Tracked regions never make room for stronger new regions: an
+       tracked regions come too close, the younger one is dropped;
+    3. at most `max_regions` regions remain. A tracked region never makes room for a stronger new one: an
        object keeps its file (Kahneman and Treisman) as long as it is visible.
 
-    A region keeps its initial scale and strength. Its appearance may change while it is tracked, since each
-    frame is compared with the previous frame.
+    A region keeps its initial scale and strength. Its appearance may change over time, since each frame is
+    compared only with the previous one.
 
     Parameters
     ----------
     max_regions
         Maximum number of regions; 25 in the thesis.
     width
-        Width in pixels to which a wider frame is reduced, in proportion.
+        Width in pixels to which a wider frame is reduced, with its aspect ratio preserved.
     window
-        Side of the compared window in pixels of the reduced frame, odd, at least 3. At a width of 320, 21 is
-        the size of the smallest regions.
+        Side of the window to compare, in pixels of the reduced frame, odd, at least 3. At a width of 320, the
+        smallest regions have the size 21.
     levels
-        Number of halvings of the reduced frame, for large motions; fewer if a level would be smaller than the
-        window.
+        How often the reduced frame is halved, for large motions; less often if a level would be smaller than
+        the window.
     iterations, epsilon
-        The search on a level ends after `iterations` steps or after a step shorter than `epsilon` pixels.
+        The search on each level ends after `iterations` steps or a step shorter than `epsilon` pixels.
     min_eigenvalue
-        Smallest eigenvalue of the gradient matrix, per pixel of the window; flatter windows are lost.
+        Minimum for the gradient matrix's smaller eigenvalue, per window pixel; flatter windows are lost.
     forward_backward
-        Largest distance, in pixels of the reduced frame, between a region and its position when tracked back.
+        Maximum distance, in pixels of the reduced frame, between a region and where it lands when tracked
+        back.
     scale_distance, min_distance
-        Factors of the acceptance inequality, see `placecat.vision.regions.accept`.
+        Factors in the acceptance inequality; see `placecat.vision.regions.accept`.
 
     Raises
     ------
     PlacecatError
-        If a setting is impossible.
+        If a setting is invalid.
 
     Attributes
     ----------
     ages
-        (m,) int64: for how many frames each region of the last frame has been tracked, 0 for a new region.
+        (m,) int64: how many frames each region in the last frame has been tracked for, 0 for a new region.
 
     References
     ----------
@@ -110,20 +111,20 @@ class RegionTracker:
         self.ages = np.zeros(0, np.int64)
 
     def step(self, frame: NDArray[np.uint8], found: FloatArray) -> FloatArray:
-        """Track the regions into the next frame, and add new regions in the free places.
+        """Track the regions into the next frame, and fill free places with new regions.
 
         Parameters
         ----------
         frame
             (H, W, 3) uint8 BGR, the same size throughout a sequence.
         found
-            (n, 4) float32, the salient regions of this frame: x, y (pixels of the frame), scale, strength;
-            strongest first.
+            (n, 4) float32, the frame's salient regions: x, y (frame pixels), scale, strength; sorted by
+            decreasing strength.
 
         Returns
         -------
-        (m, 4) float32, m <= `max_regions`, in the same form: longest tracked first, then new regions,
-        strongest first.
+        (m, 4) float32, m <= `max_regions`, with the same columns: tracked regions, longest tracked first,
+        then new regions, strongest first.
         """
         image = reduced_grey(frame, self.width)
         size = np.array(frame.shape[1::-1])
@@ -136,8 +137,8 @@ class RegionTracker:
         return self._regions.copy()
 
     def _move(self, last: NDArray[np.uint8], image: NDArray[np.uint8], size: NDArray[np.int64]) -> None:
-        """Move the regions, and drop regions that are lost or have left the image."""
-        # Pixels are areas: scale their centres, not their corners.
+        """Move the regions, and drop those that are lost or have left the image."""
+        # Pixels are areas, so scale their centres, not their corners.
         factor = np.array(image.shape[::-1]) / size
         points = ((self._regions[:, :2] + 0.5) * factor - 0.5).astype(np.float32)
         moved, seen = self._flow(last, image, points)
@@ -153,16 +154,16 @@ class RegionTracker:
     def _flow(
         self, first: NDArray[np.uint8], second: NDArray[np.uint8], points: FloatArray
     ) -> tuple[FloatArray, NDArray[np.bool_]]:
-        """Find the positions of (n, 2) points of one image in another, and whether they were found."""
+        """Find one image's (n, 2) points in another: their positions, and whether they were found."""
         moved, status, _ = self._follow(first, second, points[:, None], np.empty_like(points[:, None]))
         return np.asarray(moved, np.float32).reshape(-1, 2), np.asarray(status).reshape(-1) == 1
 
 
 def reduced_grey(frame: NDArray[np.uint8], width: int) -> NDArray[np.uint8]:
-    """Convert a frame to grey and reduce it to a width in pixels; the aspect ratio is preserved.
+    """Convert a frame to grey and reduce it to a width in pixels, preserving the aspect ratio.
 
     `frame` is (H, W, 3) uint8 BGR. Returns (max(1, round(H width / W)), width) uint8: OpenCV's grey values,
-    averaged over the area of each pixel. A frame not wider than `width` keeps its size.
+    averaged over the area of each pixel. A frame no wider than `width` keeps its size.
     """
     grey = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
     height, full = grey.shape

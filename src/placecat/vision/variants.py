@@ -1,4 +1,4 @@
-"""Salient regions found in the same maps with other settings, for comparison (thesis 3.1.1, 4.4)."""
+"""Find salient regions in the same maps with other settings, for comparison (thesis 3.1.1, 4.4)."""
 
 from collections.abc import Collection, Hashable, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -17,10 +17,10 @@ _Section = Mapping[str, Any]
 
 
 def check_variants(variants: Mapping[str, _Section], local_settings: Mapping[str, _Section]) -> None:
-    """Refuse variants with unknown settings or descriptors.
+    """Reject variants with unknown settings or descriptors.
 
-    `variants` is as in `describe_variants`; `local_settings` holds the settings of every local descriptor.
-    The PlacecatError names the unknown entry and the valid ones.
+    `variants` has the same form as in `wanted_variants`; `local_settings` maps every local descriptor to its
+    settings. The PlacecatError names the unknown entry and the valid ones.
     """
     for name, own in variants.items():
         where = f"variant '{name}' of the regions"
@@ -33,7 +33,7 @@ def check_variants(variants: Mapping[str, _Section], local_settings: Mapping[str
 
 
 class Wanted(NamedTuple):
-    """Requested salient regions: scales (None for all), settings of `find_regions`, descriptors."""
+    """Requested salient regions: scales (None for all), settings for `find_regions`, descriptors."""
 
     scales: Sequence[int] | None
     regions: _Section
@@ -41,31 +41,31 @@ class Wanted(NamedTuple):
 
     @property
     def most(self) -> int:
-        """Maximum number of regions."""
+        """The maximum number of regions."""
         return most_regions(self.regions)
 
     @property
     def others(self) -> Hashable:
-        """All settings except the number of regions; a number below 1, refused later, stays separate."""
+        """All settings except the number of regions, and whether that number is below 1 (rejected later)."""
         others = {name: value for name, value in self.regions.items() if name != "max_regions"}
         return None if self.scales is None else tuple(self.scales), *sorted(others.items()), self.most < 1
 
 
 class SharedRegions:
-    """Salient regions of a frame for several settings, and their descriptors, each computed once.
+    """A frame's salient regions for several settings, and their descriptors, each computed once.
 
-    With the same settings, fewer regions are always the first of more regions: weaker points do not affect
-    stronger points (`placecat.vision.regions.accept`), and a region's descriptor does not depend on other
-    regions. So regions are found and described once, for the largest requested number.
+    With the same settings, a smaller set of regions is always the start of a larger one: weaker points do not
+    affect stronger ones (`placecat.vision.regions.accept`), and a region's descriptor does not depend on
+    other regions. So regions are found and described once, for the largest requested number.
 
     Parameters
     ----------
     maps
-        Maps of the frame, all fields.
+        The frame's maps, with all fields.
     wanted
-        All regions that will be requested.
+        All requests that will be made.
     local_settings
-        Settings of the local descriptors, by name.
+        Maps each local descriptor's name to its settings.
     """
 
     def __init__(
@@ -80,11 +80,11 @@ class SharedRegions:
                 self._most[key] = max(one.most, self._most.get(key, one.most))
 
     def find(self, wanted: Wanted) -> NDArray[np.float32]:
-        """Return the regions like `find_regions`, with the same errors."""
+        """Return the requested regions; result and errors are those of `find_regions`."""
         return self._largest(wanted)[: wanted.most]
 
     def describe(self, wanted: Wanted, name: str) -> NDArray[np.float32]:
-        """Describe the regions with a local descriptor, (n, D) float32."""
+        """Return the requested regions' local descriptors, (n, D) float32."""
         key = (wanted.others, name)
         if key not in self._known:
             module, options = local.entry(name, self._local_settings[name] or {})
@@ -112,20 +112,20 @@ class SharedRegions:
 
 
 def most_regions(regions: _Section) -> int:
-    """Maximum number of regions in settings of `find_regions`."""
+    """Return the maximum number of regions in settings for `find_regions`."""
     return int(regions.get("max_regions", settings_of(find_regions)["max_regions"]))
 
 
 def wanted_variants(variants: Mapping[str, _Section], regions: _Section) -> dict[str, Wanted]:
-    """List the regions that each region variant requests, by name.
+    """Map each region variant's name to the regions that it requests.
 
     Parameters
     ----------
     variants
-        From name to ``scales`` (a subset of the maps' scales, None for all), ``regions`` (changed settings of
-        `find_regions`) and ``descriptors`` (names of local descriptors).
+        Maps each name to ``scales`` (a subset of the maps' scales, None for all), ``regions`` (changed
+        settings for `find_regions`) and ``descriptors`` (names of local descriptors).
     regions
-        Settings of `find_regions` that the variants change.
+        Settings for `find_regions`, which the variants change.
     """
     return {
         name: Wanted(own["scales"], {**regions, **own["regions"]}, own["descriptors"])
@@ -134,14 +134,14 @@ def wanted_variants(variants: Mapping[str, _Section], regions: _Section) -> dict
 
 
 def describe_variants(shared: SharedRegions, variants: Mapping[str, Wanted]) -> dict[str, NDArray[Any]]:
-    """Find and describe the salient regions of a frame with other settings.
+    """Find and describe a frame's salient regions with other settings.
 
     Parameters
     ----------
     shared
-        Regions of the frame; they must include all of `variants`.
+        The frame's regions; they must cover all `variants`.
     variants
-        Result of `wanted_variants`. A scale without maps or an impossible setting raises PlacecatError.
+        The result of `wanted_variants`. A scale without maps or an invalid setting raises PlacecatError.
 
     Returns
     -------

@@ -1,8 +1,8 @@
-"""Holistic descriptors of frames (thesis 3.2), one module each.
+"""Holistic frame descriptors (thesis 3.2), one module each.
 
-To add a descriptor, add a module with its name. It has ``describe(frame, maps, *, settings...)``, which
-returns (D,) float32, and ``MAPS``, the fields of `FrameMaps` that it reads. If it needs packages of an extra,
-it imports them in ``describe`` and lists them in ``PACKAGES``; tests skip it if they are missing.
+To add a descriptor, add a module with its name. The module has ``describe(frame, maps, *, settings...)``,
+which returns (D,) float32, and ``MAPS``, the fields of `FrameMaps` that it reads. If it needs packages from
+an extra, it imports them in ``describe`` and lists them in ``PACKAGES``; tests skip it if they are missing.
 """
 
 from collections.abc import Mapping
@@ -19,10 +19,10 @@ def names() -> list[str]:
 
 
 def load(name: str) -> ModuleType:
-    """Import a holistic descriptor by name; the PlacecatError for an unknown name lists the valid ones."""
+    """Import a holistic descriptor by name; if it is unknown, the PlacecatError lists the valid names."""
     return lookup.module(__name__, name, "holistic descriptor", "describe")
 
 
 def entry(name: str, settings: Mapping[str, Any]) -> tuple[ModuleType, dict[str, Any]]:
-    """Find the module of an entry ``name: settings`` and check its settings, see `discovery.entry`."""
+    """Find the module for an entry ``name: settings`` and check its settings; see `discovery.entry`."""
     return discovery.entry(__name__, name, settings, "holistic descriptor")

@@ -1,4 +1,4 @@
-"""CENTRIST of a frame: census histograms in the cells of a grid."""
+"""A frame's CENTRIST: census histograms in the cells of a grid."""
 
 from typing import Annotated, Any
 
@@ -33,30 +33,31 @@ def describe(
     Parameters
     ----------
     frame
-        (H, W, 3) uint8 BGR. It is converted to grey like in OpenCV, 0.299 r + 0.587 g + 0.114 b (not given in
+        (H, W, 3) uint8 BGR, converted to grey as OpenCV does, 0.299 r + 0.587 g + 0.114 b (not specified in
         the thesis).
     maps
-        Cache of the resized image, shared by variants; no map is used.
+        Caches the resized image, so that variants share it; no map is used.
     width
-        Reduce the frame to this width, in proportion; a narrower frame is unchanged. None for the full size
-        (variant in thesis 4.3).
+        Width to which the frame is reduced, with its aspect ratio preserved; a narrower frame is unchanged.
+        None for the full size (a variant in thesis 4.3).
     image
-        The image to transform: ``laplacian``, or ``intensity`` (variant in thesis 4.3).
+        The image to transform: ``laplacian``, or ``intensity`` (a variant in thesis 4.3).
     kernel
-        Kernel of the Laplacian, as in `placecat.vision.census.laplacian`.
+        The Laplacian's kernel, as in `placecat.vision.census.laplacian`.
     interpolation
-        ``area`` or ``linear``, used to reduce the frame. The thesis does not give this.
+        How to reduce the frame: ``area`` or ``linear``. The thesis does not specify this.
 
     Returns
     -------
-    (4096,) float32: the 16 cells row by row from the top left, each a histogram of 256 codes with sum 1 (the
-    thesis does not give the normalisation). The cells divide the pixels that have a code.
+    (4096,) float32: a histogram of 256 codes for each of the 16 cells, row by row from the top left. Each
+    histogram sums to 1 (the thesis does not specify the normalisation). The cells divide the pixels that have
+    a code.
 
     Raises
     ------
     PlacecatError
-        For an unknown image, kernel or interpolation, a width below 16, or a frame without a pixel that
-        has a code.
+        If the image, kernel or interpolation is unknown, the width is below 16, or no pixel of the frame has
+        a code.
 
     References
     ----------

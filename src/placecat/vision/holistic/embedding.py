@@ -1,4 +1,4 @@
-"""Embedding: features of a frame from a pretrained network (not in the thesis)."""
+"""Embedding: a pretrained network's features of a frame (not in the thesis)."""
 
 from collections.abc import Sequence
 from typing import Annotated
@@ -14,9 +14,9 @@ from placecat.vision import networks
 from placecat.vision.maps import FrameMaps
 from placecat.vision.networks import efficientnet_lite
 
-# The fields of `FrameMaps` that it reads.
+# The fields of `FrameMaps` that this module reads.
 MAPS: tuple[str, ...] = ()
-# Packages that it imports by default, all from the extra `deep`.
+# Packages that this module imports by default, all from the extra `deep`.
 PACKAGES = efficientnet_lite.PACKAGES
 
 _OWNER = "holistic descriptor 'embedding'"
@@ -36,7 +36,7 @@ def describe(
     pool: Annotated[str, OneOf(POOLS)] | None = None,
     sha256: str | None = None,
 ) -> NDArray[np.float32]:
-    """Describe a frame by the pooled features of a pretrained network.
+    """Describe a frame by a pretrained network's pooled features.
 
     Parameters
     ----------
@@ -45,31 +45,32 @@ def describe(
     maps
         Not used.
     network
-        ``efficientnet_lite0``, ``1`` or ``2``, or the path of an ONNX file, relative to the project.
+        ``efficientnet_lite0``, ``1`` or ``2``, or an ONNX file's path, relative to the project.
     width, height
-        Size in pixels to which the frame is scaled, whatever its aspect ratio. If both are None, the
-        network's training size is used (224x224 for an ONNX file). If one is None, the aspect ratio is kept.
+        Size in pixels to which the frame is scaled, even if this changes its aspect ratio. If both are None,
+        the network's training size is used (224x224 for an ONNX file). If one is None, the aspect ratio is
+        preserved.
     mean, std
-        Values for red, green and blue, from 0 to 1: `mean` is subtracted, then the result is divided by
-        `std`. None for the values used to train the network (ImageNet's for an ONNX file).
+        Values for red, green and blue, on a scale from 0 to 1: `mean` is subtracted, then the result is
+        divided by `std`. None for the values used to train the network (ImageNet's for an ONNX file).
     output
-        Name of the output to use, for an ONNX file; None for its first.
+        Name of the ONNX file's output to use; None for the first.
     pool
-        How to turn an output with positions, (D, rows, columns), or tokens, (tokens, D), into a vector:
-        ``mean`` over all, or the ``first`` token. None if the output is a vector.
+        How to turn an output with positions, (D, rows, columns), or tokens, (tokens, D), into a vector: the
+        ``mean`` over all of them, or the ``first`` token. None if the output is already a vector.
     sha256
-        Required checksum of an ONNX file, in hexadecimal; None for any. Without it, the stages do not notice
-        a changed file.
+        The ONNX file's required checksum, in hexadecimal; None accepts any. Without a checksum, the stages do
+        not notice if the file changes.
 
     Returns
     -------
-    (size,) float32, the unchanged output of the network.
+    (size,) float32, the network's output, after pooling if `pool` is set.
 
     Raises
     ------
     PlacecatError
-        If a setting is impossible, if the network or a package is missing, or if the network refuses the
-        image or does not return a vector of finite numbers.
+        If a setting is invalid, if the network or a package is missing, or if the network rejects the image
+        or does not return a vector of finite numbers.
     """
     image = _input(frame, _prepared(frame, networks.preparation(network), width, height, mean, std))
     return _vector(_features(image, network, output, sha256), network, pool)
@@ -83,7 +84,7 @@ def _prepared(
     mean: Sequence[float] | None,
     std: Sequence[float] | None,
 ) -> networks.Preparation:
-    """Return how to prepare a frame; the network's defaults fill in missing settings."""
+    """Return how to prepare a frame, filling in missing settings with the network's defaults."""
     if min(width or 1, height or 1) < 1 or 0 in (width, height):
         raise PlacecatError(f"The width and height of {_OWNER} must be at least 1, not {width} and {height}.")
     if mean is not None and len(mean) != 3:

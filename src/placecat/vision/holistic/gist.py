@@ -1,4 +1,4 @@
-"""Gist: the mean of each feature map in the cells of a grid."""
+"""Gist: each feature map's means in the cells of a grid."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,25 +15,26 @@ CELLS = 4
 def describe(
     frame: NDArray[np.uint8], maps: FrameMaps, *, color: bool = True, center_surround: bool = True
 ) -> NDArray[np.float32]:
-    """Describe a frame by the means of its feature maps in a 4x4 grid (thesis 3.2).
+    """Describe a frame by its feature maps' means in a 4x4 grid (thesis 3.2).
 
     Parameters
     ----------
     frame
         (H, W, 3) uint8 BGR; not used.
     maps
-        Maps of the frame.
+        The frame's maps.
     color
         Include the colour maps. Thesis 4.2 has a variant without them.
     center_surround
-        If true, use the centre-surround maps of intensity and colour, otherwise the pyramids (variant in
+        If true, use the centre-surround maps of intensity and colour; if false, their pyramids (a variant in
         thesis 4.2). Orientation has no centre-surround maps.
 
     Returns
     -------
-    (size,) float32: the 16 cells row by row from the top left. Each cell has the same block of maps:
-    intensity (on, off), colour (R, G, B, Y), orientation (0, 45, 90, 135 degrees). Within a channel the order
-    is sub-channel, scale, radius (radius varies fastest). By default the channels have 16, 32 and 16 values.
+    (size,) float32: a block for each of the 16 cells, row by row from the top left. A block contains
+    intensity (on, off), colour (R, G, B, Y) and orientation (0, 45, 90, 135 degrees). Within a channel the
+    order is sub-channel, scale, radius (radius varies fastest). By default the channels have 16, 32 and 16
+    values.
 
     References
     ----------
@@ -54,6 +55,6 @@ def describe(
 
 
 def _means(level: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Cell means as (radii, sub-channels, 4, 4); a missing axis has length 1."""
+    """Return cell means as (radii, sub-channels, 4, 4); a missing axis has length 1."""
     means = cell_means(level, CELLS)
     return means.reshape((1,) * (4 - means.ndim) + means.shape)

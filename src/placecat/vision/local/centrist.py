@@ -1,4 +1,4 @@
-"""CENTRIST of salient regions: the histogram of their census transform."""
+"""CENTRIST of salient regions: each region's census histogram."""
 
 from typing import Annotated
 
@@ -11,7 +11,7 @@ from placecat.vision.census import LAPLACIANS, census, check_kernel, histograms
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import BORDERS, cut, region_side, to_bytes
 
-# The unit in `concatenate`: the total standard deviation over regions of indoor frames, rounded.
+# The unit in `concatenate`: the total standard deviation over regions in indoor frames, rounded.
 SPREAD = 0.3
 # The fields of `FrameMaps` that this module reads.
 MAPS = ("grey",)
@@ -28,28 +28,28 @@ def describe(
     quantise: bool = True,
     border: Annotated[str, OneOf(BORDERS)] = "replicate",
 ) -> NDArray[np.float32]:
-    """Describe regions by the histogram of their census codes (thesis 3.1.2).
+    """Describe each region by the histogram of its census codes (thesis 3.1.2).
 
     Parameters
     ----------
     image
         The image to transform: ``intensity``, as in the thesis, or ``laplacian``, a variant in its text.
     kernel
-        Kernel of the Laplacian, as in `placecat.vision.census.laplacian`.
+        The Laplacian's kernel, as in `placecat.vision.census.laplacian`.
     quantise
-        Round intensities to whole grey levels first, as in an 8-bit image: flat areas then produce ties
-        instead of noise. The thesis does not give this.
+        Round intensities to whole grey levels first, as in an 8-bit image, so that flat areas produce ties
+        instead of noise. The thesis does not specify this.
 
     Returns
     -------
-    (n, 256) float32; each row has sum 1 (the thesis does not give this). Only pixels with all their
-    neighbours inside the patch have a code. Adding a whole number to the intensities does not change the
+    (n, 256) float32; each row sums to 1 (the thesis does not specify this). Only pixels with all neighbours
+    inside the patch have a code. Adding a whole number to the intensities does not change the
     result.
 
     Raises
     ------
     PlacecatError
-        For an unknown image or kernel.
+        If the image or kernel is unknown.
 
     References
     ----------
@@ -61,14 +61,14 @@ def describe(
         )
     check_kernel(kernel)
     filtered = image == "laplacian"
-    # Add one pixel on each side: every pixel of the patch then has real neighbours.
+    # Add one pixel on each side, so that every pixel of the patch has real neighbours.
     patches = cut(maps.grey, regions, region_side(maps.width) + 2 * filtered, border=border)
     values = to_bytes(patches).astype(np.int16) if quantise else patches
     return histograms(census(_laplacians(values, kernel) if filtered else values))
 
 
 def _laplacians(patches: NDArray[np.generic], kernel: str) -> NDArray[np.generic]:
-    """3x3 Laplacian of (n, h, w) patches without their borders, (n, h - 2, w - 2)."""
+    """Return the 3x3 Laplacians, (n, h - 2, w - 2), of (n, h, w) patches; borders are dropped."""
     height, width = patches.shape[1] - 2, patches.shape[2] - 2
     total = np.zeros((len(patches), height, width), patches.dtype)
     for (down, right), weight in np.ndenumerate(LAPLACIANS[kernel].astype(patches.dtype)):

@@ -1,4 +1,4 @@
-"""Mean and variance of the colour channels in salient regions."""
+"""Means and variances of the colour channels in salient regions."""
 
 from typing import Annotated
 
@@ -11,7 +11,7 @@ from placecat.vision.grid import mean_variance
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import BORDERS, cut, region_side
 
-# The unit in `concatenate`: the total standard deviation over regions of indoor frames, rounded.
+# The unit in `concatenate`: the total standard deviation over regions in indoor frames, rounded.
 SPREAD = 2.5
 # The fields of `FrameMaps` that this module reads.
 MAPS = ("color",)
@@ -29,13 +29,13 @@ def describe(
     Parameters
     ----------
     grid
-        Cells along each axis, else PlacecatError; 0 for the full region only. The thesis uses 3, and 0 (8
-        dimensions) in a variant in 4.4.2.
+        Number of cells along each axis; 0 for the full region only, and PlacecatError if negative. The thesis
+        uses 3, and 0 (8 dimensions) in a variant in 4.4.2.
 
     Returns
     -------
     (n, 8 (1 + grid**2)) float32. The full region comes first, then the cells row by row from the top left.
-    Each area has 4 means, then 4 variances (>= 0). All cells have the same size, in fractions of pixels.
+    Each area has 4 means, then 4 variances (>= 0). All cells have the same size; borders may cut pixels.
     """
     if grid < 0:
         raise PlacecatError(f"The grid of local descriptor 'color_mv' is {grid}: it must be 0 or more.")

@@ -1,4 +1,4 @@
-"""A region's shape descriptor with its vertical position and its colour (thesis 4.4.1)."""
+"""Combine a region's shape descriptor with its vertical position and colour (thesis 4.4.1)."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,27 +18,27 @@ def concatenate(
 ) -> NDArray[np.float32]:
     """Append the vertical position and the colour descriptor to a shape descriptor.
 
-    The parts have different magnitudes (SIFT reaches 255, HOG 1), and the thesis does not give their weights.
-    So each descriptor is divided by its spread, the constant ``SPREAD`` of its module. Its total standard
-    deviation over indoor regions is then about 1, and equal weights have equal influence on a distance.
+    The parts have different magnitudes (SIFT reaches 255, HOG 1), and the thesis does not specify their
+    weights. So each descriptor is divided by its spread, its module's constant ``SPREAD``. Its total standard
+    deviation over indoor regions is then about 1, and parts with equal weights influence a distance equally.
 
     Parameters
     ----------
     shape
         (n, D) float32.
     y
-        (n,) float32: vertical position of the centre divided by the image height, 0 to 1 (top to bottom);
-        None to omit it.
+        (n,) float32: the centre's vertical position divided by the image height, 0 to 1 (top to bottom); None
+        to omit it.
     color
         (n, C) float32; None to omit it.
     y_weight, color_weight
-        Factors of y and of the colour descriptor, >= 0.
+        Factors for y and for the colour descriptor, >= 0.
     shape_spread, color_spread
-        Spreads, > 0; 1 leaves a part unchanged.
+        Spreads of the shape and colour descriptors, > 0; 1 leaves a descriptor unchanged.
 
     Returns
     -------
-    (n, D + 1 + C) float32: shape, y, colour; without the parts that are None.
+    (n, D + 1 + C) float32: shape, y, colour; parts that are None are omitted.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Histogram of oriented gradients of salient regions."""
+"""Histograms of oriented gradients in salient regions."""
 
 from typing import Annotated, Any
 
@@ -11,7 +11,7 @@ from placecat.ranges import OneOf
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import BORDERS, cut, region_side, to_bytes
 
-# The unit in `concatenate`: the total standard deviation over regions of indoor frames, rounded.
+# The unit in `concatenate`: the total standard deviation over regions in indoor frames, rounded.
 SPREAD = 0.7
 # The fields of `FrameMaps` that this module reads.
 MAPS = ("grey",)
@@ -35,24 +35,24 @@ def describe(
 ) -> NDArray[np.float32]:
     """Describe regions by OpenCV's HOG: window 64, block 64, stride 32, cell 16, 8 bins (thesis 3.1.2).
 
-    The intensity patch, in whole grey levels, is resized to 64x64. The result equals
-    `cv2.HOGDescriptor.compute` on each patch, but one call computes all patches, placed side by side with
+    Each intensity patch, in whole grey levels, is resized to 64x64. The result equals
+    `cv2.HOGDescriptor.compute` on each patch, but one call handles all patches, placed side by side with
     mirrored borders.
 
     Parameters
     ----------
     interpolation
-        ``nearest``, ``linear`` or ``cubic``, used to resize the patch. The thesis does not give this.
+        How to resize the patch: ``nearest``, ``linear`` or ``cubic``. The thesis does not specify this.
 
     Returns
     -------
-    (n, 128) float32 in [0, 1]: columns from the left, their 4 cells from the top, 8 bins over 180 degrees
-    each. L2-Hys normalised; 0 for a patch without gradients.
+    (n, 128) float32 in [0, 1]: the columns from the left, each column's 4 cells from the top, each cell's 8
+    bins over 180 degrees. L2-Hys normalised; 0 for a patch without gradients.
 
     Raises
     ------
     PlacecatError
-        For an unknown interpolation.
+        If the interpolation is unknown.
 
     References
     ----------
@@ -70,7 +70,7 @@ def describe(
 
 
 def _mosaic_hog(patches: NDArray[np.uint8], interpolation: int) -> NDArray[Any]:
-    """HOG of (n, side, side) patches, each resized and framed by mirrored pixels, in one mosaic."""
+    """Compute HOG on (n, side, side) patches in one mosaic; each is resized and framed by mirrored pixels."""
     tile = WINDOW + 2
     places = [divmod(index, _COLUMNS) for index in range(len(patches))]
     mosaic = np.zeros((places[-1][0] + 1, tile, _COLUMNS, tile), np.uint8)

@@ -1,4 +1,4 @@
-"""Mean and variance of the orientation maps in salient regions."""
+"""Means and variances of the orientation maps in salient regions."""
 
 from typing import Annotated
 
@@ -11,7 +11,7 @@ from placecat.vision.grid import mean_variance
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import BORDERS, cut, region_side
 
-# The unit in `concatenate`: the total standard deviation over regions of indoor frames, rounded.
+# The unit in `concatenate`: the total standard deviation over regions in indoor frames, rounded.
 SPREAD = 65.0
 # The fields of `FrameMaps` that this module reads.
 MAPS = ("orientation",)
@@ -26,7 +26,7 @@ def describe(
 ) -> NDArray[np.float32]:
     """Describe regions by means and variances of the orientation maps (thesis 3.1.2).
 
-    The maps are the Gabor responses at 0, 45, 90 and 135 degrees; everything else is as in `color_mv`.
+    Like `color_mv`, but with the Gabor responses at 0, 45, 90 and 135 degrees instead of colour channels.
     """
     if grid < 0:
         raise PlacecatError(f"The grid of local descriptor 'orientation_mv' is {grid}: it must be 0 or more.")

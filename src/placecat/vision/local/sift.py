@@ -12,7 +12,7 @@ from placecat.ranges import OneOf
 from placecat.vision.maps import FrameMaps
 from placecat.vision.patches import BORDERS, cut, region_side
 
-# The unit in `concatenate`: the total standard deviation over regions of indoor frames, rounded.
+# The unit in `concatenate`: the total standard deviation over regions in indoor frames, rounded.
 SPREAD = 430.0
 # The fields of `FrameMaps` that this module reads.
 MAPS = ("grey",)
@@ -33,27 +33,27 @@ def describe(
 ) -> NDArray[np.float32]:
     """Describe each region with one SIFT descriptor whose 4x4 cells cover it (thesis 3.1.2).
 
-    A cell is a quarter of the region's side. As in the programs of Lowe, Hess and OpenCV, a gradient votes
-    for the nearest cells and bins with trilinear weights, so gradients up to half a cell outside the region
-    count too. A Gaussian with a sigma of half the region's side weights the gradients. The pyramid level is
-    not blurred again.
+    A cell's side is a quarter of the region's side. As in the programs by Lowe, Hess and OpenCV, a gradient
+    votes for the nearest cells and bins with trilinear weights, so gradients up to half a cell outside the
+    region also count. A Gaussian with a sigma of half the region's side weights the gradients. The pyramid
+    level is not blurred again.
 
     Parameters
     ----------
     orientation
-        ``upright``, or ``dominant``: relative to the strongest direction (`dominant_angles`). The thesis
-        does not give this.
+        ``upright``, or ``dominant``: relative to the strongest direction (`dominant_angles`). The thesis does
+        not specify this.
 
     Returns
     -------
-    (n, 128) float32, whole numbers from 0 to 255; cells row by row, 8 bins over 360 degrees counter-clockwise
-    from the x axis (or from the dominant angle). Clipped at 0.2 of the norm, then scaled to the norm 512;
-    0 for a patch without gradients.
+    (n, 128) float32, whole numbers from 0 to 255; cells row by row, each with 8 bins over 360 degrees
+    counter-clockwise from the x axis (or from the dominant angle). Values are clipped at 0.2 of the norm,
+    then scaled to the norm 512; a patch without gradients is 0.
 
     Raises
     ------
     PlacecatError
-        For an unknown orientation.
+        If the orientation is unknown.
 
     References
     ----------
@@ -79,7 +79,7 @@ def describe(
 
 
 def _gradients(patches: NDArray[np.float32]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Magnitude and angle (0 to 2 pi, counter-clockwise) of central differences, (n, h - 2, w - 2)."""
+    """Return central differences' magnitudes and angles (0 to 2 pi, counter-clockwise), (n, h - 2, w - 2)."""
     right = patches[:, 1:-1, 2:] - patches[:, 1:-1, :-2]
     up = patches[:, :-2, 1:-1] - patches[:, 2:, 1:-1]
     magnitude, angle = cv2.cartToPolar(right.reshape(len(right), -1), up.reshape(len(up), -1))
@@ -91,19 +91,19 @@ def _gradients(patches: NDArray[np.float32]) -> tuple[NDArray[np.float32], NDArr
 def dominant_angles(
     magnitude: NDArray[np.float32], angle: NDArray[np.float32], scale: float
 ) -> NDArray[np.float64]:
-    """Strongest gradient direction around the centre of each patch (Lowe 2004, section 5).
+    """Find the strongest gradient direction around each patch's centre (Lowe 2004, section 5).
 
     Parameters
     ----------
     magnitude, angle
-        (n, 2 R + 1, 2 R + 1) float32, the angle in radians.
+        (n, 2 R + 1, 2 R + 1) float32; angles are in radians.
     scale
-        Lowe's scale of the region in pixels: a third of a cell. The window is a Gaussian with a sigma of 1.5
-        scales, cut off at 4.5 scales or at the edge of the patch.
+        The region's scale as Lowe defines it, in pixels: a third of a cell. The window is a Gaussian with a
+        sigma of 1.5 scales, cut off at 4.5 scales or at the patch's edge.
 
     Returns
     -------
-    (n,) float64 radians in [0, 2 pi): the highest of 36 smoothed bins, refined by parabolic interpolation. 0
+    (n,) float64 radians in [0, 2 pi): the highest of 36 smoothed bins, refined by parabolic interpolation; 0
     for a patch without gradients.
     """
     count, centre = len(magnitude), magnitude.shape[1] // 2
@@ -130,7 +130,7 @@ def dominant_angles(
 
 
 def _weights(radius: int, cell: float, turn: NDArray[np.float64]) -> NDArray[np.float32]:
-    """Share of each pixel in each cell, (n, 16, pixels), for cells turned by (n,) angles."""
+    """Return each pixel's weight in each cell, (n, 16, pixels), for cells turned by (n,) angles."""
     offset = np.arange(-radius, radius + 1) / cell
     down, right = (axis.reshape(1, -1) for axis in np.meshgrid(offset, offset, indexing="ij"))
     cosine, sine = np.cos(turn)[:, None], np.sin(turn)[:, None]
@@ -153,7 +153,7 @@ def _upright_weights(radius: int, cell: float) -> NDArray[np.float32]:
 def _votes(
     magnitude: NDArray[np.float32], angle: NDArray[np.float32], turn: NDArray[np.float64]
 ) -> NDArray[np.float32]:
-    """Share of each pixel in each bin, (n, pixels, 8); the two nearest bins share it linearly."""
+    """Return each pixel's vote for each bin, (n, pixels, 8), split linearly between the two nearest bins."""
     count = len(magnitude)
     magnitude = magnitude.reshape(count, -1)
     position = (angle.reshape(count, -1) - turn[:, None].astype(np.float32)) * np.float32(BINS / (2 * np.pi))
@@ -177,7 +177,7 @@ def _votes(
 
 @lru_cache(maxsize=8)
 def _starts(count: int, pixels: int) -> NDArray[np.intp]:
-    """Index of the first bin of each pixel, (n, pixels)."""
+    """Return the flat index of each pixel's first bin, (n, pixels)."""
     starts = np.arange(count * pixels).reshape(count, pixels) * BINS
     starts.flags.writeable = False
     return starts

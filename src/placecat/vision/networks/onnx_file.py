@@ -1,4 +1,4 @@
-"""Networks in ONNX files, run by onnxruntime."""
+"""Run networks in ONNX files with onnxruntime."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -18,27 +18,27 @@ CHANNELS = 3
 def load(
     path: Path, output: str | None = None, sha256: str | None = None
 ) -> Callable[[NDArray[np.float32]], NDArray[np.float32]]:
-    """Load the network in an ONNX file, and return a function that applies it to an image.
+    """Load the network in an ONNX file and return a function that applies it to an image.
 
     Parameters
     ----------
     path
-        The file. The network must have one input: an image, (1, 3, height, width) float32.
+        The file. The network must have one input, an image, (1, 3, height, width) float32.
     output
         Name of the output to use; None for the first.
     sha256
-        Expected checksum, see `onnx_content.fingerprint`; None for any.
+        Expected checksum (see `onnx_content.fingerprint`); None accepts any.
 
     Returns
     -------
-    A function from an image, (1, 3, H, W) float32, to the output, float32 of any shape.
+    A function that maps an image, (1, 3, H, W) float32, to the output, float32 of any shape.
 
     Raises
     ------
     PlacecatError
-        If onnxruntime or the file is missing, if `onnx_content.check` refuses the file, or if it is not an
-        ONNX file, does not take one image or lacks the output. The function raises it for an image of the
-        wrong size.
+        If onnxruntime or the file is missing, if `onnx_content.check` rejects the file, or if the file is not
+        an ONNX file, does not take one image or lacks the output. The returned function raises it if it
+        cannot process an image, for example because of its size.
     """
     with reading(path):
         is_there = path.is_file()
@@ -49,7 +49,7 @@ def load(
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = options.inter_op_num_threads = 1
     options.use_deterministic_compute = True
-    # Log fatal errors only: other errors are raised and become one message.
+    # Log only fatal errors: others are raised and become one message.
     options.log_severity_level = 4
     try:
         session = onnxruntime.InferenceSession(path, options, providers=["CPUExecutionProvider"])
@@ -76,7 +76,7 @@ def load(
 
 
 def _input(session: Any, path: Path) -> str:
-    """Name of the single input, which must accept an image."""
+    """Return the single input's name; the input must accept an image."""
     inputs = session.get_inputs()
     kinds = [f"{one.type.removeprefix('tensor')} {one.shape}" for one in inputs]
     if len(inputs) != 1 or inputs[0].type != "tensor(float)" or not _takes_image(inputs[0].shape):

@@ -1,4 +1,4 @@
-"""Imports of packages that only networks need."""
+"""Import packages that only networks need."""
 
 import hashlib
 import importlib
@@ -12,10 +12,10 @@ INSTALL = "`pip install -e '.[deep]'` in the environment of placecat installs it
 
 
 def import_packages(names: Sequence[str], wanted_by: str) -> list[ModuleType]:
-    """Import modules of the extra `deep`.
+    """Import modules that the extra `deep` installs.
 
-    The PlacecatError names the first package that is missing or cannot be imported, and `wanted_by`, which
-    needs it.
+    The PlacecatError names the first package that is missing or cannot be imported, and what needs it,
+    `wanted_by`.
     """
     modules = []
     for name in names:
@@ -34,6 +34,6 @@ def import_packages(names: Sequence[str], wanted_by: str) -> list[ModuleType]:
 
 
 def checksum(path: Path) -> str:
-    """SHA-256 of a file's content, in hexadecimal."""
+    """Return the SHA-256 of a file's content in hexadecimal."""
     with path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
