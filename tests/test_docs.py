@@ -223,7 +223,7 @@ GIVEN = {
     "docs/results.md": "2 3.3 0.7 1.4",
     # From simulations, see tests/replication.
     "docs/replication.md": "2 3 0.8 1.63 4.89 1.7 4,000 2.6 1.2 3.5 1.4 6.3 3.8 4.3 2.3 5.8 3.2 8.7 5.5 11.2 "
-    "7.4 7.9 0.6 2.5 30.4 5 35 20",
+    "7.4 7.9 0.6 2.5 30.4 4 5 35 20",
 }
 # Looks like a result: with a point, a comma or a unit.
 RESULT = re.compile(
