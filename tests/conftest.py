@@ -23,6 +23,7 @@ for _folder in (
     "homes",
     "replication",
     "runs",
+    "schema",
     "sequences",
     "stages",
     "thesis",

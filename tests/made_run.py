@@ -6,9 +6,9 @@ import cv2
 import numpy as np
 import pandas as pd
 
-from placecat import files, fold_file, paths, settings, store
+from placecat import files, paths, settings
 from placecat.cues.codebook import Codebook
-from placecat.training import protocol
+from placecat.training import fold_file, protocol, store
 from placecat.vision.attention import compute_maps, find_regions
 from placecat.vision.information import information
 from placecat.vision.local import hog

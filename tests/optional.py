@@ -7,7 +7,7 @@ from pathlib import Path
 
 import yaml
 
-from placecat.compose import compose
+from placecat.config.compose import compose
 from project import light_conf
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import yaml
 
-from placecat.compose import compose
+from placecat.config.compose import compose
 from sketch import draw_homes
 
 ROOT = Path(__file__).resolve().parents[1]

@@ -12,11 +12,12 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from placecat import lookup, paths, schema, settings, signatures
-from placecat.compose import write_params
+from placecat import lookup, paths, schema, settings
+from placecat.config.compose import write_params
 from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.results.measured import Measured, Results
+from placecat.schema import signatures
 from placecat.stages.features import describe_home, feature_options
 from placecat.stages.sequences import list_homes
 from placecat.thesis import definitions, tables

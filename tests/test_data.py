@@ -36,7 +36,7 @@ def read(name, folder, patch):
     (folder / "data").mkdir()
     for out in rendered():
         (folder / out).symlink_to(ROOT / out)
-    # All that the stage reads. tests/test_compose.py composes with each data set.
+    # All that the stage reads. tests/config/test_compose.py composes with each data set.
     Path("params.yaml").write_text(yaml.safe_dump({"dataset": settings()[name]}))
     sequences.main()
     found = {}

@@ -8,7 +8,7 @@ import pandas as pd
 import pytest
 
 from placecat.__main__ import main
-from placecat.compose import compose
+from placecat.config.compose import compose
 from placecat.demo import command
 from placecat.errors import PlacecatError
 from placecat.footage.recording import Recording

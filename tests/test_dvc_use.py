@@ -7,7 +7,7 @@ import shutil
 import pytest
 import yaml
 
-from placecat.compose import compose
+from placecat.config.compose import compose
 from project import ROOT, contents, light_conf, rendered, repro, run
 from sketch import draw_homes
 

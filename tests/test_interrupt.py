@@ -18,7 +18,7 @@ HOMES = ("Home1", "Home2", "Home3")
 HEED = (
     "import os,signal,sys; signal.signal(signal.SIGINT, signal.SIG_DFL); os.execvp(sys.argv[1], sys.argv[1:])"
 )
-PLACECAT_REPRO = ("python", "-c", "import sys; from placecat import repro; sys.exit(repro.run())")
+PLACECAT_REPRO = ("python", "-c", "import sys; from placecat.runs import repro; sys.exit(repro.run())")
 
 
 @pytest.fixture

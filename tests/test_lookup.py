@@ -9,7 +9,7 @@ import pytest
 
 from placecat import lookup, settings
 from placecat.errors import PlacecatError
-from placecat.signatures import CUES, LEARNING
+from placecat.schema.signatures import CUES, LEARNING
 
 
 @pytest.fixture

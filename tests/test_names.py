@@ -2,7 +2,7 @@
 
 import pytest
 
-from placecat.compose import compose
+from placecat.config.compose import compose
 from project import HOMES, SMALL, copy_project, repro
 
 NAMES = ["Flat A", "o'hara & Söhne", "$HOME", "home 1;touch PWNED"]

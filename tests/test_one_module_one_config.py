@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import yaml
 
-from placecat import fold_file
+from placecat.training import fold_file
 from project import HOMES, ROOT, SITES, SMALL, contents, repro, run
 from sketch import draw_homes
 from test_adding import BLOCKS

@@ -8,10 +8,12 @@ from helpers_sequences import write_image
 
 from made_results import PARAMS, made
 from optional import with_optional
-from placecat import listing, paths, references
+from placecat import paths
 from placecat.cues import estimators
 from placecat.fusion.log_pool import SMALLEST
 from placecat.results.sources import sources
+from placecat.schema import references
+from placecat.sequences import listing
 from placecat.stages import site_sequences
 from placecat.thesis import definitions, layouts
 from placecat.thesis.tables import tables_of

@@ -6,7 +6,8 @@ import shutil
 import pandas as pd
 import pytest
 
-from placecat import files, fold_file
+from placecat import files
+from placecat.training import fold_file
 from project import HOMES, ROOT, SMALL, compose, contents, copy_project, light_conf, rendered, repro, run
 
 IDENTITY = ("-c", "user.name=test", "-c", "user.email=test@example.org")
@@ -175,10 +176,11 @@ def test_frame_by_frame_gives_the_bits_of_the_pipeline(reproduced, tmp_path, mon
     """A system trained without a home and read from its file names that home's frames as the stages do."""
     import numpy as np
 
-    from placecat import listing, settings
+    from placecat import settings
     from placecat.categorizer import Categorizer, model_file
     from placecat.categorizer.train import train
     from placecat.footage.frames import read_frames
+    from placecat.sequences import listing
 
     folder, _, _ = reproduced
     monkeypatch.chdir(folder)

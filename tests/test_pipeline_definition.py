@@ -10,28 +10,29 @@ from pathlib import Path
 import pytest
 import yaml
 
-from placecat import compose
+from placecat.config import compose
 from project import light_conf
 
 ROOT = Path(__file__).resolve().parents[1]
 SOURCE = ROOT / "src"
 PIPELINE = yaml.safe_load((ROOT / "dvc.yaml").read_text())["stages"]
 # What every stage uses to find code and settings, read, write and loop; it decides no number.
-PLUMBING = {
+PLUMBING = (
+    "compute",
     "errors",
-    "items",
     "files",
-    "fold_file",
-    "parallel",
+    "lookup",
     "paths",
     "ranges",
+    "runs.items",
+    "runs.lock",
+    "schema.signatures",
     "seeds",
+    "sequences.listing",
     "settings",
-    "listing",
-    "lookup",
-    "signatures",
     "stages",
-}
+    "training.fold_file",
+)
 
 
 def program(stage):
@@ -63,7 +64,7 @@ def reached(module):
     seen, todo = set(), [module]
     while todo:
         for found in imports(todo.pop()) - seen:
-            if found.split(".")[1] not in PLUMBING:
+            if not f"{found}.".startswith(tuple(f"placecat.{name}." for name in PLUMBING)):
                 seen.add(found)
                 todo.append(found)
     return seen

@@ -5,10 +5,11 @@ import math
 from pathlib import Path
 
 import pytest
-
-from placecat import schema, settings, signatures
-from placecat.errors import PlacecatError
 from test_schema import at
+
+from placecat import schema, settings
+from placecat.errors import PlacecatError
+from placecat.schema import signatures
 
 ROOT = Path(__file__).resolve().parents[1]
 PARAMS = settings.load(ROOT / "params.yaml")

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import placecat.stages  # noqa: F401 must precede NumPy: it chooses OpenBLAS's kernels
 from placecat import __version__, footage_commands, paths
-from placecat.compose import write_params
+from placecat.config.compose import write_params
 from placecat.errors import PlacecatError, exiting
 from placecat.footage_commands import Commands, add_command
 from placecat.terminal import Terminal
@@ -184,8 +184,7 @@ def _mend(options: argparse.Namespace) -> int:
 
 
 def _repro(options: argparse.Namespace) -> int:
-    from placecat import repro, times
-    from placecat.runs import lock
+    from placecat.runs import lock, repro, times
 
     with lock.alone():
         before = repro.Before()
@@ -213,7 +212,9 @@ def _repro(options: argparse.Namespace) -> int:
 
 def _measure(call: str, seconds: float) -> str:
     """Write the times of a `placecat repro` call; return them as text."""
-    from placecat import parallel, repro, settings, times
+    from placecat import settings
+    from placecat.compute import parallel
+    from placecat.runs import repro, times
 
     by_stage = times.gather(call)
     if len(by_stage):
@@ -227,12 +228,12 @@ def _measure(call: str, seconds: float) -> str:
 
 
 def _compare(old: str, new: str = "", page: Path | None = None) -> int:
-    from placecat import kept_in_git
+    from placecat.compare import kept_in_git
 
     lines, is_as_kept = kept_in_git.compare(old, new)
     print("\n".join(lines))
     if page is not None:
-        from placecat.side_by_side.page import write
+        from placecat.compare.page import write
 
         for line in write(page, old, new, lines):
             print(line)
@@ -240,7 +241,7 @@ def _compare(old: str, new: str = "", page: Path | None = None) -> int:
 
 
 def _times(options: argparse.Namespace) -> int:
-    from placecat import times
+    from placecat.runs import times
 
     by_stage, facts = times.read_complete()
     print(f"Measured on {facts['data']}, {facts['cores']} cores.")

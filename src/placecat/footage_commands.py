@@ -123,7 +123,7 @@ def _add_import(commands: Commands) -> None:
 def _train(options: argparse.Namespace) -> int:
     from placecat import settings
     from placecat.categorizer.train import train_command
-    from placecat.check import check
+    from placecat.config.check import check
 
     check(settings.load())
     with compute.as_set():

@@ -94,8 +94,8 @@ def parameters(package: str, name: str, definition: str) -> dict[str, bool]:
 def types(package: str, name: str, definition: str) -> dict[str, Any]:
     """Return the types of the settings that :func:`parameters` lists, without importing the code.
 
-    A type includes its range, if any (:mod:`placecat.ranges`). It is Any if the annotation uses anything but
-    Python's types, :mod:`typing`, the ranges, and names defined in this package's modules.
+    A type includes its range, if any (:mod:`placecat.ranges`). It is Any if the annotation uses
+    anything but Python's types, :mod:`typing`, the ranges, and names defined in this package's modules.
     """
     found = _taking(package, name, definition)
     if found is None:

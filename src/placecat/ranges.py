@@ -1,6 +1,7 @@
 """Types and ranges of settings, for annotations; ranges exclude NaN and infinity.
 
-:mod:`placecat.schema` applies them to params.yaml, :mod:`placecat.signatures` to the parameters of code.
+:mod:`placecat.schema` applies them to params.yaml, and :mod:`placecat.schema.signatures` to the
+parameters of code.
 """
 
 from collections.abc import Collection

@@ -9,8 +9,8 @@ import pandas as pd
 from tqdm import tqdm
 
 from placecat import files, paths
+from placecat.compute.parallel import single_threaded
 from placecat.errors import PlacecatError
-from placecat.parallel import single_threaded
 from placecat_bench import pieces
 from placecat_bench.measure import ABSENT, COLUMNS, measure
 

@@ -12,9 +12,9 @@ import cv2
 import yaml
 
 from placecat import files, paths, settings
+from placecat.compute.parallel import in_parallel
 from placecat.errors import PlacecatError
 from placecat.footage.frames import read_frames
-from placecat.parallel import in_parallel
 from placecat.sequences import open_home
 from placecat_homes import contact_sheet
 

@@ -14,7 +14,7 @@ from made_system import frames, make_system
 
 from placecat import settings
 from placecat.categorizer import model_file
-from placecat.check import check
+from placecat.config.check import check
 from placecat.errors import PlacecatError
 from placecat.footage.frames import read_frames
 from placecat.footage.pictures import read_image

@@ -19,7 +19,7 @@ BUSY = {"SECONDS": "0.2", "PLACECAT_WORKERS": "1"}
 REPRO = (
     "python",
     "-c",
-    "import sys\nfrom placecat import repro\nfrom placecat.errors import exiting\n"
+    "import sys\nfrom placecat.runs import repro\nfrom placecat.errors import exiting\n"
     "with exiting():\n    sys.exit(repro.run())",
 )
 # Free KB on a separate disk: lower and upper limit; and enough space.

@@ -8,11 +8,11 @@ import pytest
 from made_features import CLASSES, HOMES, PARAMS, make
 from made_system import make_system
 
-from placecat import listing
 from placecat.categorizer import Categorizer, checks, held_out
 from placecat.categorizer.card import unknown_text
 from placecat.categorizer.train import measured
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
+from placecat.sequences import listing
 
 SYSTEM = "das"
 OUT = "H2"

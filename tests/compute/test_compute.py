@@ -5,7 +5,8 @@ import sys
 import pytest
 import yaml
 
-from placecat import compute, parallel
+from placecat import compute
+from placecat.compute import parallel
 from placecat.compute.command import worker_command
 from placecat.errors import PlacecatError
 

@@ -10,8 +10,8 @@ import time
 import pytest
 import yaml
 
-from placecat import compute, files, parallel
-from placecat.compute import connection
+from placecat import compute, files
+from placecat.compute import connection, parallel
 from placecat.errors import PlacecatError
 from placecat.stages import cues, features, sequences
 from project import ROOT, contents, environment

@@ -3,9 +3,9 @@
 import pytest
 
 from made_results import PARAMS, STUDIES
-from placecat.cue_input import HOLISTIC, LOCAL
 from placecat.cues import codebook
 from placecat.cues.codebook import FROZEN, seed_of
+from placecat.cues.cue_input import HOLISTIC, LOCAL
 from placecat.errors import PlacecatError
 from placecat.evaluation.trials import expand
 

@@ -14,7 +14,7 @@ from omegaconf import OmegaConf
 
 from placecat import files
 from placecat.errors import PlacecatError
-from placecat.experiment import combination, job, jobs, made_from, output, running, summary, sweep
+from placecat.experiment import announce, combination, job, jobs, made_from, output, running, summary, sweep
 
 # Jobs that fail, and jobs whose process is killed each time.
 FAILS, IS_KILLED = 3, 5
@@ -34,7 +34,7 @@ class Sweep:
     def run(self):
         with sweep.begun(self.config, self.combinations) as folder:
             jobs.run(folder, self.lines, list(range(len(self.lines))), self.launch)
-            return sweep.tell(folder, self.combinations, log=None)
+            return announce.tell(folder, self.combinations, log=None)
 
     def launch(self, lines):
         """Like joblib: two workers, and if one is killed, the other is too."""

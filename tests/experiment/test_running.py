@@ -11,12 +11,13 @@ import pytest
 from made_experiments import SMALL, make_project, resolved
 from made_features import CLASSES, HOMES, PARAMS
 
-from placecat import fold_file, paths, settings
+from placecat import paths, settings
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.experiment.made_from import made_from
 from placecat.experiment.running import compute
 from placecat.results.measured import from_scores
 from placecat.results.sources import sources
+from placecat.training import fold_file
 
 PROBABILITIES = PARAMS["probabilities"]
 QUALITIES = ("log_loss", "calibration_error")

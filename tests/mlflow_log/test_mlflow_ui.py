@@ -14,10 +14,10 @@ from PIL import Image
 import made_results
 from browser import needs_chromium, open_page
 from placecat import files
-from placecat.explain.made import made
 from placecat.mlflow_log import store
 from placecat.mlflow_log.content import table_run
 from placecat.mlflow_log.tables import log_tables
+from placecat.provenance.made import made
 from placecat.results.measured import MEASURES
 from placecat.thesis.tables import dataset_of, fill_table, tables_of
 

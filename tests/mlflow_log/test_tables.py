@@ -12,10 +12,10 @@ import made_results
 from placecat import files
 from placecat.errors import PlacecatError
 from placecat.experiment import output
-from placecat.explain.made import made, trials_of
 from placecat.mlflow_log import store, tables
 from placecat.mlflow_log.content import figures_run, table_run
 from placecat.mlflow_log.tables import RowRun, TableRun, log_tables
+from placecat.provenance.made import made, trials_of
 from placecat.report.charts.bars import bars_of
 from placecat.results.confusion import shares
 from placecat.thesis.decisions import decisions_of

@@ -18,7 +18,7 @@ import yaml
 from worlds import colour, faces, sphere, write
 
 from placecat.__main__ import main
-from placecat.compose import compose
+from placecat.config.compose import compose
 from placecat.panoramas.command import read_settings
 from placecat.panoramas.plan import plan
 from placecat.panoramas.rays import view_rays

@@ -21,7 +21,7 @@ import os
 import time
 from pathlib import Path
 
-from placecat import parallel
+from placecat.compute import parallel
 from placecat.stages import run
 
 NAME = Path(__file__).stem
@@ -86,7 +86,7 @@ class _Plain(yaml.SafeDumper):
         return True
 
 
-REPRO = ("python", "-c", "import sys; from placecat import repro; sys.exit(repro.run())")
+REPRO = ("python", "-c", "import sys; from placecat.runs import repro; sys.exit(repro.run())")
 
 
 def start(folder: Path, *command: str, log: Path | None = None, **extra: str) -> "subprocess.Popen[bytes]":

@@ -6,9 +6,8 @@ import made_pipeline
 import pytest
 import yaml
 
-from placecat import items
 from placecat.errors import PlacecatError
-from placecat.runs import unchanged
+from placecat.runs import items, unchanged
 from project import run
 
 DEPENDENCIES = ["src/one.py", "src/package", "data/frames", "${dataset.root}"]

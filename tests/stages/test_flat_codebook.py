@@ -3,9 +3,9 @@
 import numpy as np
 from made_features import PARAMS, make
 
-from placecat import fold_file
 from placecat.cues.codebook import Codebook
 from placecat.stages import codebooks, cues
+from placecat.training import fold_file
 
 CLUSTERS = {"hog_y": 5, "hog_y_knn": 8}
 FLAT = PARAMS | {

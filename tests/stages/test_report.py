@@ -11,7 +11,7 @@ import pytest
 import made_report
 from placecat import files, paths, results, settings
 from placecat.errors import PlacecatError
-from placecat.explain.lines import lines_of
+from placecat.provenance.lines import lines_of
 from placecat.stages import report
 from placecat.thesis import in_text, notes
 from placecat.thesis.tables import tables_of

@@ -5,12 +5,14 @@ import pytest
 import yaml
 from made_robot_at_home import HOMES, make
 
-from placecat import fold_file, listing, paths, settings
+from placecat import paths, settings
 from placecat.__main__ import main
-from placecat.check import check
-from placecat.compose import compose
+from placecat.config import tables as checks
+from placecat.config.check import check
+from placecat.config.compose import compose
+from placecat.sequences import listing
 from placecat.stages import cues, features, integration, sequences, smoothing
-from placecat.thesis import checks
+from placecat.training import fold_file
 from project import ROOT, light_conf
 
 WIDTH, HEIGHT = 120, 160

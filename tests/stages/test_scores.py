@@ -6,12 +6,14 @@ import pytest
 import yaml
 from made_features import CLASSES, HOMES, PARAMS, STUDIES, make
 
-from placecat import files, fold_file, listing, paths, settings
+from placecat import files, paths, settings
 from placecat.errors import PlacecatError
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.evaluation.quality import home_quality
 from placecat.results.sources import sources
+from placecat.sequences import listing
 from placecat.stages import scores
+from placecat.training import fold_file
 
 OPTIONS = PARAMS["probabilities"]
 

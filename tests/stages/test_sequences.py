@@ -5,9 +5,10 @@ from clips import steady, write_clip, zero
 from made_robot_at_home import make
 from test_cold import write_sequence
 
-from placecat import files, listing
+from placecat import files
 from placecat.errors import PlacecatError
 from placecat.footage.frames import read_frames
+from placecat.sequences import listing
 from placecat.stages import sequences
 from placecat.training.integration import training_walks
 from placecat.training.plan import Part

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from made_features import HOMES, PARAMS, ran_once
 
-from placecat import fold_file, listing
 from placecat.fusion.smoothing import smooth
-from placecat.training import protocol
+from placecat.sequences import listing
+from placecat.training import fold_file, protocol
 from placecat.training.cue import Cue
 from placecat.training.plan import of_homes, without_homes
 
@@ -36,7 +36,8 @@ def smoothed(rates):
 
 @pytest.mark.slow
 def test_frame_rates_come_from_the_homes(project, monkeypatch):
-    from placecat import listing, paths
+    from placecat import paths
+    from placecat.sequences import listing
 
     monkeypatch.chdir(project)
     place = paths.CUES / "gist/5-5-1/H1.no-seed.npz"

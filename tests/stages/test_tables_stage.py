@@ -5,10 +5,11 @@ import pandas as pd
 import pytest
 
 from made_results import PARAMS, ROOT, made, write_scores
-from placecat import files, fold_file, paths, settings
+from placecat import files, paths, settings
 from placecat.stages import tables
 from placecat.thesis import definitions
 from placecat.thesis.tables import tables_of
+from placecat.training import fold_file
 from project import contents
 
 LOST = ("trials/table_04/First-Order Dependency Tree||991", "home_1")

@@ -4,7 +4,7 @@ import json
 
 from made_features import HOMES, PARAMS
 
-from placecat import parallel
+from placecat.compute import parallel
 from placecat.evaluation.trials import Trial
 from placecat.stages.trials import Outcomes
 

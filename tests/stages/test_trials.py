@@ -5,10 +5,11 @@ import pandas as pd
 import pytest
 from made_features import CLASSES, HOMES, PARAMS, STUDIES, make, ran_once
 
-from placecat import cues, fold_file
+from placecat import cues
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.results.measured import from_scores
 from placecat.stages import splits, trials
+from placecat.training import fold_file
 
 TREE = "trials/table_01/||"
 

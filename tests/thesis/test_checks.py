@@ -6,8 +6,8 @@ import pytest
 import yaml
 
 from placecat import settings
+from placecat.config.tables import check
 from placecat.errors import PlacecatError
-from placecat.thesis.checks import check
 from project import ROOT
 
 PARAMS = settings.load(ROOT / "params.yaml")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from made_features import HOMES, PARAMS, make
 
-from placecat import listing
+from placecat.sequences import listing
 from placecat.training import plan as plans
 from placecat.training.protocol import folds
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from made_features import PARAMS, ran_once
 
-from placecat import fold_file
+from placecat.training import fold_file
 from placecat.training import system as systems
 from placecat.training.plan import of_homes
 

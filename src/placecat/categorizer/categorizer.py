@@ -13,12 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 from threadpoolctl import ThreadpoolController
 
-from placecat import cue_input
 from placecat.categorizer import model_file
 from placecat.categorizer.checks import check_distribution
 from placecat.categorizer.fitting import Fit, fit
 from placecat.categorizer.system import TrainedSystem
 from placecat.categorizer.visits import UNKNOWN, Visit, VisitLog
+from placecat.cues import cue_input
 from placecat.errors import PlacecatError
 from placecat.fusion.delay import Delay
 from placecat.fusion.smoothing import Smoother, check_elapsed

@@ -6,8 +6,9 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Field, StringConstraints
 
-from placecat import cue_input, schema
+from placecat import schema
 from placecat.categorizer.system import TrainedSystem
+from placecat.cues import cue_input
 from placecat.errors import PlacecatError
 from placecat.schema.base import Section
 from placecat.vision.frame import check as check_vision

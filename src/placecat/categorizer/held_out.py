@@ -6,12 +6,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import fold_file, paths, settings
+from placecat import paths, settings
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.evaluation.selection import choose_threshold, decided, select_unseen
-from placecat.listing import read_labels
+from placecat.sequences.listing import read_labels
+from placecat.training import fold_file, protocol
 from placecat.training import plan as plans
-from placecat.training import protocol
 from placecat.training import system as systems
 
 # Maps each home to its (frames, n_classes) distributions after the delay.

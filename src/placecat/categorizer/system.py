@@ -10,7 +10,7 @@ from placecat.fusion.smoothing import SmoothingModel
 
 @dataclass(frozen=True)
 class TrainedCue:
-    """A cue: its name in conf/cue, its descriptor (:func:`placecat.cue_input.check`), and its model."""
+    """A cue: its name in conf/cue, its descriptor (:func:`placecat.cues.cue_input.check`), and its model."""
 
     name: str
     descriptor: dict[str, Any]

@@ -10,7 +10,7 @@ from placecat.categorizer import held_out, model_file
 from placecat.categorizer.card import make_card, unknown_text
 from placecat.categorizer.system import TrainedCue, TrainedSystem
 from placecat.errors import PlacecatError
-from placecat.lockfile import check_data, data_version
+from placecat.runs.lockfile import check_data, data_version
 from placecat.training import plan as plans
 from placecat.training import system as systems
 from placecat.training.integration import fused_parts

@@ -7,11 +7,14 @@ from typing import Any
 
 import pandas as pd
 
-from placecat import conf_file, files, fold_file, parallel, paths, settings
+from placecat import files, paths, settings
 from placecat.choice.candidates import COLUMNS, NUMBERS, changed, choose, combinations, label
 from placecat.choice.judging import Judgement, judge_cue, judge_system, left_out, predict_unseen
 from placecat.choice.smoothing import judge_smoothing
+from placecat.compute import parallel
+from placecat.config import conf_file
 from placecat.errors import PlacecatError
+from placecat.training import fold_file
 from placecat.training import plan as plans
 from placecat.training.cue import Cue
 from placecat.training.integration import smoothing_settings

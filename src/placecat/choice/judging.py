@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import listing
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.evaluation.probabilities import log_loss
 from placecat.fusion.temperature import fit_temperature
+from placecat.sequences import listing
 from placecat.training import plan as plans
 from placecat.training.cue import Cue, train
 from placecat.training.integration import fuse, fused_parts

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import fold_file
 from placecat.choice.judging import Judgement, judge_home
 from placecat.errors import PlacecatError
+from placecat.training import fold_file
 from placecat.training import plan as plans
 from placecat.training.integration import smooth
 from placecat.training.saved import smooth_home

@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 from typing import Any
 
-from placecat import learning, lookup, signatures
+from placecat import learning, lookup
+from placecat.schema import signatures
 
 
 def build(options: Mapping[str, Any], where: str, **fixed: Any) -> Any:

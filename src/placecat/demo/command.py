@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from placecat import files, paths
 from placecat.categorizer import Categorizer, Decision
 from placecat.categorizer.fitting import fit
-from placecat.compose import compose
+from placecat.config.compose import compose
 from placecat.demo import page, training
 from placecat.drawing.style import house_style, save
 from placecat.errors import PlacecatError

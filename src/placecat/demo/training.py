@@ -4,11 +4,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from placecat import parallel, paths
+from placecat import paths
 from placecat.categorizer.system import TrainedSystem
 from placecat.categorizer.train import assemble
+from placecat.compute import parallel
 from placecat.demo.thin import thin
-from placecat.listing import frame_size
+from placecat.sequences.listing import frame_size
 from placecat.stages.features import describe, feature_options, plan
 from placecat.stages.sequences import list_homes
 from placecat.training import plan as plans

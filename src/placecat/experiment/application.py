@@ -9,7 +9,8 @@ from pathlib import Path
 
 import hydra
 
-from placecat import compute, overrides, paths
+from placecat import compute, paths
+from placecat.config import overrides
 from placecat.errors import PlacecatError
 from placecat.experiment import options
 from placecat.experiment.job import job

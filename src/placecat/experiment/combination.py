@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from placecat import cues, files, lookup, schema, settings, store
+from placecat import cues, files, lookup, schema, settings
 from placecat.cues import estimators
 from placecat.errors import NotComputable, PlacecatError
 from placecat.evaluation.quality import probability_quality
@@ -17,7 +17,7 @@ from placecat.learning.hierarchical_kmeans import check_cluster_number
 from placecat.learning.kernel_machine import KernelMachine
 from placecat.learning.scaling import KernelScaling
 from placecat.learning.spatial_pca import SpatialPCA
-from placecat.training import protocol
+from placecat.training import protocol, store
 from placecat.training.plan import Plan
 
 

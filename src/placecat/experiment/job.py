@@ -13,10 +13,10 @@ from hydra.core.hydra_config import HydraConfig
 from hydra.types import RunMode
 from omegaconf import DictConfig, OmegaConf
 
-from placecat import compute, files, parallel, settings
+from placecat import compute, files, settings
+from placecat.compute import lifeline, parallel
 from placecat.errors import PlacecatError
 from placecat.experiment import output
-from placecat.runs import lifeline
 
 # Environment variable that tells workers the id of the sweep's process.
 WORKERS_OF = "PLACECAT_SWEEP"
@@ -69,8 +69,8 @@ def job(config: DictConfig) -> float:
     elif output.FAILED in result:
         sys.exit(f"placecat: {result[output.FAILED]}")
     else:
-        from placecat.experiment import sweep
+        from placecat.experiment import announce
 
-        if not sweep.tell_one(folder, result, log=bool(config.track)):
+        if not announce.tell_one(folder, result, log=bool(config.track)):
             sys.exit(1)
     return math.nan if result["accuracy"] is None else result["accuracy"]

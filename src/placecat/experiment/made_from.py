@@ -4,11 +4,13 @@ import hashlib
 from pathlib import Path
 from typing import Any
 
-from placecat import items, paths, store
+from placecat import paths
 from placecat.compute.fingerprint import PACKAGES, fingerprint
 from placecat.errors import PlacecatError
 from placecat.experiment import output
 from placecat.experiment.combination import Experiment
+from placecat.runs import items
+from placecat.training import store
 
 _OF_CODE = ("placecat", "Python", *PACKAGES, "OpenCV")
 

@@ -6,7 +6,8 @@ from typing import Any
 import yaml
 from hydra.core.config_store import ConfigStore
 
-from placecat import inferred, paths
+from placecat import paths
+from placecat.config import inferred
 
 CONFIG = "experiment"
 MAIN = "main"
@@ -15,7 +16,7 @@ TEST_HOME = "test_home"
 
 
 def descriptors(conf: Path = paths.CONF) -> dict[str, dict[str, Any]]:
-    """Map each descriptor's name in experiments to its settings in a cue (see :mod:`placecat.store`).
+    """Map each descriptor's name in experiments to its settings in a cue (:mod:`placecat.training.store`).
 
     Descriptors come from conf/descriptor, from cues whose descriptor has no file there, and from
     conf/optional. If both kinds use a name, ``NAME`` describes salient regions and ``holistic_NAME`` whole

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from placecat import parallel, paths, settings
-from placecat.compute import cluster
+from placecat import paths, settings
+from placecat.compute import cluster, parallel
 from placecat.evaluation.accuracy import confusion_matrix, home_accuracy
 from placecat.evaluation.quality import probability_quality
 from placecat.experiment.combination import Experiment

@@ -1,8 +1,7 @@
-"""A sweep: check all experiments before any of them runs, then report and log the results."""
+"""A sweep: list its experiments, and check all of them before any runs."""
 
 import itertools
-import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -14,9 +13,9 @@ from hydra.errors import HydraException
 from omegaconf import DictConfig, OmegaConf
 from omegaconf.errors import OmegaConfBaseException
 
-from placecat import files, settings
+from placecat import settings
 from placecat.errors import PlacecatError
-from placecat.experiment import jobs, output, summary
+from placecat.experiment import announce, jobs, output, summary
 from placecat.experiment.combination import Experiment, resolve
 
 _REFUSALS = (PlacecatError, HydraException, OmegaConfBaseException)
@@ -105,41 +104,5 @@ def begun(config: DictConfig, combinations: Sequence[dict[str, str]]) -> Iterato
             yield folder
         except Exception:
             # Do not log yet, since the same command will continue the sweep.
-            tell(folder, combinations, log=None)
+            announce.tell(folder, combinations, log=None)
             raise
-
-
-def tell(folder: Path, combinations: Sequence[dict[str, str]], *, log: Sequence[str] | None) -> bool:
-    """Print, write and log a sweep's results; return whether all experiments and the logging succeeded.
-
-    `combinations` has the swept keys and values of each started experiment. `log` has the sweep's overrides,
-    for MLflow; None turns logging off.
-    """
-    ran = summary.read(folder, combinations)
-    if not ran:
-        return True
-    files.write_csv(folder / output.SUMMARY, summary.as_frame(ran))
-    print(f"\n{summary.text(ran)}\n\nDetails: {folder / output.SUMMARY}")
-    is_logged = log is None or _log(lambda tracking: tracking.log_sweep(ran, folder, log))
-    return is_logged and not any(one.has_failed for one in ran)
-
-
-def tell_one(folder: Path, result: dict[str, object], *, log: bool) -> bool:
-    """Print and log a single experiment's result; return whether the logging succeeded."""
-    print(f"\n{summary.text_of_one(result)}\n\nDetails: {folder / output.RESULT}")
-    return not log or _log(lambda tracking: tracking.log_one(result, folder))
-
-
-def _log(write: Callable[[Any], str]) -> bool:
-    """Log to MLflow; print where, or why it failed. The results are already on disk."""
-    # Imported here, since it imports MLflow.
-    from placecat.experiment import tracking
-
-    try:
-        print(f"Logged: {write(tracking)}")
-    except PlacecatError as error:
-        print(
-            f"placecat: nothing was logged to MLflow: {error}; track=false turns logging off", file=sys.stderr
-        )
-        return False
-    return True

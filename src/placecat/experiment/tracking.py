@@ -15,13 +15,13 @@ from placecat.errors import PlacecatError
 from placecat.experiment import output, summary
 from placecat.experiment.made_from import made_from_of
 from placecat.experiment.summary import Ran
-from placecat.lockfile import data_version, git_commit
 from placecat.mlflow_log import store
 from placecat.mlflow_log.params import params_of_cue
 from placecat.mlflow_log.tables import ARTIFACTS, DESCRIPTION, delete, search
 from placecat.paths import NO_SEED
 from placecat.report.charts.matrices import draw_matrices
 from placecat.results.measured import Measured
+from placecat.runs.lockfile import data_version, git_commit
 from placecat.search import report
 
 _KIND = "placecat.kind"

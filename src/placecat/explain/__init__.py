@@ -1,1 +1,1 @@
-"""Explain where each number comes from: its definition, settings, frames, seeds and stages."""
+"""``placecat explain``: find a number, print where it comes from, and compute it again."""

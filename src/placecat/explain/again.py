@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from placecat import cues, files, paths, settings
 from placecat.errors import PlacecatError
-from placecat.explain import numbering
-from placecat.explain.made import trials_of
-from placecat.explain.origins import from_json, measurement
+from placecat.provenance import numbering
+from placecat.provenance.made import trials_of
+from placecat.provenance.origins import from_json, measurement
 from placecat.results.collect import read_results
 from placecat.results.measured import Measured, Quality, Results
 from placecat.results.quality import QUALITY_COLUMNS, from_rows, quality_rows

@@ -10,8 +10,8 @@ from typing import Any
 from placecat import paths, settings
 from placecat.errors import PlacecatError
 from placecat.explain.find import find
-from placecat.explain.lines import STAGES, Line, lines_of, stage_texts
-from placecat.lockfile import LOCK, git_commit
+from placecat.provenance.lines import STAGES, Line, lines_of, stage_texts
+from placecat.runs.lockfile import LOCK, git_commit
 
 _CODE = ("src", "conf", "data/thesis", "dvc.yaml", "params.yaml")
 _INDENT = 24

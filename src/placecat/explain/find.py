@@ -7,7 +7,7 @@ from typing import Any
 
 from placecat import paths
 from placecat.errors import PlacecatError
-from placecat.explain.lines import lines_of
+from placecat.provenance.lines import lines_of
 
 # If more cells match, they are listed instead.
 MOST = 4
@@ -20,8 +20,8 @@ def find(words: Sequence[str], content: Mapping[str, Any]) -> list[str]:
 
     The words are either a cell's number, e.g. ``table_26.9.3``, or a table's name followed by labels of
     groups, rows or columns in any order, e.g. ``table_26 HMM home_3``. A word may be part of a label if it
-    equals no label. `content` comes from :func:`placecat.explain.text.explanations`. Raises PlacecatError if
-    no cell or more than `MOST` cells match; the message suggests what to use instead.
+    equals no label. `content` comes from :func:`placecat.provenance.text.explanations`. Raises PlacecatError
+    if no cell or more than `MOST` cells match; the message suggests what to use instead.
     """
     name, *labels = words
     cells = content["cells"]

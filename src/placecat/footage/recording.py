@@ -235,7 +235,8 @@ class Recording:
                 "which is impossible; convert it with square pixels."
             )
         stream.codec_context.options = {"max_pixels": str(MOST_PIXELS)}
-        # Processes of `placecat.parallel` have one thread; FFmpeg's threads would cost a fifth more CPU time.
+        # Processes of `placecat.compute.parallel` have one thread; FFmpeg's threads would cost a fifth more
+        # CPU time.
         if self._is_careful or cv2.getNumThreads() == 1:
             stream.codec_context.thread_count = 1
             stream.thread_type = "NONE"

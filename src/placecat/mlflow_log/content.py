@@ -11,10 +11,10 @@ import pandas as pd
 from placecat import files
 from placecat.drawing.style import house_style, save
 from placecat.evaluation.trials import AXES, HOMES, trial_name
-from placecat.explain.made import Made
 from placecat.mlflow_log.params import params_of_results
 from placecat.mlflow_log.store import key
 from placecat.mlflow_log.tables import RUN_ID, RowRun, TableRun
+from placecat.provenance.made import Made
 from placecat.report.charts.accuracy import accuracy_chart
 from placecat.report.charts.matrices import draw_matrices, draw_sheet
 from placecat.report.formats import table_markdown

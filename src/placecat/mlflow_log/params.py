@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from placecat.explain.made import Made
 from placecat.mlflow_log.store import key
+from placecat.provenance.made import Made
 from placecat.settings import flatten
 
 # Maps the prefix of a result's name to the kind of part that decides.

@@ -5,7 +5,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from placecat import conf_file, files, overrides, parallel, paths, schema
+from placecat import files, paths, schema
+from placecat.compute import parallel
+from placecat.config import conf_file, overrides
 from placecat.errors import PlacecatError, one_line
 from placecat.panoramas import card, sources
 from placecat.panoramas.labels import counts, label_file, looks_table

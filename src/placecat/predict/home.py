@@ -97,8 +97,8 @@ class DataSetHome(Source):
 
 def data_set(overrides: Sequence[str]) -> Mapping[str, Any]:
     """Return the data set settings from params.yaml or, with overrides, from conf/."""
-    from placecat.check import check
-    from placecat.compose import compose
+    from placecat.config.check import check
+    from placecat.config.compose import compose
 
     params = yaml.safe_load(compose(overrides)) if overrides else settings.load()
     dataset: Mapping[str, Any] = settings.get(params, "dataset")

@@ -7,7 +7,8 @@ from pathlib import Path
 import pandas as pd
 import yaml
 
-from placecat import compose, files, paths, settings
+from placecat import files, paths, settings
+from placecat.config import compose
 from placecat.errors import PlacecatError
 from placecat.evaluation.verdict import FAILS, HOLDS, UNDECIDED
 from placecat.replication import group_results, groups, needed, options, pooling

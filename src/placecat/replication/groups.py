@@ -11,12 +11,12 @@ from pathlib import Path
 from typing import Any
 
 import yaml
-from filelock import FileLock, Timeout
 
-from placecat import files, items, paths, settings
+from placecat import files, paths, settings
+from placecat.compute import lifeline
 from placecat.errors import PlacecatError
 from placecat.replication import group_results
-from placecat.runs import lifeline, linked_folder, unchanged
+from placecat.runs import items, linked_folder, lock, unchanged
 
 STAGES = (
     "sequences",
@@ -111,13 +111,7 @@ def run(group: Group) -> bool:
     fails, `make repro` has not run, or another process runs this group.
     """
     folder = group.folder
-    folder.mkdir(parents=True, exist_ok=True)
-    lock = FileLock(folder / ".lock")
-    try:
-        lock.acquire(timeout=1)
-    except Timeout:
-        raise PlacecatError(f"another process runs in {folder}: wait until it ends, or stop it") from None
-    with lock:
+    with lock.of_folder(folder, "runs in"):
         linked_folder.link(folder, LINKED)
         text = yaml.safe_dump(dict(group.params), sort_keys=False, allow_unicode=True)
         if not (folder / paths.PARAMS).exists() or (folder / paths.PARAMS).read_text("utf-8") != text:

@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from placecat import conf_file, paths, settings
+from placecat import paths, settings
+from placecat.config import conf_file
 from placecat.errors import SettingError
 
 SETTINGS = paths.CONF / "replication.yaml"

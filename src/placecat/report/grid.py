@@ -7,7 +7,7 @@ from typing import Any
 
 import pandas as pd
 
-from placecat.explain.numbering import layout
+from placecat.provenance.numbering import layout
 from placecat.thesis.notes import Kind, Notes
 from placecat.thesis.number import home_label
 from placecat.thesis.tables import comparable, in_percent

@@ -8,7 +8,7 @@ from typing import Any
 import pandas as pd
 from markupsafe import Markup, escape
 
-from placecat.explain.cells import Table
+from placecat.provenance.cells import Table
 from placecat.report.embed import embed
 from placecat.report.grid import Cell, make_cell, number_text, seeds_sentence, shown_table
 from placecat.report.sections import arrange
@@ -83,8 +83,8 @@ class Report:
         Stored records from :func:`placecat.report.benchmarks.shown_speed` and
         :func:`placecat.report.scale.shown_scale`, or None; each also has ``chart``, a PNG or None.
     explanations
-        From :func:`placecat.explain.text.explanations`, with ``stages``
-        (:func:`placecat.explain.lines.stage_texts`); None if the page does not explain cells.
+        From :func:`placecat.provenance.text.explanations`, with ``stages``
+        (:func:`placecat.provenance.lines.stage_texts`); None if the page does not explain cells.
     """
 
     dataset: Mapping[str, Any]

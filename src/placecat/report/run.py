@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import files, listing, paths, settings, store
+from placecat import files, paths, settings
 from placecat.cues.codebook import Codebook
 from placecat.cues.descriptors import Descriptors
 from placecat.errors import PlacecatError, SettingError
@@ -16,7 +16,8 @@ from placecat.footage.frames import read_frames
 from placecat.results.collect import read_results
 from placecat.results.measured import Results
 from placecat.results.sources import Source, sources
-from placecat.training import protocol
+from placecat.sequences import listing
+from placecat.training import protocol, store
 from placecat.vision.attention import compute_maps
 from placecat.vision.discovery import settings_of
 from placecat.vision.maps import FrameMaps

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import fold_file, paths, settings
-from placecat.training import protocol
+from placecat import paths, settings
+from placecat.training import fold_file, protocol
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class Source:
         return fold_file.read(self.file(home, seed), self.name)
 
     def listed(self, home: str) -> str:
-        """Return the test home's name in `placecat.listing`."""
+        """Return the test home's name in `placecat.sequences.listing`."""
         return f"{self.site}/{home}" if self.site else home
 
 

@@ -17,8 +17,9 @@ from typing import Any, TextIO
 
 import psutil
 
-from placecat import files, repro, times
-from placecat.runs import lifeline
+from placecat import files
+from placecat.compute import lifeline
+from placecat.runs import repro, times
 
 _RUNNING = re.compile(r"Running stage '([^']+)':")
 _PASSED = re.compile(r"Stage '([^']+)' didn't change, skipping")

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from placecat.errors import PlacecatError
-from placecat.lockfile import DEFINITION, defined_stages
+from placecat.runs.lockfile import DEFINITION, defined_stages
 
 
 def link(folder: Path, paths: Iterable[Path]) -> None:

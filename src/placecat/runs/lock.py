@@ -1,4 +1,4 @@
-"""A lock that allows one run at a time in a project folder."""
+"""Locks that allow one run at a time in a folder."""
 
 import json
 import sys
@@ -66,6 +66,26 @@ def waiting(path: Path, said: str) -> Iterator[None]:
     except Timeout:
         print(said, file=sys.stderr, flush=True)
         lock.acquire()
+    try:
+        yield
+    finally:
+        lock.release()
+
+
+@contextmanager
+def of_folder(folder: Path, work: str) -> Iterator[None]:
+    """Lock a folder, made if missing, during a block.
+
+    Raises PlacecatError, which says what another process does there (`work`), if it holds the lock.
+    """
+    from filelock import FileLock, Timeout
+
+    folder.mkdir(parents=True, exist_ok=True)
+    lock = FileLock(folder / ".lock")
+    try:
+        lock.acquire(timeout=2)
+    except Timeout:
+        raise PlacecatError(f"another process {work} {folder}: wait until it ends, or stop it") from None
     try:
         yield
     finally:

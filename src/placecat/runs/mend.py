@@ -11,8 +11,8 @@ import psutil
 import yaml
 
 from placecat import files, settings
-from placecat.lockfile import LOCK, defined_stages
 from placecat.runs import lock
+from placecat.runs.lockfile import LOCK, defined_stages
 
 # A complete copy of the records so far, because DVC overwrites dvc.lock in place after each stage.
 COPY = lock.TEMPORARY / "dvc.lock.whole"

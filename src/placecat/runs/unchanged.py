@@ -8,8 +8,9 @@ import hashlib
 from collections.abc import Iterator
 from pathlib import Path
 
-from placecat import lockfile, paths, settings
+from placecat import paths, settings
 from placecat.errors import PlacecatError
+from placecat.runs import lockfile
 
 _at_start: tuple[str, dict[str, str]] | None = None
 

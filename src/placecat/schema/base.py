@@ -12,7 +12,7 @@ from placecat.schema.names import Distinct, Key
 Own = dict[str, Any]
 Seeds = Annotated[Distinct[Seed], MinLen(1)]
 Schemes = Annotated[Distinct[Literal["5-5-1", "4-5-1"]], MinLen(1)]
-# Names of cues, descriptors and so on; :mod:`placecat.references` checks that they exist.
+# Names of cues, descriptors and so on; :mod:`placecat.schema.references` checks that they exist.
 Keys = Distinct[Key]
 
 

@@ -1,7 +1,7 @@
 """The schema of each section of params.yaml: names, types and ranges.
 
 The settings of classifiers, estimators, descriptors and figures are the parameters of their functions, which
-:mod:`placecat.signatures` checks.
+:mod:`placecat.schema.signatures` checks.
 """
 
 from collections.abc import Mapping

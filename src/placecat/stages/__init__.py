@@ -11,9 +11,10 @@ from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
 
-from placecat import compute, shadowed
+from placecat import compute
+from placecat.compute import lifeline
 from placecat.errors import PlacecatError, exiting
-from placecat.runs import lifeline, lock, mend, unchanged
+from placecat.runs import lock, mend, shadowed, unchanged
 
 # A stage imports this package first, so the measured time includes the stage's imports.
 _STARTED = time.perf_counter()
@@ -56,7 +57,7 @@ if f"{__name__}.{os.environ.get('DVC_STAGE')}" in sys.orig_argv:
 def _check_settings() -> None:
     """Refuse invalid settings again, since `dvc exp run` and editors also write params.yaml."""
     from placecat import paths, settings
-    from placecat.check import check
+    from placecat.config.check import check
 
     if paths.PARAMS.exists():
         check(settings.load())
@@ -68,7 +69,7 @@ def run(stage: Callable[[], None]) -> None:
     The settings choose whether its loops run on this machine or a cluster (:mod:`placecat.compute`). After a
     user's mistake, or if its dependencies change while it runs (:mod:`placecat.runs.unchanged`), it exits
     with a message and status 1, without a traceback. On success, it writes its running time to data/times
-    (:mod:`placecat.times`).
+    (:mod:`placecat.runs.times`).
     """
     argparse.ArgumentParser(description=(stage.__doc__ or "").splitlines()[0]).parse_args()
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(message)s")
@@ -83,6 +84,6 @@ def run(stage: Callable[[], None]) -> None:
             stage()
         unchanged.check()
         # Import this late, since it imports NumPy.
-        from placecat import times
+        from placecat.runs import times
 
         times.record(name, time.perf_counter() - _STARTED)

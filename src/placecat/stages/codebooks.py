@@ -4,10 +4,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from placecat import files, items, paths, settings, store
+from placecat import files, paths, settings
 from placecat.cues.codebook import settings_of
+from placecat.runs import items
 from placecat.stages import run
 from placecat.training import plan as plans
+from placecat.training import store
 from placecat.training.cue import Cue, cluster, read_frames
 
 

@@ -4,9 +4,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from placecat import cues, files, fold_file, items, paths, settings, store
+from placecat import cues, files, paths, settings
 from placecat.fusion.temperature import temper
+from placecat.runs import items
 from placecat.stages import run
+from placecat.training import fold_file, store
 from placecat.training import plan as plans
 from placecat.training.cue import Cue, fit, read_frames
 

@@ -7,8 +7,11 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat import files, items, listing, parallel, paths, settings
+from placecat import files, paths, settings
+from placecat.compute import parallel
 from placecat.footage.frames import read_frames
+from placecat.runs import items
+from placecat.sequences import listing
 from placecat.stages import run
 from placecat.vision.frame import check, describe_frame
 from placecat.vision.memory import keep_freed_memory

@@ -8,11 +8,13 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from placecat import files, fold_file, listing, parallel, paths, settings
+from placecat import files, paths, settings
+from placecat.compute import parallel
 from placecat.fusion.information_filter import dropped, hold, threshold_of
 from placecat.results.measured import DROPPED_COLUMNS
+from placecat.sequences import listing
 from placecat.stages import run
-from placecat.training import protocol
+from placecat.training import fold_file, protocol
 
 # Arrays that smoothing needs besides the test home's distributions; they are not filtered.
 STATISTICS = ("cross_validated", "cross_validated_truth")

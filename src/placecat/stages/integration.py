@@ -6,8 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from placecat import fold_file, items, parallel, paths, settings
+from placecat import paths, settings
+from placecat.compute import parallel
+from placecat.runs import items
 from placecat.stages import run
+from placecat.training import fold_file
 from placecat.training import plan as plans
 from placecat.training.integration import fuse, fused_parts
 from placecat.training.saved import CueResults

@@ -3,13 +3,12 @@
 from pathlib import Path
 from typing import Any
 
-from placecat import files, listing, paths, settings
+from placecat import files, paths, settings
 from placecat.drawing.style import png_of
 from placecat.errors import PlacecatError
-from placecat.explain import lines, tidy
-from placecat.explain.cells import Explaining, Table
-from placecat.explain.text import explanations
-from placecat.lockfile import LOCK, data_version
+from placecat.provenance import lines, tidy
+from placecat.provenance.cells import Explaining, Table
+from placecat.provenance.text import explanations
 from placecat.report.benchmarks import TEXT as BENCHMARK_TEXT
 from placecat.report.benchmarks import shown_speed
 from placecat.report.charts.growth import growth_chart
@@ -17,6 +16,8 @@ from placecat.report.charts.speed import speed_chart
 from placecat.report.page import Figure, Report, page_html
 from placecat.report.scale import TEXT as SCALE_TEXT
 from placecat.report.scale import shown_scale
+from placecat.runs.lockfile import LOCK, data_version
+from placecat.sequences import listing
 from placecat.stages import run
 from placecat.thesis import in_text, notes
 from placecat.thesis.tables import dataset_of, folder_of, tables_of

@@ -6,13 +6,14 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat import files, listing, paths, settings
+from placecat import files, paths, settings
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.evaluation.quality import home_quality
 from placecat.evaluation.stays import find_stays
 from placecat.results.measured import MISSING_COLUMNS, SCORE_COLUMNS, Measured, Quality, score_rows
 from placecat.results.quality import QUALITY_COLUMNS, gather, quality_rows
 from placecat.results.sources import Source, sources
+from placecat.sequences import listing
 from placecat.stages import run
 from placecat.thesis import definitions
 from placecat.training import protocol

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat import files, parallel, paths, settings
+from placecat import files, paths, settings
+from placecat.compute import parallel
 from placecat.errors import PlacecatError
 from placecat.sequences import Home, open_home_of, place_labels, require_classes
 from placecat.stages import run

@@ -2,7 +2,8 @@
 
 from pathlib import Path
 
-from placecat import items, paths, settings
+from placecat import paths, settings
+from placecat.runs import items
 from placecat.stages import run
 from placecat.stages.features import describe, feature_options, inputs, plan
 

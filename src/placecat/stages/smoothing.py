@@ -1,7 +1,9 @@
 """Stage `smoothing`: apply the delayed hidden Markov model to integrated decisions and to single cues."""
 
-from placecat import files, fold_file, parallel, paths, settings
+from placecat import files, paths, settings
+from placecat.compute import parallel
 from placecat.stages import run
+from placecat.training import fold_file
 from placecat.training import plan as plans
 from placecat.training.integration import smoothing_settings
 from placecat.training.saved import smooth_home

@@ -7,8 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import fold_file, items, parallel, paths, settings, store
+from placecat import paths, settings
+from placecat.compute import parallel
+from placecat.runs import items
 from placecat.stages import run
+from placecat.training import fold_file, store
 from placecat.training import plan as plans
 from placecat.training.cue import Cue, train
 from placecat.training.integration import fuse, smooth, smoothing_settings

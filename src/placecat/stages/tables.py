@@ -3,7 +3,7 @@
 import pandas as pd
 
 from placecat import files, paths, settings
-from placecat.explain.origins import to_json
+from placecat.provenance.origins import to_json
 from placecat.report.formats import table_latex, table_markdown
 from placecat.results.collect import read_results
 from placecat.results.quality import quality_table

@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import pandas as pd
 
-from placecat import files, parallel, paths, seeds, settings
+from placecat import files, paths, seeds, settings
+from placecat.compute import parallel
 from placecat.cues import estimators
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.learning.toy_circles import NAMES, toy_circles

@@ -9,13 +9,15 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat import files, items, parallel, paths, settings, store
+from placecat import files, paths, settings
+from placecat.compute import parallel
 from placecat.evaluation.trials import Trial, expand
 from placecat.results.measured import MISSING_COLUMNS, SCORE_COLUMNS, Measured, score_rows
+from placecat.runs import items
 from placecat.stages import run
 from placecat.thesis import definitions
 from placecat.training import plan as plans
-from placecat.training import protocol
+from placecat.training import protocol, store
 from placecat.training.trial import Outcome, judge, of_settings
 
 logger = logging.getLogger(__name__)

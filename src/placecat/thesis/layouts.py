@@ -174,7 +174,7 @@ def _quality(results: Results, name: str, measure: str) -> Number:
     return Number(values, one.is_random, origins=origins).noted(only_some(there, results.numbers))
 
 
-# This must be a literal, because placecat.thesis.checks reads the names from the source.
+# This must be a literal, because placecat.config.tables reads the names from the source.
 LAYOUTS = {
     "by_class": by_class,
     "by_home": by_home,

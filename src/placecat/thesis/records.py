@@ -7,13 +7,14 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from placecat import files, fold_file, listing, paths, settings
+from placecat import files, paths, settings
 from placecat.errors import PlacecatError
 from placecat.evaluation.trials import expand
+from placecat.sequences import listing
 from placecat.thesis import definitions
 from placecat.thesis.comparison import Line
 from placecat.thesis.number import Number, Origin, nothing
-from placecat.training import protocol
+from placecat.training import fold_file, protocol
 
 # Prefix of a record's name in an origin.
 RECORD = "record/"

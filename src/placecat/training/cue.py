@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import cues, settings, store
+from placecat import cues, settings
 from placecat.cues.codebook import Codebook, seed_of, settings_of
 from placecat.cues.descriptors import Descriptors
 from placecat.fusion.temperature import fit_temperature
+from placecat.training import store
 from placecat.training.plan import Part, Plan
 
 
@@ -24,7 +25,7 @@ class Cue:
     Attributes
     ----------
     descriptor
-        As in :func:`placecat.cue_input.check`.
+        As in :func:`placecat.cues.cue_input.check`.
     classifier
         As in :func:`placecat.cues.fit`.
     codebook
@@ -110,7 +111,7 @@ class TrainedCue:
 def read_frames(parts: Sequence[Part], descriptor: Mapping[str, Any]) -> TrainingFrames:
     """Read the parts' chosen frames, in order.
 
-    Raises PlacecatError if the descriptor was not computed, see :func:`placecat.store.read_descriptors`.
+    Raises PlacecatError as :func:`placecat.training.store.read_descriptors` does.
     """
     chosen = {part.home: part.chosen() for part in parts}
     rows = {home: frames for home, (frames, _) in chosen.items()}

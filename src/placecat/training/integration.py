@@ -6,8 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import listing, settings
+from placecat import settings
 from placecat.fusion import integrate, smoothing
+from placecat.sequences import listing
 from placecat.training.plan import Part, Plan
 
 Probabilities = Mapping[str, NDArray[np.float64]]

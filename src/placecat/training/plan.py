@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import listing, settings
+from placecat import settings
+from placecat.sequences import listing
 from placecat.training import protocol
 
 

@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import fold_file, paths
+from placecat import paths
 from placecat.errors import PlacecatError
 from placecat.fusion import integrate
+from placecat.training import fold_file
 from placecat.training.integration import smooth
 from placecat.training.plan import Part, Plan
 

@@ -9,8 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import listing, parallel, settings
+from placecat import settings
+from placecat.compute import parallel
 from placecat.fusion import integrate, smoothing
+from placecat.sequences import listing
 from placecat.training import cue as of_cue
 from placecat.training.cue import Cue, TrainedCue
 from placecat.training.integration import (

@@ -6,11 +6,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from placecat import store
 from placecat.cues import Codebook, Descriptors
 from placecat.errors import NotComputable
 from placecat.evaluation.accuracy import confusion_matrix
 from placecat.learning.memory import remembering
+from placecat.training import store
 from placecat.training.cue import Cue, TrainingFrames, cluster, fit, read_frames
 from placecat.training.plan import Plan
 

@@ -7,7 +7,8 @@ from typing import Any
 
 import pandas as pd
 
-from placecat import conf_file, files, paths
+from placecat import files, paths
+from placecat.config import conf_file
 from placecat.errors import PlacecatError
 from placecat.runs import linked_folder
 from placecat_bench.scale import full_run, measurements, project, summary
@@ -18,7 +19,7 @@ _NAMES = ["sizes", "test_homes", "stages", "regions", "jitter", "most_gib", "hom
 
 
 def read_settings(path: Path = SETTINGS) -> dict[str, Any]:
-    """Read conf/scale.yaml; raises the errors of :func:`placecat.conf_file.read`."""
+    """Read conf/scale.yaml; raises the errors of :func:`placecat.config.conf_file.read`."""
     return conf_file.read(path, _NAMES)
 
 

@@ -5,9 +5,10 @@ from typing import Any
 
 import pandas as pd
 
-from placecat import files, listing, paths, settings
+from placecat import files, paths, settings
 from placecat.errors import PlacecatError
 from placecat.evaluation.trials import expand
+from placecat.sequences import listing
 from placecat.thesis import definitions
 from placecat.training import protocol
 

@@ -9,9 +9,12 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from placecat import compose, files, listing, parallel, paths, settings
+from placecat import files, paths, settings
+from placecat.compute import parallel
+from placecat.config import compose
 from placecat.errors import PlacecatError
 from placecat.runs import linked_folder
+from placecat.sequences import listing
 from placecat_bench.scale import drawing
 from placecat_bench.scale.database import Home, Stretch, classes_of
 

@@ -6,7 +6,7 @@ from typing import Any
 import pandas as pd
 import psutil
 
-from placecat import parallel
+from placecat.compute import parallel
 from placecat_bench.scale.watching import GIB
 
 

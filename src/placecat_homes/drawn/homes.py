@@ -12,7 +12,7 @@ from placecat import settings
 from placecat.errors import PlacecatError, SettingError
 from placecat.seeds import derive
 from placecat_homes.building import Building, build
-from placecat_homes.drawn import plans
+from placecat_homes.drawn import arrangements, plans
 from placecat_homes.drawn.faults import faults, of_rooms
 from placecat_homes.drawn.ranges import KINDS, LightRanges, PlanRanges, chosen
 from placecat_homes.walking.carriage import Carriage
@@ -89,7 +89,7 @@ class Source:
         where = f"{path} video"
         changed = {**content["video"], **video}
         return cls(
-            PlanRanges.of(content["plan"], f"{path} plan"),
+            PlanRanges.of(content["plan"], f"{path} plan", arrangements.ALL),
             LightRanges.of(content["light"], f"{path} light"),
             str(content["walk"]),
             str(content["carriage"]),

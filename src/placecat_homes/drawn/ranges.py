@@ -1,6 +1,6 @@
 """Ranges from which floor plans and their light are drawn, checked."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -53,10 +53,11 @@ class PlanRanges:
     opening: Range
 
     @classmethod
-    def of(cls, values: Mapping[str, Any], where: str) -> "PlanRanges":
-        """Make the ranges from settings; a missing, unknown or impossible one raises SettingError."""
-        from placecat_homes.drawn import arrangements
+    def of(cls, values: Mapping[str, Any], where: str, arrangements: Collection[str]) -> "PlanRanges":
+        """Make the ranges from settings; a missing, unknown or impossible one raises SettingError.
 
+        `where` names the settings in messages; `arrangements` are the valid names.
+        """
         pairs: dict[str, Any] = {
             name: _range(values, name, where, least, most)
             for name, least, most in (
@@ -74,7 +75,7 @@ class PlanRanges:
             settings.refuse_unknown(of_kind, list(KINDS), f"{where} {name}")
             pairs[name] = {kind: _range(of_kind, kind, f"{where} {name}", least, most) for kind in KINDS}
         for name, valid in (
-            ("arrangements", tuple(arrangements.ALL)),
+            ("arrangements", tuple(arrangements)),
             ("bedrooms", (1, 2, 3)),
             ("bathrooms", (1, 2)),
         ):

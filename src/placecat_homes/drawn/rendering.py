@@ -12,9 +12,10 @@ import cv2
 import yaml
 
 from placecat import files, settings
+from placecat.compute.parallel import in_parallel
 from placecat.errors import PlacecatError
 from placecat.footage.frames import read_frames
-from placecat.parallel import in_parallel
+from placecat.runs import lock
 from placecat.sequences import open_home
 from placecat_homes import contact_sheet, render
 from placecat_homes.drawn import homes
@@ -158,20 +159,10 @@ def _draw_contact_sheet(folder: Path, count: int) -> None:
 @contextmanager
 def _alone(folder: Path) -> Iterator[None]:
     """Keep other runs out of a folder during a block, and remove the leftovers of a killed run."""
-    from filelock import FileLock, Timeout
-
-    folder.mkdir(parents=True, exist_ok=True)
-    lock = FileLock(folder / ".lock")
-    try:
-        lock.acquire(timeout=2)
-    except Timeout:
-        raise PlacecatError(f"another run renders into {folder}: wait until it ends, or stop it") from None
-    try:
+    with lock.of_folder(folder, "renders into"):
         for left in (*folder.glob(f"{render.TEMPORARY}*"), *folder.glob("**/.*.partial.*")):
             shutil.rmtree(left) if left.is_dir() else left.unlink()
         yield
-    finally:
-        lock.release()
 
 
 def _claim(folder: Path, seed: int, source: Source) -> None:

@@ -13,7 +13,7 @@ import pytest
 import yaml
 from made_features import HOMES, PARAMS, make
 
-from placecat import compose
+from placecat.config import compose
 from placecat.errors import PlacecatError
 from placecat_bench.scale import command, full_run, measurements
 from placecat_bench.scale.watching import Watched

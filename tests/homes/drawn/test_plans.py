@@ -14,13 +14,13 @@ from placecat_homes.drawn.ranges import KINDS, LightRanges, PlanRanges
 from placecat_homes.plan_parts import apart
 
 CONTENT = read_yaml(SETTINGS / "drawn.yaml")
-RANGES = PlanRanges.of(CONTENT["plan"], "plan")
+RANGES = PlanRanges.of(CONTENT["plan"], "plan", arrangements.ALL)
 HOMES = st.builds(name_of, st.integers(1, 1000), st.integers(0, 2**32 - 1))
 NUMBERS = st.integers(1, 40)
 
 
 def only(arrangement):
-    return PlanRanges.of(CONTENT["plan"] | {"arrangements": {arrangement: 1}}, "plan")
+    return PlanRanges.of(CONTENT["plan"] | {"arrangements": {arrangement: 1}}, "plan", arrangements.ALL)
 
 
 @pytest.mark.parametrize("arrangement", arrangements.ALL)
@@ -79,7 +79,7 @@ def test_name_and_number_alone_decide_the_plan(name, number):
 def test_the_odds_of_arrangements_are_those_of_the_settings():
     """Odds of 0 leave an arrangement out; the others are drawn alike, though they do not succeed alike."""
     ranges = PlanRanges.of(
-        CONTENT["plan"] | {"arrangements": {"two_rows": 1, "around_living_room": 1}}, "plan"
+        CONTENT["plan"] | {"arrangements": {"two_rows": 1, "around_living_room": 1}}, "plan", arrangements.ALL
     )
     drawn = [plans.draw(name_of(k, 5), 1, ranges) for k in range(1, 121)]
     # Only the arrangement around the living room has a living room with a door to a bathroom or kitchen.
@@ -105,7 +105,7 @@ def test_the_odds_of_arrangements_are_those_of_the_settings():
 )
 def test_impossible_ranges_are_refused(changes, message):
     with pytest.raises(SettingError, match=message):
-        PlanRanges.of(CONTENT["plan"] | changes, "plan")
+        PlanRanges.of(CONTENT["plan"] | changes, "plan", arrangements.ALL)
 
 
 def test_impossible_light_is_refused():
@@ -133,7 +133,9 @@ def test_an_impossible_video_is_refused(changes, message):
 
 def test_sizes_that_leave_no_room_are_named():
     narrow = PlanRanges.of(
-        CONTENT["plan"] | {"areas": CONTENT["plan"]["areas"] | {"kitchen": [50, 60]}}, "plan"
+        CONTENT["plan"] | {"areas": CONTENT["plan"]["areas"] | {"kitchen": [50, 60]}},
+        "plan",
+        arrangements.ALL,
     )
     with pytest.raises(ValueError, match="home 1 of seed 1: no plan fits the ranges of sizes; widen them"):
         plans.draw(name_of(1, 1), 1, narrow)

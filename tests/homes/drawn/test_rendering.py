@@ -131,7 +131,7 @@ def test_a_folder_of_other_homes_is_refused(tmp_path, small):
 
 @pytest.mark.slow
 def test_another_run_in_the_folder_is_refused(tmp_path, small):
-    with FileLock(tmp_path / ".lock"), pytest.raises(PlacecatError, match="another run renders into"):
+    with FileLock(tmp_path / ".lock"), pytest.raises(PlacecatError, match="another process renders into"):
         make(tmp_path)
 
 

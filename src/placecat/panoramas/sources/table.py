@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from placecat import overrides
+from placecat.config import overrides
 from placecat.errors import PlacecatError, did_you_mean
 from placecat.footage.names import relative
 from placecat.panoramas.panorama import Panorama, kind, labels_by_kind

@@ -1,0 +1,94 @@
+"""Run parallel loops here or on a cluster; results and their order do not depend on the processes."""
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+from joblib import Parallel, delayed
+from threadpoolctl import threadpool_limits
+
+from placecat import compute
+from placecat.compute import lifeline
+from placecat.errors import PlacecatError
+from placecat.progress import Progress
+
+
+def workers() -> int:
+    """Return the number of worker processes, on the cluster if there is one, else on this machine."""
+    cluster = compute.cluster()
+    return compute.local_workers() if cluster is None else cluster.workers()
+
+
+def in_parallel(
+    function: Callable[..., Any], tasks: Sequence[tuple[Any, ...]], description: str, **options: Any
+) -> list[Any]:
+    """Return all results of :func:`stream` as a list; same parameters and order."""
+    return list(stream(function, tasks, description, **options))
+
+
+def stream(
+    function: Callable[..., Any],
+    tasks: Sequence[tuple[Any, ...]],
+    description: str,
+    *,
+    unit: str = "tasks",
+    n_jobs: int | None = None,
+    locally: bool = False,
+) -> Iterator[Any]:
+    """Call ``function(*task)`` for every task in parallel processes, with a progress line.
+
+    Every call uses one thread in BLAS, OpenMP and OpenCV, since the number of threads can change the last
+    bits of a sum. Yields the results in the order of `tasks`, each as soon as possible. Raises PlacecatError
+    if a process on this machine was killed or memory ran out, and the errors of `function`.
+
+    Parameters
+    ----------
+    function
+        It may read files but must not write any: its process may run on another machine, or be killed and
+        replaced.
+    description, unit
+        Text of the progress line, and the plural noun for the tasks in it.
+    n_jobs
+        Number of processes on this machine, by default :func:`placecat.compute.local_workers`.
+    locally
+        Never use a cluster; `function` may then write files.
+    """
+    cluster = None if locally else compute.cluster()
+    if cluster is not None:
+        results = cluster.run(single_threaded, [(function, task) for task in tasks])
+    else:
+        jobs = min(n_jobs or compute.local_workers(), max(len(tasks), 1))
+        calls = (delayed(_in_worker)(os.getpid(), function, task) for task in tasks)
+        results = _explained(Parallel(n_jobs=jobs, return_as="generator")(calls), description, jobs)
+    return iter(Progress(results, description=description, total=len(tasks), unit=unit))
+
+
+def _explained(results: Iterator[Any], description: str, jobs: int) -> Iterator[Any]:
+    from joblib.externals.loky.process_executor import TerminatedWorkerError
+
+    fewer = f"run again with fewer than {jobs}: PLACECAT_WORKERS={max(1, jobs // 2)}"
+    if jobs == 1:
+        fewer = "run again with more memory"
+    try:
+        yield from results
+    except TerminatedWorkerError:
+        raise PlacecatError(
+            f"{description}: a worker process was killed, probably because memory ran out; {fewer}"
+        ) from None
+    except MemoryError:
+        raise PlacecatError(f"{description}: memory ran out; {fewer}") from None
+
+
+def _in_worker(parent: int, function: Callable[..., Any], task: tuple[Any, ...]) -> Any:
+    if os.getpid() != parent:
+        lifeline.end_with(parent)
+    return single_threaded(function, task)
+
+
+def single_threaded(function: Callable[..., Any], task: tuple[Any, ...]) -> Any:
+    """Call ``function(*task)`` with one thread in BLAS, OpenMP and OpenCV."""
+    import cv2
+
+    cv2.setNumThreads(1)
+    with threadpool_limits(limits=1):
+        return function(*task)

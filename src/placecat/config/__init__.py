@@ -1,0 +1,1 @@
+"""Compose params.yaml from conf/, and check it."""

@@ -1,0 +1,1 @@
+"""Where each number comes from: its definition, settings, frames, seeds and stages."""

@@ -1,0 +1,240 @@
+"""Every cell of the tables and every number in the text, each with its explanation."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import pandas as pd
+
+from placecat import settings
+from placecat.provenance import numbering
+from placecat.provenance.frames import Trained, trained
+from placecat.provenance.made import Made, all_stages, made, trials_of
+from placecat.provenance.origins import Measurement, from_json
+from placecat.results.measured import MEASURES
+from placecat.thesis import in_text
+from placecat.thesis.comparison import DIFFERENCE
+from placecat.thesis.notes import Notes
+from placecat.thesis.number import ALL_FRAMES, Origin
+from placecat.thesis.records import RECORD
+from placecat.thesis.tables import in_percent
+
+ALL_HOMES = "all"
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table: its definition, including its name; its cells with notes; and its data set."""
+
+    settings: Mapping[str, Any]
+    cells: pd.DataFrame
+    dataset: Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Explained:
+    """An explained cell, or number in the text.
+
+    Attributes
+    ----------
+    id
+        The cell's number on the page, e.g. ``table_26.9.3``; see :mod:`placecat.provenance.numbering`.
+    table, title
+        The table's name (``in_text`` for a number in the text) and title.
+    group, row, column
+        The cell's labels; for a number in the text, its name, quantity and home.
+    home
+        The cell's only home or sequence, or "all".
+    measured, published, spread, seeds
+        As in the table.
+    unit
+        "percent", "points", "nats", "times", or "" if the quantity names it.
+    measurement
+        The cell's values and origins.
+    notes
+        Notes on the cell.
+    data
+        Titles of the measured and the published number's data sets; "" if nothing was published.
+    made
+        How each of the cell's results was made.
+    trained
+        Maps each test home to the frames of each of its plans, without duplicates.
+    findings
+        Numbers of the findings that rest on the cell's results.
+    """
+
+    id: str
+    table: str
+    title: str
+    group: str
+    row: str
+    column: str
+    home: str
+    measured: float
+    published: float
+    spread: float
+    seeds: int
+    unit: str
+    measurement: Measurement
+    notes: Notes
+    data: tuple[str, str]
+    made: tuple[Made, ...]
+    trained: Mapping[str, Sequence[Trained]]
+    findings: tuple[str, ...]
+
+    @property
+    def stages(self) -> tuple[str, ...]:
+        """The DVC stages that made the cell, in order."""
+        return all_stages(self.made)
+
+    @property
+    def origins(self) -> tuple[Origin, ...]:
+        """The results behind the cell."""
+        return self.measurement.origins
+
+    @property
+    def difference(self) -> float:
+        """Measured minus published, rounded to 2 decimals; NaN if either is missing."""
+        return round(self.measured - self.published, 2)
+
+
+@dataclass
+class Explaining:
+    """All cells of a run.
+
+    Attributes
+    ----------
+    params
+        All settings.
+    tables
+        Filled tables, in the report's order.
+    texts
+        Numbers in the text, with their notes.
+    origins
+        Content of data/origins.json.
+    comparisons
+        The findings' comparisons: columns finding, left_results, right_results.
+    """
+
+    params: Mapping[str, Any]
+    tables: Sequence[Table]
+    texts: pd.DataFrame
+    origins: Mapping[str, Sequence[Mapping[str, Any]]]
+    comparisons: pd.DataFrame
+    _made: dict[str, Made] = field(default_factory=dict, init=False)
+    _trained: dict[tuple[str, bool, bool, str], Trained | None] = field(default_factory=dict, init=False)
+
+    def cells(self) -> Iterator[Explained]:
+        """Yield every cell of the tables, then every number in the text."""
+        for table in self.tables:
+            yield from self._of_table(table)
+        yield from self._of_text()
+
+    def _of_table(self, table: Table) -> Iterator[Explained]:
+        name, own = table.settings["name"], table.settings
+        title = own["title"] if own["number"] is None else f"Table {own['number']}: {own['title']}"
+        ids, measurements = numbering.numbers(table.cells, name), from_json(self.origins[name])
+        data = (str(table.dataset["title"]), str(own["thesis_data"] or ""))
+        for row in table.cells.to_dict("records"):
+            key = (row["group"], row["row"], row["column"])
+            one = measurements[key]
+            unit = "points" if len(one.origins) > 1 else "percent"
+            if not in_percent(own) and one.origins and one.origins[0].part == "log_loss":
+                unit = "nats"
+            yield self._cell(key, row, one, id=ids[key], table=name, title=title, unit=unit, data=data)
+
+    def _of_text(self) -> Iterator[Explained]:
+        name, measurements = in_text.NAME, from_json(self.origins[in_text.NAME])
+        for position, row in enumerate(self.texts.to_dict("records"), start=1):
+            key = (row["name"], row["quantity"], row["home"])
+            one = measurements[key]
+            data = str(next((note.text for note in row["notes"] if note.is_of_the_table), ""))
+            yield self._cell(
+                key,
+                row,
+                one,
+                id=f"{name}.{position}",
+                table=name,
+                title=f"Number in the text, section {row['section']}",
+                unit=_unit_in_text(row["quantity"], one.origins),
+                data=(data.removeprefix("measured on "), ""),
+            )
+
+    def _cell(
+        self, key: tuple[str, str, str], row: Mapping[Any, Any], one: Measurement, **named: Any
+    ) -> Explained:
+        homes = list(dict.fromkeys(home for origin in one.origins for home in origin.homes))
+        results = list(dict.fromkeys(origin.result for origin in one.origins))
+        named.update(zip(("group", "row", "column"), key, strict=True))
+        named.update((name, float(row[name])) for name in ("measured", "published", "spread"))
+        return Explained(
+            **named,
+            home=homes[0] if len(homes) == 1 else ALL_HOMES,
+            seeds=int(row["seeds"]),
+            measurement=one,
+            notes=row["notes"],
+            made=tuple(self._how(result) for result in results),
+            trained=self._frames(one.origins),
+            findings=tuple(finding for finding, of in self._findings.items() if of & set(results)),
+        )
+
+    def _how(self, result: str) -> Made:
+        if result not in self._made:
+            self._made[result] = made(result, self.params, self._trials)
+        return self._made[result]
+
+    def _frames(self, origins: Sequence[Origin]) -> dict[str, list[Trained]]:
+        found: dict[str, list[Trained]] = {}
+        for origin in origins:
+            how = self._how(origin.result)
+            is_split = how.plan in settings.get(self.params, "splits")
+            # The origin of a mean over all homes does not list them.
+            homes = origin.homes or settings.get(self.params, "dataset.homes")
+            for home in [how.plan] if is_split else homes:
+                key = (how.plan, how.fuses, how.extra, home)
+                if key not in self._trained:
+                    self._trained[key] = trained(how, home, self.params)
+                one = self._trained[key]
+                if one is not None and one not in found.setdefault(home, []):
+                    found[home].append(one)
+        return found
+
+    @cached_property
+    def _trials(self) -> Mapping[str, Any]:
+        return trials_of(self.params)
+
+    @cached_property
+    def _findings(self) -> dict[str, set[str]]:
+        """Maps each finding's number to the results that the finding compares."""
+        found: dict[str, set[str]] = {}
+        columns = self.comparisons[["finding", "left_results", "right_results"]]
+        for finding, left, right in columns.itertuples(index=False, name=None):
+            names = [name for side in (left, right) for name in str(side).split("; ")]
+            found.setdefault(str(finding), set()).update(names)
+        return found
+
+
+def _unit_in_text(quantity: str, origins: Sequence[Origin]) -> str:
+    if not origins or origins[0].result.startswith(RECORD):
+        return ""
+    if DIFFERENCE in quantity:
+        return "points"
+    return "percent" if len(origins) == 1 else "times"
+
+
+def quantity(origin: Origin, home: str) -> str:
+    """Describe the quantity that was measured, e.g. "accuracy in home_3: mean over the places ..."."""
+    where = f" in {home}" if home != ALL_HOMES else ""
+    if origin.part in MEASURES:
+        text = f"{MEASURES[origin.part].lower()} of the distributions"
+    elif origin.part == ALL_FRAMES:
+        text = f"share of all labelled frames{where} that are named correctly, whatever their place"
+    elif origin.part:
+        text = f"share of the frames of {origin.part}{where} that are named {origin.part}"
+    else:
+        text = f"accuracy{where}: mean over the places of the share of correctly named frames"
+    if origin.result.startswith(RECORD):
+        text = "taken from a record"
+    several = home == ALL_HOMES and len(origin.homes) > 1
+    return f"{text}; mean over {', '.join(origin.homes)}" if several else text

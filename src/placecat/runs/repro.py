@@ -1,0 +1,125 @@
+"""Run `dvc repro`."""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from types import FrameType
+
+import psutil
+
+from placecat import files, paths
+from placecat.compute import lifeline
+from placecat.errors import PlacecatError
+from placecat.runs import lock, mend
+from placecat.runs.lockfile import LOCK, defined_stages
+
+# Seconds that DVC and its stage have to end after Ctrl-C, which the terminal also sends to them.
+_CTRL_C = 3.0
+
+
+class _Stopped(BaseException):
+    """A request to end this process; the argument is the signal number."""
+
+
+def run(*, force: bool = False, **environment: str) -> int:
+    """Clean up after a killed run, then run `dvc repro` in the terminal; return its exit status.
+
+    On Ctrl-C or SIGTERM, the stage cleans up, then DVC ends, then this function returns. `force` runs stages
+    even if no dependency has changed; `environment` holds additional environment variables for the stages.
+    Raises PlacecatError if another run is in progress here, or if this folder is not a git repository.
+    """
+    # Make DVC wait while another process reads the project, or it would lose a stage that has just finished.
+    command = [sys.executable, "-m", "placecat.runs.dvc", "--wait-for-lock", "repro"]
+    # Stages call `python`, so this Python must be first on the path.
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
+    with lock.alone():
+        _check_git()
+        for line in mend.mend():
+            print(line, file=sys.stderr, flush=True)
+        before = {each: signal.signal(each, _stop) for each in (signal.SIGINT, signal.SIGTERM)}
+        dvc = None
+        try:
+            dvc = subprocess.Popen(
+                [*command, *(["--force"] if force else [])], env=os.environ | {"PATH": path} | environment
+            )
+            return dvc.wait()
+        except _Stopped as stopped:
+            return 1 if dvc is None else _end(dvc, stopped.args[0])
+        finally:
+            mend.keep()
+            for each, handler in before.items():
+                signal.signal(each, handler)
+
+
+class Before:
+    """A copy of the old params.yaml, in case the run is refused."""
+
+    def __init__(self) -> None:
+        self._params, self._lock = _content(paths.PARAMS), _content(LOCK)
+
+    def restore(self) -> None:
+        """Restore params.yaml unless a stage has ended since; the new settings then stay for the next run."""
+        if _content(LOCK) != self._lock or _content(paths.PARAMS) == self._params:
+            return
+        if self._params is None:
+            paths.PARAMS.unlink()
+        else:
+            with files.replacing(paths.PARAMS) as temporary:
+                temporary.write_bytes(self._params)
+        print(f"No stage has ended: {paths.PARAMS} was restored.", file=sys.stderr)
+
+
+def _content(path: Path) -> bytes | None:
+    return path.read_bytes() if path.is_file() else None
+
+
+def _check_git() -> None:
+    """Refuse a folder without git, e.g. from a ZIP file; unlike DVC, name a remedy."""
+    configurations = [path for path in (Path(".dvc/config"), Path(".dvc/config.local")) if path.is_file()]
+    if not Path(".git").exists() and not any("no_scm" in path.read_text() for path in configurations):
+        raise PlacecatError(
+            "this folder is not a git repository, but DVC needs one: run `git init`, or, without git, "
+            "`dvc config --local core.no_scm true`"
+        )
+
+
+def _stop(number: int, frame: FrameType | None) -> None:
+    for each in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(each, lambda *_: None)
+    raise _Stopped(number)
+
+
+def _end(dvc: subprocess.Popen[bytes], number: int) -> int:
+    """End DVC after its stage; return DVC's exit status."""
+    try:
+        processes = psutil.Process(dvc.pid).children(recursive=True)
+    except psutil.NoSuchProcess:
+        processes = []
+    try:
+        try:
+            return dvc.wait(_CTRL_C if number == signal.SIGINT else 0)
+        except subprocess.TimeoutExpired:
+            dvc.terminate()
+            return dvc.wait(lifeline.GRACE)
+    except subprocess.TimeoutExpired:
+        dvc.kill()
+        return dvc.wait()
+    finally:
+        _, alive = psutil.wait_procs(processes, timeout=2)
+        for process in alive:
+            process.kill()
+
+
+def stages() -> list[str]:
+    """List the stages that `dvc repro` runs in a fresh clone: neither frozen nor with all outputs in git."""
+
+    def is_cached(out: str | dict[str, dict[str, bool]]) -> bool:
+        return isinstance(out, str) or any(options.get("cache", True) for options in out.values())
+
+    return [
+        name
+        for name, stage in defined_stages().items()
+        if not stage.get("frozen", False) and any(map(is_cached, stage["outs"]))
+    ]

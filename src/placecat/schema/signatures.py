@@ -1,0 +1,143 @@
+"""Check that code named in the settings exists and has the parameters set for it.
+
+The check does not import the code, so it is quick enough to run when settings are composed.
+"""
+
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import Any, NamedTuple, get_type_hints
+
+from pydantic import TypeAdapter
+
+from placecat import lookup, schema
+from placecat.errors import SettingError, did_you_mean
+from placecat.schema.sections import Dataset, Regions
+from placecat.settings import refuse_unknown
+
+SEQUENCES, READER = "placecat.sequences", ("list_homes", "read_home")
+CUES, LEARNING = "placecat.cues", "placecat.learning"
+FIGURES = "placecat.report.figures"
+# Estimator parameters that the code sets.
+GIVEN = frozenset({"base", "codebook", "n_clusters", "n_values", "n_jobs", "seed"})
+
+
+def check(params: Mapping[str, Any]) -> None:
+    """Refuse names of missing code, unknown or missing settings, and invalid values.
+
+    `params` holds all settings, already checked by :func:`placecat.schema.check`. The PlacecatError
+    names the setting, the nearest valid name and all valid names.
+    """
+    for section in ("dataset", "toy", "codebooks", "cues", "systems", "splits"):
+        check_part(params.get(section), section)
+    for kind, entries in (params.get("descriptors") or {}).items():
+        for name, entry in entries.items():
+            _check_descriptor(kind, name, entry)
+    for name, variant in (params.get("region_variants") or {}).get("variants", {}).items():
+        _check(variant["regions"], _of_regions(), f"region_variants.variants.{name}.regions")
+    _check_figures(params.get("figures") or {})
+
+
+def check_part(content: Any, where: str) -> None:
+    """Check every classifier, clustering and layout in a part of the settings; errors as in :func:`check`.
+
+    A mapping with ``layout`` is a data set, one with ``model`` a classifier, one with ``tree`` a codebook.
+    `where` names the part in messages, e.g. ``cues``.
+    """
+    if not isinstance(content, Mapping):
+        return
+    if "layout" in content:
+        layout = lookup.require(SEQUENCES, content["layout"], f"{where}.layout", *READER)
+        # `placecat.schema` checks the settings that all layouts share.
+        own = {name: value for name, value in content.items() if name not in Dataset.model_fields}
+        _check(own, _taken(SEQUENCES, layout, "read_home"), where)
+    elif "model" in content:
+        _check_classifier(content, where)
+    if "tree" in content:
+        check_estimator(content["tree"], f"{where}.tree")
+    for name, value in content.items():
+        check_part(value, f"{where}.{name}")
+
+
+def check_estimator(options: Mapping[str, Any], where: str) -> str:
+    """Check the settings of an estimator of `placecat.learning`; return the name of its class.
+
+    The settings are ``name``, which is the estimator's module, and its parameters except those in `GIVEN`.
+    `where` names the settings in messages, e.g. ``classifier.base``. The PlacecatError for an unknown setting
+    lists the valid ones.
+    """
+    if not isinstance(options, Mapping) or "name" not in options:
+        raise SettingError(f"{where} needs the setting 'name'")
+    own = dict(options)
+    name = own.pop("name")
+    class_name = lookup.estimator(LEARNING, name, f"{where}.name")
+    _check(own, _optional(LEARNING, name, class_name), where)
+    return class_name
+
+
+def _check_classifier(options: Mapping[str, Any], where: str) -> None:
+    own = dict(options)
+    model = lookup.require(CUES, own.pop("model"), f"{where}.model", "fit")
+    _check(own, _taken(CUES, model, "fit"), where)
+    for part in ("base", "scheme"):
+        if part in own:
+            check_estimator(own[part], f"{where}.{part}")
+    if isinstance(own.get("reduction"), Mapping):
+        _check(own["reduction"], _optional(LEARNING, "spatial_pca", "SpatialPCA"), f"{where}.reduction")
+
+
+def _check_descriptor(kind: str, name: str, entry: Mapping[str, Any]) -> None:
+    where, own = f"descriptors.{kind}.{name}", dict(entry)
+    # A variant of a descriptor names its module.
+    module = own.pop("descriptor", name)
+    lookup.require(f"placecat.vision.{kind}", module, f"{where}: {kind} descriptor", "describe")
+    _check(own, _taken(f"placecat.vision.{kind}", module, "describe"), where)
+
+
+def _check_figures(figures: Mapping[str, Any]) -> None:
+    # Figures 12 to 14 share their settings; `placecat.schema` checks those of the example.
+    drawn = lookup.entries(FIGURES, "FIGURES") | {"clusters": ("clusters", "_draw")}
+    for name, own in figures.items():
+        if name == "example":
+            continue
+        if name not in drawn:
+            question = did_you_mean(name, drawn)
+            raise SettingError(f"figures: {name!r} does not exist{question}: use one of {', '.join(drawn)}")
+        _check(own, _taken(FIGURES, *drawn[name]), f"figures.{name}")
+
+
+class _Setting(NamedTuple):
+    """A setting: whether it is required, and a check of its values."""
+
+    is_needed: bool
+    values: TypeAdapter[Any]
+
+
+@lru_cache
+def _taken(package: str, name: str, definition: str) -> dict[str, _Setting]:
+    """Return the settings of a function or class; see :func:`placecat.lookup.parameters`."""
+    needed = lookup.parameters(package, name, definition)
+    kinds = lookup.types(package, name, definition)
+    return {setting: _Setting(needed[setting], schema.of_type(kinds[setting])) for setting in needed}
+
+
+@lru_cache
+def _optional(package: str, name: str, definition: str) -> dict[str, _Setting]:
+    """Return an estimator's settings except those in `GIVEN`; none is required."""
+    taken = _taken(package, name, definition)
+    return {name: one._replace(is_needed=False) for name, one in taken.items() if name not in GIVEN}
+
+
+@lru_cache
+def _of_regions() -> dict[str, _Setting]:
+    """Return the settings of salient regions; none is required, since a variant changes only some."""
+    kinds = get_type_hints(Regions, include_extras=True)
+    return {name: _Setting(False, schema.of_type(kinds[name])) for name in Regions.model_fields}
+
+
+def _check(options: Mapping[str, Any], taken: Mapping[str, _Setting], where: str) -> None:
+    refuse_unknown(options, list(taken), where)
+    for name, setting in taken.items():
+        if name in options:
+            schema.check_value(options[name], setting.values, f"{where}.{name}")
+        elif setting.is_needed:
+            raise SettingError(f"{where} needs the setting {name!r}")

@@ -1,0 +1,104 @@
+"""Read a home's descriptors, which the stages `features` and `tracks` write."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from placecat import files, paths
+from placecat.cues import cue_input
+from placecat.cues.descriptors import Descriptors
+from placecat.errors import PlacecatError
+
+
+def read_descriptors(
+    home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64] | None = None
+) -> Descriptors:
+    """Read a cue's descriptor for one home, for the frames `rows` or for all frames.
+
+    `home` is as for :func:`placecat.paths.features`, `descriptor` as for
+    :func:`placecat.cues.cue_input.check`.
+    Raises PlacecatError for an unknown setting, too many regions, or a descriptor that was not computed for
+    these frames.
+    """
+    cue_input.check(descriptor)
+    folder = folder_of(home, descriptor)
+    if "variant" in descriptor:
+        rows = _rows(folder, rows)
+    arrays = {}
+    for name in cue_input.array_names(descriptor):
+        path = folder / f"{name}.npy"
+        if not path.exists():
+            raise PlacecatError(
+                f"{path} is missing: name the descriptor in a file of conf/cue, then run `placecat params` "
+                "and `dvc repro`"
+            )
+        array = files.read_array(path)
+        arrays[name] = array if rows is None else array[rows]
+    is_local = descriptor["kind"] == "local"
+    return cue_input.assemble(
+        descriptor,
+        arrays,
+        height=files.read_json(paths.sequences(home) / "home.json")["height"] if is_local else 0,
+        modules=files.read_json(folder / "descriptors.json") if is_local else {},
+    )
+
+
+def files_of(home: str, descriptor: Mapping[str, Any]) -> list[Path]:
+    """Return the paths of all files that :func:`read_descriptors` reads for a home, existing or not."""
+    folder = folder_of(home, descriptor)
+    names = [f"{name}.npy" for name in cue_input.array_names(descriptor)]
+    if "variant" in descriptor:
+        names.append(paths.VARIANT_FRAMES)
+    if descriptor["kind"] == "local":
+        names.append("descriptors.json")
+    return [paths.sequences(home) / "home.json", *(folder / name for name in names)]
+
+
+def described(home: str, descriptor: Mapping[str, Any], rows: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Return the frames of `rows` that have a descriptor, in time order; region variants lack some frames."""
+    if "variant" not in descriptor:
+        return rows
+    there: NDArray[np.int64] = np.intersect1d(rows, _described(folder_of(home, descriptor)))
+    return there
+
+
+def folder_of(home: str, descriptor: Mapping[str, Any]) -> Path:
+    """Return the folder of the arrays of a home's descriptor; parameters as for :func:`read_descriptors`."""
+    if descriptor.get("tracked", False):
+        return paths.TRACKS / home
+    folder = paths.features(home)
+    return folder / paths.VARIANT.format(descriptor["variant"]) if "variant" in descriptor else folder
+
+
+def _described(folder: Path) -> NDArray[np.int64]:
+    path = folder / paths.VARIANT_FRAMES
+    if not path.is_file():
+        raise PlacecatError(
+            f"{path} is missing: name the variant in conf/region_variants and run `dvc repro`"
+        )
+    return files.read_array(path, memory_map=False)
+
+
+def _rows(folder: Path, frames: NDArray[np.int64] | None) -> NDArray[np.int64]:
+    """Return the positions of frames in a variant's arrays."""
+    there = _described(folder)
+    if frames is None or not np.isin(frames, there).all():
+        raise PlacecatError(
+            f"{folder} has only the frames of region_variants.frames: use variants of regions in trials only"
+        )
+    rows: NDArray[np.int64] = np.searchsorted(there, frames)
+    return rows
+
+
+def read_training(
+    homes: tuple[str, ...], descriptor: Mapping[str, Any], selection: Mapping[str, NDArray[np.int64]]
+) -> Descriptors:
+    """Read a descriptor for the selected frames of several homes, in the order of `homes`."""
+    parts = [read_descriptors(home, descriptor, selection[home]) for home in homes]
+    x = np.concatenate([part.x for part in parts])
+    if parts[0].counts is None:
+        return Descriptors(x)
+    return Descriptors(x, np.concatenate([part.counts for part in parts if part.counts is not None]))

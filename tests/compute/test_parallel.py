@@ -1,0 +1,54 @@
+"""Loops whose processes die."""
+
+import os
+import signal
+import subprocess
+import sys
+
+import psutil
+import pytest
+from made_pipeline import wait_for
+
+from placecat.compute import parallel
+from placecat.errors import PlacecatError
+
+
+def _die(number):
+    if number == 2:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return number
+
+
+def _want_too_much(number):
+    raise MemoryError
+
+
+def test_a_killed_worker_is_one_message_that_names_the_task(two_workers):
+    with pytest.raises(PlacecatError, match=r"features of home_1: a worker process was killed.*WORKERS=1"):
+        parallel.in_parallel(_die, [(number,) for number in range(4)], "features of home_1")
+
+
+@pytest.mark.parametrize(("jobs", "remedy"), [(1, "with more memory"), (2, "PLACECAT_WORKERS=1")])
+def test_a_task_without_memory_is_one_message_that_names_the_task(two_workers, jobs, remedy):
+    with pytest.raises(PlacecatError, match=rf"features of home_1: memory ran out.*{remedy}"):
+        parallel.in_parallel(_want_too_much, [(1,), (2,)], "features of home_1", n_jobs=jobs)
+
+
+LOOP = """
+import os, time
+from placecat.compute import parallel
+def work(number):
+    print(os.getpid(), flush=True)
+    time.sleep(60)
+parallel.in_parallel(work, [(1,), (2,)], "work", n_jobs=2)
+"""
+
+
+@pytest.mark.slow
+def test_workers_end_with_a_killed_process():
+    process = subprocess.Popen([sys.executable, "-c", LOOP], stdout=subprocess.PIPE, text=True)
+    workers = [psutil.Process(int(process.stdout.readline())) for _ in range(2)]
+    process.kill()
+    process.wait()
+    for worker in workers:
+        wait_for(lambda one=worker: not one.is_running() or one.status() == psutil.STATUS_ZOMBIE, 10)

@@ -1,0 +1,112 @@
+"""Names of missing code are refused at once, and so are unknown settings."""
+
+import copy
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from test_schema import at
+
+from placecat import schema, settings
+from placecat.config.compose import write_params
+from placecat.errors import PlacecatError
+from placecat.schema import signatures
+from project import light_conf
+
+ROOT = Path(__file__).resolve().parents[2]
+PARAMS = settings.load(ROOT / "params.yaml")
+PARTS = [
+    "cues.gist.classifier",
+    "cues.gist.classifier.base",
+    "cues.gist.classifier.scheme",
+    "cues.spatial_pact.classifier.reduction",
+    "cues.hog_y.classifier",
+    "cues.hog_y.classifier.base",
+    "codebooks.hog_y.tree",
+    "systems.das_551_best.integrator.classifier",
+    "systems.das_551_best.integrator.classifier.base",
+    "splits.university.integrator.classifier.scheme",
+    "toy.schemes.parallel",
+    "toy.schemes.sequential.scheme",
+    "descriptors.local.hog",
+    "descriptors.local.centrist_laplacian",
+    "descriptors.holistic.gist",
+    "region_variants.variants.as_used.regions",
+    "figures.clusters",
+    "figures.figure_09",
+    "figures.figure_16",
+    "figures.figure_reliability",
+]
+
+
+def test_the_settings_that_git_holds_are_right():
+    signatures.check(PARAMS)
+    signatures.check({})
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_an_unknown_setting_is_refused(part):
+    params = copy.deepcopy(PARAMS)
+    at(params, part)["nonsense"] = 1
+    schema.check(params)
+    with pytest.raises(PlacecatError) as caught:
+        signatures.check(params)
+    assert str(caught.value).startswith(f"{part} has no setting 'nonsense' (valid: ")
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("setting", "value", "message"),
+    [
+        ("cues.gist.classifier.model", "svm", r"cues\.gist\.classifier\.model 'svm' does not exist"),
+        ("cues.gist.classifier.model", None, r"cues\.gist\.classifier\.model None does not exist"),
+        ("cues.gist.classifier.base.name", "nu_svn", r"base\.name 'nu_svn' .*did you mean 'nu_svm'"),
+        ("cues.gist.classifier.base.name", "kernels", r"base\.name 'kernels' is not an estimator"),
+        (
+            "cues.gist.classifier.base.name",
+            "discrete_bayes",
+            r"base\.name 'discrete_bayes' is not an estimator",
+        ),
+        ("cues.hog_y.classifier.base.n_values", 3, r"classifier\.base has no setting 'n_values'"),
+        ("codebooks.hog_y.tree.seed", 3, r"codebooks\.hog_y\.tree has no setting 'seed'"),
+        ("dataset.layout", "vidoe", r"dataset\.layout 'vidoe' does not exist; did you mean 'video'"),
+        ("splits.university.dataset.layout", "base", r"splits\.university\.dataset\.layout 'base' does not"),
+        ("descriptors.local.hog.descriptor", "hug", r"descriptors\.local\.hog: local descriptor 'hug' does"),
+        ("figures.figure_08", {}, r"figures: 'figure_08' does not exist"),
+    ],
+)
+def test_a_name_of_no_code_and_a_parameter_that_is_no_setting_are_refused(setting, value, message):
+    params = copy.deepcopy(PARAMS)
+    parent, _, name = setting.rpartition(".")
+    at(params, parent)[name] = value
+    with pytest.raises(PlacecatError, match=message) as caught:
+        signatures.check(params)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("setting", ["cues.hog_y.classifier.clusters", "cues.gist.classifier.base.name"])
+def test_a_setting_without_a_default_is_missed(setting):
+    params = copy.deepcopy(PARAMS)
+    parent, _, name = setting.rpartition(".")
+    del at(params, parent)[name]
+    with pytest.raises(PlacecatError, match=rf"{parent} needs the setting '{name}'"):
+        signatures.check(params)
+
+
+def test_composing_refuses_it(tmp_path, monkeypatch):
+    light_conf(tmp_path / "conf")
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(PlacecatError, match=r"cues\.gist\.classifier\.base has no setting 'nonsense'"):
+        write_params(["++cues.gist.classifier.base.nonsense=1"])
+    assert {path.name for path in tmp_path.iterdir()} == {"conf"}
+
+
+def test_no_large_library_is_imported():
+    code = (
+        "import sys; from placecat import settings; from placecat.schema import signatures; signatures.check(settings.load());"
+        "print({'sklearn', 'scipy', 'cv2', 'pandas', 'matplotlib', 'numpy'} & set(sys.modules))"
+    )
+    command = [sys.executable, "-c", code]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "set()"
