@@ -26,11 +26,10 @@ _VISITS = 4
 
 @dataclass(frozen=True)
 class Frames:
-    """Frames as (n, D) float32 descriptors, with their (n,) int64 places and homes."""
+    """Frames as (n, D) float32 descriptors, with their (n,) int64 places."""
 
     descriptors: NDArray[np.float32]
     place: NDArray[np.int64]
-    home: NDArray[np.int64]
 
 
 def draw_frames(n: int, features: int, homes: Sequence[int], seed: int = 0) -> Frames:
@@ -51,8 +50,14 @@ def draw_frames(n: int, features: int, homes: Sequence[int], seed: int = 0) -> F
         sources.append(_walk(np.random.default_rng((seed, 1 + home)), means, place) * deviations)
         places.append(place)
     descriptors = np.concatenate(sources) @ mixing
-    lengths = [len(place) for place in places]
-    return Frames(descriptors.astype(np.float32), np.concatenate(places), np.repeat(homes, lengths))
+    return Frames(descriptors.astype(np.float32), np.concatenate(places))
+
+
+def points_behind(
+    ours: NDArray[np.generic], theirs: NDArray[np.generic], positive: NDArray[np.bool_]
+) -> float:
+    """Return by how many percent points the accuracy of our decisions, (n,), is below that of theirs."""
+    return 100.0 * float(np.mean(theirs == positive) - np.mean(ours == positive))
 
 
 def _walk(

@@ -14,7 +14,7 @@ def in_the_project(monkeypatch):
 
 
 def test_its_entries_and_targets():
-    entries = list(frame_features.entries(frames=[frame()], repeats=5))
+    entries = list(frame_features.entries(frames=[frame()]))
     assert [(entry.input, entry.target) for entry in entries] == [
         ("320x240 JPEG, for the cues", "at most 7x its time"),
         ("320x240 JPEG, for the cues", "at least 40"),

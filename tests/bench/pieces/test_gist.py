@@ -8,7 +8,7 @@ from project import ROOT
 @pytest.fixture
 def entry(monkeypatch):
     monkeypatch.chdir(ROOT)
-    (entry,) = gist.entries(frames=[frame()], repeats=5)
+    (entry,) = gist.entries(frames=[frame()])
     return entry
 
 

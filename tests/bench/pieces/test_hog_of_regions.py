@@ -9,7 +9,7 @@ from project import ROOT
 @pytest.fixture
 def entries(monkeypatch):
     monkeypatch.chdir(ROOT)
-    return list(hog_of_regions.entries(frames=[frame(), frame(seed=3)], count=7, repeats=5))
+    return list(hog_of_regions.entries(frames=[frame(), frame(seed=3)], count=7))
 
 
 def test_its_entries_and_targets(entries):
