@@ -5,12 +5,6 @@ from makers import frame
 from placecat.errors import PlacecatError
 from placecat_bench import frames
 from placecat_bench.pieces import frame_features
-from project import ROOT
-
-
-@pytest.fixture(autouse=True)
-def in_the_project(monkeypatch):
-    monkeypatch.chdir(ROOT)
 
 
 def test_its_entries_and_targets():

@@ -2,12 +2,10 @@ import pytest
 from makers import frame
 
 from placecat_bench.pieces import gist
-from project import ROOT
 
 
 @pytest.fixture
-def entry(monkeypatch):
-    monkeypatch.chdir(ROOT)
+def entry():
     (entry,) = gist.entries(frames=[frame()])
     return entry
 

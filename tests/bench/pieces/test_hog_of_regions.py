@@ -3,12 +3,10 @@ import pytest
 from makers import frame
 
 from placecat_bench.pieces import hog_of_regions
-from project import ROOT
 
 
 @pytest.fixture
-def entries(monkeypatch):
-    monkeypatch.chdir(ROOT)
+def entries():
     return list(hog_of_regions.entries(frames=[frame(), frame(seed=3)], count=7))
 
 

@@ -1,16 +1,9 @@
 import numpy as np
-import pytest
 from makers import frame
 
 from placecat.vision.attention import compute_maps, find_regions
 from placecat_bench import frames
 from placecat_bench.pieces import saliency
-from project import ROOT
-
-
-@pytest.fixture(autouse=True)
-def in_the_project(monkeypatch):
-    monkeypatch.chdir(ROOT)
 
 
 def test_its_entry_and_target():

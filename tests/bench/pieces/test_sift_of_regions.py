@@ -6,12 +6,6 @@ from makers import frame
 from placecat.vision.patches import region_side
 from placecat_bench.frames import with_regions
 from placecat_bench.pieces import sift_of_regions
-from project import ROOT
-
-
-@pytest.fixture(autouse=True)
-def in_the_project(monkeypatch):
-    monkeypatch.chdir(ROOT)
 
 
 def test_its_entry_and_target():
